@@ -1,0 +1,39 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "attributes/records.hpp"
+#include "core/feature_sink.hpp"
+
+namespace d2b {
+
+enum class AttributeUnit { none, vertical, metre, square_metre };
+
+/// One attribute of a record: the only place for its name, type, unit, words and value.
+template <typename Record>
+struct Attribute {
+    std::string_view name;          ///< at most 10 ASCII characters
+    std::string_view alias;
+    FieldType type;
+    AttributeUnit unit;
+    std::string_view description;
+    FieldValue (*value)(const Record&);
+};
+
+[[nodiscard]] std::span<const Attribute<BuildingRecord>> building_attributes();
+[[nodiscard]] std::span<const Attribute<ContourRecord>> contour_attributes();
+
+/// @param vertical_unit name of the DEM's vertical unit
+template <typename Record>
+[[nodiscard]] std::vector<FieldSpec> field_specs(std::span<const Attribute<Record>> attributes,
+                                                 const std::string& vertical_unit);
+template <typename Record>
+[[nodiscard]] std::vector<FieldValue> field_values(std::span<const Attribute<Record>> attributes,
+                                                   const Record& record);
+
+/// The schema of both layers as Markdown tables: docs/output.md holds it.
+[[nodiscard]] std::string schema_markdown();
+
+}  // namespace d2b

@@ -1,0 +1,36 @@
+# How every target of the project is compiled. Nothing global: a project that embeds this one keeps its own flags.
+add_library(d2b_compile INTERFACE)
+target_compile_features(d2b_compile INTERFACE cxx_std_20)
+target_include_directories(d2b_compile INTERFACE ${PROJECT_SOURCE_DIR}/lib ${PROJECT_BINARY_DIR}/lib)
+target_compile_options(d2b_compile INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast -Wnon-virtual-dtor
+  -Woverloaded-virtual -Wdouble-promotion -Wformat=2
+  # A fused multiply-add would make coordinates depend on the processor.
+  -ffp-contract=off)
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  # GCC 12 sees overlaps in std::string's own operator+ (GCC bug 105651).
+  target_compile_options(d2b_compile INTERFACE -Wno-restrict)
+endif()
+if(D2B_WARNINGS_AS_ERRORS)
+  target_compile_options(d2b_compile INTERFACE -Werror)
+endif()
+if(D2B_SANITIZE)
+  target_compile_options(d2b_compile INTERFACE -fsanitize=${D2B_SANITIZE} -fno-sanitize-recover=all
+                         -fno-omit-frame-pointer)
+  target_link_options(d2b_compile INTERFACE -fsanitize=${D2B_SANITIZE})
+endif()
+if(D2B_CLANG_TIDY)
+  find_program(D2B_CLANG_TIDY_PROGRAM NAMES clang-tidy clang-tidy-14 REQUIRED)
+endif()
+
+# d2b_module(name [LINK libraries...]): the objects of one folder of lib/.
+function(d2b_module name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+  add_library(d2b_${name} OBJECT ${arg_SOURCES})
+  target_link_libraries(d2b_${name} PRIVATE d2b_compile ${arg_LINK})
+  set_target_properties(d2b_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  if(D2B_CLANG_TIDY)
+    set_target_properties(d2b_${name} PROPERTIES CXX_CLANG_TIDY "${D2B_CLANG_TIDY_PROGRAM};--quiet")
+  endif()
+  set_property(GLOBAL APPEND PROPERTY D2B_MODULES d2b_${name})
+endfunction()

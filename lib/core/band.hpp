@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace d2b {
+
+/// A label that detection gives to the cells of one object; 0 is no object.
+using Label = std::uint32_t;
+
+/// Whole rows of a window. Rows are numbered as in the whole raster, columns from the window's first.
+struct BandShape {
+    std::int32_t first_row = 0;
+    std::int32_t rows = 0;
+    std::int32_t cols = 0;
+
+    [[nodiscard]] std::size_t size() const {
+        return static_cast<std::size_t>(rows) * static_cast<std::size_t>(cols);
+    }
+};
+
+/// Elevations, NaN where a point is not valid.
+struct ElevationBand {
+    BandShape shape;
+    std::vector<double> elevations;
+
+    [[nodiscard]] std::span<const double> row(std::int32_t i) const {
+        return {elevations.data() + static_cast<std::size_t>(i) * static_cast<std::size_t>(shape.cols),
+                static_cast<std::size_t>(shape.cols)};
+    }
+};
+
+/// The label of every cell. An empty list stands for one label, 1, everywhere: the thesis preset, which then
+/// costs nothing.
+struct LabelBand {
+    BandShape shape;
+    std::vector<Label> labels;
+
+    [[nodiscard]] std::span<const Label> row(std::int32_t i) const {
+        if (labels.empty())
+            return {};
+        return {labels.data() + static_cast<std::size_t>(i) * static_cast<std::size_t>(shape.cols),
+                static_cast<std::size_t>(shape.cols)};
+    }
+};
+
+/// How many levels a point belongs to: 0 where it is not valid, 1 where it exceeds no threshold of its label,
+/// k + 1 where it exceeds k of them. Kept in 16 bits, or in a byte where no label has more than 254 thresholds.
+template <typename Count>
+struct LevelBand {
+    BandShape shape;
+    std::vector<Count> counts;
+
+    [[nodiscard]] std::span<const Count> row(std::int32_t i) const {
+        return {counts.data() + static_cast<std::size_t>(i) * static_cast<std::size_t>(shape.cols),
+                static_cast<std::size_t>(shape.cols)};
+    }
+};
+
+}  // namespace d2b

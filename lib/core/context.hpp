@@ -1,0 +1,31 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/report.hpp"
+
+namespace d2b {
+
+/// What every stage gets beside its input: the report it adds to, and the caller's ears. The library has no
+/// globals, prints nothing and ends no process.
+struct Context {
+    RunReport report;
+    std::function<void(const std::string&)> on_warning;    ///< may be empty
+    std::function<bool(double)> on_progress;               ///< share done, 0 to 1; false asks to stop; may be empty
+
+    void warn(std::string text) {
+        if (on_warning)
+            on_warning(text);
+        report.warnings.push_back(std::move(text));
+    }
+    /// @throws Cancelled
+    void progress(double share) const {
+        if (on_progress && !on_progress(share))
+            throw Cancelled();
+    }
+};
+
+}  // namespace d2b

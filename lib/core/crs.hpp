@@ -1,0 +1,92 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/feature_sink.hpp"
+
+namespace d2b {
+
+/// A unit of length.
+struct LengthUnit {
+    std::string name;      ///< "metre", "foot", "US survey foot", ...
+    double metres = 1;     ///< metres in one unit
+};
+
+/// A coordinate reference system, read with PROJ. A value: copies share one immutable definition.
+/// Not for use by two threads at a time.
+class Crs {
+  public:
+    enum class Kind { none, projected, geographic, local, other };
+
+    /// No CRS at all.
+    Crs();
+    /// @param text WKT of any version, an authority code ("EPSG:25832", compounds "EPSG:25832+7837"), PROJJSON or a
+    ///        PROJ string; "" gives no CRS @throws OptionError with PROJ's reason where it is none of these
+    explicit Crs(std::string_view text);
+
+    [[nodiscard]] Kind kind() const;
+    [[nodiscard]] std::string name() const;               ///< "" for none
+    [[nodiscard]] std::string wkt() const;                ///< WKT2:2019, "" for none
+    /// Of the horizontal axes; empty where they are angles, or there is no CRS.
+    [[nodiscard]] std::optional<LengthUnit> horizontal_unit() const;
+    /// Of the vertical part of a compound CRS or of the height axis of a 3D one; empty where there is none.
+    [[nodiscard]] std::optional<LengthUnit> vertical_unit() const;
+    /// Whether places have a longitude and a latitude on an ellipsoid (so that areas are geodesic).
+    [[nodiscard]] bool on_ellipsoid() const;
+
+    struct Impl;
+    [[nodiscard]] const Impl& impl() const { return *impl_; }
+
+  private:
+    std::shared_ptr<const Impl> impl_;
+};
+
+/// From one CRS to another with PROJ, axes in GIS order on both sides.
+class CoordinateTransform {
+  public:
+    /// @param area positions (of `from`) that span the area of interest; PROJ picks the best operation for it
+    /// @throws OptionError where there is no operation between the two
+    CoordinateTransform(const Crs& from, const Crs& to, std::span<const Position> area);
+    CoordinateTransform(CoordinateTransform&&) noexcept;
+    CoordinateTransform& operator=(CoordinateTransform&&) noexcept;
+    ~CoordinateTransform();
+
+    /// In place. @throws InputError naming the first position that has no image
+    void apply(std::span<Position> positions);
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+/// Areas and lengths on the ellipsoid of a CRS with GeographicLib; planar where the CRS has none (local
+/// coordinates, no CRS), in the square of its horizontal unit turned into metres, or in plain units.
+/// Edges are straight in the CRS: long ones are densified until what remains is below 1e-7 of the area.
+class Geodesy {
+  public:
+    explicit Geodesy(const Crs& crs);
+    Geodesy(Geodesy&&) noexcept;
+    Geodesy& operator=(Geodesy&&) noexcept;
+    ~Geodesy();
+
+    struct Measure {
+        double area_m2 = 0;       ///< never negative, whatever the orientation
+        double perimeter_m = 0;
+    };
+    [[nodiscard]] bool geodesic() const;
+    /// One ring, not closed by a repeated position. @throws InputError where a position has no longitude and
+    /// latitude
+    [[nodiscard]] Measure ring(std::span<const Position> ring);
+    /// Exterior less interiors; the perimeter counts all rings.
+    [[nodiscard]] Measure polygon(const WorldPolygon& polygon);
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace d2b

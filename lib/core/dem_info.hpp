@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+namespace d2b {
+
+/// Rows and columns of the source raster, half open: [row, row + rows) x [col, col + cols).
+struct Window {
+    std::int32_t row = 0;
+    std::int32_t col = 0;
+    std::int32_t rows = 0;
+    std::int32_t cols = 0;
+
+    friend bool operator==(const Window&, const Window&) = default;
+};
+
+/// The six terms of GDAL's affine transform, from (column, row) to coordinates:
+/// x = g[0] + column g[1] + row g[2], y = g[3] + column g[4] + row g[5]; (0, 0) is the outer corner of the
+/// first cell. Rotated, south-up and non-square grids are all of this form.
+using AffineTransform = std::array<double, 6>;
+
+/// What is known of a DEM before its elevations are read. Plain values: the algorithm never sees a file.
+struct DemInfo {
+    std::string name;         ///< as the user gave it; for messages and provenance
+    std::int32_t rows = 0;    ///< of the whole raster
+    std::int32_t cols = 0;    ///< of the whole raster
+    Window window;            ///< the part that is used; rows and columns stay those of the whole raster
+    AffineTransform transform{0, 1, 0, 0, 0, -1};  ///< without georeferencing: pixels, y up
+    bool georeferenced = false;
+    std::string crs_wkt;      ///< WKT2:2019, empty where there is none
+    std::string band_unit;    ///< the band's unit of elevation as stated, e.g. "metre", "US survey foot"; may be ""
+    std::string driver;       ///< short name of the format, for the report
+};
+
+}  // namespace d2b

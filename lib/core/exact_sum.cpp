@@ -1,0 +1,94 @@
+#include "core/exact_sum.hpp"
+
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/cpp_int.hpp>
+
+namespace d2b {
+namespace {
+
+// Wide enough for the square of any sum, with its unit; no allocation.
+constexpr unsigned width = 12288;
+using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<
+    width, width, boost::multiprecision::signed_magnitude, boost::multiprecision::unchecked, void>>;
+using Wide = boost::multiprecision::cpp_bin_float_100;
+
+/// value = mantissa * 2^exponent
+struct Parts {
+    std::int64_t mantissa;
+    int exponent;
+};
+
+Parts parts(double value) {
+    const auto bits = std::bit_cast<std::uint64_t>(value);
+    const auto biased = static_cast<int>((bits >> 52) & 0x7ff);
+    auto mantissa = static_cast<std::int64_t>(bits & 0xfffffffffffffULL);
+    if (biased != 0)
+        mantissa |= std::int64_t{1} << 52;
+    return {(bits >> 63) != 0 ? -mantissa : mantissa, (biased == 0 ? 1 : biased) - 1075};
+}
+
+/// The sum in units of 2^lowest_exponent.
+Integer as_integer(const ExactSum& sum) {
+    Integer total = 0;
+    for (std::size_t i = ExactSum::bin_count; i-- > 0;) {
+        total <<= 32;
+        total += Integer(sum.bins()[i]);
+    }
+    return total;
+}
+
+}  // namespace
+
+void ExactSum::add(std::int64_t mantissa, int exponent) {
+    const auto shift = static_cast<unsigned>(exponent - lowest_exponent);
+    bins_[shift / 32] += static_cast<Int128>(mantissa) * (Int128{1} << (shift % 32));
+}
+
+void ExactSum::add(double value) {
+    const Parts p = parts(value);
+    add(p.mantissa, p.exponent);
+}
+
+void ExactSum::add_square(double value) {
+    const Parts p = parts(value);
+    const auto magnitude = static_cast<std::uint64_t>(p.mantissa < 0 ? -p.mantissa : p.mantissa);
+    const UInt128 square = static_cast<UInt128>(magnitude) * magnitude;
+    constexpr std::uint64_t low_53 = (std::uint64_t{1} << 53) - 1;
+    add(static_cast<std::int64_t>(static_cast<std::uint64_t>(square) & low_53), 2 * p.exponent);
+    add(static_cast<std::int64_t>(square >> 53), 2 * p.exponent + 53);
+}
+
+void ExactSum::merge(const ExactSum& other) {
+    for (std::size_t i = 0; i < bin_count; ++i)
+        bins_[i] += other.bins_[i];
+}
+
+void Moments::merge(const Moments& other) {
+    n += other.n;
+    sum.merge(other.sum);
+    squares.merge(other.squares);
+}
+
+double Moments::mean() const {
+    if (n == 0)
+        return std::numeric_limits<double>::quiet_NaN();
+    return static_cast<double>(ldexp(Wide(as_integer(sum)) / Wide(n), ExactSum::lowest_exponent));
+}
+
+double Moments::standard_deviation() const {
+    if (n < 2)
+        return 0;
+    // n times the sum of squares less the square of the sum: integers, so nothing cancels.
+    const Integer total = as_integer(sum);
+    Integer unit = 0;
+    bit_set(unit, static_cast<unsigned>(-ExactSum::lowest_exponent));
+    const Integer numerator = n * as_integer(squares) * unit - total * total;
+    const Wide variance = Wide(numerator) / (Wide(n) * Wide(n - 1));
+    return static_cast<double>(ldexp(sqrt(variance), ExactSum::lowest_exponent));
+}
+
+}  // namespace d2b

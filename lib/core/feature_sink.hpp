@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace d2b {
+
+/// A position in a CRS, in the order that GIS programs use: x is easting or longitude, y northing or latitude.
+struct Position {
+    double x = 0;
+    double y = 0;
+
+    friend bool operator==(const Position&, const Position&) = default;
+};
+
+/// The last position is not repeated.
+using WorldRing = std::vector<Position>;
+
+/// Exterior ring counter-clockwise, interior rings clockwise (y up).
+struct WorldPolygon {
+    WorldRing exterior;
+    std::vector<WorldRing> interiors;
+};
+
+enum class FieldType { integer, real, text };
+
+/// One column of a layer. Names have at most 10 ASCII characters, so that a Shapefile keeps them.
+struct FieldSpec {
+    std::string name;
+    std::string alias;        ///< for people, with the unit
+    FieldType type = FieldType::real;
+    std::string unit;         ///< "m", "m2", "ft", ...; "" where there is none
+    std::string description;
+};
+
+struct LayerSpec {
+    std::string name;
+    std::string title;
+    std::string description;
+    std::vector<FieldSpec> fields;
+    bool with_z = false;      ///< every vertex carries Feature::z
+};
+
+/// std::monostate is NULL.
+using FieldValue = std::variant<std::monostate, std::int64_t, double, std::string>;
+
+struct Feature {
+    std::vector<FieldValue> values;    ///< one a field, in their order
+    std::vector<WorldPolygon> parts;   ///< at least one; written as a MultiPolygon
+    double z = 0;
+};
+
+/// What a dataset says of itself.
+struct Provenance {
+    std::string crs_wkt;                           ///< of the coordinates that are written; "" for none
+    std::map<std::string, std::string> metadata;   ///< source, options, thresholds, units, version
+};
+
+/// Where features go: a file (write/), or a list in tests and in other programs.
+/// begin, then add in the order in which features are to stand in their layers, then finish. A sink that is
+/// destroyed without finish() leaves the destination as it was.
+class FeatureSink {
+  public:
+    FeatureSink() = default;
+    FeatureSink(const FeatureSink&) = delete;
+    FeatureSink& operator=(const FeatureSink&) = delete;
+    virtual ~FeatureSink() = default;
+
+    /// @throws OutputError
+    virtual void begin(std::span<const LayerSpec> layers, const Provenance& provenance) = 0;
+    /// @param layer index into the layers that begin() got @throws OutputError
+    virtual void add(std::size_t layer, const Feature& feature) = 0;
+    /// Makes the result visible, all of it or nothing. @throws OutputError
+    virtual void finish() = 0;
+
+    /// The first number that `id` fields may take, given what a destination already holds (append).
+    [[nodiscard]] virtual std::int64_t first_id() const { return 1; }
+};
+
+}  // namespace d2b

@@ -1,0 +1,46 @@
+#include "core/georeference.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace d2b {
+
+Georeference::Georeference(const AffineTransform& transform, TraceMode mode)
+    : transform_(transform),
+      shift_(mode == TraceMode::points ? 0.5 : 0.0),
+      mirrored_(transform[1] * transform[5] - transform[2] * transform[4] > 0) {}
+
+Position Georeference::position(LatticePoint point) const {
+    const double col = point.col + shift_;
+    const double row = point.row + shift_;
+    return {transform_[0] + col * transform_[1] + row * transform_[2],
+            transform_[3] + col * transform_[4] + row * transform_[5]};
+}
+
+Position Georeference::step(double rows, double cols) const {
+    return {cols * transform_[1] + rows * transform_[2], cols * transform_[4] + rows * transform_[5]};
+}
+
+double Georeference::cell_area() const {
+    return std::abs(transform_[1] * transform_[5] - transform_[2] * transform_[4]);
+}
+
+WorldRing Georeference::ring(const LatticeRing& ring) const {
+    WorldRing result;
+    result.reserve(ring.size());
+    for (const LatticePoint point : ring)
+        result.push_back(position(point));
+    if (mirrored_)
+        std::reverse(result.begin() + 1, result.end());
+    return result;
+}
+
+WorldPolygon Georeference::polygon(const LatticePolygon& polygon) const {
+    WorldPolygon result{ring(polygon.exterior), {}};
+    result.interiors.reserve(polygon.interiors.size());
+    for (const LatticeRing& interior : polygon.interiors)
+        result.interiors.push_back(ring(interior));
+    return result;
+}
+
+}  // namespace d2b

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/dem_info.hpp"
+#include "core/feature_sink.hpp"
+#include "core/lattice.hpp"
+#include "core/options.hpp"
+
+namespace d2b {
+
+/// The one place where rows and columns become coordinates. Each position is computed from its integers alone, so
+/// equal lattice points are equal positions, and what is straight along a row or column of an unrotated grid stays
+/// so exactly.
+class Georeference {
+  public:
+    /// @param mode grid points are the cells' centres, corners of cells are half a cell off them
+    Georeference(const AffineTransform& transform, TraceMode mode);
+
+    [[nodiscard]] Position position(LatticePoint point) const;
+    /// Exterior rings counter-clockwise with y up, whichever way the raster's rows run.
+    [[nodiscard]] WorldPolygon polygon(const LatticePolygon& polygon) const;
+    /// A step of rows and columns, in units of the CRS.
+    [[nodiscard]] Position step(double rows, double cols) const;
+    /// Of a cell, in square units of the CRS.
+    [[nodiscard]] double cell_area() const;
+    /// Whether rows and columns run along the axes.
+    [[nodiscard]] bool axis_parallel() const { return transform_[2] == 0 && transform_[4] == 0; }
+
+  private:
+    [[nodiscard]] WorldRing ring(const LatticeRing& ring) const;
+
+    AffineTransform transform_;
+    double shift_;     ///< 0.5 where lattice points are centres
+    bool mirrored_;    ///< the raster's rows run with y, so orientations turn over
+};
+
+}  // namespace d2b

@@ -1,0 +1,9 @@
+#pragma once
+
+namespace d2b {
+
+// Both compilers of the project have it; the standard does not.
+__extension__ typedef __int128 Int128;
+__extension__ typedef unsigned __int128 UInt128;
+
+}  // namespace d2b

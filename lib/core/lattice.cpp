@@ -1,0 +1,84 @@
+#include "core/lattice.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace d2b {
+namespace {
+
+void append_varint(std::vector<std::uint8_t>& bytes, std::int32_t step) {
+    auto value = (static_cast<std::uint32_t>(step) << 1) ^ static_cast<std::uint32_t>(step >> 31);
+    for (; value >= 0x80; value >>= 7)
+        bytes.push_back(static_cast<std::uint8_t>(value | 0x80));
+    bytes.push_back(static_cast<std::uint8_t>(value));
+}
+
+std::int32_t take_varint(const std::vector<std::uint8_t>& bytes, std::size_t& at) {
+    std::uint32_t value = 0;
+    int shift = 0;
+    while ((bytes[at] & 0x80) != 0) {
+        value |= static_cast<std::uint32_t>(bytes[at++] & 0x7f) << shift;
+        shift += 7;
+    }
+    value |= static_cast<std::uint32_t>(bytes[at++]) << shift;
+    return static_cast<std::int32_t>(value >> 1) ^ -static_cast<std::int32_t>(value & 1);
+}
+
+}  // namespace
+
+PackedRing::PackedRing(const LatticeRing& corners) {
+    const auto first = static_cast<std::size_t>(std::min_element(corners.begin(), corners.end()) - corners.begin());
+    const std::size_t n = corners.size();
+    start_ = corners[first];
+    corner_count_ = static_cast<std::uint32_t>(n);
+    box_ = {start_, start_};
+    steps_.reserve(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        const LatticePoint from = corners[(first + i) % n];
+        const LatticePoint to = corners[(first + i + 1) % n];
+        const std::int32_t rows = to.row - from.row;
+        const std::int32_t cols = to.col - from.col;
+        points_ += std::abs(rows) + std::abs(cols);
+        area_ -= static_cast<std::int64_t>(from.col) * rows;
+        box_.low.col = std::min(box_.low.col, from.col);
+        box_.high.row = std::max(box_.high.row, from.row);
+        box_.high.col = std::max(box_.high.col, from.col);
+        if (i + 1 < n)
+            append_varint(steps_, rows + cols);
+    }
+    steps_.shrink_to_fit();
+}
+
+LatticeRing PackedRing::corners() const {
+    LatticeRing ring;
+    ring.reserve(corner_count_);
+    LatticePoint at = start_;
+    // From its first corner in scan order an exterior ring leaves downwards, an interior one along the row.
+    bool along_column = area_ > 0;
+    std::size_t byte = 0;
+    for (std::uint32_t i = 0; i < corner_count_; ++i) {
+        ring.push_back(at);
+        if (i + 1 == corner_count_)
+            break;
+        (along_column ? at.row : at.col) += take_varint(steps_, byte);
+        along_column = !along_column;
+    }
+    return ring;
+}
+
+bool contains(const LatticeRing& ring, LatticePoint square) {
+    bool inside = false;
+    LatticePoint from = ring.back();
+    for (const LatticePoint to : ring) {
+        // A ray from the square's centre along its row crosses vertical edges only.
+        if (from.row != to.row && (from.row <= square.row) != (to.row <= square.row)) {
+            // columns are equal on a rectilinear edge
+            if (from.col > square.col)
+                inside = !inside;
+        }
+        from = to;
+    }
+    return inside;
+}
+
+}  // namespace d2b

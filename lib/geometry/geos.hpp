@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/feature_sink.hpp"
+#include "core/lattice.hpp"
+
+namespace d2b {
+
+/// GEOS through its reentrant C API; one object a thread. Its messages become the text of exceptions.
+class Geos {
+  public:
+    Geos();
+    Geos(Geos&&) noexcept;
+    Geos& operator=(Geos&&) noexcept;
+    ~Geos();
+
+    /// @return what makes the polygons invalid, with the place; "" where they are valid
+    [[nodiscard]] std::string invalidity(const std::vector<WorldPolygon>& polygons);
+    /// The polygonal part of GEOS's structural repair, which keeps the areas that are covered once. Oriented as
+    /// WorldPolygon says. @throws GeometryError
+    [[nodiscard]] std::vector<WorldPolygon> repaired(const std::vector<WorldPolygon>& polygons);
+    /// `whole` less `parts`, which lie in it and share only whole edges or points with its rings and each other:
+    /// then no new point arises, and the result is exact on the lattice. @throws GeometryError
+    [[nodiscard]] std::vector<LatticePolygon> difference(const LatticePolygon& whole,
+                                                         const std::vector<LatticePolygon>& parts);
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+/// Version of the library, e.g. "3.11.1".
+[[nodiscard]] std::string geos_version();
+
+}  // namespace d2b

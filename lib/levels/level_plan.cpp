@@ -1,0 +1,86 @@
+#include "levels/level_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace d2b {
+namespace {
+
+// Level numbers are 16 bits at most, and 0 is "not valid".
+constexpr std::size_t most_thresholds = 65534;
+
+std::vector<double> sliced(const ElevationStatistics& statistics, int lod) {
+    const double mean = statistics.moments.mean();
+    const double deviation = statistics.moments.standard_deviation();
+    std::vector<double> result;
+    for (int i = 1; i <= lod; ++i)
+        result.push_back(mean - deviation + 2 * deviation * i / (lod + 1));
+    return result;
+}
+
+std::vector<double> multiples(const ElevationStatistics& statistics, double interval, double offset) {
+    const double first = std::floor((statistics.minimum - offset) / interval) + 1;
+    const double last = std::ceil((statistics.maximum - offset) / interval) - 1;
+    if (!(last - first < static_cast<double>(most_thresholds)))
+        throw OptionError("-i " + std::to_string(interval) + " gives more than " + std::to_string(most_thresholds) +
+                          " levels on this DEM; use a larger interval.");
+    std::vector<double> result;
+    for (double n = first; n <= last; ++n)
+        result.push_back(offset + n * interval);
+    return result;
+}
+
+std::vector<double> candidates(const ElevationStatistics& statistics, const LevelOptions& options) {
+    if (!options.fixed.empty())
+        return options.fixed;
+    if (statistics.moments.n == 0)
+        return {};
+    if (options.interval)
+        return multiples(statistics, *options.interval, options.offset);
+    return sliced(statistics, options.lod);
+}
+
+std::vector<double> usable(std::vector<double> thresholds, const ElevationStatistics& statistics, RunReport& report) {
+    std::sort(thresholds.begin(), thresholds.end());
+    std::vector<double> kept;
+    for (const double t : thresholds) {
+        if (!kept.empty() && t == kept.back())
+            report.count(Reason::threshold_repeated);
+        else if (!(t > statistics.minimum))
+            report.count(Reason::threshold_not_above_minimum);
+        else if (!(t < statistics.maximum))
+            report.count(Reason::threshold_not_below_maximum);
+        else
+            kept.push_back(t);
+    }
+    return kept;
+}
+
+}  // namespace
+
+int LevelPlan::level_count() const {
+    std::size_t most = 0;
+    for (const auto& list : thresholds)
+        most = std::max(most, list.size());
+    return static_cast<int>(most) + 1;
+}
+
+LevelPlan plan_global_levels(const ElevationStatistics& statistics, const LevelOptions& options, Context& context) {
+    RunReport& report = context.report;
+    report.valid_points = statistics.moments.n;
+    LevelPlan plan{0, {{}, {}}};
+    if (statistics.moments.n == 0)
+        return plan;
+    report.minimum = plan.minimum = statistics.minimum;
+    report.maximum = statistics.maximum;
+    report.mean = statistics.moments.mean();
+    report.standard_deviation = statistics.moments.standard_deviation();
+    plan.thresholds[1] = usable(candidates(statistics, options), statistics, report);
+    if (plan.thresholds[1].size() > most_thresholds)
+        throw OptionError("-fl and -lod give at most " + std::to_string(most_thresholds) + " levels, not " +
+                          std::to_string(plan.thresholds[1].size()) + ".");
+    return plan;
+}
+
+}  // namespace d2b

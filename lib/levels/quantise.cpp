@@ -1,0 +1,39 @@
+#include "levels/quantise.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace d2b {
+namespace {
+
+// Up to here counting beats searching, and it has no branch.
+constexpr std::size_t few = 16;
+
+template <typename Count>
+Count exceeded(double z, const std::vector<double>& thresholds) {
+    if (std::isnan(z))
+        return 0;
+    if (thresholds.size() > few)
+        return static_cast<Count>(1 + (std::lower_bound(thresholds.begin(), thresholds.end(), z) - thresholds.begin()));
+    unsigned count = 1;
+    for (const double t : thresholds)
+        count += z > t ? 1U : 0U;
+    return static_cast<Count>(count);
+}
+
+}  // namespace
+
+template <typename Count>
+LevelBand<Count> quantise(const ElevationBand& elevations, const LabelBand& labels, const LevelPlan& plan) {
+    LevelBand<Count> result{elevations.shape, std::vector<Count>(elevations.shape.size())};
+    for (std::size_t i = 0; i < result.counts.size(); ++i) {
+        const Label label = labels.labels.empty() ? 1 : labels.labels[i];
+        result.counts[i] = exceeded<Count>(elevations.elevations[i], plan.thresholds[label]);
+    }
+    return result;
+}
+
+template LevelBand<std::uint8_t> quantise(const ElevationBand&, const LabelBand&, const LevelPlan&);
+template LevelBand<std::uint16_t> quantise(const ElevationBand&, const LabelBand&, const LevelPlan&);
+
+}  // namespace d2b

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/band.hpp"
+#include "levels/level_plan.hpp"
+
+namespace d2b {
+
+/// How many levels each point belongs to. Compared in double, strictly: a point on a threshold does not exceed it.
+/// Pointwise: no support, no carry.
+/// @tparam Count std::uint8_t or std::uint16_t; plan.level_count() fits
+template <typename Count>
+[[nodiscard]] LevelBand<Count> quantise(const ElevationBand& elevations, const LabelBand& labels,
+                                        const LevelPlan& plan);
+
+extern template LevelBand<std::uint8_t> quantise(const ElevationBand&, const LabelBand&, const LevelPlan&);
+extern template LevelBand<std::uint16_t> quantise(const ElevationBand&, const LabelBand&, const LevelPlan&);
+
+}  // namespace d2b

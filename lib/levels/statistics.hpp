@@ -1,0 +1,26 @@
+#pragma once
+
+#include <limits>
+
+#include "core/band.hpp"
+#include "core/elevation_sample.hpp"
+#include "core/exact_sum.hpp"
+#include "core/point_stats.hpp"
+
+namespace d2b {
+
+/// What the thresholds depend on: a mergeable reduction over all valid points, exact, so that bands, tiles and
+/// threads in any order give the same thresholds to the bit.
+struct ElevationStatistics {
+    Moments moments;
+    double minimum = std::numeric_limits<double>::infinity();
+    double maximum = -std::numeric_limits<double>::infinity();
+
+    void add(const ElevationBand& band);
+    void merge(const ElevationStatistics& other);
+
+    [[nodiscard]] ElevationRange range() const;
+    [[nodiscard]] FixedPoint fixed_point() const;
+};
+
+}  // namespace d2b

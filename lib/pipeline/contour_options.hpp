@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace d2b {
+
+/// What becomes of an option of gdal_contour, 3.6 to 3.11.
+enum class Fate {
+    same,     ///< as there
+    ignored,  ///< accepted without effect
+    refused
+};
+inline constexpr std::array<std::string_view, 3> fate_names{"same", "accepted", "refused"};
+
+struct ContourOption {
+    std::string_view name;      ///< without dash
+    std::string_view synopsis;  ///< as gdal_contour has it
+    Fate fate = Fate::same;
+    std::string_view note;  ///< ends a sentence that begins with the name; advice where it is refused
+};
+
+[[nodiscard]] std::span<const ContourOption> contour_options();
+
+/// The sentence for a refused option; "" for any other name. @param name without dashes
+[[nodiscard]] std::string contour_option_refusal(std::string_view name);
+
+}  // namespace d2b

@@ -1,0 +1,89 @@
+#include "pipeline/option_rows.hpp"
+
+namespace d2b::rows {
+namespace {
+
+std::vector<OptionRow> dataset() {
+    std::vector<OptionRow> rows;
+    rows.push_back(text_row(
+        "f", "<format>", [](auto& r) -> auto& { return r.options.write.format; },
+        {.help = "Format of the output; by default the one of the file name's extension.",
+         .details = "A short name of GDAL's, as --formats lists them, such as GPKG or \"ESRI Shapefile\".",
+         .aliases = {"of", "output_format"}}));
+    rows.push_back(texts_row("dsco", "<NAME>=<VALUE>", "NAME=VALUE",
+                             [](auto& r) -> auto& { return r.options.write.dataset_options; },
+                             {.help = "Creation option of the output's format.", .aliases = {"co"}}));
+    rows.push_back(texts_row("lco", "<NAME>=<VALUE>", "NAME=VALUE",
+                             [](auto& r) -> auto& { return r.options.write.layer_options; },
+                             {.help = "Creation option of the output's layers."}));
+    rows.push_back(
+        text_row("nln", "<name>", [](auto& r) -> auto& { return r.options.write.layer_name; },
+                 {.help = "Name of the output's layer.",
+                  .details = "Where both layers are written it is that of the buildings, and the contours "
+                             "go to <name>_contours. By default the layers are buildings and contours, "
+                             "or have the name of the file where the format holds one layer a file."}));
+    rows.push_back(switch_row(
+        "overwrite", [](auto& r) -> auto& { return r.options.write.overwrite; },
+        {.help = "Replace layers of the same names in an existing output.",
+         .details = "Other layers of that dataset stay. An existing output is refused without -overwrite or "
+                    "-append."}));
+    rows.push_back(switch_row("append", [](auto& r) -> auto& { return r.options.write.append; },
+                              {.help = "Add to layers of the same names in an existing output."}));
+    return rows;
+}
+
+/// gdal_contour's switch for polygons, so that its command lines work here.
+OptionRow polygons() {
+    OptionRow row = described("p", "", {.help = "Accepted; polygons are always written."});
+    row.hidden = true;
+    row.apply = [](Request&, OptionValues) {};
+    row.show = [](const Request&) { return std::string(); };
+    return row;
+}
+
+}  // namespace
+
+std::vector<OptionRow> output() {
+    const Choices<Layers> layers{
+        {"buildings", Layers::buildings}, {"contours", Layers::contours}, {"both", Layers::both}};
+    std::vector<OptionRow> rows;
+    rows.push_back(choice_row(
+        "layers", "buildings|contours|both", layers, [](auto& r) -> auto& { return r.options.write.layers; },
+        {.help = "Layers to write.",
+         .details = "buildings: one polygon a building; contours: the stacked polygons of all levels. By "
+                    "default both, "
+                    "or the buildings alone where the format holds one layer a file."}));
+    rows.push_back(text_row(
+        "t_srs", "<crs>", [](auto& r) -> auto& { return r.options.outline.target_crs; },
+        {.help = "CRS of the output; by default the input's.", .details = "Written as for -a_srs."}));
+    rows.push_back(switch_row("3d", [](auto& r) -> auto& { return r.options.write.with_z; },
+                              {.help = "Write the threshold as the Z of every vertex."}));
+    for (OptionRow& row : dataset())
+        rows.push_back(std::move(row));
+    rows.push_back(polygons());
+    return rows;
+}
+
+std::vector<OptionRow> report() {
+    std::vector<OptionRow> rows;
+    rows.push_back(switch_row("q", [](auto& r) -> auto& { return r.tool.quiet; },
+                              {.help = "No progress and no summary.", .aliases = {"quiet"}}));
+    rows.push_back(switch_row(
+        "json", [](auto& r) -> auto& { return r.tool.json; },
+        {.help = "Print a report of the run to stdout as JSON; implies -q.",
+         .details =
+             "It holds the input, CRS and units with what decided them, thresholds, counts a level, what was "
+             "dropped and why, warnings, and seconds and peak memory a stage."}));
+    rows.push_back(switch_row("help", [](auto& r) -> auto& { return r.tool.help; },
+                              {.help = "Print this help and exit.", .aliases = {"h"}}));
+    rows.push_back(switch_row("version", [](auto& r) -> auto& { return r.tool.version; },
+                              {.help = "Print the version and exit."}));
+    rows.push_back(switch_row("man", [](auto& r) -> auto& { return r.tool.man_page; },
+                              {.help = "Print the man page and exit."}));
+    rows.push_back(switch_row("options_md", [](auto& r) -> auto& { return r.tool.options_markdown; },
+                              {.help = "Print the reference of the options in Markdown and exit."}));
+    rows[4].hidden = rows[5].hidden = true;
+    return rows;
+}
+
+}  // namespace d2b::rows

@@ -1,0 +1,60 @@
+#include "pipeline/square_area.hpp"
+
+#include <cmath>
+#include <map>
+
+namespace d2b {
+namespace {
+
+constexpr int block_shift = 8;
+
+/// Remembers what it has measured; copies share it.
+class Measured {
+  public:
+    Measured(const Georeference& georeference, const Crs& crs)
+        : state_(std::make_shared<State>(State{georeference, Geodesy(crs), {}})) {}
+
+    double operator()(LatticePoint square) const {
+        const LatticePoint block{square.row >> block_shift, square.col >> block_shift};
+        const auto [found, is_new] = state_->blocks.try_emplace(block, 0.0);
+        if (is_new)
+            found->second = measure(block);
+        return found->second;
+    }
+
+  private:
+    struct State {
+        Georeference georeference;
+        Geodesy geodesy;
+        std::map<LatticePoint, double> blocks;
+    };
+
+    [[nodiscard]] double measure(LatticePoint block) const {
+        constexpr std::int32_t half = 1 << (block_shift - 1);
+        const std::int32_t row = block.row * (1 << block_shift) + half;
+        const std::int32_t col = block.col * (1 << block_shift) + half;
+        WorldRing ring;
+        for (const LatticePoint corner :
+             {LatticePoint{row, col}, {row + 1, col}, {row + 1, col + 1}, {row, col + 1}})
+            ring.push_back(state_->georeference.position(corner));
+        return state_->geodesy.ring(ring).area_m2;
+    }
+
+    std::shared_ptr<State> state_;
+};
+
+}  // namespace
+
+SquareArea make_square_area(const Georeference& georeference, const Crs& crs) {
+    if (crs.on_ellipsoid())
+        return Measured(georeference, crs);
+    const auto unit = crs.horizontal_unit();
+    const double metres = unit ? unit->metres : 1.0;
+    return [area = georeference.cell_area() * metres * metres](LatticePoint) { return area; };
+}
+
+double cell_size_m(const Window& window, const SquareArea& area) {
+    return std::sqrt(area({window.row + window.rows / 2, window.col + window.cols / 2}));
+}
+
+}  // namespace d2b

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <memory>
+
+#include "core/crs.hpp"
+#include "core/georeference.hpp"
+#include "filter/noise.hpp"
+
+namespace d2b {
+
+/// Square metres of a cell, as areas are measured for the output: geodesic where the CRS is on an ellipsoid,
+/// taken once for each block of 256 x 256 cells of the absolute grid.
+[[nodiscard]] SquareArea make_square_area(const Georeference& georeference, const Crs& crs);
+
+/// Metres of a cell's side, from its area, in the middle of a window.
+[[nodiscard]] double cell_size_m(const Window& window, const SquareArea& area);
+
+}  // namespace d2b

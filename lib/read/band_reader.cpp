@@ -1,0 +1,136 @@
+#include "read/band_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include <cpl_conv.h>
+
+#include "core/error.hpp"
+#include "read/gdal_messages.hpp"
+#include "read/numbers.hpp"
+
+namespace d2b {
+
+namespace {
+
+/// A NoData value as a band of 32-bit floats would hold it. Decimal texts of the largest float may lie a
+/// little above it; what is farther out equals no float.
+double as_single(double value) {
+    constexpr double largest = std::numeric_limits<float>::max();
+    if (std::isfinite(value) && std::abs(value) > largest)
+        return std::abs(value) <= 3.4028236e38 ? std::copysign(largest, value) : value;
+    return static_cast<double>(static_cast<float>(value));
+}
+
+/// GDAL would fill up with zeros what it cannot read of an uncompressed file in one piece.
+class NoBigReads {
+  public:
+    NoBigReads() {
+        if (const char* before = CPLGetThreadLocalConfigOption(name, nullptr))
+            before_ = before;
+        CPLSetThreadLocalConfigOption(name, "NO");
+    }
+    NoBigReads(const NoBigReads&) = delete;
+    NoBigReads& operator=(const NoBigReads&) = delete;
+    ~NoBigReads() { CPLSetThreadLocalConfigOption(name, before_ ? before_->c_str() : nullptr); }
+
+  private:
+    static constexpr const char* name = "GDAL_ONE_BIG_READ";
+    std::optional<std::string> before_;
+};
+
+}  // namespace
+
+BandReader::BandReader(GDALRasterBandH band, const ReadOptions& options, DemInfo info, Context& context)
+    : band_(band), info_(std::move(info)) {
+    const GdalMessages messages;
+    if (options.nodata && options.ignore_nodata)
+        throw OptionError("-snodata and -inodata exclude each other; give only one of them.");
+    int known = FALSE;
+    if (const double scale = GDALGetRasterScale(band_, &known); known != FALSE)
+        scale_ = scale;
+    if (const double offset = GDALGetRasterOffset(band_, &known); known != FALSE)
+        offset_ = offset;
+    if (!std::isfinite(scale_) || !std::isfinite(offset_) || scale_ == 0)
+        throw InputError(
+            "'" + info_.name + "' has the scale " + number_text(scale_) + " and the offset " +
+            number_text(offset_) +
+            ", which give no elevations; correct them, for example with gdal_edit.py -scale -offset.");
+    const int flags = GDALGetMaskFlags(band_);
+    const bool replaced = options.nodata && (flags & GMF_NODATA) != 0;
+    masked_ = !options.ignore_nodata && !replaced && (flags & GMF_ALL_VALID) == 0;
+    single_precision_ = GDALGetRasterDataType(band_) == GDT_Float32;
+    if (options.nodata)
+        nodata_ = single_precision_ ? as_single(*options.nodata) : *options.nodata;
+    messages.pass_all(context);
+}
+
+std::int32_t BandReader::chunk_rows() const {
+    constexpr std::int64_t most_cells = std::int64_t{1} << 22;
+    int block_cols = 0;
+    int block_rows = 0;
+    GDALGetBlockSize(band_, &block_cols, &block_rows);
+    block_rows = std::clamp(block_rows, 1, info_.rows);
+    const std::int64_t fit = most_cells / info_.cols / block_rows;
+    return static_cast<std::int32_t>(
+        std::min<std::int64_t>(std::max<std::int64_t>(1, fit) * block_rows, info_.rows));
+}
+
+void BandReader::read(std::int32_t first_row, std::int32_t rows, std::span<double> elevations,
+                      Context& context) {
+    const Window& w = info_.window;
+    const std::size_t cols = static_cast<std::size_t>(w.cols);
+    if (rows < 0 || first_row < w.row || rows > w.rows - (first_row - w.row) ||
+        elevations.size() != static_cast<std::size_t>(rows) * cols)
+        throw InputError("Rows from " + std::to_string(first_row) + " on, " + std::to_string(rows) +
+                         " of them, were asked for outside the window of '" + info_.name +
+                         "' or for a buffer of " + "another size; ask for rows of the window.");
+    // Whole rows of blocks: the mask that GDAL makes of NoData reads the same blocks again, from its cache.
+    const std::int32_t step = chunk_rows();
+    const std::int32_t end = first_row + rows;
+    for (std::int32_t row = first_row; row < end;) {
+        const std::int32_t next = std::min<std::int32_t>(end - row, step - row % step) + row;
+        const std::size_t at = static_cast<std::size_t>(row - first_row) * cols;
+        read_chunk(row, next - row, elevations.subspan(at, static_cast<std::size_t>(next - row) * cols),
+                   context);
+        row = next;
+    }
+}
+
+void BandReader::read_chunk(std::int32_t first_row, std::int32_t rows, std::span<double> elevations,
+                            Context& context) {
+    load(band_, GDT_Float64, first_row, rows, elevations.data(), context);
+    if (masked_) {
+        mask_.resize(elevations.size());
+        load(GDALGetMaskBand(band_), GDT_Byte, first_row, rows, mask_.data(), context);
+    }
+    constexpr double invalid = std::numeric_limits<double>::quiet_NaN();
+    const bool scaled = scale_ != 1 || offset_ != 0;
+    for (std::size_t i = 0; i < elevations.size(); ++i) {
+        double& value = elevations[i];
+        if ((masked_ && mask_[i] == 0) || (nodata_ && value == *nodata_))
+            value = invalid;
+        else if (scaled)
+            value = value * scale_ + offset_;
+        if (!std::isfinite(value))
+            value = invalid;
+    }
+}
+
+void BandReader::load(GDALRasterBandH band, GDALDataType type, std::int32_t first_row, std::int32_t rows,
+                      void* values, Context& context) const {
+    const GdalMessages messages;
+    const NoBigReads no_big_reads;
+    const CPLErr status = GDALRasterIOEx(band, GF_Read, info_.window.col, first_row, info_.window.cols, rows,
+                                         values, info_.window.cols, rows, type, 0, 0, nullptr);
+    if (status != CE_None || messages.failed())
+        throw InputError("Rows " + std::to_string(first_row) + " to " + std::to_string(first_row + rows - 1) +
+                         " of '" + info_.name + "' cannot be read: " + messages.reason() +
+                         "; the file may be truncated or damaged.");
+    messages.pass_warnings(context);
+}
+
+}  // namespace d2b

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/context.hpp"
+#include "core/dem_info.hpp"
+#include "core/options.hpp"
+#include "read/gdal_handles.hpp"
+
+namespace d2b {
+
+/// Reads elevations of one band: scale and offset applied, NaN where a value is not valid.
+/// Valid is what is finite and what the band's mask (NoData, mask of the dataset, alpha above 0) lets
+/// through. options.nodata takes the place of the file's NoData value and is compared with values as stored;
+/// options.ignore_nodata sets every mask aside.
+class BandReader {
+  public:
+    /// @param band belongs to a dataset that must outlive the reader
+    /// @throws OptionError both nodata and ignore_nodata. @throws InputError a scale that is zero or not
+    /// finite
+    BandReader(GDALRasterBandH band, const ReadOptions& options, DemInfo info, Context& context);
+
+    /// @param elevations rows * window.cols values @throws InputError with GDAL's reason
+    void read(std::int32_t first_row, std::int32_t rows, std::span<double> elevations, Context& context);
+
+  private:
+    void read_chunk(std::int32_t first_row, std::int32_t rows, std::span<double> elevations,
+                    Context& context);
+    void load(GDALRasterBandH band, GDALDataType type, std::int32_t first_row, std::int32_t rows,
+              void* values, Context& context) const;
+    [[nodiscard]] std::int32_t chunk_rows() const;
+
+    GDALRasterBandH band_;
+    DemInfo info_;
+    double scale_ = 1;
+    double offset_ = 0;
+    bool masked_ = false;
+    bool single_precision_ = false;
+    std::optional<double> nodata_;  ///< set where the user's own takes effect
+    std::vector<std::uint8_t> mask_;
+};
+
+}  // namespace d2b

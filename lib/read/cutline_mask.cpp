@@ -1,0 +1,118 @@
+#include "read/cutline_mask.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+
+#include <gdal_alg.h>
+#include <ogr_api.h>
+
+#include "core/error.hpp"
+#include "read/gdal_messages.hpp"
+
+namespace d2b {
+
+namespace {
+
+constexpr std::int64_t most_strip_cells = std::int64_t{1} << 24;
+
+/// Where the first cell of a strip lies in pixel coordinates.
+struct Corner {
+    double col = 0;
+    double row = 0;
+};
+
+/// A GDALTransformerFunc from pixel coordinates of the DEM to those of a strip. GDAL's own transformers take
+/// an identity for a missing georeference.
+int shift(void* argument, int to_source, int count, double* x, double* y, double*, int* success) {
+    const auto* corner = static_cast<const Corner*>(argument);
+    const double sign = to_source != 0 ? 1.0 : -1.0;
+    for (int i = 0; i < count; ++i) {
+        x[i] += sign * corner->col;
+        y[i] += sign * corner->row;
+        success[i] = TRUE;
+    }
+    return TRUE;
+}
+
+bool meets(const PixelPolygon& polygon, const Window& w) {
+    constexpr double inf = std::numeric_limits<double>::infinity();
+    double left = inf;
+    double right = -inf;
+    double top = inf;
+    double bottom = -inf;
+    for (const WorldRing& ring : polygon)
+        for (const Position& p : ring) {
+            left = std::min(left, p.x);
+            right = std::max(right, p.x);
+            top = std::min(top, p.y);
+            bottom = std::max(bottom, p.y);
+        }
+    return right > w.col && left < static_cast<double>(w.col) + w.cols && bottom > w.row &&
+           top < static_cast<double>(w.row) + w.rows;
+}
+
+GeometryOwner to_geometry(const PixelPolygon& polygon) {
+    GeometryOwner geometry(OGR_G_CreateGeometry(wkbPolygon));
+    for (const WorldRing& ring : polygon) {
+        GeometryOwner line(OGR_G_CreateGeometry(wkbLinearRing));
+        OGR_G_SetPointCount(line.get(), static_cast<int>(ring.size()));
+        for (std::size_t i = 0; i < ring.size(); ++i)
+            OGR_G_SetPoint_2D(line.get(), static_cast<int>(i), ring[i].x, ring[i].y);
+        OGR_G_CloseRings(line.get());
+        OGR_G_AddGeometryDirectly(geometry.get(), line.release());
+    }
+    return geometry;
+}
+
+}  // namespace
+
+CutlineMask::CutlineMask(const std::vector<PixelPolygon>& polygons, const Window& window) : window_(window) {
+    for (const PixelPolygon& polygon : polygons)
+        if (meets(polygon, window))
+            geometries_.push_back(to_geometry(polygon));
+}
+
+void CutlineMask::burn(std::int32_t first_row) {
+    const std::int64_t fit = std::max<std::int64_t>(1, most_strip_cells / window_.cols);
+    strip_first_ = first_row;
+    strip_rows_ =
+        static_cast<std::int32_t>(std::min<std::int64_t>(fit, window_.row + window_.rows - first_row));
+    strip_.assign(static_cast<std::size_t>(strip_rows_) * static_cast<std::size_t>(window_.cols), 0);
+    if (geometries_.empty())
+        return;
+    const GdalMessages messages;
+    const DatasetOwner strip(
+        GDALCreate(GDALGetDriverByName("MEM"), "", window_.cols, strip_rows_, 1, GDT_Byte, nullptr));
+    // Each on its own and not as one geometry: where two polygons overlap a point is inside.
+    std::vector<OGRGeometryH> handles;
+    for (const GeometryOwner& geometry : geometries_)
+        handles.push_back(geometry.get());
+    const std::vector<double> ones(handles.size(), 1.0);
+    Corner corner{static_cast<double>(window_.col), static_cast<double>(first_row)};
+    constexpr std::array<int, 1> bands{1};
+    if (!strip ||
+        GDALRasterizeGeometries(strip.get(), 1, bands.data(), static_cast<int>(handles.size()),
+                                handles.data(), shift, &corner, ones.data(), nullptr, nullptr,
+                                nullptr) != CE_None ||
+        GDALRasterIO(GDALGetRasterBand(strip.get(), 1), GF_Read, 0, 0, window_.cols, strip_rows_,
+                     strip_.data(), window_.cols, strip_rows_, GDT_Byte, 0, 0) != CE_None)
+        throw InputError("The cutline cannot be rasterised: " + messages.reason() + "; simplify it.");
+}
+
+void CutlineMask::apply(std::int32_t first_row, std::int32_t rows, std::span<double> elevations) {
+    const std::size_t cols = static_cast<std::size_t>(window_.cols);
+    for (std::int32_t i = 0; i < rows; ++i) {
+        const std::int32_t row = first_row + i;
+        if (row < strip_first_ || row >= strip_first_ + strip_rows_)
+            burn(row);
+        const std::uint8_t* inside = strip_.data() + static_cast<std::size_t>(row - strip_first_) * cols;
+        const std::span<double> line = elevations.subspan(static_cast<std::size_t>(i) * cols, cols);
+        for (std::size_t col = 0; col < cols; ++col)
+            if (inside[col] == 0)
+                line[col] = std::numeric_limits<double>::quiet_NaN();
+    }
+}
+
+}  // namespace d2b

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/context.hpp"
+#include "core/dem_info.hpp"
+#include "core/feature_sink.hpp"
+
+namespace d2b {
+
+/// The rings of one polygon; a point is inside where it is inside of an odd number of them.
+using PixelPolygon = std::vector<WorldRing>;
+
+/// The polygons of the first layer of a vector dataset in pixel coordinates of a DEM: x is columns, y is rows
+/// (downwards), (0, 0) the outer corner of the first cell. Edges that bend on the way from the layer's CRS to
+/// the DEM's are followed to a small part of a cell.
+/// @param path any vector dataset that GDAL opens @param info georeferencing of the DEM
+/// @throws InputError: cannot be opened or read, no polygons, a CRS where the DEM has none, not transformable
+[[nodiscard]] std::vector<PixelPolygon> read_cutline(const std::string& path, const DemInfo& info,
+                                                     Context& context);
+
+}  // namespace d2b

@@ -1,0 +1,80 @@
+#include "read/gdal_command_line.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+
+#include <cpl_conv.h>
+#include <cpl_string.h>
+#include <gdal.h>
+
+#include "core/error.hpp"
+#include "read/gdal_messages.hpp"
+
+namespace d2b {
+namespace {
+
+/// GDAL 3.6 takes KEY=VALUE for the key and the next argument for its value.
+void split_config(std::vector<std::string>& arguments) {
+    for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
+        const std::string pair = arguments[i + 1];
+        const auto equals = pair.find('=');
+        if (arguments[i] != "--config" || equals == std::string::npos)
+            continue;
+        arguments[i + 1] = pair.substr(0, equals);
+        arguments.insert(arguments.begin() + static_cast<std::ptrdiff_t>(i) + 2, pair.substr(equals + 1));
+    }
+}
+
+/// What GDAL reads when its drivers register (GDAL_SKIP, GDAL_DRIVER_PATH, ...) must be set before they do,
+/// but the processor of the switches needs the drivers.
+void set_config(const std::vector<std::string>& arguments) {
+    for (std::size_t i = 0; i + 2 < arguments.size(); ++i)
+        if (arguments[i] == "--config")
+            CPLSetConfigOption(arguments[i + 1].c_str(), arguments[i + 2].c_str());
+}
+
+struct FreeList {
+    void operator()(char** list) const { CSLDestroy(list); }
+};
+using StringList = std::unique_ptr<char*, FreeList>;
+
+StringList list_of(const std::vector<std::string>& arguments) {
+    // In place of the program's name; --optfile uses it in messages alone.
+    StringList list(CSLAddString(nullptr, "dem2buildings"));
+    for (const std::string& argument : arguments)
+        list.reset(CSLAddString(list.release(), argument.c_str()));
+    return list;
+}
+
+}  // namespace
+
+std::optional<std::vector<std::string>> apply_gdal_switches(std::vector<std::string> arguments) {
+    const auto end = std::ranges::find(arguments, "--");
+    const std::vector<std::string> file_names(end, arguments.end());
+    arguments.erase(end, arguments.end());
+    split_config(arguments);
+    std::ranges::replace(arguments, "--version", "-version");  // GDAL would print its own
+    set_config(arguments);
+
+    const GdalMessages messages;
+    GDALAllRegister();
+    const StringList given = list_of(arguments);
+    char** left = given.get();
+    const int count = GDALGeneralCmdLineProcessor(static_cast<int>(arguments.size()) + 1, &left,
+                                                  GDAL_OF_RASTER | GDAL_OF_VECTOR);
+    if (count < 0)
+        throw OptionError(messages.reason() + ".");
+    if (count == 0)
+        return std::nullopt;
+    const StringList owner(left);  // a list of its own
+    std::vector<std::string> rest(left + 1, left + count);
+    rest.insert(rest.end(), file_names.begin(), file_names.end());
+    return rest;
+}
+
+std::string gdal_version() {
+    return GDALVersionInfo("RELEASE_NAME");
+}
+
+}  // namespace d2b

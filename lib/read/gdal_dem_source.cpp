@@ -1,0 +1,84 @@
+#include "read/gdal_dem_source.hpp"
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "core/error.hpp"
+#include "read/band_reader.hpp"
+#include "read/cutline_mask.hpp"
+#include "read/gdal_messages.hpp"
+#include "read/georeference.hpp"
+#include "read/open_raster.hpp"
+#include "read/spool.hpp"
+#include "read/window.hpp"
+
+namespace d2b {
+
+namespace {
+
+DemInfo describe(const OpenRaster& raster, const ReadOptions& options, Context& context) {
+    const GdalMessages messages;
+    DemInfo info;
+    info.name = options.source;
+    info.rows = GDALGetRasterYSize(raster.dataset.get());
+    info.cols = GDALGetRasterXSize(raster.dataset.get());
+    if (const GDALDriverH driver = GDALGetDatasetDriver(raster.dataset.get()))
+        info.driver = GDALGetDriverShortName(driver);
+    if (const char* unit = GDALGetRasterUnitType(raster.band))
+        info.band_unit = unit;
+    read_transform(raster.dataset.get(), info, context);
+    read_crs(raster.dataset.get(), options.crs, info, context);
+    info.window = choose_window(options, info);
+    messages.pass_all(context);
+    return info;
+}
+
+class GdalDemSource final : public DemSource {
+  public:
+    GdalDemSource(std::unique_ptr<SpooledInput> spooled, OpenRaster raster, const ReadOptions& options,
+                  Context& context)
+        : context_(context),
+          spooled_(std::move(spooled)),
+          raster_(std::move(raster)),
+          info_(describe(raster_, options, context)),
+          reader_(raster_.band, options, info_, context) {
+        if (!options.cutline.empty())
+            cut(options.cutline);
+    }
+
+    [[nodiscard]] const DemInfo& info() const override { return info_; }
+
+    void read(std::int32_t first_row, std::int32_t rows, std::span<double> elevations) override {
+        reader_.read(first_row, rows, elevations, context_);
+        if (cutline_)
+            cutline_->apply(first_row, rows, elevations);
+    }
+
+  private:
+    void cut(const std::string& path) {
+        cutline_.emplace(read_cutline(path, info_, context_), info_.window);
+        if (!cutline_->meets_window())
+            context_.warn("The cutline '" + path + "' does not meet the part of '" + info_.name +
+                          "' that is used; no point of it is valid.");
+    }
+
+    Context& context_;
+    std::unique_ptr<SpooledInput> spooled_;  // Before the dataset, which must be closed first.
+    OpenRaster raster_;
+    DemInfo info_;
+    BandReader reader_;
+    std::optional<CutlineMask> cutline_;
+};
+
+}  // namespace
+
+std::unique_ptr<DemSource> open_dem(const ReadOptions& options, Context& context) {
+    std::unique_ptr<SpooledInput> spooled;
+    if (is_standard_input(options.source))
+        spooled = std::make_unique<SpooledInput>(options.source);
+    OpenRaster raster = open_raster(options, spooled ? spooled->path() : options.source, context);
+    return std::make_unique<GdalDemSource>(std::move(spooled), std::move(raster), options, context);
+}
+
+}  // namespace d2b

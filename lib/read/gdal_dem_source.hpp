@@ -1,0 +1,22 @@
+#pragma once
+
+#include <memory>
+
+#include "core/context.hpp"
+#include "core/dem_source.hpp"
+#include "core/options.hpp"
+
+namespace d2b {
+
+/// Opens a band of any raster that GDAL reads as a DEM. /vsistdin/ is spooled to CPL_TMPDIR first.
+/// @param context must outlive the source, which warns while it reads
+/// @throws InputError: cannot be opened, no such band, complex values, a singular transform, GCPs only, an
+/// unusable
+///         cutline. @throws OptionError: options that do not fit the raster, or a window outside of it
+[[nodiscard]] std::unique_ptr<DemSource> open_dem(const ReadOptions& options, Context& context);
+
+/// Registers GDAL's drivers and sets the process up for the tools: no message of GDAL's reaches stderr by
+/// itself. Call once, before other threads start.
+void start_gdal();
+
+}  // namespace d2b

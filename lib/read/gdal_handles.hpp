@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include <cpl_conv.h>
+#include <gdal.h>
+#include <ogr_api.h>
+#include <ogr_srs_api.h>
+
+namespace d2b {
+
+/// Owners of GDAL's C handles.
+template <typename Handle, auto release>
+struct GdalRelease {
+    void operator()(Handle handle) const { release(handle); }
+};
+template <typename Handle, auto release>
+using GdalOwner = std::unique_ptr<std::remove_pointer_t<Handle>, GdalRelease<Handle, release>>;
+
+inline void close_dataset(GDALDatasetH dataset) {
+    GDALClose(dataset);
+}  // returns CPLErr from GDAL 3.7 on
+
+using DatasetOwner = GdalOwner<GDALDatasetH, close_dataset>;
+using GeometryOwner = GdalOwner<OGRGeometryH, OGR_G_DestroyGeometry>;
+using FeatureOwner = GdalOwner<OGRFeatureH, OGR_F_Destroy>;
+using CrsOwner = GdalOwner<OGRSpatialReferenceH, OSRDestroySpatialReference>;
+using TransformOwner = GdalOwner<OGRCoordinateTransformationH, OCTDestroyCoordinateTransformation>;
+
+/// A list of strings as GDAL's C functions take it; views the strings, which must outlive it.
+class StringList {
+  public:
+    explicit StringList(const std::vector<std::string>& strings) {
+        for (const std::string& text : strings)
+            pointers_.push_back(text.c_str());
+        pointers_.push_back(nullptr);
+    }
+    /// nullptr where the list is empty: GDAL takes an empty list of drivers for "none of them".
+    [[nodiscard]] const char* const* get() const {
+        return pointers_.size() == 1 ? nullptr : pointers_.data();
+    }
+
+  private:
+    std::vector<const char*> pointers_;
+};
+
+}  // namespace d2b

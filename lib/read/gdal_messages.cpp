@@ -1,0 +1,106 @@
+#include "read/gdal_messages.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include <cpl_error.h>
+
+namespace d2b {
+
+namespace {
+
+constexpr std::size_t longest_message = 500;
+constexpr std::size_t most_warnings = 20;  // A damaged file can have one for every block.
+constexpr std::string_view prefix = "GDAL: ";
+constexpr std::string_view no_more = "GDAL: further warnings are left out.";
+
+void CPL_STDCALL collect(CPLErr level, CPLErrorNum, const char* text) {
+    auto* messages = static_cast<GdalMessages*>(CPLGetErrorHandlerUserData());
+    if (messages == nullptr || level < CE_Warning)
+        return;
+    try {
+        messages->add(level != CE_Warning, text);
+    } catch (...) {  // Out of memory; an exception must not travel through GDAL's C frames.
+        return;
+    }
+}
+
+void remember(std::vector<std::string>& list, const std::string& line) {
+    if (list.size() <= most_warnings && std::find(list.begin(), list.end(), line) == list.end())
+        list.push_back(line);
+}
+
+void pass(const std::vector<std::string>& lines, Context& context) {
+    const std::vector<std::string>& said = context.report.warnings;
+    for (const std::string& line : lines) {
+        const std::string text = std::string(prefix) + line + '.';
+        const auto of_gdal = std::count_if(said.begin(), said.end(),
+                                           [](const std::string& w) { return w.starts_with(prefix); });
+        if (static_cast<std::size_t>(of_gdal) > most_warnings)
+            return;
+        if (static_cast<std::size_t>(of_gdal) == most_warnings)
+            context.warn(std::string(no_more));
+        else if (std::find(said.begin(), said.end(), text) == said.end())
+            context.warn(text);
+    }
+}
+
+}  // namespace
+
+std::string one_line(std::string_view text) {
+    std::string line;
+    for (const char c : text) {
+        const bool blank = static_cast<unsigned char>(c) <= ' ' || c == '\x7f';
+        if (!blank)
+            line += c;
+        else if (!line.empty() && line.back() != ' ')
+            line += ' ';
+    }
+    if (line.size() > longest_message) {
+        std::size_t end = longest_message;
+        while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xC0U) == 0x80U)
+            --end;  // not within a character of UTF-8
+        return line.substr(0, end) + "...";
+    }
+    while (!line.empty() && (line.back() == ' ' || line.back() == '.'))
+        line.pop_back();
+    return line;
+}
+
+GdalMessages::GdalMessages() {
+    CPLPushErrorHandlerEx(collect, this);
+    CPLSetCurrentErrorHandlerCatchDebug(FALSE);
+}
+
+GdalMessages::~GdalMessages() {
+    CPLPopErrorHandler();
+}
+
+void GdalMessages::add(bool is_error, const char* text) {
+    const std::string line = one_line(text == nullptr ? "" : text);
+    if (is_error)
+        last_error_ = line.empty() ? "unknown error" : line;
+    if (!line.empty())
+        remember(is_error ? errors_ : warnings_, line);
+}
+
+std::string GdalMessages::reason() const {
+    return failed() ? last_error_ : "GDAL gives no reason";
+}
+
+std::string GdalMessages::reason_for(const std::string& path) const {
+    const std::string text = reason();
+    const std::string name = one_line(path) + ": ";
+    return text.starts_with(name) ? text.substr(name.size()) : text;
+}
+
+void GdalMessages::pass_warnings(Context& context) const {
+    pass(warnings_, context);
+}
+
+void GdalMessages::pass_all(Context& context) const {
+    pass(warnings_, context);
+    pass(errors_, context);
+}
+
+}  // namespace d2b

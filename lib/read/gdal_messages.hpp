@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/context.hpp"
+
+namespace d2b {
+
+/// Collects what GDAL says in this thread for as long as it lives, so that nothing reaches stderr by itself
+/// and our exceptions carry GDAL's own reason. Debug messages pass through: only who asks for them gets them.
+/// Scopes may nest; they must end in the reverse order, in the thread that began them.
+class GdalMessages {
+  public:
+    GdalMessages();
+    GdalMessages(const GdalMessages&) = delete;
+    GdalMessages& operator=(const GdalMessages&) = delete;
+    ~GdalMessages();
+
+    /// Whether GDAL has reported an error, even where the call claimed to have succeeded.
+    [[nodiscard]] bool failed() const { return !last_error_.empty(); }
+    /// GDAL's last error: one line without a full stop; "GDAL gives no reason" where there is none.
+    [[nodiscard]] std::string reason() const;
+    /// The reason without the name of the file that our own sentence has given already.
+    [[nodiscard]] std::string reason_for(const std::string& path) const;
+    /// One line each, without repetitions, in their order.
+    [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+
+    /// Hands GDAL's warnings to Context::warn, each one once in a run and no more than a score of them.
+    void pass_warnings(Context& context) const;
+    /// As pass_warnings(), and errors as well: for calls that have succeeded nevertheless.
+    void pass_all(Context& context) const;
+
+    /// For the callback: remembers one message.
+    void add(bool is_error, const char* text);
+
+  private:
+    std::string last_error_;
+    std::vector<std::string> errors_;
+    std::vector<std::string> warnings_;
+};
+
+/// A message of GDAL's as one line: white space and control characters become single blanks, a full stop at
+/// the end goes, and what is too long is cut.
+[[nodiscard]] std::string one_line(std::string_view text);
+
+}  // namespace d2b

@@ -1,0 +1,76 @@
+#include "read/georeference.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <ogr_spatialref.h>
+
+#include "read/gdal_handles.hpp"
+#include "read/gdal_messages.hpp"
+#include "read/numbers.hpp"
+
+namespace d2b {
+
+namespace {
+
+/// Whether cells have an area: a determinant that is no more than the rounding of its terms is zero.
+bool invertible(const AffineTransform& g) {
+    if (!std::all_of(g.begin(), g.end(), [](double term) { return std::isfinite(term); }))
+        return false;
+    const double determinant = g[1] * g[5] - g[2] * g[4];
+    return std::abs(determinant) > 1e-12 * std::hypot(g[1], g[4]) * std::hypot(g[2], g[5]);
+}
+
+std::string wkt_of(OGRSpatialReferenceH crs) {
+    if (crs == nullptr || OGRSpatialReference::FromHandle(crs)->IsEmpty() != FALSE)
+        return {};
+    constexpr std::array<const char*, 3> options{"FORMAT=WKT2_2019", "MULTILINE=NO", nullptr};
+    char* text = nullptr;
+    const OGRErr status = OSRExportToWktEx(crs, &text, options.data());
+    const std::unique_ptr<char, GdalRelease<void*, VSIFree>> owner(text);
+    return status == OGRERR_NONE && text != nullptr ? text : "";
+}
+
+std::string wkt_from_user(const std::string& text) {
+    const GdalMessages messages;
+    OGRSpatialReference crs;
+    // As a library we may be handed this text from far away: it must not make us open files or connections.
+    const OGRErr status =
+        crs.SetFromUserInput(text.c_str(), OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get());
+    const std::string wkt = status == OGRERR_NONE ? wkt_of(OGRSpatialReference::ToHandle(&crs)) : "";
+    if (wkt.empty())
+        throw OptionError("-a_srs " + one_line(text) + " is not a coordinate reference system (" +
+                          messages.reason() +
+                          "); give a code such as EPSG:25832, WKT, PROJJSON or a PROJ string.");
+    return wkt;
+}
+
+}  // namespace
+
+void read_transform(GDALDatasetH dataset, DemInfo& info, Context& context) {
+    AffineTransform transform{};
+    info.georeferenced = GDALGetGeoTransform(dataset, transform.data()) == CE_None;
+    if (info.georeferenced) {
+        if (!invertible(transform))
+            throw InputError("The transform of '" + info.name + "' (" + numbers_text(transform, ", ") +
+                             ") gives its cells no area; correct it, for example with gdal_edit.py -a_ullr.");
+        info.transform = transform;
+        return;
+    }
+    if (GDALGetGCPCount(dataset) > 0)
+        throw InputError("'" + info.name + "' is placed by ground control points only; " +
+                         "turn it into a regular grid with gdalwarp first.");
+    info.transform = DemInfo{}.transform;
+    context.warn("'" + info.name + "' has no georeferencing; coordinates are columns and, upwards, rows.");
+}
+
+void read_crs(GDALDatasetH dataset, const std::string& user_crs, DemInfo& info, Context& context) {
+    info.crs_wkt = user_crs.empty() ? wkt_of(GDALGetSpatialRef(dataset)) : wkt_from_user(user_crs);
+    if (info.crs_wkt.empty())
+        context.warn("'" + info.name +
+                     "' has no coordinate reference system; lengths are taken as plain units; " +
+                     "give it with -a_srs.");
+}
+
+}  // namespace d2b

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <cstddef>
+#include <string>
+
+namespace d2b {
+
+/// The shortest decimal text that reads back as the same number, whatever the locale.
+[[nodiscard]] inline std::string number_text(double value) {
+    std::array<char, 32> buffer{};
+    const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    return {buffer.data(), end};
+}
+
+/// Numbers separated by `separator`.
+template <std::size_t n>
+[[nodiscard]] std::string numbers_text(const std::array<double, n>& values, const char* separator) {
+    std::string text;
+    for (const double value : values)
+        text += (text.empty() ? "" : separator) + number_text(value);
+    return text;
+}
+
+}  // namespace d2b

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "core/context.hpp"
+#include "core/options.hpp"
+#include "read/gdal_handles.hpp"
+
+namespace d2b {
+
+struct OpenRaster {
+    DatasetOwner dataset;
+    GDALRasterBandH band = nullptr;  ///< owned by the dataset
+};
+
+/// Opens a raster for reading and picks the band.
+/// @param path what GDAL is to open; messages speak of options.source
+/// @throws OptionError unknown format, an open option without "=". @throws InputError cannot be opened,
+/// sub-datasets
+///         only, no such band, complex values, shorter than its header says
+[[nodiscard]] OpenRaster open_raster(const ReadOptions& options, const std::string& path, Context& context);
+
+}  // namespace d2b

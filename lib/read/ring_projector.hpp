@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+
+#include "core/dem_info.hpp"
+#include "core/feature_sink.hpp"
+#include "read/gdal_handles.hpp"
+
+namespace d2b {
+
+/// Takes rings from the CRS of a cutline to pixel coordinates of a DEM.
+class RingProjector {
+  public:
+    /// @param transform to the DEM's CRS, or nullptr; must outlive this
+    /// @param grid the DEM's transform @param path of the cutline, for messages
+    RingProjector(OGRCoordinateTransformationH transform, const AffineTransform& grid, std::string path);
+
+    /// Puts points in between on edges that are bent in the DEM's CRS, so that what remains is less than a
+    /// fiftieth of a cell. @throws InputError where a position has no image
+    [[nodiscard]] WorldRing project(const WorldRing& ring);
+
+  private:
+    struct Vertex {
+        Position source;
+        Position pixel;
+    };
+    [[nodiscard]] Position to_pixel(Position source) const;
+    void add_between(const Vertex& from, const Vertex& to, int depth, WorldRing& ring) const;
+
+    OGRCoordinateTransformationH transform_;
+    AffineTransform to_cells_{};
+    std::string path_;
+};
+
+}  // namespace d2b

@@ -1,0 +1,122 @@
+#include "read/window.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/error.hpp"
+#include "read/numbers.hpp"
+
+namespace d2b {
+
+namespace {
+
+/// One axis of a grid: the centre of cell i is at origin + (i + 0.5) * step.
+struct Axis {
+    double origin = 0;
+    double step = 1;
+    std::int32_t cells = 0;
+
+    [[nodiscard]] double low() const { return std::min(origin, origin + step * cells); }
+    [[nodiscard]] double high() const { return std::max(origin, origin + step * cells); }
+};
+
+struct CellRange {
+    std::int32_t first = 0;
+    std::int32_t count = 0;
+};
+
+/// Index, with fractions, of the cell whose centre is at a coordinate. What is within a millionth of a cell
+/// of a centre is on it: decimal coordinates are seldom exact in binary.
+double cell_at(const Axis& axis, double coordinate) {
+    const double cell = (coordinate - axis.origin) / axis.step - 0.5;
+    const double nearest = std::round(cell);
+    return std::abs(cell - nearest) < 1e-6 ? nearest : cell;
+}
+
+/// The cells with low <= centre < high, clipped to the grid.
+CellRange cells_between(const Axis& axis, double low, double high) {
+    double first = std::ceil(cell_at(axis, low));
+    double end = std::ceil(cell_at(axis, high));
+    if (axis.step < 0) {  // The higher the coordinate, the lower the index.
+        first = std::floor(cell_at(axis, high)) + 1;
+        end = std::floor(cell_at(axis, low)) + 1;
+    }
+    const auto cells = static_cast<double>(axis.cells);
+    first = std::clamp(first, 0.0, cells);
+    end = std::clamp(end, 0.0, cells);
+    return {static_cast<std::int32_t>(first), static_cast<std::int32_t>(std::max(0.0, end - first))};
+}
+
+std::string size_text(const DemInfo& info) {
+    return "the raster has " + std::to_string(info.cols) + " columns and " + std::to_string(info.rows) +
+           " rows";
+}
+
+Window from_cells(const std::array<double, 4>& cells, const DemInfo& info) {
+    const auto& [col, row, cols, rows] = cells;
+    const std::string option = "-srcwin " + numbers_text(cells, " ");
+    for (const double value : cells)
+        if (!std::isfinite(value) || value != std::floor(value))
+            throw OptionError(option + " must be whole numbers of cells (column row columns rows); " +
+                              size_text(info) + ".");
+    if (col < 0 || row < 0 || cols < 1 || rows < 1 || col + cols > info.cols || row + rows > info.rows)
+        throw OptionError(option + " (column row columns rows) does not lie inside the raster; " +
+                          size_text(info) + ".");
+    return {static_cast<std::int32_t>(row), static_cast<std::int32_t>(col), static_cast<std::int32_t>(rows),
+            static_cast<std::int32_t>(cols)};
+}
+
+/// @param extent xmin, ymin, xmax, ymax
+Window from_extent(const std::array<double, 4>& extent, const std::string& option, const DemInfo& info) {
+    const AffineTransform& g = info.transform;
+    if (g[2] != 0 || g[4] != 0)
+        throw OptionError(option +
+                          " cannot be used, since the rows of the raster do not run along the x axis; " +
+                          "give the window in cells with -srcwin.");
+    const Axis x{g[0], g[1], info.cols};
+    const Axis y{g[3], g[5], info.rows};
+    const CellRange cols = cells_between(x, extent[0], extent[2]);
+    const CellRange rows = cells_between(y, extent[1], extent[3]);
+    if (cols.count == 0 || rows.count == 0)
+        throw OptionError(option + " holds no cell centre of the raster, which extends from " +
+                          number_text(x.low()) + " to " + number_text(x.high()) + " in x and from " +
+                          number_text(y.low()) + " to " + number_text(y.high()) + " in y.");
+    return {rows.first, cols.first, rows.count, cols.count};
+}
+
+Window from_corners(const std::array<double, 4>& corners, const DemInfo& info) {
+    const auto& [ulx, uly, lrx, lry] = corners;
+    const std::string option = "-projwin " + numbers_text(corners, " ");
+    if (!(ulx < lrx && lry < uly))
+        throw OptionError(option + " must be the upper left and the lower right corner (ulx uly lrx lry, " +
+                          "ulx < lrx and lry < uly).");
+    return from_extent({ulx, lry, lrx, uly}, option, info);
+}
+
+Window from_box(const std::array<double, 4>& box, const DemInfo& info) {
+    const auto& [xmin, ymin, xmax, ymax] = box;
+    const std::string option = "-te " + numbers_text(box, " ");
+    if (!(xmin < xmax && ymin < ymax))
+        throw OptionError(option + " must be xmin ymin xmax ymax with xmin < xmax and ymin < ymax.");
+    return from_extent(box, option, info);
+}
+
+}  // namespace
+
+Window choose_window(const ReadOptions& options, const DemInfo& info) {
+    const int given = static_cast<int>(options.source_window.has_value()) +
+                      static_cast<int>(options.projected_window.has_value()) +
+                      static_cast<int>(options.extent.has_value());
+    if (given > 1)
+        throw OptionError("-srcwin, -projwin and -te exclude each other; give only one of them.");
+    if (options.source_window)
+        return from_cells(*options.source_window, info);
+    if (options.projected_window)
+        return from_corners(*options.projected_window, info);
+    if (options.extent)
+        return from_box(*options.extent, info);
+    return {0, 0, info.rows, info.cols};
+}
+
+}  // namespace d2b

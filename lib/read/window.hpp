@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/dem_info.hpp"
+#include "core/options.hpp"
+
+namespace d2b {
+
+/// The part of a raster that the options ask for: all of it, or one of source_window, projected_window and
+/// extent. Of an area in coordinates the cells whose centres lie inside are taken; a centre on the west or
+/// south edge is inside and one on the east or north edge is not, so that neighbouring windows share no cell.
+/// @param info rows, cols and transform of the whole raster
+/// @throws OptionError more than one window, or one that does not fit the raster
+[[nodiscard]] Window choose_window(const ReadOptions& options, const DemInfo& info);
+
+}  // namespace d2b

@@ -1,0 +1,88 @@
+#include "trace/arms.hpp"
+
+namespace d2b {
+
+std::uint32_t Arms::add_node(const Corner& corner, std::uint32_t next) {
+    if (free_node_ == none) {
+        nodes_.push_back({corner, next});
+        return static_cast<std::uint32_t>(nodes_.size() - 1);
+    }
+    const std::uint32_t node = free_node_;
+    free_node_ = nodes_[node].next;
+    nodes_[node] = {corner, next};
+    return node;
+}
+
+std::uint32_t Arms::add_arm(std::uint32_t node) {
+    if (free_arm_ == none) {
+        arms_.push_back({node, none, nothing_outside});
+        return static_cast<std::uint32_t>(arms_.size() - 1);
+    }
+    const std::uint32_t arm = free_arm_;
+    free_arm_ = arms_[arm].mate;
+    arms_[arm] = {node, none, nothing_outside};
+    return arm;
+}
+
+void Arms::free_arm(std::uint32_t arm) {
+    arms_[arm].mate = free_arm_;
+    free_arm_ = arm;
+}
+
+Arms::Pair Arms::open(Corner tail, Corner head) {
+    const std::uint32_t last = add_node(head, none);
+    const std::uint32_t first = add_node(tail, last);
+    const Pair pair{add_arm(first), add_arm(last)};
+    arms_[pair.tail].mate = pair.head;
+    arms_[pair.head].mate = pair.tail;
+    return pair;
+}
+
+void Arms::extend_head(std::uint32_t arm, Corner turn, Corner down) {
+    Arm& head = arms_[arm];
+    turn.outside = head.outside;
+    const std::uint32_t last = add_node(down, none);
+    const std::uint32_t before = add_node(turn, last);
+    nodes_[head.node].next = before;
+    head.node = last;
+    head.outside = nothing_outside;
+}
+
+void Arms::extend_tail(std::uint32_t arm, Corner turn, Corner down) {
+    Arm& tail = arms_[arm];
+    // The chain runs down -> turn -> what was first; the horizontal edge leads to `turn`.
+    set_outside(tail.node, tail.outside);
+    turn.outside = down.outside;
+    down.outside = nothing_outside;
+    tail.node = add_node(down, add_node(turn, tail.node));
+    tail.outside = nothing_outside;
+}
+
+std::vector<Corner> Arms::join(std::uint32_t head, Corner turn, Corner up, std::uint32_t tail) {
+    turn.outside = arms_[head].outside;
+    const std::uint32_t first = arms_[tail].node;
+    set_outside(first, arms_[tail].outside);
+    const bool closes = arms_[head].mate == tail;
+    const std::uint32_t last = add_node(up, closes ? none : first);
+    nodes_[arms_[head].node].next = add_node(turn, last);
+    const std::uint32_t other_tail = arms_[head].mate;
+    const std::uint32_t other_head = arms_[tail].mate;
+    free_arm(head);
+    free_arm(tail);
+    if (closes)
+        return take_ring(first, last);
+    arms_[other_tail].mate = other_head;
+    arms_[other_head].mate = other_tail;
+    return {};
+}
+
+std::vector<Corner> Arms::take_ring(std::uint32_t first, std::uint32_t last) {
+    std::vector<Corner> ring;
+    for (std::uint32_t node = first; node != none; node = nodes_[node].next)
+        ring.push_back(nodes_[node].corner);
+    nodes_[last].next = free_node_;
+    free_node_ = first;
+    return ring;
+}
+
+}  // namespace d2b

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "core/lattice.hpp"
+#include "trace/runs.hpp"
+
+namespace d2b {
+
+inline constexpr double nothing_outside = std::numeric_limits<double>::infinity();
+
+/// A corner of an outline while it is being traced.
+struct Corner {
+    LatticePoint at;
+    bool pinch = false;                   ///< the outline may pass here twice
+    double outside = nothing_outside;     ///< lowest elevation outside, along the edge that leads here
+};
+
+/// Outlines in the making. Each open outline is a chain of corners with two ends, its arms, both on vertical edges
+/// that go on into the next row: the head comes down the left side of a run, the tail goes up the right side of
+/// one. What the outline bounds lies on its left. Only corners are kept: contour compression costs nothing.
+class Arms {
+  public:
+    struct Pair {
+        std::uint32_t tail;
+        std::uint32_t head;
+    };
+    /// Starts a chain: tail and head are joined by one horizontal edge.
+    Pair open(Corner tail, Corner head);
+    /// The head goes on to `turn`, along the row to `down`, and down.
+    void extend_head(std::uint32_t arm, Corner turn, Corner down);
+    /// The same at the tail, against the direction of the chain: down from `turn` after `down`.
+    void extend_tail(std::uint32_t arm, Corner turn, Corner down);
+    /// The head goes on to `turn`, along the row to `up`, and up into the tail of the same or of another chain.
+    /// @return the corners of the ring that this closes, else none
+    std::vector<Corner> join(std::uint32_t head, Corner turn, Corner up, std::uint32_t tail);
+    /// Elevations outside along the vertical edge at an arm.
+    void pass(std::uint32_t arm, double outside) {
+        Arm& a = arms_[arm];
+        a.outside = outside < a.outside ? outside : a.outside;
+    }
+
+  private:
+    struct Node {
+        Corner corner;
+        std::uint32_t next;
+    };
+    struct Arm {
+        std::uint32_t node;
+        std::uint32_t mate;
+        double outside;
+    };
+    std::uint32_t add_node(const Corner& corner, std::uint32_t next);
+    std::uint32_t add_arm(std::uint32_t node);
+    void free_arm(std::uint32_t arm);
+    void set_outside(std::uint32_t node, double outside) { nodes_[node].corner.outside = outside; }
+    std::vector<Corner> take_ring(std::uint32_t first, std::uint32_t last);
+
+    std::vector<Node> nodes_;
+    std::vector<Arm> arms_;
+    std::uint32_t free_node_ = none;
+    std::uint32_t free_arm_ = none;
+};
+
+}  // namespace d2b

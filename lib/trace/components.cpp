@@ -1,0 +1,124 @@
+#include "trace/components.hpp"
+
+#include <iterator>
+#include <utility>
+
+namespace d2b {
+
+std::uint32_t Components::add(std::int32_t level, Label label, LatticePoint first, std::uint32_t below) {
+    std::uint32_t number = free_;
+    if (number == none) {
+        number = static_cast<std::uint32_t>(pool_.size());
+        pool_.emplace_back();
+    } else {
+        free_ = pool_[number].next_member;
+    }
+    Component& c = pool_[number] = Component{};
+    c.up = c.next_member = number;
+    c.level = level;
+    c.label = label;
+    c.first = first;
+    c.last_row = first.row;
+    c.below = below;
+    if (level == 1)
+        c.sample = std::make_unique<ElevationSample>();
+    return number;
+}
+
+std::uint32_t Components::find(std::uint32_t component) {
+    while (pool_[component].up != component) {
+        pool_[component].up = pool_[pool_[component].up].up;
+        component = pool_[component].up;
+    }
+    return component;
+}
+
+std::uint32_t Components::unite(std::uint32_t a, std::uint32_t b) {
+    a = find(a);
+    b = find(b);
+    if (a == b)
+        return a;
+    if (pool_[a].size < pool_[b].size)
+        std::swap(a, b);
+    Component& into = pool_[a];
+    Component& from = pool_[b];
+    from.up = a;
+    into.size += from.size;
+    std::swap(into.next_member, from.next_member);
+    into.last_row = std::max(into.last_row, from.last_row);
+    into.first = std::min(into.first, from.first);
+    into.own.merge(from.own);
+    // Only the exterior ring of the finished contour closes last, so what was closed before are interiors.
+    if (into.interiors.size() < from.interiors.size())
+        std::swap(into.interiors, from.interiors);
+    into.interiors.insert(into.interiors.end(), std::make_move_iterator(from.interiors.begin()),
+                          std::make_move_iterator(from.interiors.end()));
+    from.interiors = {};
+    if (from.first_child != none) {
+        (into.first_child == none ? into.first_child : nodes_[into.last_child].next) = from.first_child;
+        into.last_child = from.last_child;
+    }
+    if (into.sample)
+        into.sample->merge(*from.sample);
+    from.sample.reset();
+    if (into.standing_on_it.size() < from.standing_on_it.size())
+        std::swap(into.standing_on_it, from.standing_on_it);
+    into.standing_on_it.insert(into.standing_on_it.end(), from.standing_on_it.begin(), from.standing_on_it.end());
+    from.standing_on_it = {};
+    return a;
+}
+
+Node Components::finish(std::uint32_t root) {
+    Component& c = pool_[root];
+    Node node;
+    node.first_child = c.first_child;
+    node.contour.key = {c.level, c.first};
+    node.contour.label = c.label;
+    node.contour.exterior = std::move(c.exterior);
+    node.contour.interiors = std::move(c.interiors);
+    node.contour.own = c.own;
+    node.contour.lowest_outside = c.lowest_outside;
+    // The members form a ring through next_member: cut it open into the free list.
+    const std::uint32_t second = c.next_member;
+    c.next_member = free_;
+    free_ = second;
+    return node;
+}
+
+void Components::hang(Node&& node, std::uint32_t below) {
+    std::uint32_t number = free_node_;
+    if (number == none) {
+        number = static_cast<std::uint32_t>(nodes_.size());
+        nodes_.emplace_back();
+    } else {
+        free_node_ = nodes_[number].next;
+    }
+    nodes_[number] = std::move(node);
+    nodes_[number].next = none;
+    Component& c = pool_[below];
+    (c.first_child == none ? c.first_child : nodes_[c.last_child].next) = number;
+    c.last_child = number;
+}
+
+std::vector<Contour> Components::flatten(Node&& top) {
+    std::vector<Contour> contours;
+    std::vector<std::pair<std::uint32_t, std::int64_t>> todo{{top.first_child, 0}};
+    contours.push_back(std::move(top.contour));
+    while (!todo.empty()) {
+        auto [number, parent] = todo.back();
+        todo.pop_back();
+        while (number != none) {
+            Node& node = nodes_[number];
+            node.contour.parent = parent;
+            todo.emplace_back(node.first_child, static_cast<std::int64_t>(contours.size()));
+            contours.push_back(std::move(node.contour));
+            const std::uint32_t next = node.next;
+            node.next = free_node_;
+            free_node_ = number;
+            number = next;
+        }
+    }
+    return contours;
+}
+
+}  // namespace d2b

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "trace/contour.hpp"
+#include "trace/runs.hpp"
+
+namespace d2b {
+
+/// A finished contour that waits for the one below it to finish. Siblings and children are lists of indices, so
+/// that a tower of thousands of levels costs no recursion.
+struct Node {
+    Contour contour;
+    std::uint32_t next = none;
+    std::uint32_t first_child = none;
+};
+
+/// A contour while it grows: the connected runs found so far.
+struct Component {
+    std::uint32_t up = none;            ///< union-find; itself where it is a root
+    std::uint32_t size = 1;
+    std::uint32_t next_member = none;   ///< ring of all numbers that were united
+    std::int32_t level = 0;
+    std::int32_t last_row = 0;
+    Label label = 0;
+    LatticePoint first;
+    std::uint32_t below = none;         ///< component one level down
+    std::uint32_t first_child = none;   ///< finished contours that stand on it
+    std::uint32_t last_child = none;
+    PointStats own;
+    double lowest_outside = nothing_below;
+    PackedRing exterior;
+    std::vector<PackedRing> interiors;
+    std::unique_ptr<ElevationSample> sample;           ///< level 1
+    std::vector<std::int64_t> standing_on_it;          ///< level 0
+
+    static constexpr double nothing_below = std::numeric_limits<double>::infinity();
+};
+
+/// Union-find over the runs of all levels; numbers are used again once a contour is finished, so that memory is
+/// bounded by what is open.
+class Components {
+  public:
+    /// @return a component of one run
+    std::uint32_t add(std::int32_t level, Label label, LatticePoint first, std::uint32_t below);
+    std::uint32_t find(std::uint32_t component);
+    /// @return the root of both
+    std::uint32_t unite(std::uint32_t a, std::uint32_t b);
+    Component& operator[](std::uint32_t component) { return pool_[component]; }
+
+    /// Gives a finished root's numbers back. @return what it held, as a contour without parent
+    Node finish(std::uint32_t root);
+    /// Hangs a finished contour onto the component that it stands on.
+    void hang(Node&& node, std::uint32_t below);
+    /// The tree under a finished contour, parents first; its nodes' numbers are given back.
+    std::vector<Contour> flatten(Node&& top);
+
+  private:
+    std::vector<Component> pool_;
+    std::vector<Node> nodes_;
+    std::uint32_t free_ = none;
+    std::uint32_t free_node_ = none;
+};
+
+}  // namespace d2b

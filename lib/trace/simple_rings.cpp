@@ -1,0 +1,35 @@
+#include "trace/simple_rings.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace d2b {
+
+std::vector<std::vector<Corner>> split_at_pinches(const std::vector<Corner>& outline) {
+    if (std::none_of(outline.begin(), outline.end(), [](const Corner& corner) { return corner.pinch; }))
+        return {outline};
+    std::vector<std::vector<Corner>> rings;
+    std::vector<Corner> path;
+    std::map<LatticePoint, std::size_t> passed;   // pinches of the path, and where in it they stand
+    for (const Corner& corner : outline) {
+        if (corner.pinch) {
+            const auto [place, is_new] = passed.try_emplace(corner.at, path.size());
+            if (!is_new) {
+                const auto loop = path.begin() + static_cast<std::ptrdiff_t>(place->second);
+                rings.emplace_back(loop, path.end());
+                // The loop's last edge leads here on the second visit.
+                rings.back().front().outside = corner.outside;
+                for (auto dropped = loop + 1; dropped != path.end(); ++dropped)
+                    if (dropped->pinch)
+                        passed.erase(dropped->at);
+                path.erase(loop + 1, path.end());
+                continue;
+            }
+        }
+        path.push_back(corner);
+    }
+    rings.push_back(std::move(path));
+    return rings;
+}
+
+}  // namespace d2b

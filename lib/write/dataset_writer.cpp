@@ -1,0 +1,218 @@
+#include "write/dataset_writer.hpp"
+
+#include <gdal_version.h>
+
+#include "core/error.hpp"
+
+namespace d2b {
+
+namespace {
+
+/// Features in one transaction of a new dataset: large, for each commit waits for the disk.
+constexpr std::int64_t batch = 200'000;
+
+SrsHandle srs_of(const std::string& wkt, const WriteTarget& target) {
+    if (wkt.empty())
+        return nullptr;
+    OgrCall call(target);
+    SrsHandle srs(OSRNewSpatialReference(wkt.c_str()));
+    call.check(srs != nullptr, "reading the CRS");
+    OSRSetAxisMappingStrategy(srs.get(), OAMS_TRADITIONAL_GIS_ORDER);
+    return srs;
+}
+
+bool has(GDALDatasetH dataset, const char* capability) {
+    return GDALDatasetTestCapability(dataset, capability) != FALSE;
+}
+
+}  // namespace
+
+DatasetWriter::DatasetWriter(WriteTarget target, const VectorFormat& format, const WriteOptions& options)
+    : target_(std::move(target)), format_(format), options_(options) {}
+
+DatasetWriter::~DatasetWriter() {
+    const GdalMessages quiet;
+    if (in_transaction_)
+        GDALDatasetRollbackTransaction(dataset_.get());
+    layers_.clear();
+    dataset_.reset();
+}
+
+void DatasetWriter::open(const std::string& path, Mode mode) {
+    OgrCall call(target_);
+    if (mode == Mode::create) {
+        const NameValueList options(options_.dataset_options);
+        dataset_.reset(GDALCreate(format_.driver, path.c_str(), 0, 0, 0, GDT_Unknown, options.get()));
+        call.check(dataset_ != nullptr, "creating the " + format_.name + " dataset");
+    } else {
+        const char* const only[] = {format_.name.c_str(), nullptr};
+        dataset_.reset(GDALOpenEx(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE, only, nullptr, nullptr));
+        call.check(dataset_ != nullptr, "opening it for writing");
+    }
+    mode_ = mode;
+    transactions_ = has(dataset_.get(), ODsCTransactions) && !has(dataset_.get(), ODsCEmulatedTransactions);
+}
+
+void DatasetWriter::start_transaction() {
+    if (!transactions_)
+        return;
+    OgrCall call(target_);
+    in_transaction_ = GDALDatasetStartTransaction(dataset_.get(), FALSE) == OGRERR_NONE;
+    call.check(in_transaction_, "starting a transaction");
+    uncommitted_ = 0;
+}
+
+void DatasetWriter::commit() {
+    if (!in_transaction_)
+        return;
+    OgrCall call(target_);
+    const bool done = GDALDatasetCommitTransaction(dataset_.get()) == OGRERR_NONE;
+    in_transaction_ = !done;
+    call.check(done, "committing the transaction");
+}
+
+void DatasetWriter::begin(const std::string& path, Mode mode, std::span<const LayerSpec> specs,
+                          const Provenance& provenance) {
+    specs_.assign(specs.begin(), specs.end());
+    pending_.resize(specs_.size());
+    provenance_ = provenance;
+    srs_ = srs_of(provenance.crs_wkt, target_);
+    open(path, mode);
+    start_transaction();
+    if (mode == Mode::replace)
+        for (const LayerSpec& spec : specs_)
+            remove_layer(spec.name);
+    if (mode != Mode::extend)
+        describe(dataset_.get());
+    // Some formats (KML) write one layer after the other: those that follow wait in memory.
+    const bool one_by_one = mode == Mode::create && !has(dataset_.get(), ODsCRandomLayerWrite);
+    for (std::size_t i = 0; i < specs_.size() && (i == 0 || !one_by_one); ++i)
+        open_layer(specs_[i]);
+    if (mode == Mode::create)
+        return;
+    // A driver that still had layers or metadata to write at its end would write them after a rollback, too.
+    OgrCall call(target_);
+    GDALFlushCache(dataset_.get());
+    call.check(true, "creating the layers");
+}
+
+void DatasetWriter::remove_layer(const std::string& name) {
+    for (int i = GDALDatasetGetLayerCount(dataset_.get()) - 1; i >= 0; --i) {
+        if (!EQUAL(OGR_L_GetName(GDALDatasetGetLayer(dataset_.get(), i)), name.c_str()))
+            continue;
+        OgrCall call(target_);
+        const bool done = GDALDatasetDeleteLayer(dataset_.get(), i) == OGRERR_NONE;
+        call.check(done, "replacing layer \"" + name + "\"");
+    }
+}
+
+void DatasetWriter::open_layer(const LayerSpec& spec) {
+    const LayerSetting setting{target_, format_, options_.layer_options, srs_.get()};
+    OGRLayerH layer = nullptr;
+    if (mode_ == Mode::extend) {
+        const GdalMessages quiet;
+        layer = GDALDatasetGetLayerByName(dataset_.get(), spec.name.c_str());
+        // Where a file is a layer, its name does not matter.
+        if (layer == nullptr && !format_.several_layers)
+            layer = GDALDatasetGetLayer(dataset_.get(), 0);
+    }
+    if (layer != nullptr) {
+        layers_.push_back(LayerWriter::adopt(layer, spec, setting));
+        return;
+    }
+    layers_.push_back(LayerWriter::create(dataset_.get(), spec, setting));
+    describe(layers_.back().handle());
+}
+
+void DatasetWriter::describe(GDALMajorObjectH object) {
+    // Formats without a place for metadata say so, or nothing; either way the result is whole.
+    const GdalMessages quiet;
+    for (const auto& [name, value] : provenance_.metadata)
+        GDALSetMetadataItem(object, name.c_str(), value.c_str(), nullptr);
+}
+
+void DatasetWriter::add(std::size_t layer, const Feature& feature) {
+    if (layer >= specs_.size())
+        throw OutputError("Cannot write \"" + target_.name + "\": it has no layer number " +
+                          std::to_string(layer) + ".");
+    if (layer >= layers_.size()) {
+        pending_[layer].push_back(feature);
+        return;
+    }
+    layers_[layer].add(feature);
+    if (mode_ == Mode::create && in_transaction_ && ++uncommitted_ >= batch) {
+        commit();
+        start_transaction();
+    }
+}
+
+void DatasetWriter::write_pending() {
+    while (layers_.size() < specs_.size()) {
+        const std::size_t next = layers_.size();
+        open_layer(specs_[next]);
+        for (const Feature& feature : pending_[next])
+            layers_[next].add(feature);
+        pending_[next] = {};
+    }
+}
+
+void DatasetWriter::close() {
+    write_pending();
+    for (const LayerWriter& layer : layers_)
+        counts_.emplace_back(layer.name(), layer.expected());
+    if (in_transaction_ && mode_ != Mode::create)
+        check_counts();
+    commit();
+    OgrCall call(target_);
+    layers_.clear();
+    GDALFlushCache(dataset_.get());
+#if GDAL_VERSION_NUM >= GDAL_COMPUTE_VERSION(3, 7, 0)
+    const bool closed = GDALClose(dataset_.release()) == CE_None;
+#else
+    const bool closed = true;
+    dataset_.reset();
+#endif
+    call.check(closed, "closing the dataset");
+}
+
+/// What the database holds, not what the driver remembers; nothing has been committed yet.
+void DatasetWriter::check_counts() {
+    for (const auto& [name, expected] : counts_) {
+        std::string quoted = name;
+        for (auto at = quoted.find('"'); at != std::string::npos; at = quoted.find('"', at + 2))
+            quoted.insert(at, 1, '"');
+        OgrCall call(target_);
+        const std::string sql = "SELECT COUNT(*) AS n FROM \"" + quoted + "\"";
+        OGRLayerH result = GDALDatasetExecuteSQL(dataset_.get(), sql.c_str(), nullptr, nullptr);
+        std::int64_t found = -1;
+        if (result != nullptr) {
+            const FeatureHandle row(OGR_L_GetNextFeature(result));
+            if (row)
+                found = OGR_F_GetFieldAsInteger64(row.get(), 0);
+            GDALDatasetReleaseResultSet(dataset_.get(), result);
+        }
+        call.check(found == expected, "counting the features of layer \"" + name + "\"");
+    }
+}
+
+void verify_counts(const WriteTarget& target, const VectorFormat& format, const std::string& path,
+                   const LayerCounts& counts) {
+    if (GDALGetMetadataItem(format.driver, GDAL_DCAP_OPEN, nullptr) == nullptr)
+        return;
+    OgrCall call(target);
+    const char* const only[] = {format.name.c_str(), nullptr};
+    const DatasetHandle dataset(GDALOpenEx(path.c_str(), GDAL_OF_VECTOR, only, nullptr, nullptr));
+    call.check(dataset != nullptr, "reading the result back");
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        OGRLayerH layer = GDALDatasetGetLayerByName(dataset.get(), counts[i].first.c_str());
+        if (layer == nullptr)
+            layer = GDALDatasetGetLayer(dataset.get(), static_cast<int>(i));
+        const std::int64_t found = layer == nullptr ? 0 : OGR_L_GetFeatureCount(layer, TRUE);
+        if (found != counts[i].second)
+            throw OutputError("Cannot write \"" + target.name + "\": layer \"" + counts[i].first +
+                              "\" holds " + std::to_string(found) + " features when read back instead of " +
+                              std::to_string(counts[i].second) + ".");
+    }
+}
+
+}  // namespace d2b

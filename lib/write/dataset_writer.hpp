@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/feature_sink.hpp"
+#include "core/options.hpp"
+#include "write/layer_writer.hpp"
+
+namespace d2b {
+
+using LayerCounts = std::vector<std::pair<std::string, std::int64_t>>;
+
+/// Writes layers into one OGR dataset, new or there already. Without close() a transaction is rolled back.
+class DatasetWriter {
+  public:
+    enum class Mode {
+        create,   ///< a new dataset
+        replace,  ///< one that is there and has transactions: layers of the same names go first
+        extend,   ///< one that is there: features are added to layers of the same names
+    };
+
+    DatasetWriter(WriteTarget target, const VectorFormat& format, const WriteOptions& options);
+    DatasetWriter(const DatasetWriter&) = delete;
+    DatasetWriter& operator=(const DatasetWriter&) = delete;
+    ~DatasetWriter();
+
+    /// @param path what the driver opens or creates @throws OutputError
+    void begin(const std::string& path, Mode mode, std::span<const LayerSpec> specs,
+               const Provenance& provenance);
+    /// @throws OutputError
+    void add(std::size_t layer, const Feature& feature);
+    /// Writes what is pending, commits and closes. @throws OutputError: also where only closing fails
+    void close();
+
+    /// Name and number of features of each layer that was written; known when close() has been called.
+    [[nodiscard]] const LayerCounts& counts() const { return counts_; }
+
+  private:
+    void open(const std::string& path, Mode mode);
+    void start_transaction();
+    void commit();
+    void remove_layer(const std::string& name);
+    void open_layer(const LayerSpec& spec);
+    void describe(GDALMajorObjectH object);
+    void write_pending();
+    void check_counts();
+
+    WriteTarget target_;
+    const VectorFormat& format_;
+    const WriteOptions& options_;
+    Mode mode_ = Mode::create;
+    DatasetHandle dataset_;
+    SrsHandle srs_;
+    Provenance provenance_;
+    std::vector<LayerSpec> specs_;
+    std::vector<LayerWriter> layers_;            ///< the first ones of specs_, or all
+    std::vector<std::vector<Feature>> pending_;  ///< of layers that must wait for those before them
+    bool transactions_ = false;
+    bool in_transaction_ = false;
+    std::int64_t uncommitted_ = 0;
+    LayerCounts counts_;
+};
+
+/// Opens what was written and counts again. Formats that GDAL does not read are believed.
+/// @throws OutputError where a layer or a feature is missing
+void verify_counts(const WriteTarget& target, const VectorFormat& format, const std::string& path,
+                   const LayerCounts& counts);
+
+}  // namespace d2b

@@ -1,0 +1,106 @@
+#include "write/destination.hpp"
+
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+#include <unistd.h>
+
+#include <cpl_vsi.h>
+
+#include "core/error.hpp"
+#include "write/staging.hpp"
+
+namespace d2b {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string in_quotes(const std::string& text) {
+    return "\"" + text + "\"";
+}
+
+std::string without_slashes(std::string path) {
+    while (path.size() > 1 && path.back() == '/')
+        path.pop_back();
+    return path;
+}
+
+/// A renamed file must not replace the link that leads to it.
+fs::path resolved(const std::string& name) {
+    std::error_code error;
+    fs::path path = without_slashes(name);
+    // A link may lead to a file that is not there yet, which the library's functions do not follow.
+    for (int links = 0; links < 40 && fs::is_symlink(path, error); ++links)
+        path = path.parent_path() / fs::read_symlink(path, error);
+    return path;
+}
+
+void check_parent(const std::string& name, const fs::path& path) {
+    const fs::path parent = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    std::error_code error;
+    const fs::file_status status = fs::status(parent, error);
+    if (!fs::exists(status))
+        throw OutputError("Cannot write " + in_quotes(name) + ": there is no folder " +
+                          in_quotes(parent.string()) + "; make it first.");
+    if (!fs::is_directory(status))
+        throw OutputError("Cannot write " + in_quotes(name) + ": " + in_quotes(parent.string()) +
+                          " is not a folder; choose another destination.");
+    // The permission bits do not tell of read-only and special file systems, and mean nothing to root.
+    const Staging trial(name, path);
+}
+
+void check_siblings(const std::string& name, const fs::path& path, const VectorFormat& format) {
+    for (const std::string& suffix : format.suffixes) {
+        fs::path sibling = path;
+        sibling.replace_extension();
+        sibling += suffix;
+        std::error_code error;
+        if (sibling != path && fs::exists(sibling, error))
+            throw OptionError("Writing " + in_quotes(name) + " would replace " + in_quotes(sibling.string()) +
+                              "; remove that file first or choose another name.");
+    }
+}
+
+void locate_local(Destination& destination, const VectorFormat& format) {
+    const fs::path path = resolved(destination.name);
+    destination.local = true;
+    destination.path = path.string();
+    std::error_code error;
+    destination.exists = fs::exists(path, error);
+    if (fs::is_directory(path, error)) {
+        if (!format.folder)
+            throw OptionError(in_quotes(destination.name) + " is a folder, and " + format.name +
+                              " writes a file here; give the name of a file.");
+        if (fs::is_empty(path, error))
+            destination.exists = false;
+    }
+    check_parent(destination.name, path);
+    if (!destination.exists)
+        check_siblings(destination.name, path, format);
+}
+
+}  // namespace
+
+Destination locate(const WriteOptions& options, const VectorFormat& format) {
+    if (options.overwrite && options.append)
+        throw OptionError("-overwrite and -append exclude each other; give one of them.");
+    Destination destination{.name = options.destination, .path = options.destination};
+    if (is_stream(options.destination) || is_connection(format.driver, options.destination))
+        return destination;
+    if (options.destination.starts_with("/vsi")) {
+        VSIStatBufL status{};
+        destination.exists = VSIStatExL(options.destination.c_str(), &status,
+                                        VSI_STAT_EXISTS_FLAG | VSI_STAT_NATURE_FLAG) == 0;
+    } else {
+        locate_local(destination, format);
+    }
+    if (destination.exists && !options.overwrite && !options.append)
+        throw OptionError(
+            in_quotes(options.destination) +
+            " exists; say -overwrite to replace the layers of this run in it, or -append to add to "
+            "them.");
+    return destination;
+}
+
+}  // namespace d2b

@@ -1,0 +1,193 @@
+#include "write/existing_dataset.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <sys/stat.h>
+#include <system_error>
+
+#include "core/error.hpp"
+#include "read/gdal_messages.hpp"
+#include "write/ogr_handles.hpp"
+
+namespace d2b {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Files beside a .shp that belong to it; an index that stays behind would be that of another file.
+constexpr std::array shapefile_sidecars{".shx", ".dbf", ".prj", ".cpg", ".qix", ".sbn",
+                                        ".sbx", ".qpj", ".idm", ".ind", ".cst"};
+
+DatasetHandle open_with(const VectorFormat& format, const std::string& path, unsigned flags) {
+    const char* const only[] = {format.name.c_str(), nullptr};
+    return DatasetHandle(GDALOpenEx(path.c_str(), GDAL_OF_VECTOR | flags, only, nullptr, nullptr));
+}
+
+bool named(const std::vector<std::string>& names, const std::string& name) {
+    return std::any_of(names.begin(), names.end(),
+                       [&](const std::string& other) { return EQUAL(other.c_str(), name.c_str()); });
+}
+
+std::vector<std::string> files_of(GDALDatasetH dataset, const fs::path& path, const VectorFormat& format) {
+    std::error_code error;
+    if (fs::is_directory(path, error))
+        return {path.string()};
+    std::vector<std::string> files{path.string()};
+    const auto add = [&](const fs::path& file) {
+        if (file.parent_path() == path.parent_path() && fs::is_regular_file(file, error) &&
+            std::find(files.begin(), files.end(), file.string()) == files.end())
+            files.push_back(file.string());
+    };
+    const CPLStringList listed(GDALGetFileList(dataset));
+    for (int i = 0; i < listed.Count(); ++i)
+        add(listed[i]);
+    if (format.name == "ESRI Shapefile" && format.suffixes.size() > 1)
+        for (const char* suffix : shapefile_sidecars)
+            add(fs::path(path).replace_extension(suffix));
+    return files;
+}
+
+std::int64_t largest_id(GDALDatasetH dataset, const std::vector<std::string>& names, bool any_name) {
+    std::int64_t largest = 0;
+    for (int i = 0; i < GDALDatasetGetLayerCount(dataset); ++i) {
+        OGRLayerH layer = GDALDatasetGetLayer(dataset, i);
+        const int field = OGR_FD_GetFieldIndex(OGR_L_GetLayerDefn(layer), "id");
+        if (field < 0 || (!any_name && !named(names, OGR_L_GetName(layer))))
+            continue;
+        const char* ignored[] = {"OGR_GEOMETRY", "OGR_STYLE", nullptr};
+        OGR_L_SetIgnoredFields(layer, ignored);
+        OGR_L_ResetReading(layer);
+        while (const FeatureHandle feature{OGR_L_GetNextFeature(layer)})
+            largest = std::max<std::int64_t>(largest, OGR_F_GetFieldAsInteger64(feature.get(), field));
+        OGR_L_SetIgnoredFields(layer, nullptr);
+    }
+    return largest;
+}
+
+/// The first file of the folder that is not part of a layer of ours; "" where there is none.
+std::string foreign_file(const fs::path& folder, GDALDatasetH dataset,
+                         const std::vector<std::string>& names) {
+    const CPLStringList listed(GDALGetFileList(dataset));
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        const std::string file = entry.path().filename().string();
+        const bool part = CSLFindString(listed.List(), entry.path().c_str()) >= 0 ||
+                          named(names, entry.path().stem().string()) ||
+                          named(names, file.substr(0, file.find('.')));
+        if (!part)
+            return file;
+    }
+    return "";
+}
+
+void refuse_foreign(const Destination& destination, const ExistingDataset& existing, GDALDatasetH dataset,
+                    const VectorFormat& format, const WriteOptions& options,
+                    const std::vector<std::string>& names) {
+    const std::string flag = options.overwrite ? "-overwrite" : "-append";
+    if (options.overwrite || format.folder) {
+        for (const std::string& layer : existing.layers)
+            if (format.several_layers ? !named(names, layer) : existing.layers.size() > 1)
+                throw OptionError(
+                    "\"" + destination.name + "\" also holds layer \"" + layer + "\", which " + flag +
+                    " would lose: " + format.name +
+                    " datasets are replaced whole; write to another destination or remove it first.");
+    }
+    std::error_code error;
+    if (!destination.local || !fs::is_directory(destination.path, error))
+        return;
+    const std::string file = foreign_file(destination.path, dataset, names);
+    if (!file.empty())
+        throw OptionError("The folder \"" + destination.name + "\" also holds \"" + file + "\", which " +
+                          flag +
+                          " would touch: folders are replaced whole; write to another folder or move it away "
+                          "first.");
+}
+
+void require_writable(const Destination& destination, const VectorFormat& format, const WriteOptions& options,
+                      const std::vector<std::string>& names) {
+    const GdalMessages messages;
+    const DatasetHandle dataset = open_with(format, destination.path, GDAL_OF_UPDATE);
+    if (!dataset && format.transactions)
+        throw OutputError("Cannot write \"" + destination.name + "\": opening it for writing failed (" +
+                          messages.reason() + ").");
+    if (!options.append)
+        return;
+    bool appendable = dataset != nullptr;
+    for (int i = 0; appendable && i < GDALDatasetGetLayerCount(dataset.get()); ++i) {
+        OGRLayerH layer = GDALDatasetGetLayer(dataset.get(), i);
+        if (!format.several_layers || named(names, OGR_L_GetName(layer)))
+            appendable = OGR_L_TestCapability(layer, OLCSequentialWrite) != FALSE;
+    }
+    if (!appendable)
+        throw OptionError("GDAL cannot append to \"" + destination.name + "\", a dataset of format " +
+                          format.name + "; write to another destination, or to a GeoPackage.");
+}
+
+}  // namespace
+
+ExistingDataset inspect_existing(const Destination& destination, const VectorFormat& format,
+                                 const WriteOptions& options, const std::vector<std::string>& names) {
+    const GdalMessages messages;
+    ExistingDataset existing;
+    const DatasetHandle dataset = open_with(format, destination.path, GDAL_OF_READONLY);
+    if (!dataset)
+        throw OptionError("\"" + destination.name + "\" exists and is not a dataset of format " +
+                          format.name + "; remove it first.");
+    for (int i = 0; i < GDALDatasetGetLayerCount(dataset.get()); ++i)
+        existing.layers.emplace_back(OGR_L_GetName(GDALDatasetGetLayer(dataset.get(), i)));
+    if (destination.local)
+        existing.files = files_of(dataset.get(), destination.path, format);
+    existing.stamp = stamp_of(existing.files);
+    if (!format.transactions)
+        refuse_foreign(destination, existing, dataset.get(), format, options, names);
+    if (options.append)
+        existing.largest_id = largest_id(dataset.get(), names, !format.several_layers);
+    require_writable(destination, format, options, names);
+    return existing;
+}
+
+std::optional<ExistingDataset> inspect_database(const Destination& destination, VectorFormat& format,
+                                                const WriteOptions& options,
+                                                const std::vector<std::string>& names) {
+    const GdalMessages messages;
+    const DatasetHandle dataset = open_with(format, destination.path, GDAL_OF_UPDATE);
+    if (!dataset)
+        return std::nullopt;
+    format.transactions = GDALDatasetTestCapability(dataset.get(), ODsCTransactions) != FALSE &&
+                          GDALDatasetTestCapability(dataset.get(), ODsCEmulatedTransactions) == FALSE;
+    ExistingDataset existing;
+    for (const std::string& name : names) {
+        if (GDALDatasetGetLayerByName(dataset.get(), name.c_str()) == nullptr)
+            continue;
+        existing.layers.push_back(name);
+        if (!options.overwrite && !options.append)
+            throw OptionError(
+                "\"" + destination.name + "\" has a layer \"" + name +
+                "\"; say -overwrite to replace it, -append to add to it, or -nln for another name.");
+    }
+    if (options.append)
+        existing.largest_id = largest_id(dataset.get(), names, false);
+    return existing;
+}
+
+std::string stamp_of(const std::vector<std::string>& files) {
+    std::string stamp;
+    const auto add = [&stamp](const fs::path& path) {
+        struct stat status {};
+        if (::stat(path.c_str(), &status) == 0)
+            stamp += path.string() + '|' + std::to_string(status.st_ino) + '|' +
+                     std::to_string(status.st_size) + '|' + std::to_string(status.st_mtim.tv_sec) + '.' +
+                     std::to_string(status.st_mtim.tv_nsec) + '\n';
+    };
+    std::error_code error;
+    for (const std::string& file : files) {
+        add(file);
+        if (fs::is_directory(file, error))
+            for (const auto& entry : fs::directory_iterator(file))
+                add(entry.path());
+    }
+    return stamp;
+}
+
+}  // namespace d2b

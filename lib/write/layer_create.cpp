@@ -1,0 +1,99 @@
+#include "write/layer_create.hpp"
+
+#include <gdal_version.h>
+
+namespace d2b {
+
+namespace {
+
+/// Some formats (MapInfo) have no integers of 64 bits; a real keeps all that are counted here.
+OGRFieldType integer_type(GDALDriverH driver) {
+    const char* known = GDALGetMetadataItem(driver, GDAL_DMD_CREATIONFIELDDATATYPES, nullptr);
+    return known == nullptr || std::string(known).find("Integer64") != std::string::npos ? OFTInteger64
+                                                                                         : OFTReal;
+}
+
+OGRFieldType ogr_type(FieldType type, GDALDriverH driver) {
+    switch (type) {
+        case FieldType::integer:
+            return integer_type(driver);
+        case FieldType::real:
+            return OFTReal;
+        case FieldType::text:
+            break;
+    }
+    return OFTString;
+}
+
+/// GeoPackage wants titles that differ, whatever other layers there are.
+bool title_taken(GDALDatasetH dataset, const std::string& title) {
+    for (int i = 0; i < GDALDatasetGetLayerCount(dataset); ++i) {
+        const char* other = GDALGetMetadataItem(GDALDatasetGetLayer(dataset, i), "IDENTIFIER", nullptr);
+        if (other != nullptr && title == other)
+            return true;
+    }
+    return false;
+}
+
+NameValueList layer_options(GDALDatasetH dataset, const LayerSpec& spec, const LayerSetting& setting) {
+    NameValueList options(setting.options);
+    const auto offer = [&](const char* name, const std::string& value) {
+        if (!value.empty() && !options.has(name) && has_layer_option(setting.format.driver, name))
+            options.set(name, value);
+    };
+    offer("IDENTIFIER", title_taken(dataset, spec.title) ? spec.title + " (" + spec.name + ")" : spec.title);
+    offer("DESCRIPTION", spec.description);
+    // By default these drivers drop geometries and characters without a word.
+    if (setting.format.name == "CSV")
+        offer("GEOMETRY", "AS_WKT");
+    if (setting.format.name == "ESRI Shapefile")
+        offer("ENCODING", "UTF-8");
+    return options;
+}
+
+FieldHandle field_of(const FieldSpec& spec, GDALDriverH driver) {
+    FieldHandle field(OGR_Fld_Create(spec.name.c_str(), ogr_type(spec.type, driver)));
+    if (!spec.alias.empty())
+        OGR_Fld_SetAlternativeName(field.get(), spec.alias.c_str());
+#if GDAL_VERSION_NUM >= GDAL_COMPUTE_VERSION(3, 7, 0)
+    if (!spec.description.empty())
+        OGR_Fld_SetComment(field.get(), spec.description.c_str());
+#endif
+    return field;
+}
+
+}  // namespace
+
+OGRLayerH create_layer(GDALDatasetH dataset, const LayerSpec& spec, const LayerSetting& setting) {
+    OgrCall call(setting.target);
+    const NameValueList options = layer_options(dataset, spec, setting);
+    // The C API of GDAL 3.6 takes the list as one that it might change, which it does not.
+    OGRLayerH layer = GDALDatasetCreateLayer(dataset, spec.name.c_str(), setting.srs,
+                                             spec.with_z ? wkbMultiPolygon25D : wkbMultiPolygon,
+                                             const_cast<char**>(options.get()));
+    call.check(layer != nullptr, "creating layer \"" + spec.name + "\"");
+    const bool keeps_none =
+        OGR_FD_GetGeomFieldCount(OGR_L_GetLayerDefn(layer)) == 0 || OGR_L_GetGeomType(layer) == wkbNone;
+    if (keeps_none && setting.target.context != nullptr && !options.has("GEOMETRY"))
+        setting.target.context->warn("Layer \"" + spec.name + "\" of \"" + setting.target.name +
+                                     "\" gets no geometries: " + setting.format.name +
+                                     " does not keep them.");
+    return layer;
+}
+
+std::vector<int> create_fields(OGRLayerH layer, const LayerSpec& spec, const LayerSetting& setting) {
+    std::vector<int> indices;
+    for (const FieldSpec& field : spec.fields) {
+        OgrCall call(setting.target);
+        const bool done =
+            OGR_L_CreateField(layer, field_of(field, setting.format.driver).get(), TRUE) == OGRERR_NONE;
+        call.check(done, "creating field \"" + field.name + "\" of layer \"" + spec.name + "\"");
+        OGRFeatureDefnH fields = OGR_L_GetLayerDefn(layer);
+        const int index = OGR_FD_GetFieldIndex(fields, field.name.c_str());
+        // Under a name of the driver's own it is the last one.
+        indices.push_back(index >= 0 ? index : OGR_FD_GetFieldCount(fields) - 1);
+    }
+    return indices;
+}
+
+}  // namespace d2b

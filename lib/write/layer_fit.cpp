@@ -1,0 +1,77 @@
+#include "write/layer_fit.hpp"
+
+#include "core/error.hpp"
+
+namespace d2b {
+
+namespace {
+
+std::string srs_name(OGRSpatialReferenceH srs) {
+    const char* name = srs == nullptr ? nullptr : OSRGetName(srs);
+    return name == nullptr ? "no CRS" : "\"" + std::string(name) + "\"";
+}
+
+bool same_srs(OGRSpatialReferenceH a, OGRSpatialReferenceH b) {
+    if (a == nullptr || b == nullptr)
+        return a == b;
+    const char* const options[] = {"IGNORE_DATA_AXIS_TO_SRS_AXIS_MAPPING=YES",
+                                   "CRITERION=EQUIVALENT_EXCEPT_AXIS_ORDER_GEOGCRS", nullptr};
+    return OSRIsSameEx(a, b, options) != FALSE;
+}
+
+/// Text takes everything: formats without a schema (CSV, GeoJSON) call a column text where they know no
+/// better.
+bool type_fits(FieldType wanted, OGRFieldType there) {
+    switch (wanted) {
+        case FieldType::integer:
+            return there == OFTInteger64 || there == OFTInteger || there == OFTReal || there == OFTString;
+        case FieldType::real:
+            return there == OFTReal || there == OFTString;
+        case FieldType::text:
+            break;
+    }
+    return there == OFTString;
+}
+
+/// Empty where it fits.
+std::string geometry_misfit(OGRLayerH layer, bool with_z) {
+    const OGRwkbGeometryType type = OGR_L_GetGeomType(layer);
+    const OGRwkbGeometryType flat = wkbFlatten(type);
+    if (flat == wkbUnknown || flat == wkbNone)
+        return "";
+    if (flat != wkbMultiPolygon && flat != wkbPolygon)
+        return "holds geometries of type " + std::string(OGRGeometryTypeToName(type)) +
+               " and not MultiPolygons";
+    if ((OGR_GT_HasZ(type) != FALSE) != with_z)
+        return with_z ? "has no Z, and the result has" : "has Z, and the result has none";
+    return "";
+}
+
+}  // namespace
+
+std::vector<int> fitting_fields(OGRLayerH layer, const LayerSpec& spec, const LayerSetting& setting) {
+    const auto misfit = [&](const std::string& what) {
+        return OutputError("Cannot append to \"" + setting.target.name + "\": its layer \"" +
+                           OGR_L_GetName(layer) + "\" " + what + "; write to another destination.");
+    };
+    OGRSpatialReferenceH there = OGR_L_GetSpatialRef(layer);
+    if (setting.format.keeps_crs && !same_srs(there, setting.srs))
+        throw misfit("is in " + srs_name(there) + " and the result in " + srs_name(setting.srs));
+    const std::string geometry = geometry_misfit(layer, spec.with_z);
+    if (!geometry.empty())
+        throw misfit(geometry);
+    std::vector<int> indices;
+    OGRFeatureDefnH fields = OGR_L_GetLayerDefn(layer);
+    for (const FieldSpec& field : spec.fields) {
+        const int index = OGR_FD_GetFieldIndex(fields, field.name.c_str());
+        if (index < 0)
+            throw misfit("has no field \"" + field.name + "\"");
+        const OGRFieldType type = OGR_Fld_GetType(OGR_FD_GetFieldDefn(fields, index));
+        if (!type_fits(field.type, type))
+            throw misfit("has field \"" + field.name + "\" with type " + OGR_GetFieldTypeName(type));
+        indices.push_back(index);
+    }
+    return indices;
+}
+
+}  // namespace d2b

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/feature_sink.hpp"
+#include "core/options.hpp"
+#include "write/ogr_call.hpp"
+#include "write/ogr_handles.hpp"
+#include "write/vector_format.hpp"
+#include "write/wkb.hpp"
+
+namespace d2b {
+
+/// What all layers of a run share.
+struct LayerSetting {
+    const WriteTarget& target;
+    const VectorFormat& format;
+    const std::vector<std::string>& options;  ///< -lco
+    OGRSpatialReferenceH srs = nullptr;       ///< null for none
+};
+
+/// Writes features into one layer of an open dataset, by way of one OGR feature and one buffer.
+class LayerWriter {
+  public:
+    /// A new layer. @throws OutputError
+    static LayerWriter create(GDALDatasetH dataset, const LayerSpec& spec, const LayerSetting& setting);
+    /// A layer that is there. @throws OutputError where its fields, geometries or CRS do not fit
+    static LayerWriter adopt(OGRLayerH layer, const LayerSpec& spec, const LayerSetting& setting);
+
+    /// @throws OutputError
+    void add(const Feature& feature);
+
+    [[nodiscard]] const std::string& name() const { return name_; }  ///< as the driver calls it
+    /// Features that the layer should hold now.
+    [[nodiscard]] std::int64_t expected() const { return expected_; }
+    [[nodiscard]] OGRLayerH handle() const { return layer_; }
+
+  private:
+    LayerWriter(OGRLayerH layer, const LayerSpec& spec, const LayerSetting& setting, std::vector<int> fields);
+    void set(int field, const FieldValue& value);
+
+    OGRLayerH layer_;
+    std::string name_;
+    std::string doing_;  ///< for messages; put together once
+    const WriteTarget* target_;
+    std::vector<int> fields_;  ///< index in the layer of each field of the spec
+    bool has_geometry_;
+    std::int64_t expected_ = 0;
+    std::int64_t next_fid_ = OGRNullFID;  ///< where the driver does not put new features at the end by itself
+    FeatureHandle feature_;
+    MultiPolygonWkb wkb_;
+};
+
+}  // namespace d2b

@@ -1,0 +1,24 @@
+#include "write/ogr_call.hpp"
+
+#include "core/error.hpp"
+
+namespace d2b {
+
+void OgrCall::check(bool succeeded, const std::string& doing) {
+    if (!succeeded || messages_.failed())
+        fail(doing);
+    if (target_.context != nullptr)
+        messages_.pass_warnings(*target_.context);
+}
+
+void OgrCall::fail(const std::string& doing) const {
+    std::string reason = messages_.reason();
+    const std::string& hidden = target_.hidden_folder;
+    // Nobody knows the hidden folder, and it is gone when the message is read.
+    for (auto at = reason.find(hidden); !hidden.empty() && at != std::string::npos;
+         at = reason.find(hidden, at))
+        reason.erase(at, hidden.size());
+    throw OutputError("Cannot write \"" + target_.name + "\": " + doing + " failed (" + reason + ").");
+}
+
+}  // namespace d2b

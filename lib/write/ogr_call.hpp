@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+
+#include "core/context.hpp"
+#include "read/gdal_messages.hpp"
+
+namespace d2b {
+
+/// What messages say of the place that is written to.
+struct WriteTarget {
+    std::string name;  ///< the destination as the user gave it
+    std::string
+        hidden_folder;  ///< where it is written meanwhile, with a slash; "" where it is written in place
+    Context* context = nullptr;
+};
+
+/// One step that OGR takes for us. An error that OGR reports is a failure even where the call claims success:
+/// what is lost is lost, and drivers report full disks in this way alone.
+class OgrCall {
+  public:
+    explicit OgrCall(const WriteTarget& target) : target_(target) {}
+
+    /// Passes warnings on. @param doing what was tried, e.g. "creating layer \"buildings\"" @throws
+    /// OutputError
+    void check(bool succeeded, const std::string& doing);
+    /// @throws OutputError: always
+    [[noreturn]] void fail(const std::string& doing) const;
+
+  private:
+    const WriteTarget& target_;
+    GdalMessages messages_;
+};
+
+}  // namespace d2b

@@ -1,0 +1,194 @@
+#include "write/ogr_feature_sink.hpp"
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/error.hpp"
+#include "write/dataset_writer.hpp"
+#include "write/existing_dataset.hpp"
+#include "write/staging.hpp"
+
+namespace d2b {
+
+namespace {
+
+/// A configuration option of GDAL's in this thread for as long as this object lives, unless the user has set
+/// it.
+class ConfigOption {
+  public:
+    ConfigOption(const char* key, const char* value)
+        : key_(key), set_(CPLGetConfigOption(key, nullptr) == nullptr) {
+        if (set_)
+            CPLSetThreadLocalConfigOption(key_, value);
+    }
+    ConfigOption(const ConfigOption&) = delete;
+    ConfigOption& operator=(const ConfigOption&) = delete;
+    ~ConfigOption() {
+        if (set_)
+            CPLSetThreadLocalConfigOption(key_, nullptr);
+    }
+
+  private:
+    const char* key_;
+    bool set_;
+};
+
+class OgrFeatureSink final : public FeatureSink {
+  public:
+    OgrFeatureSink(WriteOptions options, VectorFormat format, Destination destination,
+                   std::optional<ExistingDataset> existing, Context& context)
+        : options_(std::move(options)),
+          format_(std::move(format)),
+          destination_(std::move(destination)),
+          existing_(std::move(existing)),
+          context_(context) {}
+
+    void begin(std::span<const LayerSpec> layers, const Provenance& provenance) override;
+    void add(std::size_t layer, const Feature& feature) override { writer_->add(layer, feature); }
+    void finish() override;
+    [[nodiscard]] std::int64_t first_id() const override { return existing_ ? existing_->largest_id + 1 : 1; }
+
+  private:
+    /// Whether the layers change where they are, in one transaction.
+    [[nodiscard]] bool in_place() const { return existing_ && format_.transactions; }
+    [[nodiscard]] DatasetWriter::Mode mode() const;
+    void require_unchanged() const;
+
+    WriteOptions options_;
+    VectorFormat format_;
+    Destination destination_;
+    std::optional<ExistingDataset> existing_;
+    Context& context_;
+    std::optional<Staging> staging_;
+    WriteTarget target_;
+    std::optional<DatasetWriter> writer_;  ///< goes before the folder that it writes in
+};
+
+DatasetWriter::Mode OgrFeatureSink::mode() const {
+    if (!existing_)
+        return DatasetWriter::Mode::create;
+    if (!options_.overwrite)
+        return DatasetWriter::Mode::extend;
+    // A database is never replaced whole.
+    return format_.transactions || is_connection(format_.driver, destination_.path)
+               ? DatasetWriter::Mode::replace
+               : DatasetWriter::Mode::create;
+}
+
+void OgrFeatureSink::begin(std::span<const LayerSpec> layers, const Provenance& provenance) {
+    target_ = {.name = destination_.name, .hidden_folder = "", .context = &context_};
+    std::string path = destination_.path;
+    if (destination_.local && !in_place()) {
+        staging_.emplace(destination_.name, destination_.path);
+        target_.hidden_folder = staging_->folder().string() + "/";
+        path = staging_->dataset().string();
+        if (mode() == DatasetWriter::Mode::extend) {
+            require_unchanged();
+            staging_->copy_in(existing_->files);
+        }
+    } else if (existing_ && mode() == DatasetWriter::Mode::create) {
+        const GdalMessages quiet;
+        GDALDeleteDataset(format_.driver, path.c_str());
+    }
+    // No .aux.xml beside formats without metadata: it would outlive a rollback.
+    const ConfigOption no_sidecar("GDAL_PAM_ENABLED", "NO");
+    // What is written aside is synced once, before it is renamed; SQLite need not wait for the disk before.
+    std::optional<ConfigOption> no_waiting;
+    if (staging_)
+        no_waiting.emplace("OGR_SQLITE_SYNCHRONOUS", "OFF");
+    writer_.emplace(target_, format_, options_);
+    writer_->begin(path, mode(), layers, provenance);
+}
+
+void OgrFeatureSink::require_unchanged() const {
+    if (existing_ && stamp_of(existing_->files) != existing_->stamp)
+        throw OutputError("\"" + destination_.name +
+                          "\" has changed while this run was going on and is left alone; run again.");
+}
+
+void OgrFeatureSink::finish() {
+    writer_->close();
+    if (!staging_) {
+        if (!is_stream(destination_.name))
+            verify_counts(target_, format_, destination_.path, writer_->counts());
+        return;
+    }
+    staging_->seal();
+    verify_counts(target_, format_, staging_->dataset().string(), writer_->counts());
+    staging_->sync();
+    require_unchanged();
+    staging_->publish(existing_ ? existing_->files : std::vector<std::string>());
+    staging_.reset();
+}
+
+Layers resolve_layers(const WriteOptions& options, const VectorFormat& format) {
+    if (options.layers == Layers::automatic)
+        return format.several_layers ? Layers::both : Layers::buildings;
+    if (options.layers == Layers::both && !format.several_layers)
+        throw OptionError("\"" + options.destination + "\" holds one layer (format " + format.name +
+                          "); use -layers buildings or -layers contours, or a GeoPackage for both.");
+    return options.layers;
+}
+
+std::string stem_of(const std::string& destination) {
+    const std::string file = destination.substr(destination.find_last_of('/') + 1);
+    return file.substr(0, file.find_last_of('.'));
+}
+
+std::string name_of(const WriteOptions& options, const VectorFormat& format, bool buildings, Layers layers) {
+    if (!options.layer_name.empty())
+        return options.layer_name + (layers == Layers::both && !buildings ? "_contours" : "");
+    const bool file_is_layer = !format.several_layers && !is_stream(options.destination) &&
+                               !is_connection(format.driver, options.destination);
+    const std::string stem = stem_of(options.destination);
+    if (file_is_layer && !stem.empty())
+        return stem;
+    return buildings ? "buildings" : "contours";
+}
+
+/// Names that this run may write: either layer may hold the largest number.
+std::vector<std::string> names_of(const WriteOptions& options, const VectorFormat& format, Layers layers) {
+    std::vector<std::string> names;
+    if (layers != Layers::contours)
+        names.push_back(name_of(options, format, true, layers));
+    if (layers != Layers::buildings)
+        names.push_back(name_of(options, format, false, layers));
+    return names;
+}
+
+std::optional<ExistingDataset> existing_at(Destination& destination, VectorFormat& format,
+                                           const WriteOptions& options, Layers layers) {
+    const std::vector<std::string> names = names_of(options, format, layers);
+    if (is_connection(format.driver, options.destination))
+        return inspect_database(destination, format, options, names);
+    if (destination.exists)
+        return inspect_existing(destination, format, options, names);
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::unique_ptr<FeatureSink> open_sink(const WriteOptions& options, Context& context) {
+    VectorFormat format = format_for(options);
+    const Layers layers = resolve_layers(options, format);
+    Destination destination = locate(options, format);
+    std::optional<ExistingDataset> existing = existing_at(destination, format, options, layers);
+    if (options.layers == Layers::automatic && layers == Layers::buildings)
+        context.warn(
+            "\"" + options.destination +
+            "\" holds one layer; only the buildings are written; use -layers contours for the stack, or a "
+            "GeoPackage for both.");
+    return std::make_unique<OgrFeatureSink>(options, std::move(format), std::move(destination),
+                                            std::move(existing), context);
+}
+
+Layers layers_for(const WriteOptions& options) {
+    return resolve_layers(options, format_for(options));
+}
+
+std::string layer_name_for(const WriteOptions& options, bool buildings, Layers layers) {
+    return name_of(options, format_for(options), buildings, layers);
+}
+
+}  // namespace d2b

@@ -1,0 +1,129 @@
+#include "write/staging.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <set>
+#include <stdlib.h>
+#include <system_error>
+#include <utility>
+
+#include "core/error.hpp"
+#include "write/file_moves.hpp"
+
+namespace d2b {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path parent_of(const fs::path& path) {
+    return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+OutputError cannot_write(const std::string& name, const std::string& reason) {
+    return OutputError("Cannot write \"" + name + "\": " + reason + ".");
+}
+
+/// What replaces a file is as readable as that file was.
+void take_permissions(const fs::path& from, const fs::path& to) {
+    std::error_code error;
+    const fs::file_status status = fs::status(from, error);
+    if (!error && fs::is_regular_file(status))
+        fs::permissions(to, status.permissions(), error);
+}
+
+}  // namespace
+
+Staging::Staging(std::string name, fs::path destination)
+    : name_(std::move(name)), destination_(std::move(destination)) {
+    const fs::path parent = parent_of(destination_);
+    // Without the extension: /vsizip/ would take "a.ods" for an archive wherever it stands in a path.
+    std::string pattern = (parent / ".dem2buildings.XXXXXX").string();
+    if (::mkdtemp(pattern.data()) == nullptr)
+        throw cannot_write(name_, "the folder \"" + parent.string() + "\" takes no new files (" +
+                                      std::generic_category().message(errno) +
+                                      "); choose another destination");
+    folder_ = pattern;
+}
+
+Staging::~Staging() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+}
+
+void Staging::copy_in(const std::vector<std::string>& files) {
+    try {
+        if (fs::is_directory(destination_))
+            fs::copy(destination_, dataset(), fs::copy_options::recursive);
+        else
+            for (const fs::path file : files)
+                fs::copy_file(file, folder_ / file.filename());
+    } catch (const fs::filesystem_error& error) {
+        throw cannot_write(name_, "there is no copy of it to be had (" + error.code().message() + ")");
+    }
+}
+
+void Staging::seal() {
+    result_.clear();
+    for (const auto& entry : fs::directory_iterator(folder_))
+        result_.push_back(entry.path().filename());
+    const fs::path main = destination_.filename();
+    std::sort(result_.begin(), result_.end(), [&main](const fs::path& a, const fs::path& b) {
+        return std::pair(a == main, a) < std::pair(b == main, b);
+    });
+    if (result_.empty() || result_.back() != main)
+        throw cannot_write(name_, "the driver has written no file of this name");
+}
+
+void Staging::sync() const {
+    try {
+        for (const auto& entry : fs::recursive_directory_iterator(folder_))
+            sync_to_disk(entry.path());
+    } catch (const std::system_error& error) {
+        throw cannot_write(name_, error.code().message());
+    }
+}
+
+void Staging::publish(const std::vector<std::string>& old_files) {
+    try {
+        if (fs::is_directory(dataset()))
+            publish_folder(!old_files.empty());
+        else
+            publish_files(old_files);
+        sync_to_disk(parent_of(destination_));
+    } catch (const std::system_error& error) {
+        throw cannot_write(name_, "the finished result cannot be renamed (" + error.code().message() + ")");
+    }
+}
+
+void Staging::publish_folder(bool replaces) {
+    if (!replaces)
+        fs::rename(dataset(), destination_);
+    else
+        exchange(dataset(), destination_, folder_ / "old");
+}
+
+void Staging::publish_files(const std::vector<std::string>& old_files) {
+    std::set<fs::path> old;
+    for (const fs::path file : old_files)
+        old.insert(file.filename());
+    const fs::path backup = folder_ / "old";
+    const fs::path parent = parent_of(destination_);
+    FileMoves moves;
+    for (const fs::path& file : old) {
+        fs::create_directory(backup);
+        if (file != destination_.filename())
+            moves.move(parent / file, backup / file);
+    }
+    for (const fs::path& file : result_) {
+        if (old.contains(file))
+            take_permissions(file == destination_.filename() ? destination_ : backup / file, folder_ / file);
+        if (file == destination_.filename() && old.contains(file))
+            fs::rename(folder_ / file, destination_);
+        else
+            moves.move(folder_ / file, parent / file);
+    }
+    moves.keep();
+}
+
+}  // namespace d2b

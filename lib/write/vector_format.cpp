@@ -1,0 +1,124 @@
+#include "write/vector_format.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <sys/stat.h>
+#include <utility>
+#include <vector>
+
+#include <cpl_string.h>
+#include <ogr_api.h>
+
+#include "core/error.hpp"
+#include "write/format_probe.hpp"
+
+namespace d2b {
+
+namespace {
+
+std::string metadata(GDALDriverH driver, const char* item) {
+    const char* value = GDALGetMetadataItem(driver, item, nullptr);
+    return value == nullptr ? std::string() : std::string(value);
+}
+
+/// Drivers that keep their datasets in memory alone would lose the result.
+bool can_create(GDALDriverH driver) {
+    const std::string name = GDALGetDriverShortName(driver);
+    return name != "Memory" && name != "MEM" && metadata(driver, GDAL_DCAP_VECTOR) == "YES" &&
+           metadata(driver, GDAL_DCAP_CREATE) == "YES" && metadata(driver, GDAL_DCAP_CREATE_LAYER) == "YES";
+}
+
+/// A few that most builds have; a list of all would be a screenful.
+std::string some_formats() {
+    std::string text;
+    for (const char* name :
+         {"GPKG", "ESRI Shapefile", "GeoJSON", "FlatGeobuf", "GML", "KML", "SQLite", "CSV"}) {
+        GDALDriverH driver = GDALGetDriverByName(name);
+        if (driver != nullptr && can_create(driver))
+            text += (text.empty() ? "" : ", ") + std::string(name);
+    }
+    return text;
+}
+
+std::string lower(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+/// Whether one of the driver's extensions ends the name; they may have more than one part ("shp.zip").
+bool extension_fits(GDALDriverH driver, const std::string& name) {
+    const CPLStringList extensions(CSLTokenizeString2(metadata(driver, GDAL_DMD_EXTENSIONS).c_str(), " ", 0));
+    std::vector<std::string> known(extensions.List(), extensions.List() + extensions.Count());
+    known.push_back(metadata(driver, GDAL_DMD_EXTENSION));
+    const std::string file = lower(name);
+    return std::any_of(known.begin(), known.end(), [&file](const std::string& extension) {
+        return !extension.empty() && file.size() > extension.size() && file.ends_with(lower(extension)) &&
+               file[file.size() - extension.size() - 1] == '.';
+    });
+}
+
+GDALDriverH driver_by_name(const std::string& name) {
+    GDALDriverH driver = GDALGetDriverByName(name.c_str());
+    if (driver == nullptr)
+        throw OptionError("There is no format \"" + name +
+                          "\" in this GDAL; -f takes, among others: " + some_formats() + ".");
+    if (!can_create(driver))
+        throw OptionError("Format \"" + name +
+                          "\" cannot hold a new vector dataset; -f takes, among others: " + some_formats() +
+                          ".");
+    return driver;
+}
+
+GDALDriverH driver_by_destination(const std::string& destination) {
+    for (int i = 0; i < GDALGetDriverCount(); ++i) {
+        GDALDriverH driver = GDALGetDriver(i);
+        if (can_create(driver) && (is_connection(driver, destination) || extension_fits(driver, destination)))
+            return driver;
+    }
+    throw OptionError(
+        "The name \"" + destination +
+        "\" does not tell its format; give it an extension such as .gpkg, or say the format with "
+        "-f: " +
+        some_formats() + ", ...");
+}
+
+}  // namespace
+
+VectorFormat format_for(const WriteOptions& options) {
+    if (options.destination.empty())
+        throw OptionError("The name of the destination is empty; give a file, e.g. buildings.gpkg.");
+    GDALAllRegister();
+    VectorFormat format;
+    format.driver =
+        options.format.empty() ? driver_by_destination(options.destination) : driver_by_name(options.format);
+    format.name = GDALGetDriverShortName(format.driver);
+    FormatProbe probe = probe_format(format.driver, options.destination);
+    format.several_layers = probe.several_layers;
+    format.transactions = probe.transactions;
+    format.keeps_crs = probe.keeps_crs;
+    format.folder = probe.folder;
+    format.suffixes = std::move(probe.suffixes);
+    return format;
+}
+
+bool is_stream(const std::string& destination) {
+    if (destination.starts_with("/vsistdout"))
+        return true;
+    struct stat status {};
+    return !destination.starts_with("/vsi") && ::stat(destination.c_str(), &status) == 0 &&
+           !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}
+
+bool is_connection(GDALDriverH driver, const std::string& destination) {
+    const std::string prefix = metadata(driver, GDAL_DMD_CONNECTION_PREFIX);
+    return !prefix.empty() && lower(destination).starts_with(lower(prefix));
+}
+
+bool has_layer_option(GDALDriverH driver, const std::string& name) {
+    const std::string list = metadata(driver, GDAL_DS_LAYER_CREATIONOPTIONLIST);
+    return list.find("name='" + name + "'") != std::string::npos ||
+           list.find("name=\"" + name + "\"") != std::string::npos;
+}
+
+}  // namespace d2b

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <gdal.h>
+
+#include "core/options.hpp"
+
+namespace d2b {
+
+/// An OGR driver that can create layers, and what its datasets are like at one destination.
+struct VectorFormat {
+    GDALDriverH driver = nullptr;
+    std::string name;             ///< short name, e.g. "GPKG"
+    bool several_layers = false;  ///< a dataset at this destination can hold both of our layers
+    bool transactions = false;    ///< of the format's own, not emulated by copies
+    bool keeps_crs = true;
+    bool folder = false;                ///< a dataset at this destination is a folder of files
+    std::vector<std::string> suffixes;  ///< of the files that a dataset here consists of, e.g. ".shp", ".dbf"
+};
+
+/// By -f, or by the destination's extension or prefix; the first driver registered for it, as ogr2ogr does.
+/// @throws OptionError naming formats that can be used
+[[nodiscard]] VectorFormat format_for(const WriteOptions& options);
+
+/// Whether the destination is a pipe or a device: written once, from front to back, and never read again.
+[[nodiscard]] bool is_stream(const std::string& destination);
+
+/// Whether the driver takes the destination for the name of a database or a service, e.g. "PG:dbname=city".
+[[nodiscard]] bool is_connection(GDALDriverH driver, const std::string& destination);
+
+/// Whether the driver has a layer creation option of this name.
+[[nodiscard]] bool has_layer_option(GDALDriverH driver, const std::string& name);
+
+}  // namespace d2b

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "building.hpp"
+#include "ground.hpp"
+
+namespace d2b::sample {
+
+/// A crown as a laser sees it from above: ragged, with gaps. A function of position and the tree's seed.
+struct Tree {
+    Position trunk;
+    double ground = 0;  ///< elevation in metres
+    double height = 8;
+    double radius = 3;
+    bool conifer = false;
+    std::uint64_t seed = 0;
+
+    [[nodiscard]] std::optional<double> elevation_at(const Position& p) const;
+};
+
+/// Cars, hedges, walls and bridges: a box whose top runs from one elevation to another along the frame's x
+/// axis.
+struct Block {
+    Frame frame;
+    Rect rect;
+    double elevation_start = 0;
+    double elevation_end = 0;
+
+    [[nodiscard]] std::optional<double> elevation_at(const Position& p) const;
+};
+
+/// All that stands in some area. Parts of a scene can be made and rendered alone: the elevation of a cell
+/// depends on what covers it, not on the order or the number of other things.
+struct Scene {
+    std::uint64_t seed = 0;
+    Ground ground;
+    double noise = 0;  ///< standard deviation of the elevations in metres
+    std::vector<Building> buildings;
+    std::vector<Tree> trees;
+    std::vector<Block> blocks;
+
+    /// Puts a building on the ground.
+    Building& add(const Draft& draft, const Frame& frame);
+    /// Plants a tree unless its trunk would stand in one of the buildings from `first_building` on.
+    void plant(Tree tree, std::size_t first_building);
+    /// A box on the ground that follows its slope.
+    void add_block(const Frame& frame, const Rect& rect, double height);
+    /// Numbers the buildings from 1 in their present order.
+    void number_buildings();
+};
+
+}  // namespace d2b::sample

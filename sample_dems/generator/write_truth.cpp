@@ -1,0 +1,150 @@
+#include "write_truth.hpp"
+
+#include <utility>
+#include <vector>
+
+#include <cpl_string.h>
+#include <ogrsf_frmts.h>
+
+#include "gdal_guard.hpp"
+
+namespace d2b::sample {
+
+namespace {
+
+// What GeoPackages say of their last change; any fixed moment serves.
+constexpr const char* written_at = "2025-01-01T00:00:00.000Z";
+
+struct Field {
+    const char* name;
+    OGRFieldType type;
+};
+constexpr Field building_fields[] = {{"id", OFTInteger64}, {"kind", OFTString},  {"roof", OFTString},
+                                     {"ground", OFTReal},  {"eave_h", OFTReal},  {"roof_h", OFTReal},
+                                     {"unit", OFTString},  {"width_m", OFTReal}, {"length_m", OFTReal}};
+constexpr Field dissolved_fields[] = {{"id", OFTInteger64}, {"area_m2", OFTReal}};
+
+OGRLinearRing world_ring(const WorldRing& ring, const Grid& grid) {
+    OGRLinearRing line;
+    for (const Position& p : ring) {
+        const Position world = grid.to_world(p);
+        line.addPoint(world.x, world.y);
+    }
+    line.closeRings();
+    return line;
+}
+
+OGRPolygon world_polygon(const WorldPolygon& polygon, const Grid& grid) {
+    OGRPolygon result;
+    OGRLinearRing exterior = world_ring(polygon.exterior, grid);
+    result.addRing(&exterior);
+    for (const WorldRing& interior : polygon.interiors) {
+        OGRLinearRing hole = world_ring(interior, grid);
+        result.addRing(&hole);
+    }
+    return result;
+}
+
+void set_values(OGRFeature& feature, const Building& building, const VerticalUnit& unit) {
+    feature.SetField("id", static_cast<GIntBig>(building.id));
+    feature.SetField("kind", building.kind.c_str());
+    feature.SetField("roof", std::string(roof_name(building.main_roof())).c_str());
+    feature.SetField("ground", building.ground / unit.metres);
+    feature.SetField("eave_h", building.eave() / unit.metres);
+    feature.SetField("roof_h", building.top() / unit.metres);
+    feature.SetField("unit", unit.name.c_str());
+    feature.SetField("width_m", building.width);
+    feature.SetField("length_m", building.length);
+}
+
+/// OGR_CURRENT_DATE for this thread while it lives.
+struct FixedDate {
+    FixedDate() { CPLSetThreadLocalConfigOption("OGR_CURRENT_DATE", written_at); }
+    FixedDate(const FixedDate&) = delete;
+    FixedDate& operator=(const FixedDate&) = delete;
+    ~FixedDate() { CPLSetThreadLocalConfigOption("OGR_CURRENT_DATE", nullptr); }
+};
+
+}  // namespace
+
+struct TruthWriter::Impl {
+    QuietGdal quiet;
+    FixedDate date;
+    std::string path;
+    Dataset dataset;
+
+    OGRLayer& add_layer(const std::string& name, const RasterSpec& raster, std::span<const Field> fields,
+                        const std::string& description) {
+        OGRSpatialReference reference = spatial_reference(raster.crs, path);
+        CPLStringList options;
+        options.SetNameValue("DESCRIPTION", description.c_str());
+        OGRLayer* const layer = dataset->CreateLayer(name.c_str(), &reference, wkbPolygon, options.List());
+        QuietGdal::require(layer != nullptr, path);
+        for (const Field& field : fields) {
+            OGRFieldDefn definition(field.name, field.type);
+            QuietGdal::require(layer->CreateField(&definition) == OGRERR_NONE, path);
+        }
+        QuietGdal::require(dataset->StartTransaction() == OGRERR_NONE, path);
+        return *layer;
+    }
+    void write(OGRLayer& layer, OGRFeature& feature) const {
+        QuietGdal::require(layer.CreateFeature(&feature) == OGRERR_NONE, path);
+    }
+    void commit() const { QuietGdal::require(dataset->CommitTransaction() == OGRERR_NONE, path); }
+};
+
+TruthWriter::TruthWriter(std::string path) : impl_(std::make_unique<Impl>()) {
+    impl_->path = std::move(path);
+    GDALDriver* const driver = GetGDALDriverManager()->GetDriverByName("GPKG");
+    QuietGdal::require(driver != nullptr, impl_->path);
+    VSIUnlink(impl_->path.c_str());
+    impl_->dataset.reset(driver->Create(impl_->path.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+    QuietGdal::require(impl_->dataset != nullptr, impl_->path);
+}
+
+TruthWriter::~TruthWriter() = default;
+
+void TruthWriter::add_buildings(const std::string& name, const RasterSpec& raster,
+                                std::span<const Building> buildings) {
+    OGRLayer& layer =
+        impl_->add_layer(name, raster, building_fields,
+                         "True footprints; ground is an elevation, eave_h and roof_h are heights above "
+                         "it, all in the unit of field unit");
+    for (const Building& building : buildings) {
+        OGRFeature feature(layer.GetLayerDefn());
+        set_values(feature, building, raster.unit);
+        const OGRPolygon polygon = world_polygon(building.footprint, raster.grid);
+        feature.SetGeometry(&polygon);
+        impl_->write(layer, feature);
+    }
+    impl_->commit();
+}
+
+void TruthWriter::add_dissolved(const std::string& name, const RasterSpec& raster,
+                                std::span<const Building> buildings) {
+    OGRLayer& layer = impl_->add_layer(name, raster, dissolved_fields,
+                                       "True footprints without the walls that buildings share");
+    OGRMultiPolygon all;
+    for (const Building& building : buildings) {
+        const OGRPolygon polygon = world_polygon(building.footprint, raster.grid);
+        all.addGeometry(&polygon);
+    }
+    const std::unique_ptr<OGRGeometry> united(all.UnionCascaded());
+    QuietGdal::require(united != nullptr && wkbFlatten(united->getGeometryType()) == wkbMultiPolygon,
+                       impl_->path);
+    GIntBig id = 0;
+    for (const OGRPolygon* polygon : *united->toMultiPolygon()) {
+        OGRFeature feature(layer.GetLayerDefn());
+        feature.SetField("id", ++id);
+        feature.SetField("area_m2", polygon->get_Area());
+        feature.SetGeometry(polygon);
+        impl_->write(layer, feature);
+    }
+    impl_->commit();
+}
+
+void TruthWriter::finish() {
+    close(std::move(impl_->dataset), impl_->path);
+}
+
+}  // namespace d2b::sample

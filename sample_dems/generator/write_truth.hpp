@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "render.hpp"
+#include "write_raster.hpp"
+
+namespace d2b::sample {
+
+/// A GeoPackage of true footprints; the same bytes for the same content and the same GDAL. Heights and
+/// elevations are in the unit of the raster, which field `unit` names; width and length in metres.
+class TruthWriter {
+  public:
+    /// Replaces a file of that name. @throws OutputError
+    explicit TruthWriter(std::string path);
+    TruthWriter(const TruthWriter&) = delete;
+    TruthWriter& operator=(const TruthWriter&) = delete;
+    ~TruthWriter();
+
+    /// A layer with one polygon a building. @throws OutputError
+    void add_buildings(const std::string& layer, const RasterSpec& raster,
+                       std::span<const Building> buildings);
+    /// A layer with one polygon for each group of buildings that share walls. @throws OutputError
+    void add_dissolved(const std::string& layer, const RasterSpec& raster,
+                       std::span<const Building> buildings);
+    /// @throws OutputError
+    void finish();
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace d2b::sample

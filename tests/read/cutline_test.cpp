@@ -1,0 +1,278 @@
+#include <algorithm>
+
+#include <ogr_api.h>
+
+#include "read/gdal_dem_source.hpp"
+#include "read/rasters.hpp"
+
+namespace d2b::test {
+namespace {
+
+/// Cells 10 wide and high from (500000, 5538690) in UTM zone 32, 6 rows and 6 columns, 10 * row + column.
+class ReadCutline : public ReadTest {
+  protected:
+    void SetUp() override {
+        ReadTest::SetUp();
+        std::vector<double> values;
+        for (int row = 0; row < 6; ++row)
+            for (int col = 0; col < 6; ++col)
+                values.push_back(10 * row + col);
+        spec_ = {.cols = 6,
+                 .rows = 6,
+                 .values = values,
+                 .transform = {{500000, 10, 0, 5538690, 0, -10}},
+                 .crs = "EPSG:32632"};
+        write(path("dem.tif"), spec_);
+    }
+    /// Features of GeoJSON geometries.
+    void write_cutline(const std::vector<std::string>& geometries, const std::string& crs = "EPSG::32632") {
+        std::string text = "{\"type\":\"FeatureCollection\",";
+        if (!crs.empty())
+            text.append(R"("crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:)")
+                .append(crs)
+                .append("\"}},");
+        text += "\"features\":[";
+        for (const std::string& geometry : geometries) {
+            text += &geometry == geometries.data() ? "" : ",";
+            text += R"({"type":"Feature","properties":{},"geometry":)";
+            text += geometry;
+            text += "}";
+        }
+        use("cut.geojson", text + "]}");
+    }
+    void use(const std::string& name, const std::string& text) {
+        write_text(path(name), text);
+        options_.cutline = path(name);
+    }
+    /// The values that are valid, in order.
+    std::vector<double> valid(const std::string& name = "dem.tif") {
+        std::vector<double> all = values(name);
+        std::erase_if(all, [](double value) { return value != value; });
+        return all;
+    }
+    static std::string polygon(const std::string& rings) {
+        return R"({"type":"Polygon","coordinates":[)" + rings + "]}";
+    }
+    static std::string box(const std::string& left, const std::string& bottom, const std::string& right,
+                           const std::string& top) {
+        return "[[" + left + "," + bottom + "],[" + right + "," + bottom + "],[" + right + "," + top + "],[" +
+               left + "," + top + "],[" + left + "," + bottom + "]]";
+    }
+    RasterSpec spec_;
+};
+
+TEST_F(ReadCutline, theCellsWhoseCentresLieInside) {
+    write_cutline({polygon(box("500014", "5538656", "500036", "5538674"))});
+    // Centres x 5, 15, 25, 35, ...; y 85, 75, 65, 55: of the cells that the box touches only these.
+    expect_values(valid(), {21, 22, 23});
+    EXPECT_TRUE(context_.report.warnings.empty());
+}
+
+TEST_F(ReadCutline, invalidPointsStayInvalid) {
+    spec_.nodata = 22;
+    write(path("dem.tif"), spec_);
+    write_cutline({polygon(box("500014", "5538656", "500036", "5538674"))});
+    expect_values(valid(), {21, 23});
+}
+
+TEST_F(ReadCutline, holesAreOutside) {
+    write_cutline({polygon(box("500010", "5538640", "500050", "5538680") + "," +
+                           box("500020", "5538650", "500040", "5538670"))});
+    expect_values(valid(), {11, 12, 13, 14, 21, 24, 31, 34, 41, 42, 43, 44});
+}
+
+TEST_F(ReadCutline, overlappingPolygonsAreOneArea) {
+    const std::string first = box("500000", "5538670", "500030", "5538690");
+    const std::string second = box("500010", "5538680", "500040", "5538690");
+    const std::vector<double> expected{0, 1, 2, 3, 10, 11, 12};
+    write_cutline({polygon(first), polygon(second)});
+    expect_values(valid(), expected);
+    write_cutline({R"({"type":"MultiPolygon","coordinates":[[)" + first + "],[" + second + "]]}"});
+    expect_values(valid(), expected);
+    write_cutline(
+        {R"({"type":"GeometryCollection","geometries":[{"type":"Point","coordinates":[500000,5538690]},)" +
+         polygon(first) + "," + polygon(second) + "]}"});
+    expect_values(valid(), expected);
+}
+
+TEST_F(ReadCutline, whatIsNoPolygonIsPassedOver) {
+    write_cutline({R"({"type":"Point","coordinates":[500000,5538690]})", "null",
+                   polygon(box("500000", "5538680", "500010", "5538690"))});
+    expect_values(valid(), {0});
+}
+
+TEST_F(ReadCutline, bandsOfRowsAndWindows) {
+    write_cutline({polygon(box("500014", "5538634", "500036", "5538674"))});
+    options_.source_window = {2, 1, 3, 5};
+    const std::unique_ptr<DemSource> source = open("dem.tif");
+    std::vector<double> row(3);
+    source->read(4, 1, row);
+    expect_values(row, {42, 43, none});
+    source->read(1, 1, row);
+    expect_values(row, {none, none, none});
+    source->read(5, 1, row);
+    expect_values(row, {52, 53, none});
+}
+
+TEST_F(ReadCutline, degreesOverMetres) {
+    // By Krueger's series: 9 E 50 N is (500000, 5538630.703), 0.0004 degrees to the east are 28.67 m and
+    // 0.0003 to the north 33.36 m.
+    write_cutline({polygon(box("9", "50", "9.0004", "50.0003"))}, "OGC:1.3:CRS84");
+    expect_values(valid(), {30, 31, 32, 40, 41, 42, 50, 51, 52});
+}
+
+TEST_F(ReadCutline, theOrderOfTheAxesIsMinded) {
+    // EPSG:4326 has the latitude first, a GML file of it too.
+    use("cut.gml",
+        "<ogr:FeatureCollection xmlns:ogr=\"http://ogr.maptools.org/\" "
+        "xmlns:gml=\"http://www.opengis.net/gml\">"
+        "<gml:featureMember><ogr:cut><ogr:geometryProperty>"
+        "<gml:Polygon srsName=\"urn:ogc:def:crs:EPSG::4326\"><gml:exterior><gml:LinearRing><gml:posList>"
+        "50 9 50 9.0004 50.0003 9.0004 50.0003 9 50 "
+        "9</gml:posList></gml:LinearRing></gml:exterior></gml:Polygon>"
+        "</ogr:geometryProperty></ogr:cut></gml:featureMember></ogr:FeatureCollection>");
+    expect_values(valid(), {30, 31, 32, 40, 41, 42, 50, 51, 52});
+}
+
+TEST_F(ReadCutline, aCrsWithHeightsIsCutAsWithout) {
+    spec_.crs = "EPSG:32632+5773";
+    write(path("dem.tif"), spec_);
+    write_cutline({polygon(box("9", "50", "9.0004", "50.0003"))}, "OGC:1.3:CRS84");
+    expect_values(valid(), {30, 31, 32, 40, 41, 42, 50, 51, 52});
+    write_cutline({polygon(box("500014", "5538656", "500036", "5538674"))});
+    expect_values(valid(), {21, 22, 23});
+}
+
+TEST_F(ReadCutline, edgesBendWithTheirCrs) {
+    // On the central meridian 50 N has the northing 5538630.703; at the ends of this edge, 25 km away,
+    // 5538689.392.
+    RasterSpec spec{
+        .cols = 1, .rows = 100, .values = counting(100), .transform = {{499999.5, 1, 0, 5538680, 0, -1}}};
+    spec.crs = "EPSG:32632";
+    write(path("dem.tif"), spec);
+    write_cutline({polygon(box("8.65", "49.9", "9.35", "50"))}, "OGC:1.3:CRS84");
+    expect_values(valid(), counting(51, 49));  // centres at 5538679.5 - row
+}
+
+TEST_F(ReadCutline, rotatedAndMirroredGrids) {
+    // Cell (column 2, row 1) has its centre at (10 + 2.5 + 1.5, 10 + 2.5 - 1.5) = (14, 11).
+    spec_.transform = {{10, 1, 1, 10, 1, -1}};
+    write(path("dem.tif"), spec_);
+    write_cutline({polygon(box("13.5", "10.5", "14.5", "11.5"))});
+    expect_values(valid(), {12});
+    // Centres are at (11 + column + row, 10 + column - row): column + row is 3 or 4, column - row is 0, 1
+    // or 2.
+    write_cutline({polygon(box("13.1", "9.5", "15.9", "12.5"))});
+    expect_values(valid(), {12, 13, 22});
+    spec_.transform = {{10, -1, 0, 10, 0, 1}};  // x falls with the column, y grows with the row
+    write(path("dem.tif"), spec_);
+    write_cutline({polygon(box("7", "11", "9", "12"))});
+    expect_values(valid(), {11, 12});
+}
+
+TEST_F(ReadCutline, arcsBecomeLines) {
+    // A circle of radius 12 around the centre of cell (2, 2), (500025, 5538665): its four neighbours are
+    // inside.
+    use("cut.csv",
+        "id,WKT\n1,\"CURVEPOLYGON(CIRCULARSTRING(500013 5538665,500037 5538665,500013 5538665))\"\n");
+    expect_values(valid(), {12, 21, 22, 23, 32});
+    EXPECT_EQ(context_.report.warnings,
+              (std::vector<std::string>{
+                  "The cutline '" + path("cut.csv") +
+                  "' has no coordinate reference system; its coordinates are taken as the DEM's."}));
+}
+
+TEST_F(ReadCutline, outsideOfTheDemNothingIsValid) {
+    write_cutline({polygon(box("600000", "5538680", "600010", "5538690"))});
+    EXPECT_TRUE(valid().empty());
+    EXPECT_EQ(
+        context_.report.warnings,
+        (std::vector<std::string>{"The cutline '" + path("cut.geojson") + "' does not meet the part of '" +
+                                  path("dem.tif") + "' that is used; no point of it is valid."}));
+}
+
+TEST_F(ReadCutline, cannotBeOpened) {
+    for (const std::string& name : {path("none.gpkg"), std::string("no_such_folder/none.gpkg")}) {
+        options_.cutline = name;
+        EXPECT_EQ(message<InputError>("dem.tif"),
+                  "The cutline '" + name + "' cannot be opened: No such file or directory.");
+    }
+    options_.cutline = path("dem.tif");
+    expect_has(message<InputError>("dem.tif"), "' cannot be opened: ");
+}
+
+TEST_F(ReadCutline, hasNoLayer) {
+    options_.cutline = "<OGRVRTDataSource></OGRVRTDataSource>";
+    EXPECT_EQ(
+        message<InputError>("dem.tif"),
+        "The cutline '<OGRVRTDataSource></OGRVRTDataSource>' has no layer; give a dataset with polygons.");
+}
+
+TEST_F(ReadCutline, hasNoPolygons) {
+    write_cutline({R"({"type":"Point","coordinates":[500000,5538690]})"});
+    EXPECT_EQ(message<InputError>("dem.tif"), "The first layer of the cutline '" + path("cut.geojson") +
+                                                  "' (cut) has no polygons; give a dataset with polygons.");
+}
+
+TEST_F(ReadCutline, hasACrsWhereTheDemHasNone) {
+    spec_.crs = "";
+    write(path("dem.tif"), spec_);
+    write_cutline({polygon(box("9", "50", "9.0004", "50.0003"))}, "OGC:1.3:CRS84");
+    EXPECT_EQ(message<InputError>("dem.tif"),
+              "The cutline '" + path("cut.geojson") + "' has a coordinate reference system and '" +
+                  path("dem.tif") + "' has none; give the DEM's with -a_srs.");
+    options_.crs = "EPSG:32632";
+    expect_values(valid(), {30, 31, 32, 40, 41, 42, 50, 51, 52});
+}
+
+TEST_F(ReadCutline, neitherHasACrs) {
+    spec_.crs = "";
+    write(path("dem.tif"), spec_);
+    use("cut.csv", "id,WKT\n1,\"POLYGON((500000 5538690,500010 5538690,500010 5538680,500000 5538680))\"\n");
+    expect_values(valid(), {0});
+    ASSERT_EQ(context_.report.warnings.size(), 1U);
+    expect_has(context_.report.warnings[0], path("dem.tif") + "' has no coordinate reference system");
+}
+
+TEST_F(ReadCutline, thereIsNoWayBetweenTheSystems) {
+    spec_.crs = R"(LOCAL_CS["site",UNIT["metre",1]])";
+    write(path("dem.tif"), spec_);
+    write_cutline({polygon(box("9", "50", "9.0004", "50.0003"))}, "OGC:1.3:CRS84");
+    const std::string text = message<InputError>("dem.tif");
+    EXPECT_EQ(text.rfind("The cutline '" + path("cut.geojson") +
+                             "' cannot be brought into the DEM's coordinate reference system: ",
+                         0),
+              0U)
+        << text;
+    expect_has(text, "; reproject it first.");
+}
+
+TEST_F(ReadCutline, hasAPositionWithoutAnImage) {
+    write_cutline({polygon(box("9", "50", "10", "95"))}, "OGC:1.3:CRS84");
+    EXPECT_EQ(message<InputError>("dem.tif"),
+              "The cutline '" + path("cut.geojson") +
+                  "' has a position without an image in the DEM's coordinate reference "
+                  "system (10, 95); clip it to the surroundings of the DEM.");
+}
+
+TEST_F(ReadCutline, cannotBeReadToItsEnd) {
+    const GDALDatasetH shape = GDALCreate(GDALGetDriverByName("ESRI Shapefile"), path("cut.shp").c_str(), 0,
+                                          0, 0, GDT_Unknown, nullptr);
+    const OGRLayerH layer = GDALDatasetCreateLayer(shape, "cut", nullptr, wkbPolygon, nullptr);
+    const OGRFeatureH feature = OGR_F_Create(OGR_L_GetLayerDefn(layer));
+    OGRGeometryH geometry = nullptr;
+    std::string text = "POLYGON((500000 5538690,500010 5538690,500010 5538680,500000 5538690))";
+    char* cursor = text.data();
+    ASSERT_EQ(OGR_G_CreateFromWkt(&cursor, nullptr, &geometry), OGRERR_NONE);
+    OGR_F_SetGeometryDirectly(feature, geometry);
+    ASSERT_EQ(OGR_L_CreateFeature(layer, feature), OGRERR_NONE);
+    OGR_F_Destroy(feature);
+    GDALClose(shape);
+    const std::string bytes = read_bytes(path("cut.shp"));
+    write_text(path("cut.shp"), bytes.substr(0, bytes.size() - 40));
+    options_.cutline = path("cut.shp");
+    expect_has(message<InputError>("dem.tif"), "The cutline '" + path("cut.shp") + "' cannot be read: ");
+}
+
+}  // namespace
+}  // namespace d2b::test

@@ -1,0 +1,137 @@
+#include <algorithm>
+#include <limits>
+
+#include <ogr_srs_api.h>
+
+#include "read/gdal_dem_source.hpp"
+#include "read/rasters.hpp"
+
+namespace d2b::test {
+namespace {
+
+class ReadGeoreference : public ReadTest {
+  protected:
+    /// An in-line VRT of one cell with what is given between its header and its band.
+    static std::string vrt(const std::string& inner) {
+        return "<VRTDataset rasterXSize=\"1\" rasterYSize=\"1\">" + inner +
+               "<VRTRasterBand dataType=\"Byte\" band=\"1\"/></VRTDataset>";
+    }
+    static constexpr const char* placed = "<GeoTransform>0,1,0,0,0,-1</GeoTransform>";
+};
+
+TEST_F(ReadGeoreference, whatIsKnownBeforeReading) {
+    write(path("dem.tif"),
+          {.cols = 3, .rows = 2, .values = counting(6), .transform = {{4e5, 0.5, 0, 5e6, 0, -0.25}}});
+    const std::unique_ptr<DemSource> source = open("dem.tif");
+    const DemInfo& info = source->info();
+    EXPECT_EQ(info.name, path("dem.tif"));
+    EXPECT_EQ(info.rows, 2);
+    EXPECT_EQ(info.cols, 3);
+    EXPECT_EQ(info.transform, (AffineTransform{4e5, 0.5, 0, 5e6, 0, -0.25}));
+    EXPECT_TRUE(info.georeferenced);
+    EXPECT_EQ(info.driver, "GTiff");
+    EXPECT_EQ(info.band_unit, "");
+    EXPECT_TRUE(context_.report.warnings.empty());
+}
+
+TEST_F(ReadGeoreference, theCrsIsWrittenAsWkt2) {
+    write(path("dem.tif"), {.values = {1}});
+    const std::string wkt = open("dem.tif")->info().crs_wkt;
+    EXPECT_EQ(wkt.rfind("PROJCRS[\"ETRS89 / UTM zone 32N\"", 0), 0U) << wkt;
+    expect_has(wkt, "ID[\"EPSG\",25832]");
+    EXPECT_EQ(wkt.find('\n'), std::string::npos);
+}
+
+TEST_F(ReadGeoreference, rotatedSouthUpAndObliqueTransformsAreKept) {
+    for (const AffineTransform& transform : std::vector<AffineTransform>{
+             {10, 1, 1, 20, 1, -1}, {10, 2, 0, 20, 0, 3}, {10, 0, 2, 20, 2, 0}, {10, -1, 0.25, 20, 0.5, 1}}) {
+        write(path("dem.tif"), {.cols = 2, .rows = 2, .values = counting(4), .transform = transform});
+        EXPECT_EQ(open("dem.tif")->info().transform, transform);
+        expect_values(values("dem.tif"), {0, 1, 2, 3});
+    }
+}
+
+TEST_F(ReadGeoreference, withoutTransformTheCoordinatesArePixels) {
+    write(path("dem.tif"), {.values = {1}, .transform = {}});
+    const std::unique_ptr<DemSource> source = open("dem.tif");
+    EXPECT_FALSE(source->info().georeferenced);
+    EXPECT_EQ(source->info().transform, (AffineTransform{0, 1, 0, 0, 0, -1}));
+    ASSERT_EQ(context_.report.warnings.size(), 1U);
+    EXPECT_EQ(context_.report.warnings[0],
+              quoted("dem.tif") + " has no georeferencing; coordinates are columns and, upwards, rows.");
+}
+
+TEST_F(ReadGeoreference, withoutCrsLengthsArePlain) {
+    write(path("dem.tif"), {.values = {1}, .crs = ""});
+    EXPECT_EQ(open("dem.tif")->info().crs_wkt, "");
+    ASSERT_EQ(context_.report.warnings.size(), 1U);
+    EXPECT_EQ(context_.report.warnings[0],
+              quoted("dem.tif") +
+                  " has no coordinate reference system; lengths are taken as plain "
+                  "units; give it with -a_srs.");
+}
+
+TEST_F(ReadGeoreference, theUsersCrsTakesThePlaceOfTheFiles) {
+    write(path("dem.tif"), {.values = {1}});
+    options_.crs = "EPSG:28992";
+    expect_has(open("dem.tif")->info().crs_wkt, "PROJCRS[\"Amersfoort / RD New\"");
+    options_.crs = "EPSG:25832+7837";
+    expect_has(open("dem.tif")->info().crs_wkt, "COMPOUNDCRS[");
+    options_.crs = "+proj=utm +zone=33 +datum=WGS84";
+    expect_has(open("dem.tif")->info().crs_wkt, "zone 33");
+    EXPECT_TRUE(context_.report.warnings.empty());
+}
+
+TEST_F(ReadGeoreference, whatIsNoCrsIsRefused) {
+    write(path("dem.tif"), {.values = {1}});
+    options_.crs = "EPSG:999999";
+    const std::string text = message<OptionError>("dem.tif");
+    EXPECT_EQ(text.rfind("-a_srs EPSG:999999 is not a coordinate reference system (", 0), 0U) << text;
+    expect_has(text, "not found");
+    expect_has(text, "); give a code such as EPSG:25832, WKT, PROJJSON or a PROJ string.");
+}
+
+TEST_F(ReadGeoreference, aCrsIsNotReadFromAFile) {
+    write(path("dem.tif"), {.values = {1}});
+    write_text(path("crs.prj"), "+proj=utm +zone=33 +datum=WGS84");
+    options_.crs = path("crs.prj");
+    expect_has(message<OptionError>("dem.tif"), "is not a coordinate reference system");
+}
+
+TEST_F(ReadGeoreference, aSingularTransformIsRefused) {
+    options_.source = vrt("<GeoTransform>5,1,2,6,2,4</GeoTransform>");
+    EXPECT_EQ(message<InputError>(),
+              "The transform of '" + options_.source +
+                  "' (5, 1, 2, 6, 2, 4) gives its cells no area; correct it, for example with "
+                  "gdal_edit.py -a_ullr.");
+    options_.source = vrt("<GeoTransform>5,0,0,6,0,-1</GeoTransform>");
+    expect_has(message<InputError>(), "gives its cells no area");
+    options_.source = vrt("<GeoTransform>5,0.1,0.3,6,0.2,0.6</GeoTransform>");  // singular but for rounding
+    expect_has(message<InputError>(), "gives its cells no area");
+    options_.source = vrt("<GeoTransform>nan,1,0,6,0,-1</GeoTransform>");
+    expect_has(message<InputError>(), "gives its cells no area");
+    options_.source = vrt("<GeoTransform>5,inf,0,6,0,-1</GeoTransform>");
+    expect_has(message<InputError>(), "gives its cells no area");
+}
+
+TEST_F(ReadGeoreference, smallCellsAreNoSingularTransform) {
+    options_.source = vrt("<GeoTransform>5,1e-9,0,6,0,-1e-9</GeoTransform>");
+    EXPECT_EQ(open()->info().transform, (AffineTransform{5, 1e-9, 0, 6, 0, -1e-9}));
+}
+
+TEST_F(ReadGeoreference, groundControlPointsAloneAreRefused) {
+    options_.source = vrt("<GCPList><GCP Id=\"a\" Pixel=\"0\" Line=\"0\" X=\"1\" Y=\"1\"/></GCPList>");
+    EXPECT_EQ(message<InputError>(),
+              "'" + options_.source +
+                  "' is placed by ground control points only; turn it into a regular grid with "
+                  "gdalwarp first.");
+}
+
+TEST_F(ReadGeoreference, rationalPolynomialsCountAsNoTransform) {
+    options_.source = vrt("<Metadata domain=\"RPC\"><MDI key=\"LINE_OFF\">1</MDI></Metadata>");
+    EXPECT_FALSE(open()->info().georeferenced);
+    expect_has(context_.report.warnings.at(0), "has no georeferencing");
+}
+
+}  // namespace
+}  // namespace d2b::test

@@ -1,0 +1,106 @@
+#include <thread>
+
+#include <cpl_error.h>
+#include <gtest/gtest.h>
+
+#include "read/gdal_dem_source.hpp"
+#include "read/gdal_messages.hpp"
+
+namespace d2b {
+namespace {
+
+void say(CPLErr level, const std::string& text) {
+    CPLError(level, CPLE_AppDefined, "%s", text.c_str());
+}
+
+TEST(GdalMessages, theLastErrorIsTheReason) {
+    const GdalMessages messages;
+    EXPECT_FALSE(messages.failed());
+    EXPECT_EQ(messages.reason(), "GDAL gives no reason");
+    say(CE_Failure, "first");
+    say(CE_Failure, "second,\n  in two lines.\n");
+    say(CE_Warning, "a warning");
+    EXPECT_TRUE(messages.failed());
+    EXPECT_EQ(messages.reason(), "second, in two lines");
+}
+
+TEST(GdalMessages, warningsAloneAreNoFailure) {
+    const GdalMessages messages;
+    say(CE_Warning, "one");
+    say(CE_Warning, "two");
+    say(CE_Warning, "one");
+    EXPECT_FALSE(messages.failed());
+    EXPECT_EQ(messages.warnings(), (std::vector<std::string>{"one", "two"}));
+}
+
+TEST(GdalMessages, innerScopesKeepTheirMessages) {
+    const GdalMessages outer;
+    {
+        const GdalMessages inner;
+        say(CE_Failure, "inner");
+        EXPECT_EQ(inner.reason(), "inner");
+    }
+    EXPECT_FALSE(outer.failed());
+    say(CE_Failure, "outer");
+    EXPECT_EQ(outer.reason(), "outer");
+}
+
+TEST(GdalMessages, aWarningIsPassedOnceInARun) {
+    Context context;
+    std::vector<std::string> heard;
+    context.on_warning = [&](const std::string& text) { heard.push_back(text); };
+    for (int i = 0; i < 2; ++i) {
+        const GdalMessages messages;
+        say(CE_Warning, "odd.");
+        say(CE_Failure, "an error");
+        messages.pass_warnings(context);
+    }
+    EXPECT_EQ(heard, (std::vector<std::string>{"GDAL: odd."}));
+    EXPECT_EQ(context.report.warnings, heard);
+}
+
+TEST(GdalMessages, errorsOfACallThatSucceededArePassedAsWarnings) {
+    Context context;
+    const GdalMessages messages;
+    say(CE_Failure, "an error");
+    say(CE_Warning, "odd");
+    messages.pass_all(context);
+    EXPECT_EQ(context.report.warnings, (std::vector<std::string>{"GDAL: odd.", "GDAL: an error."}));
+}
+
+TEST(GdalMessages, aFloodOfWarningsIsCut) {
+    Context context;
+    for (int call = 0; call < 3; ++call) {
+        const GdalMessages messages;
+        for (int i = 0; i < 15; ++i)
+            say(CE_Warning, "block " + std::to_string(100 * call + i));
+        messages.pass_warnings(context);
+    }
+    ASSERT_EQ(context.report.warnings.size(), 21U);
+    EXPECT_EQ(context.report.warnings[19], "GDAL: block 104.");
+    EXPECT_EQ(context.report.warnings[20], "GDAL: further warnings are left out.");
+}
+
+TEST(GdalMessages, linesAreCleaned) {
+    EXPECT_EQ(one_line("  a\t\tb\r\n c . "), "a b c");
+    EXPECT_EQ(one_line(""), "");
+    EXPECT_EQ(one_line(std::string(600, 'x')), std::string(500, 'x') + "...");
+    // The umlaut of two bytes would be cut in two.
+    EXPECT_EQ(one_line(std::string(499, 'x') + "\xc3\xa4" + "yyy"), std::string(499, 'x') + "...");
+}
+
+TEST(StartGdal, gdalIsSilentByItself) {
+    ::testing::internal::CaptureStderr();
+    start_gdal();
+    start_gdal();
+    say(CE_Failure, "in the main thread");
+    std::thread([] { say(CE_Warning, "in another"); }).join();
+    {
+        const GdalMessages messages;
+        say(CE_Warning, "within a scope");
+    }
+    EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
+}  // namespace
+}  // namespace d2b

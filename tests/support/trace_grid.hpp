@@ -1,0 +1,82 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "detect/one_label.hpp"
+#include "levels/level_plan.hpp"
+#include "levels/quantise.hpp"
+#include "pipeline/contour_store.hpp"
+#include "trace/tracer.hpp"
+
+namespace d2b::test {
+
+inline constexpr double nodata = std::numeric_limits<double>::quiet_NaN();
+
+/// Elevations row by row, with what a run over them needs.
+struct Grid {
+    std::int32_t rows = 0;
+    std::int32_t cols = 0;
+    std::vector<double> z;
+    std::vector<Label> labels;   ///< empty: one label
+
+    [[nodiscard]] double at(std::int32_t row, std::int32_t col) const {
+        return z[static_cast<std::size_t>(row) * static_cast<std::size_t>(cols) + static_cast<std::size_t>(col)];
+    }
+    [[nodiscard]] Label label(std::int32_t row, std::int32_t col) const {
+        return labels.empty() ? 1 : labels[static_cast<std::size_t>(row * cols + col)];
+    }
+};
+
+struct TraceSettings {
+    TraceMode mode = TraceMode::cells;
+    int noise_factor = 0;
+    double min_area = 0;
+    std::int32_t rows_a_band = 1000000;
+    LatticePoint origin;   ///< of the window in the whole raster
+};
+
+template <typename Count>
+ContourSet trace_levels(const Grid& grid, const LevelPlan& plan, const TraceSettings& settings, Context& context) {
+    ElevationStatistics statistics;
+    statistics.add({{0, grid.rows, grid.cols}, grid.z});
+    FilterOptions filter;
+    filter.noise_factor = settings.noise_factor;
+    filter.min_area_m2 = settings.min_area;
+    ContourStore store(filter, [](LatticePoint) { return 1.0; }, statistics.range(), context);
+    const Window window{settings.origin.row, settings.origin.col, grid.rows, grid.cols};
+    Tracer<Count> tracer({window, plan.level_count(), statistics.fixed_point(), statistics.range()}, {settings.mode},
+                         store);
+    for (std::int32_t row = 0; row < grid.rows; row += settings.rows_a_band) {
+        const std::int32_t rows = std::min(settings.rows_a_band, grid.rows - row);
+        const auto begin = static_cast<std::ptrdiff_t>(row) * grid.cols;
+        const auto end = begin + static_cast<std::ptrdiff_t>(rows) * grid.cols;
+        const BandShape shape{settings.origin.row + row, rows, grid.cols};
+        const ElevationBand elevations{shape, {grid.z.begin() + begin, grid.z.begin() + end}};
+        LabelBand labels = detect_one_label(elevations, context);
+        if (!grid.labels.empty())
+            labels.labels.assign(grid.labels.begin() + begin, grid.labels.begin() + end);
+        tracer.trace(elevations, labels, quantise<Count>(elevations, labels, plan));
+    }
+    tracer.finish();
+    return store.finish();
+}
+
+/// Traces a grid with the same thresholds for every label.
+inline ContourSet trace_grid(const Grid& grid, const std::vector<double>& thresholds, const TraceSettings& settings,
+                             Context& context) {
+    ElevationStatistics statistics;
+    statistics.add({{0, grid.rows, grid.cols}, grid.z});
+    Label labels = 1;
+    for (const Label label : grid.labels)
+        labels = std::max(labels, label);
+    LevelPlan plan{statistics.minimum, std::vector<std::vector<double>>(labels + 1, thresholds)};
+    plan.thresholds[0].clear();
+    if (plan.level_count() <= 255)
+        return trace_levels<std::uint8_t>(grid, plan, settings, context);
+    return trace_levels<std::uint16_t>(grid, plan, settings, context);
+}
+
+}  // namespace d2b::test

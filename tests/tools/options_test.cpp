@@ -1,0 +1,251 @@
+#include <array>
+#include <clocale>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/option_checks.hpp"
+#include "pipeline/option_values.hpp"
+#include "tools/parse.hpp"
+
+namespace d2b::test {
+namespace {
+
+using Texts = std::vector<std::string>;
+using Four = std::array<double, 4>;
+
+TEST(OptionTable, holdsTheseOptions) {
+    std::set<std::string> names;
+    for (const OptionRow& row : option_table()) {
+        EXPECT_TRUE(names.insert(row.name).second) << row.name;
+        for (const std::string& alias : row.aliases)
+            EXPECT_TRUE(names.insert(alias).second) << alias;
+    }
+    const std::set<std::string> expected{
+        "preset",  "lod",    "fl",      "i",   "off",   "trace",     "nf",       "min_area", "b",
+        "oo",      "if",     "a_srs",   "te",  "zunit", "snodata",   "inodata",  "srcwin",   "projwin",
+        "cutline", "layers", "t_srs",   "3d",  "f",     "of",        "disjoint", "simplify", "output_format",
+        "dsco",    "co",     "lco",     "nln", "q",     "quiet",     "append",   "json",     "overwrite",
+        "help",    "h",      "version", "p",   "man",   "options_md"};
+    EXPECT_EQ(names, expected);
+}
+
+TEST(OptionTable, saysAllOfEveryOption) {
+    for (const OptionRow& row : option_table()) {
+        EXPECT_FALSE(row.help.empty()) << row.name;
+        EXPECT_EQ(row.help.back(), '.') << row.name;
+        EXPECT_TRUE(row.details.empty() || row.details.back() == '.') << row.name;
+        EXPECT_EQ(row.values.empty(), row.arity == Arity::none) << row.name;
+        EXPECT_TRUE(row.apply) << row.name;
+        EXPECT_TRUE(row.show) << row.name;
+    }
+}
+
+TEST(OptionTable, findsNamesWithDashesAndAliases) {
+    EXPECT_EQ(find_option("lod")->name, "lod");
+    EXPECT_EQ(find_option("-lod")->name, "lod");
+    EXPECT_EQ(find_option("--output_format")->name, "f");
+    EXPECT_EQ(find_option("lo"), nullptr);
+    EXPECT_EQ(find_option("---lod"), nullptr);
+    EXPECT_EQ(find_option(""), nullptr);
+}
+
+TEST(OptionTable, defaultsAreThoseOfTheOptions) {
+    const Options standard;
+    EXPECT_EQ(find_option("preset")->standard, standard.preset);
+    EXPECT_EQ(find_option("b")->standard, std::to_string(standard.read.band));
+    EXPECT_EQ(find_option("lod")->standard, std::to_string(standard.levels.lod));
+    EXPECT_EQ(find_option("nf")->standard, std::to_string(standard.filter.noise_factor));
+    EXPECT_EQ(find_option("trace")->standard, "points");
+    EXPECT_EQ(find_option("min_area")->standard, "0");
+    EXPECT_EQ(find_option("off")->standard, "0");
+    EXPECT_EQ(find_option("simplify")->standard, "0");
+    for (const char* name :
+         {"fl",  "i",       "oo",        "if",     "a_srs",    "snodata", "inodata", "srcwin", "projwin",
+          "te",  "cutline", "zunit",     "layers", "disjoint", "t_srs",   "3d",      "f",      "dsco",
+          "lco", "nln",     "overwrite", "append", "q",        "json",    "help",    "version"})
+        EXPECT_EQ(find_option(name)->standard, "") << name;
+}
+
+TEST(OptionTable, defaultAsTextSetsTheDefault) {
+    for (const OptionRow& row : option_table()) {
+        if (row.standard.empty())
+            continue;
+        Request request;
+        const Texts text{row.standard};
+        apply_option(row, request, text);
+        EXPECT_EQ(row.show(request), row.standard) << row.name;
+    }
+}
+
+TEST(Options, withoutAnyAreTheDefaults) {
+    const Request request = parse({});
+    for (const OptionRow& row : option_table())
+        EXPECT_EQ(row.show(request), row.standard) << row.name;
+    EXPECT_EQ(request.options.read.source, "in.tif");
+    EXPECT_EQ(request.options.write.destination, "out.gpkg");
+    EXPECT_EQ(request.options.write.layers, Layers::automatic);
+}
+
+TEST(Options, ofTheInput) {
+    const auto read = [](const Texts& arguments) { return parse(arguments).options.read; };
+    EXPECT_EQ(read({"-b", "3"}).band, 3);
+    EXPECT_EQ(read({"-oo", "A=1", "-oo", "B=x=y"}).open_options, (Texts{"A=1", "B=x=y"}));
+    EXPECT_EQ(read({"-if", "GTiff", "-if", "VRT"}).drivers, (Texts{"GTiff", "VRT"}));
+    EXPECT_EQ(read({"-a_srs", "EPSG:25832+7837"}).crs, "EPSG:25832+7837");
+    EXPECT_EQ(read({"-snodata", "-9999"}).nodata, -9999.0);
+    EXPECT_TRUE(read({"-inodata"}).ignore_nodata);
+    EXPECT_EQ(read({"-srcwin", "0", "10", "20", "30"}).source_window, (Four{0, 10, 20, 30}));
+    EXPECT_EQ(read({"-projwin", "-10", "5", "10.5", "-5"}).projected_window, (Four{-10, 5, 10.5, -5}));
+    EXPECT_EQ(read({"-te", "-10", "-20", "1e3", "2000.25"}).extent, (Four{-10, -20, 1000, 2000.25}));
+    EXPECT_EQ(read({"-cutline", "area.gpkg"}).cutline, "area.gpkg");
+    for (const char* unit : {"m", "ft", "us-ft", "0.3048", "1e-3"})
+        EXPECT_EQ(read({"-zunit", unit}).vertical_unit, unit);
+}
+
+TEST(Options, ofLevels) {
+    const auto levels = [](const Texts& arguments) { return parse(arguments).options.levels; };
+    EXPECT_EQ(parse({"-preset", "thesis"}).options.preset, "thesis");
+    EXPECT_EQ(levels({"-lod", "1"}).lod, 1);
+    EXPECT_EQ(levels({"-lod", "10000"}).lod, 10000);
+    EXPECT_EQ(levels({"-lod", "+7"}).lod, 7);
+    EXPECT_EQ(levels({"-fl", "10", "12.5", "-3"}).fixed, (std::vector<double>{10, 12.5, -3}));
+    EXPECT_EQ(levels({"-i", "2.5"}).interval, 2.5);
+    EXPECT_EQ(levels({"-i", "2.5", "-off", "-1.25"}).offset, -1.25);
+}
+
+TEST(Options, ofContours) {
+    EXPECT_EQ(parse({"-trace", "cells"}).options.trace.mode, TraceMode::cells);
+    EXPECT_EQ(parse({"-trace", "points"}).options.trace.mode, TraceMode::points);
+    EXPECT_EQ(parse({"-nf", "0"}).options.filter.noise_factor, 0);
+    EXPECT_EQ(parse({"-min_area", "12.5"}).options.filter.min_area_m2, 12.5);
+    EXPECT_EQ(parse({"-simplify", "0.5"}).options.outline.simplify, 0.5);
+    EXPECT_TRUE(parse({"-disjoint"}).options.outline.disjoint);
+}
+
+TEST(Options, ofTheOutput) {
+    const auto write = [](const Texts& arguments) { return parse(arguments).options.write; };
+    EXPECT_EQ(write({"-layers", "buildings"}).layers, Layers::buildings);
+    EXPECT_EQ(write({"-layers", "contours"}).layers, Layers::contours);
+    EXPECT_EQ(write({"-layers", "both"}).layers, Layers::both);
+    EXPECT_EQ(parse({"-t_srs", "EPSG:4326"}).options.outline.target_crs, "EPSG:4326");
+    EXPECT_TRUE(write({"-3d"}).with_z);
+    for (const char* name : {"-f", "-of", "-output_format"})
+        EXPECT_EQ(write({name, "ESRI Shapefile"}).format, "ESRI Shapefile") << name;
+    for (const char* name : {"-dsco", "-co"})
+        EXPECT_EQ(write({name, "VERSION=1.3"}).dataset_options, (Texts{"VERSION=1.3"})) << name;
+    EXPECT_EQ(write({"-dsco", "A=1", "-co", "B=2"}).dataset_options, (Texts{"A=1", "B=2"}));
+    EXPECT_EQ(write({"-lco", "FID=id", "-lco", "EMPTY="}).layer_options, (Texts{"FID=id", "EMPTY="}));
+    EXPECT_EQ(write({"-nln", "roofs"}).layer_name, "roofs");
+    EXPECT_TRUE(write({"-overwrite"}).overwrite);
+    EXPECT_TRUE(write({"-append"}).append);
+    EXPECT_EQ(find_option("p")->show(parse({"-p"})), "");  // accepted, changes nothing
+}
+
+TEST(Options, ofTheReport) {
+    for (const char* name : {"-q", "-quiet"})
+        EXPECT_TRUE(parse({name}).tool.quiet) << name;
+    EXPECT_TRUE(parse({"-json"}).tool.json);
+    EXPECT_TRUE(parse({"-json"}).tool.quiet);
+    for (const char* name : {"-help", "-h", "--help", "--h"})
+        EXPECT_TRUE(parse_command_line({name}).tool.help) << name;
+    EXPECT_TRUE(parse_command_line({"-version"}).tool.version);
+    EXPECT_TRUE(parse_command_line({"-man"}).tool.man_page);
+    EXPECT_TRUE(parse_command_line({"-options_md"}).tool.options_markdown);
+}
+
+TEST(Options, everyOptionChangesWhatItShows) {
+    const std::vector<Texts> command_lines{{"-lod", "5"},
+                                           {"-fl", "1"},
+                                           {"-i", "1"},
+                                           {"-i", "1", "-off", "2"},
+                                           {"-trace", "cells"},
+                                           {"-nf", "3"},
+                                           {"-min_area", "4"},
+                                           {"-b", "2"},
+                                           {"-oo", "A=B"},
+                                           {"-if", "VRT"},
+                                           {"-a_srs", "x"},
+                                           {"-snodata", "0"},
+                                           {"-inodata"},
+                                           {"-cutline", "x"},
+                                           {"-zunit", "ft"},
+                                           {"-srcwin", "0", "0", "1", "1"},
+                                           {"-disjoint"},
+                                           {"-t_srs", "x"},
+                                           {"-3d"},
+                                           {"-projwin", "0", "1", "1", "0"},
+                                           {"-simplify", "1"},
+                                           {"-f", "x"},
+                                           {"-dsco", "A=B"},
+                                           {"-te", "0", "0", "1", "1"},
+                                           {"-lco", "A=B"},
+                                           {"-nln", "x"},
+                                           {"-overwrite"},
+                                           {"-append"},
+                                           {"-q"},
+                                           {"-json"},
+                                           {"-layers", "both"},
+                                           {"-help"},
+                                           {"-version"},
+                                           {"-man"},
+                                           {"-options_md"}};
+    std::set<std::string> seen{"preset", "p"};  // one preset; no effect
+    for (const Texts& arguments : command_lines) {
+        const OptionRow& row =
+            *find_option(arguments[arguments.size() > 2 && arguments[2] == "-off" ? 2 : 0]);
+        EXPECT_NE(row.show(parse(arguments)), row.standard) << row.name;
+        seen.insert(row.name);
+    }
+    for (const OptionRow& row : option_table())
+        EXPECT_TRUE(seen.contains(row.name)) << row.name;
+}
+
+TEST(Options, showFourNumbersAndLists) {
+    const Request request =
+        parse({"-te", "-1.5", "0", "1", "2", "-fl", "3", "4.25", "-oo", "A=1", "-oo", "B=2"});
+    EXPECT_EQ(find_option("te")->show(request), "-1.5 0 1 2");
+    EXPECT_EQ(find_option("fl")->show(request), "3 4.25");
+    EXPECT_EQ(find_option("oo")->show(request), "A=1 B=2");
+}
+
+TEST(OptionValues, doNotDependOnTheLocale) {
+    const std::string before = std::setlocale(LC_ALL, nullptr);
+    for (const char* locale : {"de_DE.UTF-8", "de_DE", "fr_FR.UTF-8", "C.UTF-8"})
+        if (std::setlocale(LC_ALL, locale) != nullptr)
+            break;
+    EXPECT_EQ(parse({"-i", "2.5"}).options.levels.interval, 2.5);
+    EXPECT_EQ(refusal({"-i", "2,5"}), "-i must be a number above 0, not '2,5'.");
+    EXPECT_EQ(shortest_number(0.1), "0.1");
+    std::setlocale(LC_ALL, before.c_str());
+}
+
+TEST(OptionValues, areShortestAndReadBack) {
+    EXPECT_EQ(shortest_number(10), "10");
+    EXPECT_EQ(shortest_number(-0.25), "-0.25");
+    EXPECT_EQ(shortest_number(1e300), "1e+300");
+    EXPECT_EQ(read_number({}, shortest_number(1.0 / 3)), 1.0 / 3);
+}
+
+TEST(OptionValues, lookLikeNumbers) {
+    for (const char* text : {"1", "-1", "+1", "1.", ".5", "-.5", "1e5", "1E-5", "nan", "-inf", "1e999"})
+        EXPECT_TRUE(looks_like_number(text)) << text;
+    for (const char* text : {"", "-", "+", "+-1", "1m", "0x10", "./1", "1,5", " 1", "1 ", "dsm.tif"})
+        EXPECT_FALSE(looks_like_number(text)) << text;
+}
+
+TEST(NearestName, isTheOneThatWasMeant) {
+    const Texts names{"lod", "overwrite", "quiet", "te", "b", "srcwin"};
+    EXPECT_EQ(nearest_name("lodd", names), "lod");
+    EXPECT_EQ(nearest_name("LOD", names), "lod");
+    EXPECT_EQ(nearest_name("quite", names), "quiet");     // neighbours swapped
+    EXPECT_EQ(nearest_name("over", names), "overwrite");  // a beginning
+    EXPECT_EQ(nearest_name("overwite", names), "overwrite");
+    EXPECT_EQ(nearest_name("scrwin", names), "srcwin");
+    EXPECT_EQ(nearest_name("B", names), "b");
+    EXPECT_EQ(nearest_name("x", names), "");  // any other letter is not near
+    EXPECT_EQ(nearest_name("frobnicate", names), "");
+}
+
+}  // namespace
+}  // namespace d2b::test

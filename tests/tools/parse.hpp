@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "dem2buildings/command_line.hpp"
+
+namespace d2b::test {
+
+/// The arguments and, behind them, a source and a destination.
+inline Request parse(std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"in.tif", "out.gpkg"});
+    return parse_command_line(arguments);
+}
+
+/// The message that exactly these arguments are refused with.
+inline std::string refusal_of_all(const std::vector<std::string>& arguments) {
+    try {
+        (void)parse_command_line(arguments);
+    } catch (const OptionError& error) {
+        return error.what();
+    }
+    return "(not refused)";
+}
+
+/// The same with a source and a destination behind them.
+inline std::string refusal(std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"in.tif", "out.gpkg"});
+    return refusal_of_all(arguments);
+}
+
+}  // namespace d2b::test

@@ -1,0 +1,70 @@
+#include "dem2buildings/progress.hpp"
+
+#include <csignal>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "dem2buildings/interrupt.hpp"
+
+namespace d2b::test {
+namespace {
+
+TEST(TerminalProgress, looksLikeThatOfGdal) {
+    std::ostringstream out;
+    {
+        TerminalProgress progress(out);
+        progress.update(0);
+        EXPECT_EQ(out.str(), "0");
+        progress.update(0.05);
+        EXPECT_EQ(out.str(), "0..");
+        progress.update(0.02);  // back is ignored
+        EXPECT_EQ(out.str(), "0..");
+        progress.update(0.25);
+        EXPECT_EQ(out.str(), "0...10...20..");
+        progress.update(1);
+        progress.update(2);
+    }
+    EXPECT_EQ(out.str(), "0...10...20...30...40...50...60...70...80...90...100 - done.\n");
+}
+
+TEST(TerminalProgress, endsItsLineWhereTheRunStops) {
+    std::ostringstream out;
+    {
+        TerminalProgress progress(out);
+        progress.update(0.1);
+    }
+    EXPECT_EQ(out.str(), "0...10\n");
+    std::ostringstream untouched;
+    { const TerminalProgress progress(untouched); }
+    EXPECT_EQ(untouched.str(), "");
+}
+
+TEST(Summary, countsWhatTheLayersHold) {
+    RunReport report;
+    report.buildings = 1234;
+    report.contours = 1005678;
+    EXPECT_EQ(summary(report, Layers::both, "delft.gpkg"),
+              "1,234 buildings and 1,005,678 contours in delft.gpkg\n");
+    EXPECT_EQ(summary(report, Layers::buildings, "x"), "1,234 buildings in x\n");
+    EXPECT_EQ(summary(report, Layers::contours, "x"), "1,005,678 contours in x\n");
+    report.buildings = 1;
+    report.contours = 999;
+    EXPECT_EQ(summary(report, Layers::both, "x"), "1 building and 999 contours in x\n");
+    report.buildings = report.contours = 0;
+    EXPECT_EQ(summary(report, Layers::both, "x"), "0 buildings and 0 contours in x\n");
+}
+
+TEST(Interrupt, isSeenAndTheNextOneEndsTheProcess) {
+    catch_interrupts();
+    EXPECT_FALSE(interrupted());
+    std::raise(SIGINT);
+    EXPECT_TRUE(interrupted());
+    EXPECT_EXIT(std::raise(SIGINT), testing::KilledBySignal(SIGINT), "");
+    catch_interrupts();
+    EXPECT_FALSE(interrupted());
+    std::signal(SIGINT, SIG_DFL);
+}
+
+}  // namespace
+}  // namespace d2b::test

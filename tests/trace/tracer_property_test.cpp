@@ -1,0 +1,97 @@
+#include <map>
+#include <random>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "support/trace_grid.hpp"
+#include "trace/reference.hpp"
+
+namespace d2b {
+namespace {
+
+using test::Grid;
+using test::TraceSettings;
+
+struct Case {
+    Grid grid;
+    std::vector<double> thresholds;
+    TraceMode mode;
+};
+
+/// Noise of few values, so that saddles, holes and nested towers are everywhere.
+Case random_case(unsigned seed) {
+    std::mt19937 random(seed);
+    const auto below = [&](unsigned n) { return static_cast<int>(random() % n); };
+    Case result;
+    result.mode = seed % 2 == 0 ? TraceMode::cells : TraceMode::points;
+    Grid& grid = result.grid;
+    grid.rows = 1 + below(14);
+    grid.cols = 1 + below(14);
+    const int values = 2 + below(5);
+    const bool labelled = below(3) == 0;
+    const bool with_nodata = below(2) == 0;
+    for (int i = 0; i < grid.rows * grid.cols; ++i) {
+        const int first = below(static_cast<unsigned>(values));
+        // The higher of two makes large regions with small holes.
+        grid.z.push_back(with_nodata && below(9) == 0 ? test::nodata
+                                                      : std::max(first, below(static_cast<unsigned>(values))));
+        if (labelled)
+            grid.labels.push_back(static_cast<Label>(below(3)));
+    }
+    for (int t = 0; t + 1 < values; ++t)
+        result.thresholds.push_back(t + 0.5);
+    return result;
+}
+
+std::set<LatticePoint> distinct(const LatticeRing& ring) { return {ring.begin(), ring.end()}; }
+
+void expect_simple_and_compressed(const LatticeRing& ring) {
+    EXPECT_EQ(distinct(ring).size(), ring.size());
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const LatticePoint a = ring[i];
+        const LatticePoint b = ring[(i + 1) % ring.size()];
+        const LatticePoint c = ring[(i + 2) % ring.size()];
+        EXPECT_NE(a.row == b.row, a.col == b.col);
+        EXPECT_NE(a.row == b.row, b.row == c.row);
+    }
+}
+
+class RandomGrid : public testing::TestWithParam<unsigned> {};
+
+TEST_P(RandomGrid, EqualsTheReference) {
+    for (unsigned seed = GetParam() * 100; seed < GetParam() * 100 + 100; ++seed) {
+        SCOPED_TRACE(seed);
+        const Case c = random_case(seed);
+        Context context;
+        TraceSettings settings;
+        settings.mode = c.mode;
+        const ContourSet set = test::trace_grid(c.grid, c.thresholds, settings, context);
+        const auto expected = test::reference_contours(c.grid, c.thresholds, c.mode);
+        ASSERT_EQ(set.contours.size(), expected.size());
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+            const Contour& contour = set.contours[i];
+            EXPECT_EQ(contour.key, (ContourKey{expected[i].level, *expected[i].squares.begin()}));
+            EXPECT_EQ(test::squares_inside(contour), expected[i].squares);
+            EXPECT_EQ(contour.squares(), static_cast<std::int64_t>(expected[i].squares.size()));
+            EXPECT_EQ(contour.exterior.points(), expected[i].exterior_points);
+            EXPECT_EQ(contour.interiors.size(), expected[i].interiors);
+            if (expected[i].level > 0) {
+                EXPECT_EQ(set.contours[static_cast<std::size_t>(contour.parent)].key,
+                          (ContourKey{expected[i].level - 1, expected[i].parent_first}));
+            } else {
+                EXPECT_EQ(contour.parent, -1);
+            }
+            expect_simple_and_compressed(contour.exterior.corners());
+            for (const PackedRing& ring : contour.interiors) {
+                EXPECT_LT(ring.area(), 0);
+                expect_simple_and_compressed(ring.corners());
+            }
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomGrid, testing::Range(0U, 20U));
+
+}  // namespace
+}  // namespace d2b

@@ -1,0 +1,137 @@
+#include "write/ogr_feature_sink.hpp"
+#include "write/write_fixture.hpp"
+
+namespace d2b::test {
+
+namespace {
+
+class AppendTest : public WriteTest {
+  protected:
+    [[nodiscard]] WriteOptions more(const std::string& name, const std::string& format = "") const {
+        WriteOptions options = to(name, format);
+        options.append = true;
+        return options;
+    }
+    /// What begin() says to a layer like this.
+    std::string refusal(const WriteOptions& options, const LayerSpec& spec, const Provenance& what) {
+        const auto sink = open_sink(options, context_);
+        return thrown<OutputError>([&] { sink->begin({&spec, 1}, what); });
+    }
+};
+
+TEST_F(AppendTest, NumbersGoOnWhereTheyEnded) {
+    for (const auto& [name, format] : std::vector<std::pair<std::string, std::string>>{
+             {"a.gpkg", ""}, {"a.sqlite", ""}, {"shapes", "ESRI Shapefile"}, {"a.gdb", ""}}) {
+        EXPECT_EQ(write(to(name, format), 2), 1) << name;
+        EXPECT_EQ(write(more(name, format), 3), 3) << name;
+        EXPECT_EQ(ids(path(name), "buildings"), (std::vector<std::int64_t>{1, 2, 3, 4, 5})) << name;
+        EXPECT_EQ(ids(path(name), "contours"), (std::vector<std::int64_t>{1, 2, 3, 4, 5})) << name;
+    }
+    EXPECT_EQ(sql(path("a.gpkg"), "SELECT COUNT(*) FROM rtree_contours_geom"), "5");
+    EXPECT_EQ(sql(path("a.gpkg"), "SELECT feature_count FROM gpkg_ogr_contents WHERE table_name='contours'"),
+              "5");
+}
+
+TEST_F(AppendTest, FilesThatAreOneLayer) {
+    for (const char* name : {"a.shp", "a.geojson", "a.csv"}) {
+        write(to(name), 2);
+        EXPECT_EQ(write(more(name), 1), 3) << name;
+        EXPECT_EQ(ids(path(name), "a"), (std::vector<std::int64_t>{1, 2, 3})) << name;
+    }
+}
+
+TEST_F(AppendTest, TheLargestNumberOfEitherLayerCounts) {
+    const auto sink = open_sink(to("a.gpkg"), context_);
+    const LayerSpec specs[] = {layer_spec("buildings"), layer_spec("contours")};
+    sink->begin(specs, provenance());
+    sink->add(0, square(4));
+    sink->add(1, square(70));
+    sink->add(1, square(8));
+    sink->finish();
+    EXPECT_EQ(open_sink(more("a.gpkg"), context_)->first_id(), 71);
+}
+
+TEST_F(AppendTest, AbsentLayersAreCreated) {
+    WriteOptions options = to("a.gpkg");
+    options.layers = Layers::buildings;
+    write(options, 2);
+    EXPECT_EQ(write(more("a.gpkg"), 1), 3);
+    EXPECT_EQ(count(path("a.gpkg"), "buildings"), 3);
+    EXPECT_EQ(ids(path("a.gpkg"), "contours"), std::vector<std::int64_t>{3});
+}
+
+TEST_F(AppendTest, WhatDoesNotFitIsRefused) {
+    write(to("a.gpkg"), 2);
+    const std::string start = "Cannot append to \"" + path("a.gpkg") + "\": its layer \"buildings\" ";
+    const std::string end = "; write to another destination.";
+    LayerSpec spec = layer_spec("buildings");
+    Provenance other = provenance();
+    other.crs_wkt = wkt_of(25833);
+    EXPECT_EQ(refusal(more("a.gpkg"), spec, other),
+              start + "is in \"ETRS89 / UTM zone 32N\" and the result in \"ETRS89 / UTM zone 33N\"" + end);
+    other.crs_wkt = "";
+    EXPECT_EQ(refusal(more("a.gpkg"), spec, other),
+              start + "is in \"ETRS89 / UTM zone 32N\" and the result in no CRS" + end);
+    spec.fields.push_back({"floors", "", FieldType::integer, "", ""});
+    EXPECT_EQ(refusal(more("a.gpkg"), spec, provenance()), start + "has no field \"floors\"" + end);
+    spec = layer_spec("buildings");
+    spec.fields[1].type = FieldType::text;
+    EXPECT_EQ(refusal(more("a.gpkg"), spec, provenance()),
+              start + "has field \"height\" with type Real" + end);
+    spec.fields[1].type = FieldType::integer;
+    spec.fields[2].type = FieldType::real;
+    spec = layer_spec("buildings", true);
+    EXPECT_EQ(refusal(more("a.gpkg"), spec, provenance()), start + "has no Z, and the result has" + end);
+    WriteOptions z = to("z.gpkg");
+    z.with_z = true;
+    write(z, 1);
+    EXPECT_EQ(refusal(more("z.gpkg"), layer_spec("buildings"), provenance()),
+              "Cannot append to \"" + path("z.gpkg") +
+                  "\": its layer \"buildings\" has Z, and the result has none" + end);
+    EXPECT_EQ(count(path("a.gpkg"), "buildings"), 2);
+}
+
+TEST_F(AppendTest, AUsersLayerOfTheSameNameIsRefused) {
+    write(to("a.gpkg"), 1);
+    add_user_layer(path("a.gpkg"), "points", 2, "GPKG");
+    WriteOptions options = more("a.gpkg");
+    options.layer_name = "points";
+    options.layers = Layers::buildings;
+    Provenance plain = provenance();
+    plain.crs_wkt = "";
+    const std::string message = refusal(options, layer_spec("points"), provenance());
+    EXPECT_NE(message.find("its layer \"points\" "), std::string::npos) << message;
+    EXPECT_EQ(count(path("a.gpkg"), "points"), 2);
+}
+
+TEST_F(AppendTest, FormatsThatTakeNoMoreAreRefused) {
+    for (const auto& [name, format] : std::vector<std::pair<std::string, std::string>>{
+             {"a.gml", "GML"}, {"a.kml", "KML"}}) {
+        write(to(name, format), 2);
+        const std::string before = bytes(name);
+        EXPECT_EQ(thrown<OptionError>([&] { write(more(name, format), 1); }),
+                  "GDAL cannot append to \"" + path(name) + "\", a dataset of format " + format +
+                      "; write to another destination, or to a GeoPackage.");
+        EXPECT_EQ(bytes(name), before);
+    }
+}
+
+TEST_F(AppendTest, AbandonedAppendLeavesTheOldContent) {
+    for (const char* name : {"a.gpkg", "a.geojson", "a.shp"}) {
+        write(to(name), 2);
+        const auto before = entries();
+        const std::string layer = layer_name_for(to(name), true, Layers::buildings);
+        {
+            const auto sink = open_sink(more(name), context_);
+            const LayerSpec spec = layer_spec(layer);
+            sink->begin({&spec, 1}, provenance());
+            sink->add(0, square(3));
+        }
+        EXPECT_EQ(ids(path(name), layer), (std::vector<std::int64_t>{1, 2})) << name;
+        EXPECT_EQ(entries(), before) << name;
+    }
+}
+
+}  // namespace
+
+}  // namespace d2b::test

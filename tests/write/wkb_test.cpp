@@ -1,0 +1,78 @@
+#include "write/wkb.hpp"
+
+#include <string>
+
+#include <cpl_conv.h>
+#include <gtest/gtest.h>
+#include <ogr_api.h>
+
+#include "core/error.hpp"
+
+namespace {
+
+std::string as_wkt(const d2b::Feature& feature, bool with_z) {
+    d2b::MultiPolygonWkb wkb(with_z);
+    const auto bytes = wkb.encode(feature);
+    OGRGeometryH geometry = nullptr;
+    EXPECT_EQ(OGR_G_CreateFromWkb(bytes.data(), nullptr, &geometry, static_cast<int>(bytes.size())),
+              OGRERR_NONE);
+    EXPECT_EQ(OGR_G_WkbSize(geometry), static_cast<int>(bytes.size()));
+    char* text = nullptr;
+    OGR_G_ExportToIsoWkt(geometry, &text);
+    std::string wkt = text;
+    CPLFree(text);
+    OGR_G_DestroyGeometry(geometry);
+    return wkt;
+}
+
+d2b::Feature two_parts() {
+    d2b::Feature feature;
+    feature.parts = {{{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{{1, 1}, {1, 2}, {2, 2}}, {{5, 5}, {5, 6}, {6, 6}}}},
+                     {{{20, 20}, {21, 20}, {20, 21}}, {}}};
+    feature.z = 2.5;
+    return feature;
+}
+
+TEST(MultiPolygonWkb, ClosesRingsAndKeepsTheirOrder) {
+    EXPECT_EQ(
+        as_wkt(two_parts(), false),
+        "MULTIPOLYGON (((0 0,9 0,9 9,0 9,0 0),(1 1,1 2,2 2,1 1),(5 5,5 6,6 6,5 5)),((20 20,21 20,20 21,20 "
+        "20)))");
+}
+
+TEST(MultiPolygonWkb, GivesEveryVertexTheHeight) {
+    d2b::Feature feature = two_parts();
+    feature.parts.erase(feature.parts.begin());
+    EXPECT_EQ(as_wkt(feature, true), "MULTIPOLYGON Z (((20 20 2.5,21 20 2.5,20 21 2.5,20 20 2.5)))");
+}
+
+TEST(MultiPolygonWkb, BufferIsUsedAgain) {
+    d2b::MultiPolygonWkb wkb(false);
+    const std::size_t large = wkb.encode(two_parts()).size();
+    d2b::Feature small = two_parts();
+    small.parts.erase(small.parts.begin());
+    // 9 bytes of a multipolygon, 9 of a polygon, 4 of a ring, 4 positions of 16.
+    EXPECT_EQ(wkb.encode(small).size(), 9u + 9u + 4u + 4u * 16u);
+    EXPECT_EQ(wkb.encode(two_parts()).size(), large);
+}
+
+TEST(MultiPolygonWkb, RefusesWhatIsNoPolygon) {
+    d2b::MultiPolygonWkb wkb(false);
+    d2b::Feature feature;
+    try {
+        static_cast<void>(wkb.encode(feature));
+        FAIL();
+    } catch (const d2b::OutputError& error) {
+        EXPECT_STREQ(error.what(), "A feature without a polygon cannot be written.");
+    }
+    feature.parts = {{{{0, 0}, {1, 1}}, {}}};
+    try {
+        static_cast<void>(wkb.encode(feature));
+        FAIL();
+    } catch (const d2b::OutputError& error) {
+        EXPECT_STREQ(error.what(),
+                     "A polygon has a ring of fewer than three positions and cannot be written.");
+    }
+}
+
+}  // namespace

@@ -1,0 +1,93 @@
+#include "dem2buildings/command_line.hpp"
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "dem2buildings/tokens.hpp"
+#include "pipeline/option_checks.hpp"
+
+namespace d2b {
+namespace {
+
+constexpr std::string_view usage = "usage: dem2buildings [options] <src_raster> <dst_vector>";
+
+/// What was asked for in place of a run; the first that was given counts.
+bool asks_for_text(const std::vector<GivenOption>& given, Request& request) {
+    for (const GivenOption& option : given) {
+        Request asked;
+        if (option.row->arity == Arity::none)
+            option.row->apply(asked, {});
+        const ToolOptions& tool = asked.tool;
+        if (tool.help || tool.version || tool.man_page || tool.options_markdown) {
+            request = asked;
+            return true;
+        }
+    }
+    return false;
+}
+
+OptionNames apply_all(const std::vector<GivenOption>& given, Request& request) {
+    OptionNames names;
+    for (const GivenOption& option : given) {
+        const OptionRow& row = *option.row;
+        if (!names.insert(row.name).second && row.arity != Arity::none && !row.repeatable)
+            throw OptionError("-" + row.name + " is given twice; give it once.");
+        apply_option(row, request, option.values);
+    }
+    return names;
+}
+
+std::string quoted_list(const std::vector<std::string>& names) {
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        text += (i == 0 ? "'" : i + 1 == names.size() ? " and '" : ", '") + names[i] + "'";
+    return text;
+}
+
+void take_file_names(const std::vector<std::string>& names, Options& options) {
+    if (names.empty())
+        throw OptionError("The source and the destination are missing; " + std::string(usage) + ".");
+    if (names.size() == 1)
+        throw OptionError("The destination is missing, there is only '" + names[0] + "'; " +
+                          std::string(usage) + ".");
+    if (names.size() > 2)
+        throw OptionError("There are too many file names, " + quoted_list(names) +
+                          "; give one source and one destination.");
+    for (const std::string& name : names) {
+        if (name.empty())
+            throw OptionError("A file name is empty; " + std::string(usage) + ".");
+        if (name == "-")
+            throw OptionError("'-' is no file name here; write /vsistdin/ or /vsistdout/.");
+    }
+    if (names[0] == names[1])
+        throw OptionError("The destination '" + names[1] + "' is the source; give another name.");
+    options.read.source = names[0];
+    options.write.destination = names[1];
+}
+
+}  // namespace
+
+bool writes_to_stdout(const Request& request) {
+    return request.options.write.destination.find("/vsistdout") != std::string::npos;
+}
+
+Request parse_command_line(const std::vector<std::string>& arguments) {
+    Tokens tokens = split_tokens(arguments);
+    Request request;
+    if (asks_for_text(tokens.options, request))
+        return request;
+    if (!tokens.unknown.empty())
+        refuse_unknown_option(tokens.unknown.front());
+    // A preset sets defaults, so it comes first wherever it stands.
+    std::ranges::stable_partition(tokens.options,
+                                  [](const GivenOption& option) { return option.row->name == "preset"; });
+    check_conflicts(apply_all(tokens.options, request));
+    take_file_names(tokens.file_names, request.options);
+    if (request.tool.json && writes_to_stdout(request))
+        throw OptionError(
+            "-json cannot be used with a destination in /vsistdout/; both would write to stdout.");
+    request.tool.quiet = request.tool.quiet || request.tool.json || writes_to_stdout(request);
+    return request;
+}
+
+}  // namespace d2b

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pipeline/option_table.hpp"
+
+namespace d2b {
+
+// All texts about the options are made from the table of options. They are ASCII and end with a line feed.
+
+/// Two lines, for a command line without arguments.
+[[nodiscard]] std::string short_usage();
+
+/// What --help prints, in lines of at most 80 characters.
+[[nodiscard]] std::string full_help();
+
+/// The man page, as roff.
+[[nodiscard]] std::string man_page();
+
+/// The reference of the options, with the fate of each option of gdal_contour, as Markdown.
+[[nodiscard]] std::string options_markdown();
+
+/// Range, unit, default and whether it may be repeated, as sentences; "" where there is nothing to say.
+/// @param brief without the range of several values, which takes a line
+[[nodiscard]] std::string option_facts(const OptionRow& row, bool brief = false);
+
+/// The option and its aliases: "-f, -of <format>".
+[[nodiscard]] std::string option_heading(const OptionRow& row);
+
+/// One of GDAL's own switches, which all its programs have.
+struct GdalSwitch {
+    std::string_view synopsis;
+    std::string_view help;
+};
+[[nodiscard]] const std::vector<GdalSwitch>& gdal_switches();
+
+/// Breaks a text at blanks into lines, each after an indent. A word that is too long has a line of its own.
+[[nodiscard]] std::string wrap(std::string_view text, std::size_t indent, std::size_t width = 80);
+
+}  // namespace d2b

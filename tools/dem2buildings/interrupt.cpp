@@ -1,0 +1,27 @@
+#include "dem2buildings/interrupt.hpp"
+
+#include <csignal>
+
+namespace d2b {
+namespace {
+
+// A signal handler can reach nothing but what is global.
+volatile std::sig_atomic_t interrupt_seen = 0;
+
+extern "C" void on_interrupt(int signal) {
+    interrupt_seen = 1;
+    std::signal(signal, SIG_DFL);
+}
+
+}  // namespace
+
+void catch_interrupts() {
+    interrupt_seen = 0;
+    std::signal(SIGINT, on_interrupt);
+}
+
+bool interrupted() {
+    return interrupt_seen != 0;
+}
+
+}  // namespace d2b

@@ -1,0 +1,11 @@
+#pragma once
+
+namespace d2b {
+
+/// Lets Ctrl-C (SIGINT) ask for an end instead of ending the process. A second one ends it.
+void catch_interrupts();
+
+/// Whether Ctrl-C has been pressed.
+[[nodiscard]] bool interrupted();
+
+}  // namespace d2b

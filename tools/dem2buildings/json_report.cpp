@@ -1,0 +1,81 @@
+#include "dem2buildings/json_report.hpp"
+
+#include <cstddef>
+
+#include <nlohmann/json.hpp>
+
+#include "core/version.hpp"
+
+namespace d2b {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json input_of(const RunReport& report) {
+    return {{"name", report.input},
+            {"driver", report.driver},
+            {"crs", report.crs},
+            {"rows", report.rows},
+            {"cols", report.cols},
+            {"points", report.points},
+            {"valid_points", report.valid_points},
+            {"minimum", report.minimum},
+            {"maximum", report.maximum},
+            {"mean", report.mean},
+            {"standard_deviation", report.standard_deviation}};
+}
+
+Json units_of(const UnitReport& units) {
+    return {{"horizontal", units.horizontal},
+            {"horizontal_decided_by", units.horizontal_decided_by},
+            {"horizontal_metres", units.horizontal_metres},
+            {"vertical", units.vertical},
+            {"vertical_decided_by", units.vertical_decided_by},
+            {"vertical_metres", units.vertical_metres},
+            {"areas", units.areas}};
+}
+
+Json levels_of(const RunReport& report) {
+    Json levels = Json::array();
+    for (const LevelReport& level : report.levels)
+        levels.push_back(Json{{"level", level.level},
+                              {"threshold", level.threshold},
+                              {"contours", level.contours},
+                              {"points", level.points}});
+    return levels;
+}
+
+Json output_of(const RunReport& report) {
+    return {{"name", report.output},
+            {"crs", report.output_crs},
+            {"buildings", report.buildings},
+            {"contours", report.contours},
+            {"vertices", report.vertices}};
+}
+
+Json dropped_of(const RunReport& report) {
+    Json dropped = Json::object();
+    for (std::size_t reason = 0; reason < reason_names.size(); ++reason)
+        dropped[std::string(reason_names[reason])] = report.dropped[reason];
+    return dropped;
+}
+
+Json stages_of(const RunReport& report) {
+    Json stages = Json::object();
+    for (std::size_t stage = 0; stage < stage_names.size(); ++stage)
+        stages[std::string(stage_names[stage])] = {{"seconds", report.seconds[stage]},
+                                                   {"peak_memory_bytes", report.peak_memory_bytes[stage]}};
+    return stages;
+}
+
+}  // namespace
+
+std::string json_report(const RunReport& report) {
+    const Json json{
+        {"version", version},          {"input", input_of(report)},   {"units", units_of(report.units)},
+        {"levels", levels_of(report)}, {"output", output_of(report)}, {"dropped", dropped_of(report)},
+        {"stages", stages_of(report)}, {"warnings", report.warnings}};
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace d2b

@@ -1,0 +1,66 @@
+#include "dem2buildings/help.hpp"
+#include "pipeline/contour_options.hpp"
+
+namespace d2b {
+namespace {
+
+/// Text for a cell of a table, where a bar would end the cell.
+std::string cell(std::string_view text) {
+    std::string escaped;
+    for (const char letter : text)
+        escaped += letter == '|' ? std::string("\\|") : std::string(1, letter);
+    return escaped;
+}
+
+/// Text outside of code, where angle brackets would be taken for HTML.
+std::string prose(std::string_view text) {
+    std::string escaped;
+    for (const char letter : text) {
+        if (letter == '<' || letter == '>' || letter == '*' || letter == '_')
+            escaped += '\\';
+        escaped += letter;
+    }
+    return escaped;
+}
+
+std::string option_paragraph(const OptionRow& row) {
+    const std::string facts = option_facts(row);
+    std::string text = row.help;
+    if (!row.details.empty())
+        text += " " + row.details;
+    if (!facts.empty())
+        text += " " + facts;
+    return "`" + option_heading(row) + "`\n\n" + wrap(": " + prose(text), 0, 110) + "\n";
+}
+
+}  // namespace
+
+std::string options_markdown() {
+    std::string text =
+        "# Options of dem2buildings\n\n    dem2buildings [options] <src_raster> <dst_vector>\n\n" +
+        wrap(
+            "Options may stand anywhere and begin with one dash or two; values follow after a blank or "
+            "an equals sign. The source stands before the destination. After `--` only file names "
+            "follow.",
+            0, 110) +
+        "\n";
+    for (std::size_t group = 0; group < option_group_names.size(); ++group) {
+        text += "## " + std::string(option_group_names[group]) + "\n\n";
+        for (const OptionRow& row : option_table())
+            if (!row.hidden && row.group == static_cast<OptionGroup>(group))
+                text += option_paragraph(row);
+    }
+    text += "## GDAL\n\nThe switches that all programs of GDAL share.\n\n";
+    text += "| Switch | Meaning |\n| --- | --- |\n";
+    for (const auto& [synopsis, help] : gdal_switches())
+        text += "| `" + cell(synopsis) + "` | " + cell(prose(help)) + " |\n";
+    text += "\n## Options of gdal_contour\n\nWhat becomes of each of them here (GDAL 3.6 to 3.11).\n\n";
+    text += "| gdal_contour | Here | |\n| --- | --- | --- |\n";
+    for (const ContourOption& option : contour_options())
+        text += "| `" + cell(option.synopsis) + "` | " +
+                std::string(fate_names[static_cast<std::size_t>(option.fate)]) + " | " +
+                cell(prose(option.note)) + " |\n";
+    return text;
+}
+
+}  // namespace d2b

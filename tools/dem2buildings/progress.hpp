@@ -1,0 +1,32 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+
+#include "core/options.hpp"
+#include "core/report.hpp"
+
+namespace d2b {
+
+/// Progress on one line, as GDAL's programs show it: "0...10...20" up to "100 - done.".
+class TerminalProgress {
+  public:
+    explicit TerminalProgress(std::ostream& out) : out_(out) {}
+    TerminalProgress(const TerminalProgress&) = delete;
+    TerminalProgress& operator=(const TerminalProgress&) = delete;
+    /// Ends a line that was begun.
+    ~TerminalProgress();
+
+    /// @param share done, 0 to 1; what is below the last one adds nothing
+    void update(double share);
+
+  private:
+    std::ostream& out_;
+    int ticks_ = -1;  // the last one that was printed, of 40
+};
+
+/// What was written, on a line: "1,234 buildings and 5,678 contours in delft.gpkg".
+/// @param layers as they are in the destination, not `automatic`
+[[nodiscard]] std::string summary(const RunReport& report, Layers layers, const std::string& destination);
+
+}  // namespace d2b
