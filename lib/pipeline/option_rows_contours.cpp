@@ -37,7 +37,8 @@ OptionRow fixed_levels() {
 std::vector<OptionRow> noise() {
     std::vector<OptionRow> rows;
     rows.push_back(whole_row(
-        "nf", "<points>", {.lowest = 0}, [](auto& r) -> auto& { return r.options.filter.noise_factor; },
+        "nf", "<points>", {.lowest = 0, .highest = 1000000000},
+        [](auto& r) -> auto& { return r.options.filter.noise_factor; },
         {.help = "Noise factor: contours whose outline passes fewer grid points are dropped.",
          .details =
              "With a contour goes all that stands on it. Holes are filled by the same rule, unless something "

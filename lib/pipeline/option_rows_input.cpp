@@ -59,7 +59,7 @@ std::vector<OptionRow> windows() {
 
 std::vector<OptionRow> input() {
     std::vector<OptionRow> rows;
-    rows.push_back(whole_row("b", "<band>", {.lowest = 1},
+    rows.push_back(whole_row("b", "<band>", {.lowest = 1, .highest = 65536},
                              [](auto& r) -> auto& { return r.options.read.band; },
                              {.help = "Band that holds the elevations."}));
     rows.push_back(texts_row("oo", "<NAME>=<VALUE>", "NAME=VALUE",

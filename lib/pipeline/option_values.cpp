@@ -76,6 +76,8 @@ int parse_whole(std::string_view name, const NumberRange& range, std::string_vie
 }
 
 std::string shortest_number(double value) {
+    if (value == std::floor(value) && std::abs(value) < 1e15)
+        return std::to_string(static_cast<long long>(value));
     std::array<char, 32> buffer{};
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
     return {buffer.data(), end};

@@ -32,21 +32,25 @@ DatasetWriter::DatasetWriter(WriteTarget target, const VectorFormat& format, con
 
 DatasetWriter::~DatasetWriter() {
     const GdalMessages quiet;
+    const bool undo = in_transaction_ && mode_ != Mode::create;
     if (in_transaction_)
         GDALDatasetRollbackTransaction(dataset_.get());
     layers_.clear();
     dataset_.reset();
+    // After an error of the disk SQLite leaves the undoing to whoever opens the file next for writing.
+    if (undo)
+        open_dataset(format_, path_, GDAL_OF_UPDATE);
 }
 
 void DatasetWriter::open(const std::string& path, Mode mode) {
     OgrCall call(target_);
+    path_ = path;
     if (mode == Mode::create) {
         const NameValueList options(options_.dataset_options);
         dataset_.reset(GDALCreate(format_.driver, path.c_str(), 0, 0, 0, GDT_Unknown, options.get()));
         call.check(dataset_ != nullptr, "creating the " + format_.name + " dataset");
     } else {
-        const char* const only[] = {format_.name.c_str(), nullptr};
-        dataset_.reset(GDALOpenEx(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE, only, nullptr, nullptr));
+        dataset_ = open_dataset(format_, path, GDAL_OF_UPDATE);
         call.check(dataset_ != nullptr, "opening it for writing");
     }
     mode_ = mode;
@@ -161,7 +165,7 @@ void DatasetWriter::close() {
     for (const LayerWriter& layer : layers_)
         counts_.emplace_back(layer.name(), layer.expected());
     if (in_transaction_ && mode_ != Mode::create)
-        check_counts();
+        check_counts(target_, dataset_.get(), counts_);
     commit();
     OgrCall call(target_);
     layers_.clear();
@@ -173,46 +177,6 @@ void DatasetWriter::close() {
     dataset_.reset();
 #endif
     call.check(closed, "closing the dataset");
-}
-
-/// What the database holds, not what the driver remembers; nothing has been committed yet.
-void DatasetWriter::check_counts() {
-    for (const auto& [name, expected] : counts_) {
-        std::string quoted = name;
-        for (auto at = quoted.find('"'); at != std::string::npos; at = quoted.find('"', at + 2))
-            quoted.insert(at, 1, '"');
-        OgrCall call(target_);
-        const std::string sql = "SELECT COUNT(*) AS n FROM \"" + quoted + "\"";
-        OGRLayerH result = GDALDatasetExecuteSQL(dataset_.get(), sql.c_str(), nullptr, nullptr);
-        std::int64_t found = -1;
-        if (result != nullptr) {
-            const FeatureHandle row(OGR_L_GetNextFeature(result));
-            if (row)
-                found = OGR_F_GetFieldAsInteger64(row.get(), 0);
-            GDALDatasetReleaseResultSet(dataset_.get(), result);
-        }
-        call.check(found == expected, "counting the features of layer \"" + name + "\"");
-    }
-}
-
-void verify_counts(const WriteTarget& target, const VectorFormat& format, const std::string& path,
-                   const LayerCounts& counts) {
-    if (GDALGetMetadataItem(format.driver, GDAL_DCAP_OPEN, nullptr) == nullptr)
-        return;
-    OgrCall call(target);
-    const char* const only[] = {format.name.c_str(), nullptr};
-    const DatasetHandle dataset(GDALOpenEx(path.c_str(), GDAL_OF_VECTOR, only, nullptr, nullptr));
-    call.check(dataset != nullptr, "reading the result back");
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-        OGRLayerH layer = GDALDatasetGetLayerByName(dataset.get(), counts[i].first.c_str());
-        if (layer == nullptr)
-            layer = GDALDatasetGetLayer(dataset.get(), static_cast<int>(i));
-        const std::int64_t found = layer == nullptr ? 0 : OGR_L_GetFeatureCount(layer, TRUE);
-        if (found != counts[i].second)
-            throw OutputError("Cannot write \"" + target.name + "\": layer \"" + counts[i].first +
-                              "\" holds " + std::to_string(found) + " features when read back instead of " +
-                              std::to_string(counts[i].second) + ".");
-    }
 }
 
 }  // namespace d2b

@@ -4,16 +4,14 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "core/feature_sink.hpp"
 #include "core/options.hpp"
+#include "write/layer_counts.hpp"
 #include "write/layer_writer.hpp"
 
 namespace d2b {
-
-using LayerCounts = std::vector<std::pair<std::string, std::int64_t>>;
 
 /// Writes layers into one OGR dataset, new or there already. Without close() a transaction is rolled back.
 class DatasetWriter {
@@ -48,12 +46,12 @@ class DatasetWriter {
     void open_layer(const LayerSpec& spec);
     void describe(GDALMajorObjectH object);
     void write_pending();
-    void check_counts();
 
     WriteTarget target_;
     const VectorFormat& format_;
     const WriteOptions& options_;
     Mode mode_ = Mode::create;
+    std::string path_;
     DatasetHandle dataset_;
     SrsHandle srs_;
     Provenance provenance_;
@@ -65,10 +63,5 @@ class DatasetWriter {
     std::int64_t uncommitted_ = 0;
     LayerCounts counts_;
 };
-
-/// Opens what was written and counts again. Formats that GDAL does not read are believed.
-/// @throws OutputError where a layer or a feature is missing
-void verify_counts(const WriteTarget& target, const VectorFormat& format, const std::string& path,
-                   const LayerCounts& counts);
 
 }  // namespace d2b

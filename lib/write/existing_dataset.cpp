@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "read/gdal_messages.hpp"
+#include "write/existing_refusals.hpp"
 #include "write/ogr_handles.hpp"
 
 namespace d2b {
@@ -19,16 +20,6 @@ namespace fs = std::filesystem;
 /// Files beside a .shp that belong to it; an index that stays behind would be that of another file.
 constexpr std::array shapefile_sidecars{".shx", ".dbf", ".prj", ".cpg", ".qix", ".sbn",
                                         ".sbx", ".qpj", ".idm", ".ind", ".cst"};
-
-DatasetHandle open_with(const VectorFormat& format, const std::string& path, unsigned flags) {
-    const char* const only[] = {format.name.c_str(), nullptr};
-    return DatasetHandle(GDALOpenEx(path.c_str(), GDAL_OF_VECTOR | flags, only, nullptr, nullptr));
-}
-
-bool named(const std::vector<std::string>& names, const std::string& name) {
-    return std::any_of(names.begin(), names.end(),
-                       [&](const std::string& other) { return EQUAL(other.c_str(), name.c_str()); });
-}
 
 std::vector<std::string> files_of(GDALDatasetH dataset, const fs::path& path, const VectorFormat& format) {
     std::error_code error;
@@ -66,71 +57,17 @@ std::int64_t largest_id(GDALDatasetH dataset, const std::vector<std::string>& na
     return largest;
 }
 
-/// The first file of the folder that is not part of a layer of ours; "" where there is none.
-std::string foreign_file(const fs::path& folder, GDALDatasetH dataset,
-                         const std::vector<std::string>& names) {
-    const CPLStringList listed(GDALGetFileList(dataset));
-    for (const auto& entry : fs::directory_iterator(folder)) {
-        const std::string file = entry.path().filename().string();
-        const bool part = CSLFindString(listed.List(), entry.path().c_str()) >= 0 ||
-                          named(names, entry.path().stem().string()) ||
-                          named(names, file.substr(0, file.find('.')));
-        if (!part)
-            return file;
-    }
-    return "";
-}
-
-void refuse_foreign(const Destination& destination, const ExistingDataset& existing, GDALDatasetH dataset,
-                    const VectorFormat& format, const WriteOptions& options,
-                    const std::vector<std::string>& names) {
-    const std::string flag = options.overwrite ? "-overwrite" : "-append";
-    if (options.overwrite || format.folder) {
-        for (const std::string& layer : existing.layers)
-            if (format.several_layers ? !named(names, layer) : existing.layers.size() > 1)
-                throw OptionError(
-                    "\"" + destination.name + "\" also holds layer \"" + layer + "\", which " + flag +
-                    " would lose: " + format.name +
-                    " datasets are replaced whole; write to another destination or remove it first.");
-    }
-    std::error_code error;
-    if (!destination.local || !fs::is_directory(destination.path, error))
-        return;
-    const std::string file = foreign_file(destination.path, dataset, names);
-    if (!file.empty())
-        throw OptionError("The folder \"" + destination.name + "\" also holds \"" + file + "\", which " +
-                          flag +
-                          " would touch: folders are replaced whole; write to another folder or move it away "
-                          "first.");
-}
-
-void require_writable(const Destination& destination, const VectorFormat& format, const WriteOptions& options,
-                      const std::vector<std::string>& names) {
-    const GdalMessages messages;
-    const DatasetHandle dataset = open_with(format, destination.path, GDAL_OF_UPDATE);
-    if (!dataset && format.transactions)
-        throw OutputError("Cannot write \"" + destination.name + "\": opening it for writing failed (" +
-                          messages.reason() + ").");
-    if (!options.append)
-        return;
-    bool appendable = dataset != nullptr;
-    for (int i = 0; appendable && i < GDALDatasetGetLayerCount(dataset.get()); ++i) {
-        OGRLayerH layer = GDALDatasetGetLayer(dataset.get(), i);
-        if (!format.several_layers || named(names, OGR_L_GetName(layer)))
-            appendable = OGR_L_TestCapability(layer, OLCSequentialWrite) != FALSE;
-    }
-    if (!appendable)
-        throw OptionError("GDAL cannot append to \"" + destination.name + "\", a dataset of format " +
-                          format.name + "; write to another destination, or to a GeoPackage.");
-}
-
 }  // namespace
 
 ExistingDataset inspect_existing(const Destination& destination, const VectorFormat& format,
                                  const WriteOptions& options, const std::vector<std::string>& names) {
     const GdalMessages messages;
     ExistingDataset existing;
-    const DatasetHandle dataset = open_with(format, destination.path, GDAL_OF_READONLY);
+    // What a killed run has left is undone by whoever opens the file for writing; until then it may not open
+    // at all.
+    if (format.transactions)
+        open_dataset(format, destination.path, GDAL_OF_UPDATE);
+    const DatasetHandle dataset = open_dataset(format, destination.path, GDAL_OF_READONLY);
     if (!dataset)
         throw OptionError("\"" + destination.name + "\" exists and is not a dataset of format " +
                           format.name + "; remove it first.");
@@ -151,7 +88,7 @@ std::optional<ExistingDataset> inspect_database(const Destination& destination, 
                                                 const WriteOptions& options,
                                                 const std::vector<std::string>& names) {
     const GdalMessages messages;
-    const DatasetHandle dataset = open_with(format, destination.path, GDAL_OF_UPDATE);
+    const DatasetHandle dataset = open_dataset(format, destination.path, GDAL_OF_UPDATE);
     if (!dataset)
         return std::nullopt;
     format.transactions = GDALDatasetTestCapability(dataset.get(), ODsCTransactions) != FALSE &&

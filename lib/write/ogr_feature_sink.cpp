@@ -5,34 +5,15 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "write/config_option.hpp"
 #include "write/dataset_writer.hpp"
 #include "write/existing_dataset.hpp"
+#include "write/layer_choice.hpp"
 #include "write/staging.hpp"
 
 namespace d2b {
 
 namespace {
-
-/// A configuration option of GDAL's in this thread for as long as this object lives, unless the user has set
-/// it.
-class ConfigOption {
-  public:
-    ConfigOption(const char* key, const char* value)
-        : key_(key), set_(CPLGetConfigOption(key, nullptr) == nullptr) {
-        if (set_)
-            CPLSetThreadLocalConfigOption(key_, value);
-    }
-    ConfigOption(const ConfigOption&) = delete;
-    ConfigOption& operator=(const ConfigOption&) = delete;
-    ~ConfigOption() {
-        if (set_)
-            CPLSetThreadLocalConfigOption(key_, nullptr);
-    }
-
-  private:
-    const char* key_;
-    bool set_;
-};
 
 class OgrFeatureSink final : public FeatureSink {
   public:
@@ -120,41 +101,6 @@ void OgrFeatureSink::finish() {
     require_unchanged();
     staging_->publish(existing_ ? existing_->files : std::vector<std::string>());
     staging_.reset();
-}
-
-Layers resolve_layers(const WriteOptions& options, const VectorFormat& format) {
-    if (options.layers == Layers::automatic)
-        return format.several_layers ? Layers::both : Layers::buildings;
-    if (options.layers == Layers::both && !format.several_layers)
-        throw OptionError("\"" + options.destination + "\" holds one layer (format " + format.name +
-                          "); use -layers buildings or -layers contours, or a GeoPackage for both.");
-    return options.layers;
-}
-
-std::string stem_of(const std::string& destination) {
-    const std::string file = destination.substr(destination.find_last_of('/') + 1);
-    return file.substr(0, file.find_last_of('.'));
-}
-
-std::string name_of(const WriteOptions& options, const VectorFormat& format, bool buildings, Layers layers) {
-    if (!options.layer_name.empty())
-        return options.layer_name + (layers == Layers::both && !buildings ? "_contours" : "");
-    const bool file_is_layer = !format.several_layers && !is_stream(options.destination) &&
-                               !is_connection(format.driver, options.destination);
-    const std::string stem = stem_of(options.destination);
-    if (file_is_layer && !stem.empty())
-        return stem;
-    return buildings ? "buildings" : "contours";
-}
-
-/// Names that this run may write: either layer may hold the largest number.
-std::vector<std::string> names_of(const WriteOptions& options, const VectorFormat& format, Layers layers) {
-    std::vector<std::string> names;
-    if (layers != Layers::contours)
-        names.push_back(name_of(options, format, true, layers));
-    if (layers != Layers::buildings)
-        names.push_back(name_of(options, format, false, layers));
-    return names;
 }
 
 std::optional<ExistingDataset> existing_at(Destination& destination, VectorFormat& format,

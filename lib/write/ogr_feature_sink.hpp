@@ -9,11 +9,23 @@
 
 namespace d2b {
 
-/// A vector dataset of any OGR driver that can create one. A new local file is written beside the
-/// destination, reopened, counted, synced, then renamed; an existing one is changed in one transaction or
-/// replaced whole. The checks that need no result are made here, so that a long run does not fail at its end.
-/// @throws OptionError: unknown format or extension, an existing destination without -overwrite or -append, a
-///         folder with foreign files. @throws OutputError: not writable
+/// A vector dataset of any OGR driver that can create one.
+/// - A new local file or folder is written in a hidden folder beside the destination, read back and counted,
+/// forced
+///   to the disk, then renamed.
+/// - With -overwrite or -append, a format with transactions (GeoPackage, SQLite) changes in one transaction,
+/// in place:
+///   other layers stay, and so does what other processes see of the file until it is committed.
+/// - With -overwrite, another format is replaced whole, in one step (a set of files, such as a .shp: the main
+/// file
+///   last); with -append, it is changed as a copy that then takes its place.
+/// - Streams (/vsistdout/, devices), /vsimem/ and other virtual files, and databases without transactions are
+/// written
+///   in place: what fails half way stays half written there.
+/// The checks that need no result are made here, so that a long run does not fail at its end.
+/// @throws OptionError: unknown format or extension, an existing destination without -overwrite or -append or
+/// that is
+///         something else, layers and files of others that would be lost. @throws OutputError: not writable
 [[nodiscard]] std::unique_ptr<FeatureSink> open_sink(const WriteOptions& options, Context& context);
 
 /// The layers that a destination gets: `automatic` is both, or the buildings alone where the format holds one

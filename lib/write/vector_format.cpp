@@ -102,6 +102,11 @@ VectorFormat format_for(const WriteOptions& options) {
     return format;
 }
 
+DatasetHandle open_dataset(const VectorFormat& format, const std::string& path, unsigned access) {
+    const char* const only[] = {format.name.c_str(), nullptr};
+    return DatasetHandle(GDALOpenEx(path.c_str(), GDAL_OF_VECTOR | access, only, nullptr, nullptr));
+}
+
 bool is_stream(const std::string& destination) {
     if (destination.starts_with("/vsistdout"))
         return true;

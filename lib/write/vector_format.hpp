@@ -3,9 +3,8 @@
 #include <string>
 #include <vector>
 
-#include <gdal.h>
-
 #include "core/options.hpp"
+#include "write/ogr_handles.hpp"
 
 namespace d2b {
 
@@ -23,6 +22,9 @@ struct VectorFormat {
 /// By -f, or by the destination's extension or prefix; the first driver registered for it, as ogr2ogr does.
 /// @throws OptionError naming formats that can be used
 [[nodiscard]] VectorFormat format_for(const WriteOptions& options);
+
+/// By this driver alone. @param access GDAL_OF_READONLY or GDAL_OF_UPDATE @return null where it cannot
+DatasetHandle open_dataset(const VectorFormat& format, const std::string& path, unsigned access);
 
 /// Whether the destination is a pipe or a device: written once, from front to back, and never read again.
 [[nodiscard]] bool is_stream(const std::string& destination);

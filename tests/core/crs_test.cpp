@@ -230,8 +230,8 @@ TEST(Crs, VerticalUnits) {
 }
 
 TEST(Crs, KnowsWhatIsOnAnEllipsoid) {
-    for (const char* text :
-         {"EPSG:25832", "EPSG:4326", "EPSG:7415", "EPSG:3857", "EPSG:4807", "+proj=longlat +R=1"})
+    for (const char* text : {"EPSG:25832", "EPSG:4326", "EPSG:7415", "EPSG:3857", "EPSG:4807",
+                             "+proj=longlat +R=1", "+proj=utm +zone=32 +ellps=bessel +towgs84=598,73,418"})
         EXPECT_TRUE(Crs(text).on_ellipsoid()) << text;
     for (const std::string& text :
          {local_feet, std::string("EPSG:4978"), std::string("EPSG:5709"), unknown_projection})
@@ -326,6 +326,21 @@ TEST(CoordinateTransform, TakesAnyArea) {
         EXPECT_NEAR(places[0].x, 2000000 + 0.99985 * wgs84.parallel(-17, 1.15), 200);
         EXPECT_NEAR(places[0].y, 4000000, 700);
     }
+}
+
+TEST(CoordinateTransform, PicksTheOperationForTheArea) {
+    // The European datum of 1950 has parameters of its own in Norway, Spain, ...
+    const Crs ed50("EPSG:23030");
+    const auto moved = [&](const std::vector<Position>& area) {
+        std::vector<Position> places{{400000, 4500000}};
+        CoordinateTransform(ed50, Crs("EPSG:25830"), area).apply(places);
+        return places[0];
+    };
+    const Position in_spain = moved({{390000, 4490000}, {410000, 4510000}});
+    const Position in_norway = moved({{900000, 6650000}, {910000, 6660000}});
+    EXPECT_GT(std::hypot(in_spain.x - in_norway.x, in_spain.y - in_norway.y), 1);
+    EXPECT_NEAR(in_spain.x, 400000 - 109, 10);
+    EXPECT_NEAR(in_spain.y, 4500000 - 207, 10);
 }
 
 TEST(CoordinateTransform, LeavesTheSameCrsAlone) {

@@ -107,6 +107,28 @@ class FileActions {
     posix_spawn_file_actions_t actions_{};
 };
 
+/// Signals that this process may have been started to ignore do their work in the child.
+class SpawnAttributes {
+  public:
+    SpawnAttributes() {
+        posix_spawnattr_init(&attributes_);
+        sigset_t signals;
+        sigemptyset(&signals);
+        for (const int signal : {SIGINT, SIGTERM, SIGPIPE})
+            sigaddset(&signals, signal);
+        posix_spawnattr_setsigdefault(&attributes_, &signals);
+        posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGDEF);
+    }
+    SpawnAttributes(const SpawnAttributes&) = delete;
+    SpawnAttributes& operator=(const SpawnAttributes&) = delete;
+    ~SpawnAttributes() { posix_spawnattr_destroy(&attributes_); }
+
+    [[nodiscard]] const posix_spawnattr_t* get() const { return &attributes_; }
+
+  private:
+    posix_spawnattr_t attributes_{};
+};
+
 inline int wait_for(pid_t process, const std::optional<Kill>& signal) {
     if (signal) {
         std::this_thread::sleep_for(signal->after);
@@ -143,9 +165,10 @@ inline ToolResult run_tool(std::vector<std::string> command, const ToolSetup& se
         actions.work_in(setup.working_directory);
 
     std::vector<std::string> environment = merged_environment(setup.environment);
+    const SpawnAttributes attributes;
     pid_t process = 0;
-    if (posix_spawnp(&process, command.at(0).c_str(), actions.get(), nullptr, pointers(command).data(),
-                     pointers(environment).data()) != 0)
+    if (posix_spawnp(&process, command.at(0).c_str(), actions.get(), attributes.get(),
+                     pointers(command).data(), pointers(environment).data()) != 0)
         throw std::runtime_error("cannot start " + command[0]);
     ToolResult result;
     result.status = wait_for(process, setup.kill);

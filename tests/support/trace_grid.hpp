@@ -31,6 +31,10 @@ struct Grid {
 };
 
 struct TraceSettings {
+    TraceSettings() = default;
+    TraceSettings(TraceMode the_mode, int the_noise_factor = 0, double the_min_area = 0)
+        : mode(the_mode), noise_factor(the_noise_factor), min_area(the_min_area) {}
+
     TraceMode mode = TraceMode::cells;
     int noise_factor = 0;
     double min_area = 0;

@@ -54,8 +54,8 @@ TEST(Help, hasLinesOfAtMost80AsciiCharacters) {
 
 TEST(Help, ofOneOptionIsLaidOutInTwoColumns) {
     EXPECT_NE(
-        full_help().find("  -b <band>               Band that holds the elevations. A whole number of at\n"
-                         "                          least 1. Default: 1.\n"),
+        full_help().find("  -b <band>               Band that holds the elevations. A whole number from 1\n"
+                         "                          to 65536. Default: 1.\n"),
         std::string::npos);
     EXPECT_NE(full_help().find("  -q, -quiet              No progress and no summary.\n"), std::string::npos);
     EXPECT_NE(full_help().find("  -te <xmin> <ymin> <xmax> <ymax>\n                          Part"),
@@ -108,7 +108,8 @@ TEST(ManPage, isRoffWithoutWarnings) {
 TEST(OptionsMarkdown, holdsEveryOption) {
     const std::string text = options_markdown();
     for (const OptionRow& row : option_table()) {
-        EXPECT_EQ(text.find("`" + option_heading(row) + "`\n") != std::string::npos, !row.hidden) << row.name;
+        EXPECT_EQ(text.find("- `" + option_heading(row) + "`: ") != std::string::npos, !row.hidden)
+            << row.name;
         if (!row.hidden) {
             EXPECT_TRUE(holds(without_backslashes(text), row.help + row.details + option_facts(row)))
                 << row.name;

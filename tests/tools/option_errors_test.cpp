@@ -22,10 +22,11 @@ TEST(OptionErrors, wholeNumbers) {
          {"x", "0", "10001", "-4", "4.0", "4x", "1e2", "nan", "99999999999999999999", "0x4", "++4"})
         EXPECT_EQ(refusal({"-lod", text}),
                   std::string("-lod must be a whole number from 1 to 10000, not '") + text + "'.");
-    expect_refusals({{{"-b", "0"}, "-b must be a whole number of at least 1, not '0'."},
-                     {{"-b", "one"}, "-b must be a whole number of at least 1, not 'one'."},
-                     {{"-nf", "-1"}, "-nf must be a whole number of at least 0, not '-1'."},
-                     {{"-nf", "2147483648"}, "-nf must be a whole number of at least 0, not '2147483648'."}});
+    expect_refusals(
+        {{{"-b", "0"}, "-b must be a whole number from 1 to 65536, not '0'."},
+         {{"-b", "one"}, "-b must be a whole number from 1 to 65536, not 'one'."},
+         {{"-nf", "-1"}, "-nf must be a whole number from 0 to 1000000000, not '-1'."},
+         {{"-nf", "2147483648"}, "-nf must be a whole number from 0 to 1000000000, not '2147483648'."}});
 }
 
 TEST(OptionErrors, numbers) {

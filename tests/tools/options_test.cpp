@@ -223,6 +223,7 @@ TEST(OptionValues, doNotDependOnTheLocale) {
 TEST(OptionValues, areShortestAndReadBack) {
     EXPECT_EQ(shortest_number(10), "10");
     EXPECT_EQ(shortest_number(-0.25), "-0.25");
+    EXPECT_EQ(shortest_number(1000000), "1000000");
     EXPECT_EQ(shortest_number(1e300), "1e+300");
     EXPECT_EQ(read_number({}, shortest_number(1.0 / 3)), 1.0 / 3);
 }

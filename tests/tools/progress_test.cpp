@@ -56,6 +56,7 @@ TEST(Summary, countsWhatTheLayersHold) {
 }
 
 TEST(Interrupt, isSeenAndTheNextOneEndsTheProcess) {
+    std::signal(SIGINT, SIG_DFL);
     catch_interrupts();
     EXPECT_FALSE(interrupted());
     std::raise(SIGINT);
@@ -64,6 +65,14 @@ TEST(Interrupt, isSeenAndTheNextOneEndsTheProcess) {
     catch_interrupts();
     EXPECT_FALSE(interrupted());
     std::signal(SIGINT, SIG_DFL);
+}
+
+TEST(Interrupt, staysIgnoredWhereItWasIgnored) {
+    std::signal(SIGINT, SIG_IGN);
+    catch_interrupts();
+    std::raise(SIGINT);
+    EXPECT_FALSE(interrupted());
+    EXPECT_EQ(std::signal(SIGINT, SIG_DFL), SIG_IGN);
 }
 
 }  // namespace

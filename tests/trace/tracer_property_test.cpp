@@ -1,48 +1,14 @@
-#include <map>
-#include <random>
 #include <set>
 
 #include <gtest/gtest.h>
 
-#include "support/trace_grid.hpp"
+#include "support/random_grid.hpp"
 #include "trace/reference.hpp"
 
 namespace d2b {
 namespace {
 
-using test::Grid;
 using test::TraceSettings;
-
-struct Case {
-    Grid grid;
-    std::vector<double> thresholds;
-    TraceMode mode;
-};
-
-/// Noise of few values, so that saddles, holes and nested towers are everywhere.
-Case random_case(unsigned seed) {
-    std::mt19937 random(seed);
-    const auto below = [&](unsigned n) { return static_cast<int>(random() % n); };
-    Case result;
-    result.mode = seed % 2 == 0 ? TraceMode::cells : TraceMode::points;
-    Grid& grid = result.grid;
-    grid.rows = 1 + below(14);
-    grid.cols = 1 + below(14);
-    const int values = 2 + below(5);
-    const bool labelled = below(3) == 0;
-    const bool with_nodata = below(2) == 0;
-    for (int i = 0; i < grid.rows * grid.cols; ++i) {
-        const int first = below(static_cast<unsigned>(values));
-        // The higher of two makes large regions with small holes.
-        grid.z.push_back(with_nodata && below(9) == 0 ? test::nodata
-                                                      : std::max(first, below(static_cast<unsigned>(values))));
-        if (labelled)
-            grid.labels.push_back(static_cast<Label>(below(3)));
-    }
-    for (int t = 0; t + 1 < values; ++t)
-        result.thresholds.push_back(t + 0.5);
-    return result;
-}
 
 std::set<LatticePoint> distinct(const LatticeRing& ring) { return {ring.begin(), ring.end()}; }
 
@@ -62,7 +28,7 @@ class RandomGrid : public testing::TestWithParam<unsigned> {};
 TEST_P(RandomGrid, EqualsTheReference) {
     for (unsigned seed = GetParam() * 100; seed < GetParam() * 100 + 100; ++seed) {
         SCOPED_TRACE(seed);
-        const Case c = random_case(seed);
+        const test::RandomGridCase c = test::random_grid(seed);
         Context context;
         TraceSettings settings;
         settings.mode = c.mode;

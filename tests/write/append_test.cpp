@@ -105,8 +105,8 @@ TEST_F(AppendTest, AUsersLayerOfTheSameNameIsRefused) {
 }
 
 TEST_F(AppendTest, FormatsThatTakeNoMoreAreRefused) {
-    for (const auto& [name, format] : std::vector<std::pair<std::string, std::string>>{
-             {"a.gml", "GML"}, {"a.kml", "KML"}}) {
+    for (const auto& [name, format] :
+         std::vector<std::pair<std::string, std::string>>{{"a.gml", "GML"}, {"a.kml", "KML"}}) {
         write(to(name, format), 2);
         const std::string before = bytes(name);
         EXPECT_EQ(thrown<OptionError>([&] { write(more(name, format), 1); }),

@@ -45,7 +45,7 @@ class GeoPackageTest : public WriteTest {
         sql(path(name), "INSERT INTO plain VALUES (1, 'one'), (2, 'two')", true);
         sql(path(name),
             "CREATE TABLE layer_styles (id INTEGER PRIMARY KEY, f_table_name TEXT, styleQML TEXT)", true);
-        sql(path(name), "INSERT INTO layer_styles VALUES (1, 'points', 'red'), (2, 'elsewhere', 'blue')",
+        sql(path(name), "INSERT INTO layer_styles VALUES (1, 'points', 'red'), (2, 'buildings', 'blue')",
             true);
     }
     void expect_users_part(const std::string& name) const {
@@ -168,6 +168,21 @@ TEST_F(GeoPackageTest, AKilledRunChangesNothing) {
     write(over("a.gpkg"), 2);
     EXPECT_EQ(count(path("a.gpkg"), "buildings"), 2);
     expect_users_part("a.gpkg");
+}
+
+TEST_F(GeoPackageTest, AKilledRunIsNoHindranceInSqliteEither) {
+    write(to("a.sqlite"), 5);
+    EXPECT_EQ(entries(), Names{"a.sqlite"});
+    const int status = in_child([&] {
+        const auto sink = open_sink(over("a.sqlite"), context_);
+        add_many(*sink, 30000);
+        ::raise(SIGKILL);
+    });
+    ASSERT_TRUE(WIFSIGNALED(status));
+    WriteOptions options = to("a.sqlite");
+    options.append = true;
+    EXPECT_EQ(write(options, 1), 6);
+    EXPECT_EQ(ids(path("a.sqlite"), "buildings"), (std::vector<std::int64_t>{1, 2, 3, 4, 5, 6}));
 }
 
 TEST_F(GeoPackageTest, AKilledRunLeavesNoNewFile) {

@@ -79,8 +79,8 @@ Request parse_command_line(const std::vector<std::string>& arguments) {
     if (!tokens.unknown.empty())
         refuse_unknown_option(tokens.unknown.front());
     // A preset sets defaults, so it comes first wherever it stands.
-    std::ranges::stable_partition(tokens.options,
-                                  [](const GivenOption& option) { return option.row->name == "preset"; });
+    std::stable_partition(tokens.options.begin(), tokens.options.end(),
+                          [](const GivenOption& option) { return option.row->name == "preset"; });
     check_conflicts(apply_all(tokens.options, request));
     take_file_names(tokens.file_names, request.options);
     if (request.tool.json && writes_to_stdout(request))

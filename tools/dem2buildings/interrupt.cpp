@@ -17,7 +17,9 @@ extern "C" void on_interrupt(int signal) {
 
 void catch_interrupts() {
     interrupt_seen = 0;
-    std::signal(SIGINT, on_interrupt);
+    // Who started this process in the background may have set the signal aside; then it stays aside.
+    if (std::signal(SIGINT, on_interrupt) == SIG_IGN)
+        std::signal(SIGINT, SIG_IGN);
 }
 
 bool interrupted() {

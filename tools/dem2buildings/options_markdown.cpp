@@ -23,32 +23,27 @@ std::string prose(std::string_view text) {
     return escaped;
 }
 
-std::string option_paragraph(const OptionRow& row) {
-    const std::string facts = option_facts(row);
+/// A line each: broken elsewhere, a line could begin with what makes a list or a heading of it.
+std::string option_item(const OptionRow& row) {
     std::string text = row.help;
-    if (!row.details.empty())
-        text += " " + row.details;
-    if (!facts.empty())
-        text += " " + facts;
-    return "`" + option_heading(row) + "`\n\n" + wrap(": " + prose(text), 0, 110) + "\n";
+    for (const std::string& more : {row.details, option_facts(row)})
+        text += (more.empty() ? "" : " ") + more;
+    return "- `" + option_heading(row) + "`: " + prose(text) + "\n";
 }
 
 }  // namespace
 
 std::string options_markdown() {
     std::string text =
-        "# Options of dem2buildings\n\n    dem2buildings [options] <src_raster> <dst_vector>\n\n" +
-        wrap(
-            "Options may stand anywhere and begin with one dash or two; values follow after a blank or "
-            "an equals sign. The source stands before the destination. After `--` only file names "
-            "follow.",
-            0, 110) +
-        "\n";
+        "# Options of dem2buildings\n\n    dem2buildings [options] <src_raster> <dst_vector>\n\n"
+        "Options may stand anywhere and begin with one dash or two; values follow after a blank or an equals "
+        "sign. The source stands before the destination. After `--` only file names follow.\n\n";
     for (std::size_t group = 0; group < option_group_names.size(); ++group) {
         text += "## " + std::string(option_group_names[group]) + "\n\n";
         for (const OptionRow& row : option_table())
             if (!row.hidden && row.group == static_cast<OptionGroup>(group))
-                text += option_paragraph(row);
+                text += option_item(row);
+        text += "\n";
     }
     text += "## GDAL\n\nThe switches that all programs of GDAL share.\n\n";
     text += "| Switch | Meaning |\n| --- | --- |\n";

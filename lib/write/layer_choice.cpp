@@ -1,0 +1,45 @@
+#include "write/layer_choice.hpp"
+
+#include "core/error.hpp"
+
+namespace d2b {
+
+namespace {
+
+std::string stem_of(const std::string& destination) {
+    const std::string file = destination.substr(destination.find_last_of('/') + 1);
+    return file.substr(0, file.find_last_of('.'));
+}
+
+}  // namespace
+
+Layers resolve_layers(const WriteOptions& options, const VectorFormat& format) {
+    if (options.layers == Layers::automatic)
+        return format.several_layers ? Layers::both : Layers::buildings;
+    if (options.layers == Layers::both && !format.several_layers)
+        throw OptionError("\"" + options.destination + "\" holds one layer (format " + format.name +
+                          "); use -layers buildings or -layers contours, or a GeoPackage for both.");
+    return options.layers;
+}
+
+std::string name_of(const WriteOptions& options, const VectorFormat& format, bool buildings, Layers layers) {
+    if (!options.layer_name.empty())
+        return options.layer_name + (layers == Layers::both && !buildings ? "_contours" : "");
+    const bool file_is_layer = !format.several_layers && !is_stream(options.destination) &&
+                               !is_connection(format.driver, options.destination);
+    const std::string stem = stem_of(options.destination);
+    if (file_is_layer && !stem.empty())
+        return stem;
+    return buildings ? "buildings" : "contours";
+}
+
+std::vector<std::string> names_of(const WriteOptions& options, const VectorFormat& format, Layers layers) {
+    std::vector<std::string> names;
+    if (layers != Layers::contours)
+        names.push_back(name_of(options, format, true, layers));
+    if (layers != Layers::buildings)
+        names.push_back(name_of(options, format, false, layers));
+    return names;
+}
+
+}  // namespace d2b

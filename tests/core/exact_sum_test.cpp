@@ -1,0 +1,84 @@
+#include "core/exact_sum.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace d2b {
+namespace {
+
+Moments moments_of(const std::vector<double>& values) {
+    Moments moments;
+    for (const double value : values)
+        moments.add(value);
+    return moments;
+}
+
+TEST(Moments, OfAFewNumbers) {
+    // 2 4 4 4 5 5 7 9: mean 5, squared deviations 9 1 1 1 0 0 4 16 = 32, 32 / 7.
+    const Moments moments = moments_of({2, 4, 4, 4, 5, 5, 7, 9});
+    EXPECT_EQ(moments.mean(), 5);
+    EXPECT_EQ(moments.standard_deviation(), std::sqrt(32.0 / 7.0));
+}
+
+TEST(Moments, OfNoneAndOne) {
+    EXPECT_TRUE(std::isnan(Moments().mean()));
+    EXPECT_EQ(Moments().standard_deviation(), 0);
+    EXPECT_EQ(moments_of({-3.25}).mean(), -3.25);
+    EXPECT_EQ(moments_of({-3.25}).standard_deviation(), 0);
+}
+
+TEST(Moments, LoseNothingToCancellation) {
+    // 1e16 + 1 - 1e16: doubles alone give 0; the mean of the three is a third.
+    EXPECT_EQ(moments_of({1e16, 1, -1e16}).mean(), 1.0 / 3.0);
+    // Deviations of 1 on a height of 2^50: naive sums of squares keep none of it.
+    const double high = std::ldexp(1, 50);
+    EXPECT_EQ(moments_of({high - 1, high, high + 1}).standard_deviation(), 1);
+    EXPECT_EQ(moments_of({high - 1, high, high + 1}).mean(), high);
+}
+
+TEST(Moments, TakeTheWholeRangeOfDoubles) {
+    EXPECT_EQ(moments_of({1e308, 1e308}).mean(), 1e308);
+    EXPECT_EQ(moments_of({1e308, 1e308}).standard_deviation(), 0);
+    EXPECT_EQ(moments_of({5e-324, 5e-324, 5e-324}).mean(), 5e-324);
+    EXPECT_EQ(moments_of({-1e300, 1e300}).standard_deviation(), std::sqrt(2.0) * 1e300);
+    EXPECT_EQ(moments_of({-0.0, 0.0}).mean(), 0);
+}
+
+TEST(Moments, DoNotDependOnOrderOrPortions) {
+    std::mt19937_64 random(7);
+    std::vector<double> values;
+    for (int i = 0; i < 5000; ++i)
+        values.push_back(std::ldexp(static_cast<double>(random() % 2000001) - 1e6, static_cast<int>(random() % 80) - 60));
+    const Moments forwards = moments_of(values);
+    std::shuffle(values.begin(), values.end(), random);
+    Moments merged = moments_of({values.begin(), values.begin() + 1234});
+    merged.merge(moments_of({values.begin() + 1234, values.end()}));
+    EXPECT_EQ(forwards.n, merged.n);
+    EXPECT_EQ(forwards.mean(), merged.mean());
+    EXPECT_EQ(forwards.standard_deviation(), merged.standard_deviation());
+    EXPECT_EQ(forwards.sum.bins(), merged.sum.bins());
+    EXPECT_EQ(forwards.squares.bins(), merged.squares.bins());
+}
+
+TEST(Moments, AgreeWithTwoPassesInLongDouble) {
+    std::mt19937 random(3);
+    std::vector<double> values;
+    for (int i = 0; i < 1000; ++i)
+        values.push_back(static_cast<float>(random() % 100000) * 0.01F);
+    long double sum = 0;
+    for (const double value : values)
+        sum += value;
+    const long double mean = sum / 1000;
+    long double squares = 0;
+    for (const double value : values)
+        squares += (value - mean) * (value - mean);
+    EXPECT_DOUBLE_EQ(moments_of(values).mean(), static_cast<double>(mean));
+    EXPECT_DOUBLE_EQ(moments_of(values).standard_deviation(), static_cast<double>(std::sqrt(squares / 999)));
+}
+
+}  // namespace
+}  // namespace d2b

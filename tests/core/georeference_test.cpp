@@ -1,0 +1,49 @@
+#include "core/georeference.hpp"
+
+#include <gtest/gtest.h>
+
+namespace d2b {
+namespace {
+
+const LatticePolygon square{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{{1, 1}, {1, 2}, {2, 2}, {2, 1}}}};
+
+double signed_area(const WorldRing& ring) {
+    double sum = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Position a = ring[i];
+        const Position b = ring[(i + 1) % ring.size()];
+        sum += a.x * b.y - b.x * a.y;
+    }
+    return sum / 2;
+}
+
+TEST(Georeference, CornersAndCentres) {
+    const AffineTransform north_up{1000, 2, 0, 5000, 0, -3};
+    EXPECT_EQ(Georeference(north_up, TraceMode::cells).position({0, 0}), (Position{1000, 5000}));
+    EXPECT_EQ(Georeference(north_up, TraceMode::points).position({0, 0}), (Position{1001, 4998.5}));
+    EXPECT_EQ(Georeference(north_up, TraceMode::cells).position({7, 10}), (Position{1020, 4979}));
+    EXPECT_EQ(Georeference(north_up, TraceMode::cells).cell_area(), 6);
+}
+
+TEST(Georeference, UsesAllSixTerms) {
+    const AffineTransform rotated{10, 0.6, 0.8, 20, 0.8, -0.6};
+    const Georeference georeference(rotated, TraceMode::cells);
+    EXPECT_EQ(georeference.position({2, 1}), (Position{10 + 0.6 + 2 * 0.8, 20 + 0.8 - 2 * 0.6}));
+    EXPECT_FALSE(georeference.axis_parallel());
+    EXPECT_DOUBLE_EQ(georeference.cell_area(), 1);
+    EXPECT_DOUBLE_EQ(georeference.step(1, 0).x, 0.8);
+    EXPECT_DOUBLE_EQ(georeference.step(0, 1).y, 0.8);
+}
+
+TEST(Georeference, ExteriorRingsRunCounterClockwiseOnEveryGrid) {
+    for (const AffineTransform& transform :
+         {AffineTransform{0, 1, 0, 0, 0, -1}, AffineTransform{0, 1, 0, 0, 0, 1}, AffineTransform{0, -1, 0, 0, 0, 1},
+          AffineTransform{0, 0, 1, 0, 1, 0}, AffineTransform{0, 0.6, 0.8, 0, 0.8, -0.6}}) {
+        const WorldPolygon polygon = Georeference(transform, TraceMode::cells).polygon(square);
+        EXPECT_DOUBLE_EQ(signed_area(polygon.exterior), 16);
+        EXPECT_DOUBLE_EQ(signed_area(polygon.interiors.front()), -1);
+    }
+}
+
+}  // namespace
+}  // namespace d2b

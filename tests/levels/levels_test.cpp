@@ -1,0 +1,141 @@
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "levels/level_plan.hpp"
+#include "levels/quantise.hpp"
+
+namespace d2b {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+ElevationStatistics statistics_of(const std::vector<double>& values) {
+    ElevationStatistics statistics;
+    statistics.add({{0, 1, static_cast<std::int32_t>(values.size())}, values});
+    return statistics;
+}
+
+LevelOptions with_lod(int lod) {
+    LevelOptions options;
+    options.lod = lod;
+    return options;
+}
+
+TEST(LevelPlan, SlicesMeanPlusMinusDeviation) {
+    // mean 5, sample standard deviation sqrt(32 / 7); LOD 3 cuts at the quarters of 2 s.
+    Context context;
+    const LevelPlan plan =
+        plan_global_levels(statistics_of({2, 4, 4, nan, 4, 5, 5, 7, 9}), with_lod(3), context);
+    const double s = std::sqrt(32.0 / 7.0);
+    ASSERT_EQ(plan.level_count(), 4);
+    EXPECT_DOUBLE_EQ(plan.threshold(1, 1), 5 - s / 2);
+    EXPECT_DOUBLE_EQ(plan.threshold(1, 2), 5);
+    EXPECT_DOUBLE_EQ(plan.threshold(1, 3), 5 + s / 2);
+    EXPECT_EQ(plan.threshold(1, 0), 2);
+    EXPECT_EQ(context.report.valid_points, 8);
+    EXPECT_EQ(context.report.maximum, 9);
+    EXPECT_DOUBLE_EQ(context.report.standard_deviation, s);
+}
+
+TEST(LevelPlan, LodOneIsTheMean) {
+    Context context;
+    EXPECT_EQ(plan_global_levels(statistics_of({0, 0, 0, 8}), with_lod(1), context).threshold(1, 1), 2);
+}
+
+TEST(LevelPlan, DropsWhatCutsNothingAndSaysSo) {
+    Context context;
+    LevelOptions options;
+    options.fixed = {7, 1, 3, 3, 0, 9, 12, 1};   // the minimum is 1, the maximum 9
+    const LevelPlan plan = plan_global_levels(statistics_of({1, 9, 4}), options, context);
+    EXPECT_EQ(plan.thresholds[1], (std::vector<double>{3, 7}));
+    EXPECT_EQ(context.report.counted(Reason::threshold_not_above_minimum), 3);   // 0, 1 and 1
+    EXPECT_EQ(context.report.counted(Reason::threshold_not_below_maximum), 2);
+    EXPECT_EQ(context.report.counted(Reason::threshold_repeated), 1);
+}
+
+TEST(LevelPlan, SlicesBelowTheMinimumAreDropped) {
+    // 0 0 0 0 10: mean 2, s = sqrt(20) = 4.47; the first of four slices lies below 0.
+    Context context;
+    const LevelPlan plan = plan_global_levels(statistics_of({0, 0, 0, 0, 10}), with_lod(4), context);
+    EXPECT_EQ(plan.level_count(), 4);
+    EXPECT_EQ(context.report.counted(Reason::threshold_not_above_minimum), 1);
+}
+
+TEST(LevelPlan, IntervalsCountFromTheirOffset) {
+    Context context;
+    LevelOptions options;
+    options.interval = 5;
+    options.offset = 2;
+    EXPECT_EQ(plan_global_levels(statistics_of({-4, 17.5}), options, context).thresholds[1],
+              (std::vector<double>{-3, 2, 7, 12, 17}));
+    EXPECT_EQ(plan_global_levels(statistics_of({2, 17}), options, context).thresholds[1],
+              (std::vector<double>{7, 12}));
+}
+
+TEST(LevelPlan, TooManyLevelsAreRefused) {
+    Context context;
+    LevelOptions options;
+    options.interval = 1e-6;
+    try {
+        static_cast<void>(plan_global_levels(statistics_of({0, 1}), options, context));
+        FAIL();
+    } catch (const OptionError& error) {
+        EXPECT_STREQ(error.what(), "-i 0.000001 gives more than 65534 levels on this DEM; use a larger interval.");
+    }
+    for (int i = 1; i < 70000; ++i)
+        options.fixed.push_back(i / 70000.0);
+    try {
+        static_cast<void>(plan_global_levels(statistics_of({0, 1}), options, context));
+        FAIL();
+    } catch (const OptionError& error) {
+        EXPECT_STREQ(error.what(), "-fl and -lod give at most 65534 levels, not 69999.");
+    }
+}
+
+TEST(LevelPlan, FlatAndEmptyDataHaveNoThresholds) {
+    Context context;
+    EXPECT_EQ(plan_global_levels(statistics_of({3, 3, 3}), with_lod(4), context).level_count(), 1);
+    EXPECT_EQ(plan_global_levels(statistics_of({nan, nan}), with_lod(4), context).level_count(), 1);
+    EXPECT_EQ(plan_global_levels(statistics_of({}), with_lod(4), context).level_count(), 1);
+}
+
+TEST(ElevationStatistics, BandsInAnyOrderGiveTheSame) {
+    ElevationStatistics a = statistics_of({0.1, 7.3, -4});
+    const ElevationStatistics b = statistics_of({1e9, 3.3});
+    ElevationStatistics c = statistics_of({1e9, 3.3});
+    a.merge(b);
+    c.merge(statistics_of({-4, 7.3, 0.1}));
+    EXPECT_EQ(a.moments.mean(), c.moments.mean());
+    EXPECT_EQ(a.moments.standard_deviation(), c.moments.standard_deviation());
+    EXPECT_EQ(a.minimum, -4);
+    EXPECT_EQ(a.maximum, 1e9);
+}
+
+TEST(Quantise, IsStrict) {
+    const LevelPlan plan{0, {{}, {10, 20}}};
+    const ElevationBand band{{0, 1, 7}, {nan, 0, 10, 10.000001, 20, 20.000001, -5}};
+    const auto levels = quantise<std::uint8_t>(band, {{0, 1, 7}, {}}, plan);
+    EXPECT_EQ(levels.counts, (std::vector<std::uint8_t>{0, 1, 1, 2, 2, 3, 1}));
+}
+
+TEST(Quantise, SearchesAndCountsAlike) {
+    std::vector<double> many;
+    for (int i = 0; i < 300; ++i)
+        many.push_back(i);
+    const ElevationBand band{{0, 1, 5}, {-1, 0, 0.5, 299, 1000}};
+    const LevelPlan plan{-1, {{}, many}};
+    EXPECT_EQ(quantise<std::uint16_t>(band, {{0, 1, 5}, {}}, plan).counts,
+              (std::vector<std::uint16_t>{1, 1, 2, 300, 301}));
+}
+
+TEST(Quantise, EachLabelHasItsThresholds) {
+    const LevelPlan plan{0, {{}, {10}, {1, 2, 3}}};
+    const ElevationBand band{{0, 1, 3}, {5, 5, 5}};
+    EXPECT_EQ(quantise<std::uint8_t>(band, {{0, 1, 3}, {0, 1, 2}}, plan).counts, (std::vector<std::uint8_t>{1, 1, 4}));
+    EXPECT_EQ(plan.level_count(), 4);
+}
+
+}  // namespace
+}  // namespace d2b
