@@ -180,6 +180,16 @@ std::vector<LatticePolygon> Geos::difference(const LatticePolygon& whole, const 
     return result;
 }
 
+double Geos::area_outside(const WorldPolygon& inner, const WorldPolygon& outer) {
+    GEOSContextHandle_t context = impl_->context.get();
+    const GeometryPtr a = impl_->polygon(inner.exterior, inner.interiors);
+    const GeometryPtr b = impl_->polygon(outer.exterior, outer.interiors);
+    const GeometryPtr left = impl_->own(GEOSDifference_r(context, a.get(), b.get()));
+    double area = 0;
+    GEOSArea_r(context, left.get(), &area);
+    return area;
+}
+
 std::string geos_version() {
     const std::string text = GEOSversion();   // "3.11.1-CAPI-1.17.1"
     return text.substr(0, text.find('-'));

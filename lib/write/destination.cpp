@@ -1,9 +1,7 @@
 #include "write/destination.hpp"
 
-#include <cerrno>
 #include <filesystem>
 #include <system_error>
-#include <unistd.h>
 
 #include <cpl_vsi.h>
 
@@ -52,9 +50,8 @@ void check_parent(const std::string& name, const fs::path& path) {
 
 void check_siblings(const std::string& name, const fs::path& path, const VectorFormat& format) {
     for (const std::string& suffix : format.suffixes) {
-        fs::path sibling = path;
-        sibling.replace_extension();
-        sibling += suffix;
+        const std::string file = path.filename().string();
+        const fs::path sibling = path.parent_path() / (file.substr(0, file.find('.', 1)) + suffix);
         std::error_code error;
         if (sibling != path && fs::exists(sibling, error))
             throw OptionError("Writing " + in_quotes(name) + " would replace " + in_quotes(sibling.string()) +

@@ -15,8 +15,9 @@ struct VectorFormat {
     bool several_layers = false;  ///< a dataset at this destination can hold both of our layers
     bool transactions = false;    ///< of the format's own, not emulated by copies
     bool keeps_crs = true;
-    bool folder = false;                ///< a dataset at this destination is a folder of files
-    std::vector<std::string> suffixes;  ///< of the files that a dataset here consists of, e.g. ".shp", ".dbf"
+    bool folder = false;  ///< a dataset at this destination is a folder of files
+    std::vector<std::string>
+        suffixes;  ///< of the files of a dataset here, from the first dot of their names on
 };
 
 /// By -f, or by the destination's extension or prefix; the first driver registered for it, as ogr2ogr does.

@@ -145,6 +145,9 @@ TEST_F(OverwriteTest, SidecarsOfOthersAreNotReplaced) {
               "Writing \"" + path("a.shp") + "\" would replace \"" + path("a.dbf") +
                   "\"; remove that file first or choose another name.");
     EXPECT_EQ(bytes("a.dbf"), "a table");
+    put("my.city.dbf", "a table");
+    EXPECT_NE(thrown<OptionError>([&] { write(to("my.city.shp"), 1); }).find(path("my.city.dbf")),
+              std::string::npos);
 }
 
 TEST_F(OverwriteTest, AFlagOnANewDestinationIsFine) {
