@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "core/options.hpp"
+
 namespace d2b {
 
 /// A position in a CRS, in the order that GIS programs use: x is easting or longitude, y northing or latitude.
@@ -80,6 +82,11 @@ class FeatureSink {
 
     /// The first number that `id` fields may take, given what a destination already holds (append).
     [[nodiscard]] virtual std::int64_t first_id() const { return 1; }
+
+    /// What the destination calls a layer. @param layers what is written
+    [[nodiscard]] virtual std::string layer_name(bool buildings, Layers /*layers*/) const {
+        return buildings ? "buildings" : "contours";
+    }
 };
 
 }  // namespace d2b

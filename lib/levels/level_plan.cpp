@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "core/number_text.hpp"
+
 namespace d2b {
 namespace {
 
@@ -23,7 +25,7 @@ std::vector<double> multiples(const ElevationStatistics& statistics, double inte
     const double first = std::floor((statistics.minimum - offset) / interval) + 1;
     const double last = std::ceil((statistics.maximum - offset) / interval) - 1;
     if (!(last - first < static_cast<double>(most_thresholds)))
-        throw OptionError("-i " + std::to_string(interval) + " gives more than " + std::to_string(most_thresholds) +
+        throw OptionError("-i " + number_text(interval) + " gives more than " + std::to_string(most_thresholds) +
                           " levels on this DEM; use a larger interval.");
     std::vector<double> result;
     for (double n = first; n <= last; ++n)

@@ -7,7 +7,6 @@
 #include "attributes/attribute_table.hpp"
 #include "outline/outline.hpp"
 #include "pipeline/stage_clock.hpp"
-#include "write/ogr_feature_sink.hpp"
 
 namespace d2b {
 namespace {
@@ -80,13 +79,13 @@ void Emitter::begin(Layers layers) {
     std::vector<LayerSpec> specs;
     if (layers != Layers::contours) {
         buildings_layer_ = static_cast<int>(specs.size());
-        specs.push_back({layer_name_for(options.write, true, layers), "Buildings",
+        specs.push_back({sink_.layer_name(true, layers), "Buildings",
                          "One polygon a building, from " + context_.report.input,
                          field_specs(building_attributes(), emission_.vertical_unit), options.write.with_z});
     }
     if (layers != Layers::buildings) {
         contours_layer_ = static_cast<int>(specs.size());
-        specs.push_back({layer_name_for(options.write, false, layers), "Contours",
+        specs.push_back({sink_.layer_name(false, layers), "Contours",
                          std::string(options.outline.disjoint ? "Bands between thresholds that do not overlap, from "
                                                               : "Stacked contours, low to high, from ") +
                              context_.report.input,

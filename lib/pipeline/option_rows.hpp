@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/number_text.hpp"
 #include "pipeline/option_table.hpp"
 #include "pipeline/option_values.hpp"
 
@@ -57,10 +58,10 @@ OptionRow whole_row(std::string name, std::string values, NumberRange range, Fie
 }
 
 [[nodiscard]] inline std::string text_of(double value) {
-    return shortest_number(value);
+    return number_text(value);
 }
 [[nodiscard]] inline std::string text_of(const std::optional<double>& value) {
-    return value ? shortest_number(*value) : "";
+    return value ? number_text(*value) : "";
 }
 
 template <class Field>
@@ -97,7 +98,7 @@ OptionRow four_row(std::string name, std::string values, std::string range, bool
         std::string text;
         if (const std::optional<Four>& four = field(request))
             for (double value : *four)
-                text += (text.empty() ? "" : " ") + shortest_number(value);
+                text += (text.empty() ? "" : " ") + number_text(value);
         return text;
     };
     return row;

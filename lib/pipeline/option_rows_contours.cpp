@@ -28,7 +28,7 @@ OptionRow fixed_levels() {
     row.show = [](const Request& request) {
         std::string text;
         for (double level : request.options.levels.fixed)
-            text += (text.empty() ? "" : " ") + shortest_number(level);
+            text += (text.empty() ? "" : " ") + number_text(level);
         return text;
     };
     return row;

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 
 namespace d2b {
 namespace {
@@ -39,8 +40,8 @@ std::string NumberRange::text(std::string_view noun) const {
     if (std::isinf(lowest))
         return text;
     if (!std::isinf(highest))
-        return text + " from " + shortest_number(lowest) + " to " + shortest_number(highest);
-    return text + (above_lowest ? " above " : " of at least ") + shortest_number(lowest);
+        return text + " from " + number_text(lowest) + " to " + number_text(highest);
+    return text + (above_lowest ? " above " : " of at least ") + number_text(lowest);
 }
 
 void refuse_value(std::string_view name, std::string_view range, std::string_view text) {
@@ -73,14 +74,6 @@ int parse_whole(std::string_view name, const NumberRange& range, std::string_vie
     if (!value || !range.holds(*value))
         refuse_value(name, range.text("a whole number"), text);
     return *value;
-}
-
-std::string shortest_number(double value) {
-    if (value == std::floor(value) && std::abs(value) < 1e15)
-        return std::to_string(static_cast<long long>(value));
-    std::array<char, 32> buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-    return {buffer.data(), end};
 }
 
 std::string alternatives(std::span<const std::string_view> words) {

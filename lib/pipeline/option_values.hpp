@@ -35,9 +35,6 @@ struct NumberRange {
 /// @throws OptionError unless all of the text is a whole number of the range, written without a decimal point
 [[nodiscard]] int parse_whole(std::string_view name, const NumberRange& range, std::string_view text);
 
-/// The shortest text that reads back as the same number; whole numbers below 1e15 without an exponent.
-[[nodiscard]] std::string shortest_number(double value);
-
 /// "a", "a or b", "a, b or c".
 [[nodiscard]] std::string alternatives(std::span<const std::string_view> words);
 

@@ -1,26 +1,18 @@
 #include "pipeline/provenance.hpp"
 
-#include <array>
-#include <charconv>
 #include <string>
 
+#include "core/number_text.hpp"
 #include "core/version.hpp"
 
 namespace d2b {
 namespace {
 
-/// The shortest text that reads back as the same number, whatever the locale.
-std::string text_of(double value) {
-    std::array<char, 32> buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-    return {buffer.data(), end};
-}
-
 std::string thresholds_of(const RunReport& report) {
     std::string text;
     for (const LevelReport& level : report.levels)
         if (level.level > 0)
-            text += (text.empty() ? "" : " ") + text_of(level.threshold);
+            text += (text.empty() ? "" : " ") + number_text(level.threshold);
     return text;
 }
 
@@ -36,12 +28,12 @@ Provenance make_provenance(const Options& options, const DemInfo& info, const Cr
         {"D2B_PRESET", options.preset},
         {"D2B_TRACE", options.trace.mode == TraceMode::points ? "points" : "cells"},
         {"D2B_NOISE_FACTOR", std::to_string(options.filter.noise_factor)},
-        {"D2B_MIN_AREA_M2", text_of(options.filter.min_area_m2)},
-        {"D2B_SIMPLIFY", text_of(options.outline.simplify)},
+        {"D2B_MIN_AREA_M2", number_text(options.filter.min_area_m2)},
+        {"D2B_SIMPLIFY", number_text(options.outline.simplify)},
         {"D2B_CONTOURS", options.outline.disjoint ? "disjoint" : "stacked"},
         {"D2B_THRESHOLDS", thresholds_of(report)},
-        {"D2B_MINIMUM", text_of(report.minimum)},
-        {"D2B_MAXIMUM", text_of(report.maximum)},
+        {"D2B_MINIMUM", number_text(report.minimum)},
+        {"D2B_MAXIMUM", number_text(report.maximum)},
         {"D2B_VERTICAL_UNIT", report.units.vertical + " (" + report.units.vertical_decided_by + ")"},
         {"D2B_HORIZONTAL_UNIT", report.units.horizontal + " (" + report.units.horizontal_decided_by + ")"},
         {"D2B_AREAS", report.units.areas},

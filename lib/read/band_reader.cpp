@@ -10,7 +10,7 @@
 
 #include "core/error.hpp"
 #include "read/gdal_messages.hpp"
-#include "read/numbers.hpp"
+#include "core/number_text.hpp"
 
 namespace d2b {
 

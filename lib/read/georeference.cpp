@@ -8,7 +8,7 @@
 
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
-#include "read/numbers.hpp"
+#include "core/number_text.hpp"
 
 namespace d2b {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/error.hpp"
-#include "read/numbers.hpp"
+#include "core/number_text.hpp"
 
 namespace d2b {
 

@@ -29,6 +29,9 @@ class OgrFeatureSink final : public FeatureSink {
     void add(std::size_t layer, const Feature& feature) override { writer_->add(layer, feature); }
     void finish() override;
     [[nodiscard]] std::int64_t first_id() const override { return existing_ ? existing_->largest_id + 1 : 1; }
+    [[nodiscard]] std::string layer_name(bool buildings, Layers layers) const override {
+        return name_of(options_, format_, buildings, layers);
+    }
 
   private:
     /// Whether the layers change where they are, in one transaction.

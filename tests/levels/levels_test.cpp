@@ -82,7 +82,7 @@ TEST(LevelPlan, TooManyLevelsAreRefused) {
         static_cast<void>(plan_global_levels(statistics_of({0, 1}), options, context));
         FAIL();
     } catch (const OptionError& error) {
-        EXPECT_STREQ(error.what(), "-i 0.000001 gives more than 65534 levels on this DEM; use a larger interval.");
+        EXPECT_STREQ(error.what(), "-i 1e-06 gives more than 65534 levels on this DEM; use a larger interval.");
     }
     for (int i = 1; i < 70000; ++i)
         options.fixed.push_back(i / 70000.0);

@@ -2,13 +2,17 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <string>
 
 namespace d2b {
 
-/// The shortest decimal text that reads back as the same number, whatever the locale.
+/// The shortest decimal text that reads back as the same number, whatever the locale; whole numbers below 1e15
+/// without an exponent.
 [[nodiscard]] inline std::string number_text(double value) {
+    if (value == std::floor(value) && std::abs(value) < 1e15)
+        return std::to_string(static_cast<long long>(value));
     std::array<char, 32> buffer{};
     const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
     return {buffer.data(), end};
