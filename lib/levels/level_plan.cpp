@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "core/number_text.hpp"
@@ -16,8 +17,11 @@ std::vector<double> sliced(const ElevationStatistics& statistics, int lod) {
     const double mean = statistics.moments.mean();
     const double deviation = statistics.moments.standard_deviation();
     std::vector<double> result;
-    for (int i = 1; i <= lod; ++i)
-        result.push_back(mean - deviation + 2 * deviation * i / (lod + 1));
+    for (int i = 1; i <= lod; ++i) {
+        const double t = mean + deviation * (2.0 * i / (lod + 1) - 1);
+        // The deviation of the largest doubles is infinite; such slices are dropped like all above the maximum.
+        result.push_back(std::isfinite(t) ? t : std::numeric_limits<double>::infinity());
+    }
     return result;
 }
 
@@ -28,8 +32,10 @@ std::vector<double> multiples(const ElevationStatistics& statistics, double inte
         throw OptionError("-i " + number_text(interval) + " gives more than " + std::to_string(most_thresholds) +
                           " levels on this DEM; use a larger interval.");
     std::vector<double> result;
-    for (double n = first; n <= last; ++n)
-        result.push_back(offset + n * interval);
+    // Counted, since adding 1 to a number beyond 2^53 leaves it as it is.
+    const auto count = static_cast<int>(std::max(0.0, last - first + 1));
+    for (int k = 0; k < count; ++k)
+        result.push_back(offset + (first + k) * interval);
     return result;
 }
 

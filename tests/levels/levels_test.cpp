@@ -74,6 +74,16 @@ TEST(LevelPlan, IntervalsCountFromTheirOffset) {
               (std::vector<double>{7, 12}));
 }
 
+TEST(LevelPlan, EnormousElevationsNeitherOverflowNorNeverEnd) {
+    Context context;
+    for (const int lod : {1, 4})
+        for (const double t : plan_global_levels(statistics_of({-1.7e308, 1.7e308}), with_lod(lod), context).thresholds[1])
+            EXPECT_TRUE(std::isfinite(t));
+    LevelOptions options;
+    options.interval = 1e13;   // 1e30 and the next double are 1.4e14 apart: no threshold fits between them
+    EXPECT_LE(plan_global_levels(statistics_of({1e30, 1.0000000000000002e30}), options, context).level_count(), 1);
+}
+
 TEST(LevelPlan, TooManyLevelsAreRefused) {
     Context context;
     LevelOptions options;
