@@ -1,0 +1,29 @@
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "attributes/attribute_table.hpp"
+#include "dem2buildings/help.hpp"
+
+namespace d2b {
+namespace {
+
+std::string text_of(const std::string& path) {
+    std::ifstream file(path);
+    EXPECT_TRUE(file.is_open()) << path;
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+// Both pages are written by tests/docs/write_generated; a difference means that it was not run.
+TEST(GeneratedDocs, SchemaIsThatOfTheAttributeTable) {
+    EXPECT_NE(text_of(D2B_DOCS "/output.md").find(schema_markdown()), std::string::npos);
+}
+
+TEST(GeneratedDocs, OptionsAreThoseOfTheOptionTable) { EXPECT_EQ(text_of(D2B_DOCS "/options.md"), options_markdown()); }
+
+}  // namespace
+}  // namespace d2b
