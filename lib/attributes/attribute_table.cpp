@@ -10,8 +10,12 @@ namespace {
 using Unit = AttributeUnit;
 constexpr double storey_m = 3.0;
 
-FieldValue number(double value) { return std::isfinite(value) ? FieldValue{value} : FieldValue{}; }
-FieldValue reference(std::int64_t id) { return id > 0 ? FieldValue{id} : FieldValue{}; }
+FieldValue number(double value) {
+    return std::isfinite(value) ? FieldValue{value} : FieldValue{};
+}
+FieldValue reference(std::int64_t id) {
+    return id > 0 ? FieldValue{id} : FieldValue{};
+}
 FieldValue floors(double height_m) {
     if (!std::isfinite(height_m))
         return {};
@@ -25,7 +29,8 @@ constexpr std::array building_table{
     Attribute<BuildingRecord>{"ground", "Ground", FieldType::real, Unit::vertical,
                               "elevation of the ground: the lowest point within a cell outside the outline",
                               [](const BuildingRecord& r) { return number(r.ground); }},
-    Attribute<BuildingRecord>{"roof", "Roof", FieldType::real, Unit::vertical, "elevation of the highest point",
+    Attribute<BuildingRecord>{"roof", "Roof", FieldType::real, Unit::vertical,
+                              "elevation of the highest point",
                               [](const BuildingRecord& r) { return number(r.roof); }},
     Attribute<BuildingRecord>{"height", "Height", FieldType::real, Unit::metre, "roof above ground",
                               [](const BuildingRecord& r) { return number(r.height_m); }},
@@ -47,27 +52,32 @@ constexpr std::array building_table{
     Attribute<BuildingRecord>{"num_floors", "Floors", FieldType::integer, Unit::none,
                               "estimate: p95 in storeys of 3 m, at least 1",
                               [](const BuildingRecord& r) { return floors(r.heights_m[3]); }},
-    Attribute<BuildingRecord>{"has_parts", "Has parts", FieldType::integer, Unit::none,
-                              "1 where more than one contour makes the stack, else 0",
-                              [](const BuildingRecord& r) -> FieldValue { return std::int64_t{r.parts > 1 ? 1 : 0}; }},
+    Attribute<BuildingRecord>{
+        "has_parts", "Has parts", FieldType::integer, Unit::none,
+        "1 where more than one contour makes the stack, else 0",
+        [](const BuildingRecord& r) -> FieldValue { return std::int64_t{r.parts > 1 ? 1 : 0}; }},
     Attribute<BuildingRecord>{"n_parts", "Parts", FieldType::integer, Unit::none, "contours of the stack",
                               [](const BuildingRecord& r) -> FieldValue { return r.parts; }},
-    Attribute<BuildingRecord>{"n_levels", "Levels", FieldType::integer, Unit::none, "highest level of the stack",
+    Attribute<BuildingRecord>{"n_levels", "Levels", FieldType::integer, Unit::none,
+                              "highest level of the stack",
                               [](const BuildingRecord& r) -> FieldValue { return std::int64_t{r.levels}; }},
     Attribute<BuildingRecord>{"n_points", "Points", FieldType::integer, Unit::none, "points of the DEM in it",
                               [](const BuildingRecord& r) -> FieldValue { return r.points; }},
-    Attribute<BuildingRecord>{"at_edge", "At the edge", FieldType::integer, Unit::none,
-                              "1 where the edge of the raster may cut it, else 0",
-                              [](const BuildingRecord& r) -> FieldValue { return std::int64_t{r.at_edge ? 1 : 0}; }},
-    Attribute<BuildingRecord>{"area_m2", "Area", FieldType::real, Unit::square_metre,
-                              "area of the footprint less its courtyards, on the ellipsoid where the CRS has one",
-                              [](const BuildingRecord& r) { return number(r.area_m2); }},
+    Attribute<BuildingRecord>{
+        "at_edge", "At the edge", FieldType::integer, Unit::none,
+        "1 where the edge of the raster may cut it, else 0",
+        [](const BuildingRecord& r) -> FieldValue { return std::int64_t{r.at_edge ? 1 : 0}; }},
+    Attribute<BuildingRecord>{
+        "area_m2", "Area", FieldType::real, Unit::square_metre,
+        "area of the footprint less its courtyards, on the ellipsoid where the CRS has one",
+        [](const BuildingRecord& r) { return number(r.area_m2); }},
     Attribute<BuildingRecord>{"perim_m", "Perimeter", FieldType::real, Unit::metre,
                               "length of all rings, on the ellipsoid where the CRS has one",
                               [](const BuildingRecord& r) { return number(r.perimeter_m); }},
-    Attribute<BuildingRecord>{"status", "Outline", FieldType::text, Unit::none,
-                              "traced, simplified, kept_traced (simplifying would have broken it) or repaired",
-                              [](const BuildingRecord& r) -> FieldValue { return std::string(status_name(r.status)); }},
+    Attribute<BuildingRecord>{
+        "status", "Outline", FieldType::text, Unit::none,
+        "traced, simplified, kept_traced (simplifying would have broken it) or repaired",
+        [](const BuildingRecord& r) -> FieldValue { return std::string(status_name(r.status)); }},
 };
 
 constexpr std::array contour_table{
@@ -86,23 +96,28 @@ constexpr std::array contour_table{
     Attribute<ContourRecord>{"threshold", "Threshold", FieldType::real, Unit::vertical,
                              "the elevation that its points exceed; the minimum in level 0",
                              [](const ContourRecord& r) { return number(r.threshold); }},
-    Attribute<ContourRecord>{"base", "Base", FieldType::real, Unit::vertical,
-                             "where this part of the stack begins: the top of the part below, the ground in level 1",
-                             [](const ContourRecord& r) { return number(r.base); }},
-    Attribute<ContourRecord>{"top", "Top", FieldType::real, Unit::vertical,
-                             "where this part of the stack ends: tier_z, at most the threshold of the part above",
-                             [](const ContourRecord& r) { return number(r.top); }},
+    Attribute<ContourRecord>{
+        "base", "Base", FieldType::real, Unit::vertical,
+        "where this part of the stack begins: the top of the part below, the ground in level 1",
+        [](const ContourRecord& r) { return number(r.base); }},
+    Attribute<ContourRecord>{
+        "top", "Top", FieldType::real, Unit::vertical,
+        "where this part of the stack ends: tier_z, at most the threshold of the part above",
+        [](const ContourRecord& r) { return number(r.top); }},
     Attribute<ContourRecord>{"tier_z", "Tier", FieldType::real, Unit::vertical,
                              "mean elevation of the points that no child holds; NULL where there is none",
                              [](const ContourRecord& r) { return number(r.tier_z); }},
     Attribute<ContourRecord>{"n_points", "Points", FieldType::integer, Unit::none,
                              "points of the DEM in it that exceed its threshold",
                              [](const ContourRecord& r) -> FieldValue { return r.points; }},
-    Attribute<ContourRecord>{"elev_min", "Lowest", FieldType::real, Unit::vertical, "lowest elevation of its points",
+    Attribute<ContourRecord>{"elev_min", "Lowest", FieldType::real, Unit::vertical,
+                             "lowest elevation of its points",
                              [](const ContourRecord& r) { return number(r.lowest); }},
-    Attribute<ContourRecord>{"elev_mean", "Mean", FieldType::real, Unit::vertical, "mean elevation of its points",
+    Attribute<ContourRecord>{"elev_mean", "Mean", FieldType::real, Unit::vertical,
+                             "mean elevation of its points",
                              [](const ContourRecord& r) { return number(r.mean); }},
-    Attribute<ContourRecord>{"elev_max", "Highest", FieldType::real, Unit::vertical, "highest elevation of its points",
+    Attribute<ContourRecord>{"elev_max", "Highest", FieldType::real, Unit::vertical,
+                             "highest elevation of its points",
                              [](const ContourRecord& r) { return number(r.highest); }},
     Attribute<ContourRecord>{"area_m2", "Area", FieldType::real, Unit::square_metre,
                              "area less holes, on the ellipsoid where the CRS has one",
@@ -110,9 +125,10 @@ constexpr std::array contour_table{
     Attribute<ContourRecord>{"perim_m", "Perimeter", FieldType::real, Unit::metre,
                              "length of all rings, on the ellipsoid where the CRS has one",
                              [](const ContourRecord& r) { return number(r.perimeter_m); }},
-    Attribute<ContourRecord>{"status", "Outline", FieldType::text, Unit::none,
-                             "traced, simplified, kept_traced (simplifying would have broken it) or repaired",
-                             [](const ContourRecord& r) -> FieldValue { return std::string(status_name(r.status)); }},
+    Attribute<ContourRecord>{
+        "status", "Outline", FieldType::text, Unit::none,
+        "traced, simplified, kept_traced (simplifying would have broken it) or repaired",
+        [](const ContourRecord& r) -> FieldValue { return std::string(status_name(r.status)); }},
 };
 
 std::string unit_name(Unit unit, const std::string& vertical) {
@@ -144,16 +160,21 @@ std::string markdown(std::span<const Attribute<Record>> attributes) {
 
 }  // namespace
 
-std::span<const Attribute<BuildingRecord>> building_attributes() { return building_table; }
-std::span<const Attribute<ContourRecord>> contour_attributes() { return contour_table; }
+std::span<const Attribute<BuildingRecord>> building_attributes() {
+    return building_table;
+}
+std::span<const Attribute<ContourRecord>> contour_attributes() {
+    return contour_table;
+}
 
 template <typename Record>
-std::vector<FieldSpec> field_specs(std::span<const Attribute<Record>> attributes, const std::string& vertical_unit) {
+std::vector<FieldSpec> field_specs(std::span<const Attribute<Record>> attributes,
+                                   const std::string& vertical_unit) {
     std::vector<FieldSpec> fields;
     for (const Attribute<Record>& a : attributes) {
         const std::string unit = unit_name(a.unit, vertical_unit);
-        fields.push_back({std::string(a.name), std::string(a.alias) + (unit.empty() ? "" : " (" + unit + ")"), a.type,
-                          unit, std::string(a.description)});
+        fields.push_back({std::string(a.name), std::string(a.alias) + (unit.empty() ? "" : " (" + unit + ")"),
+                          a.type, unit, std::string(a.description)});
     }
     return fields;
 }
@@ -169,11 +190,14 @@ std::vector<FieldValue> field_values(std::span<const Attribute<Record>> attribut
 
 template std::vector<FieldSpec> field_specs(std::span<const Attribute<BuildingRecord>>, const std::string&);
 template std::vector<FieldSpec> field_specs(std::span<const Attribute<ContourRecord>>, const std::string&);
-template std::vector<FieldValue> field_values(std::span<const Attribute<BuildingRecord>>, const BuildingRecord&);
-template std::vector<FieldValue> field_values(std::span<const Attribute<ContourRecord>>, const ContourRecord&);
+template std::vector<FieldValue> field_values(std::span<const Attribute<BuildingRecord>>,
+                                              const BuildingRecord&);
+template std::vector<FieldValue> field_values(std::span<const Attribute<ContourRecord>>,
+                                              const ContourRecord&);
 
 std::string schema_markdown() {
-    return "## buildings\n\n" + markdown(building_attributes()) + "\n## contours\n\n" + markdown(contour_attributes());
+    return "## buildings\n\n" + markdown(building_attributes()) + "\n## contours\n\n" +
+           markdown(contour_attributes());
 }
 
 }  // namespace d2b

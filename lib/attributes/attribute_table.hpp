@@ -14,7 +14,7 @@ enum class AttributeUnit { none, vertical, metre, square_metre };
 /// One attribute of a record: the only place for its name, type, unit, words and value.
 template <typename Record>
 struct Attribute {
-    std::string_view name;          ///< at most 10 ASCII characters
+    std::string_view name;  ///< at most 10 ASCII characters
     std::string_view alias;
     FieldType type;
     AttributeUnit unit;

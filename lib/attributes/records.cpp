@@ -67,7 +67,7 @@ void stack_parts(const ContourTable& table, std::vector<ContourRecord>& records)
         const double tier = std::isnan(record.tier_z) ? above[i] : record.tier_z;
         record.top = std::max(record.base, std::min(tier, above[i]));
         if (!std::isfinite(record.top))
-            record.top = std::max(record.base, record.threshold);   // no point was counted for it
+            record.top = std::max(record.base, record.threshold);  // no point was counted for it
     }
 }
 
@@ -80,7 +80,8 @@ BuildingRecord building_record(const ContourTable& table, std::size_t b, const C
     record.roof = base.highest;
     record.height_m = (record.roof - record.ground) * context.metres;
     for (std::size_t i = 0; i < percentile_shares.size(); ++i)
-        record.heights_m[i] = base.points > 0 ? (table.percentiles[b][i] - record.ground) * context.metres : unknown;
+        record.heights_m[i] =
+            base.points > 0 ? (table.percentiles[b][i] - record.ground) * context.metres : unknown;
     record.points = base.points;
     const LatticeBox box = contour.exterior.box();
     record.at_edge = box.low.row <= context.frame.low.row || box.low.col <= context.frame.low.col ||
@@ -97,8 +98,8 @@ Records make_records(const ContourTable& table, const AttributeContext& context)
         records.contours.push_back(contour_record(table, i, total[i], context));
     stack_parts(table, records.contours);
     for (std::size_t b = 0; b < table.buildings.size(); ++b)
-        records.buildings.push_back(
-            building_record(table, b, records.contours[static_cast<std::size_t>(table.buildings[b])], context));
+        records.buildings.push_back(building_record(
+            table, b, records.contours[static_cast<std::size_t>(table.buildings[b])], context));
     for (std::size_t i = 0; i < table.contours.size(); ++i)
         if (table.building[i] >= 0) {
             BuildingRecord& building = records.buildings[static_cast<std::size_t>(table.building[i])];

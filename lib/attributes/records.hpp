@@ -12,16 +12,17 @@
 
 namespace d2b {
 
-/// What is known of a contour, in the DEM's vertical unit and datum where nothing else is said. NaN is unknown.
+/// What is known of a contour, in the DEM's vertical unit and datum where nothing else is said. NaN is
+/// unknown.
 struct ContourRecord {
     std::int64_t id = 0;
-    std::int64_t parent_id = 0;       ///< 0: none
-    std::int64_t building_id = 0;     ///< 0: none
+    std::int64_t parent_id = 0;    ///< 0: none
+    std::int64_t building_id = 0;  ///< 0: none
     std::int32_t level = 0;
     double threshold = 0;
-    double base = 0;                  ///< where its part of the stack begins ...
-    double top = 0;                   ///< ... and ends
-    double tier_z = 0;                ///< mean of the points that no child holds
+    double base = 0;    ///< where its part of the stack begins ...
+    double top = 0;     ///< ... and ends
+    double tier_z = 0;  ///< mean of the points that no child holds
     std::int64_t points = 0;
     double lowest = 0;
     double mean = 0;
@@ -37,9 +38,9 @@ struct BuildingRecord {
     double ground = 0;
     double roof = 0;
     double height_m = 0;
-    Percentiles heights_m{};          ///< above ground
-    std::int64_t parts = 0;           ///< contours of its stack
-    std::int32_t levels = 0;          ///< highest level of its stack
+    Percentiles heights_m{};  ///< above ground
+    std::int64_t parts = 0;   ///< contours of its stack
+    std::int32_t levels = 0;  ///< highest level of its stack
     std::int64_t points = 0;
     bool at_edge = false;
     double area_m2 = 0;
@@ -50,9 +51,9 @@ struct BuildingRecord {
 /// The contours of a run with what relates them, sorted by key.
 struct ContourTable {
     const std::vector<Contour>& contours;
-    const std::vector<std::int64_t>& building;      ///< a contour: index of its building, -1 in level 0
-    const std::vector<std::int64_t>& buildings;     ///< a building: its contour of level 1
-    const std::vector<Percentiles>& percentiles;    ///< a building
+    const std::vector<std::int64_t>& building;    ///< a contour: index of its building, -1 in level 0
+    const std::vector<std::int64_t>& buildings;   ///< a building: its contour of level 1
+    const std::vector<Percentiles>& percentiles;  ///< a building
 };
 
 struct Records {
@@ -63,16 +64,16 @@ struct Records {
 struct AttributeContext {
     const LevelPlan& plan;
     const FixedPoint& fixed;
-    double metres = 1;              ///< in one vertical unit
-    LatticeBox frame;               ///< of the lattice: what touches it is cut by the raster's edge
+    double metres = 1;  ///< in one vertical unit
+    LatticeBox frame;   ///< of the lattice: what touches it is cut by the raster's edge
     std::int64_t first_id = 1;
 };
 
 /// All attributes that need no coordinates: areas, perimeters and status are filled in with the outlines.
 ///
-/// The stack stands without gaps: a contour's part begins where that of the contour below ends (level 1: at the
-/// ground) and ends at the mean of the points that no child holds, or at the children's threshold where that is
-/// lower or there are no such points.
+/// The stack stands without gaps: a contour's part begins where that of the contour below ends (level 1: at
+/// the ground) and ends at the mean of the points that no child holds, or at the children's threshold where
+/// that is lower or there are no such points.
 [[nodiscard]] Records make_records(const ContourTable& table, const AttributeContext& context);
 
 [[nodiscard]] std::string_view status_name(OutlineStatus status);

@@ -47,7 +47,8 @@ struct LabelBand {
 };
 
 /// How many levels a point belongs to: 0 where it is not valid, 1 where it exceeds no threshold of its label,
-/// k + 1 where it exceeds k of them. Kept in 16 bits, or in a byte where no label has more than 254 thresholds.
+/// k + 1 where it exceeds k of them. Kept in 16 bits, or in a byte where no label has more than 254
+/// thresholds.
 template <typename Count>
 struct LevelBand {
     BandShape shape;

@@ -13,8 +13,8 @@ namespace d2b {
 /// globals, prints nothing and ends no process.
 struct Context {
     RunReport report;
-    std::function<void(const std::string&)> on_warning;    ///< may be empty
-    std::function<bool(double)> on_progress;               ///< share done, 0 to 1; false asks to stop; may be empty
+    std::function<void(const std::string&)> on_warning;  ///< may be empty
+    std::function<bool(double)> on_progress;  ///< share done, 0 to 1; false asks to stop; may be empty
 
     void warn(std::string text) {
         if (on_warning)

@@ -12,8 +12,8 @@ namespace d2b {
 
 /// A unit of length.
 struct LengthUnit {
-    std::string name;      ///< "metre", "foot", "US survey foot", ...
-    double metres = 1;     ///< metres in one unit
+    std::string name;   ///< "metre", "foot", "US survey foot", ...
+    double metres = 1;  ///< metres in one unit
 };
 
 /// A coordinate reference system, read with PROJ. A value: copies share one immutable definition.
@@ -24,18 +24,22 @@ class Crs {
 
     /// No CRS at all.
     Crs();
-    /// @param text WKT of any version, an authority code ("EPSG:25832", compounds "EPSG:25832+7837"), PROJJSON or a
-    ///        PROJ string; "" gives no CRS @throws OptionError with PROJ's reason where it is none of these
+    /// @param text WKT of any version, an authority code ("EPSG:25832", compounds "EPSG:25832+7837"),
+    /// PROJJSON,
+    ///        a PROJ string or a name; "" gives no CRS. A bare name counts only if it is the whole name,
+    ///        whatever its case, spaces and punctuation.
+    /// @throws OptionError with PROJ's reason where it is none of these
     explicit Crs(std::string_view text);
 
     [[nodiscard]] Kind kind() const;
-    [[nodiscard]] std::string name() const;               ///< "" for none
-    [[nodiscard]] std::string wkt() const;                ///< WKT2:2019, "" for none
+    [[nodiscard]] std::string name() const;  ///< "" for none
+    [[nodiscard]] std::string wkt() const;   ///< WKT2:2019, "" for none
     /// Of the horizontal axes; empty where they are angles, or there is no CRS.
     [[nodiscard]] std::optional<LengthUnit> horizontal_unit() const;
     /// Of the vertical part of a compound CRS or of the height axis of a 3D one; empty where there is none.
     [[nodiscard]] std::optional<LengthUnit> vertical_unit() const;
-    /// Whether places have a longitude and a latitude on an ellipsoid (so that areas are geodesic).
+    /// Whether places have a longitude and a latitude on an ellipsoid (so that areas are geodesic). False
+    /// also where PROJ does not know the projection.
     [[nodiscard]] bool on_ellipsoid() const;
 
     struct Impl;
@@ -45,7 +49,8 @@ class Crs {
     std::shared_ptr<const Impl> impl_;
 };
 
-/// From one CRS to another with PROJ, axes in GIS order on both sides.
+/// From one CRS to another with PROJ, axes in GIS order on both sides. The vertical parts of compound CRSs
+/// are ignored: heights are not transformed.
 class CoordinateTransform {
   public:
     /// @param area positions (of `from`) that span the area of interest; PROJ picks the best operation for it
@@ -55,7 +60,8 @@ class CoordinateTransform {
     CoordinateTransform& operator=(CoordinateTransform&&) noexcept;
     ~CoordinateTransform();
 
-    /// In place. @throws InputError naming the first position that has no image
+    /// In place. @throws InputError naming the first position that has no image; all positions are unchanged
+    /// then
     void apply(std::span<Position> positions);
 
   private:
@@ -64,8 +70,10 @@ class CoordinateTransform {
 };
 
 /// Areas and lengths on the ellipsoid of a CRS with GeographicLib; planar where the CRS has none (local
-/// coordinates, no CRS), in the square of its horizontal unit turned into metres, or in plain units.
-/// Edges are straight in the CRS: long ones are densified until what remains is below 1e-7 of the area.
+/// coordinates, no CRS) or PROJ does not know its projection, in the square of its horizontal unit turned
+/// into metres, or in plain units. Edges are straight in the CRS: long ones are densified until what remains
+/// is below 1e-7 of the area. In a geographic CRS, edges of more than half a turn of longitude go the short
+/// way round, across the antimeridian.
 class Geodesy {
   public:
     explicit Geodesy(const Crs& crs);
@@ -74,7 +82,7 @@ class Geodesy {
     ~Geodesy();
 
     struct Measure {
-        double area_m2 = 0;       ///< never negative, whatever the orientation
+        double area_m2 = 0;  ///< never negative, whatever the orientation
         double perimeter_m = 0;
     };
     [[nodiscard]] bool geodesic() const;
@@ -88,5 +96,10 @@ class Geodesy {
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
+
+/// Of the PROJ that is linked: "9.1.1".
+[[nodiscard]] std::string proj_version();
+/// Of the GeographicLib that was compiled with, which does not tell at run time: "2.1.2".
+[[nodiscard]] std::string geographiclib_version();
 
 }  // namespace d2b

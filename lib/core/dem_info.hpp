@@ -23,15 +23,16 @@ using AffineTransform = std::array<double, 6>;
 
 /// What is known of a DEM before its elevations are read. Plain values: the algorithm never sees a file.
 struct DemInfo {
-    std::string name;         ///< as the user gave it; for messages and provenance
-    std::int32_t rows = 0;    ///< of the whole raster
-    std::int32_t cols = 0;    ///< of the whole raster
-    Window window;            ///< the part that is used; rows and columns stay those of the whole raster
+    std::string name;       ///< as the user gave it; for messages and provenance
+    std::int32_t rows = 0;  ///< of the whole raster
+    std::int32_t cols = 0;  ///< of the whole raster
+    Window window;          ///< the part that is used; rows and columns stay those of the whole raster
     AffineTransform transform{0, 1, 0, 0, 0, -1};  ///< without georeferencing: pixels, y up
     bool georeferenced = false;
-    std::string crs_wkt;      ///< WKT2:2019, empty where there is none
-    std::string band_unit;    ///< the band's unit of elevation as stated, e.g. "metre", "US survey foot"; may be ""
-    std::string driver;       ///< short name of the format, for the report
+    std::string crs_wkt;  ///< WKT2:2019, empty where there is none
+    std::string
+        band_unit;  ///< the band's unit of elevation as stated, e.g. "metre", "US survey foot"; may be ""
+    std::string driver;  ///< short name of the format, for the report
 };
 
 }  // namespace d2b

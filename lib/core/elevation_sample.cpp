@@ -62,7 +62,8 @@ double ElevationSample::percentile(double share, const ElevationRange& range) co
     return percentiles({share}, range).front();
 }
 
-std::vector<double> ElevationSample::percentiles(const std::vector<double>& shares, const ElevationRange& range) const {
+std::vector<double> ElevationSample::percentiles(const std::vector<double>& shares,
+                                                 const ElevationRange& range) const {
     std::vector<std::uint16_t> sorted = values_;
     std::sort(sorted.begin(), sorted.end());
     std::vector<double> result;

@@ -16,8 +16,8 @@ struct ElevationRange {
     [[nodiscard]] double elevation(std::uint32_t bin) const;
 };
 
-/// The elevations of a building, for percentiles: exact to a 65,536th of the DEM's range, whatever the order of
-/// the points. Two bytes a point up to 2^18 points, a histogram of 512 KiB above.
+/// The elevations of a building, for percentiles: exact to a 65,536th of the DEM's range, whatever the order
+/// of the points. Two bytes a point up to 2^18 points, a histogram of 512 KiB above.
 class ElevationSample {
   public:
     void add(std::uint16_t bin);
@@ -28,7 +28,8 @@ class ElevationSample {
     /// @param share 0 to 1 @pre size() > 0
     [[nodiscard]] double percentile(double share, const ElevationRange& range) const;
     /// Several at once, ascending shares. @pre size() > 0
-    [[nodiscard]] std::vector<double> percentiles(const std::vector<double>& shares, const ElevationRange& range) const;
+    [[nodiscard]] std::vector<double> percentiles(const std::vector<double>& shares,
+                                                  const ElevationRange& range) const;
 
   private:
     void make_histogram();

@@ -12,7 +12,8 @@
 
 namespace d2b {
 
-/// A position in a CRS, in the order that GIS programs use: x is easting or longitude, y northing or latitude.
+/// A position in a CRS, in the order that GIS programs use: x is easting or longitude, y northing or
+/// latitude.
 struct Position {
     double x = 0;
     double y = 0;
@@ -34,9 +35,9 @@ enum class FieldType { integer, real, text };
 /// One column of a layer. Names have at most 10 ASCII characters, so that a Shapefile keeps them.
 struct FieldSpec {
     std::string name;
-    std::string alias;        ///< for people, with the unit
+    std::string alias;  ///< for people, with the unit
     FieldType type = FieldType::real;
-    std::string unit;         ///< "m", "m2", "ft", ...; "" where there is none
+    std::string unit;  ///< "m", "m2", "ft", ...; "" where there is none
     std::string description;
 };
 
@@ -45,22 +46,22 @@ struct LayerSpec {
     std::string title;
     std::string description;
     std::vector<FieldSpec> fields;
-    bool with_z = false;      ///< every vertex carries Feature::z
+    bool with_z = false;  ///< every vertex carries Feature::z
 };
 
 /// std::monostate is NULL.
 using FieldValue = std::variant<std::monostate, std::int64_t, double, std::string>;
 
 struct Feature {
-    std::vector<FieldValue> values;    ///< one a field, in their order
-    std::vector<WorldPolygon> parts;   ///< at least one; written as a MultiPolygon
+    std::vector<FieldValue> values;   ///< one a field, in their order
+    std::vector<WorldPolygon> parts;  ///< at least one; written as a MultiPolygon
     double z = 0;
 };
 
 /// What a dataset says of itself.
 struct Provenance {
-    std::string crs_wkt;                           ///< of the coordinates that are written; "" for none
-    std::map<std::string, std::string> metadata;   ///< source, options, thresholds, units, version
+    std::string crs_wkt;                          ///< of the coordinates that are written; "" for none
+    std::map<std::string, std::string> metadata;  ///< source, options, thresholds, units, version
 };
 
 /// Where features go: a file (write/), or a list in tests and in other programs.

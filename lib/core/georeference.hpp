@@ -7,9 +7,9 @@
 
 namespace d2b {
 
-/// The one place where rows and columns become coordinates. Each position is computed from its integers alone, so
-/// equal lattice points are equal positions, and what is straight along a row or column of an unrotated grid stays
-/// so exactly.
+/// The one place where rows and columns become coordinates. Each position is computed from its integers
+/// alone, so equal lattice points are equal positions, and what is straight along a row or column of an
+/// unrotated grid stays so exactly.
 class Georeference {
   public:
     /// @param mode grid points are the cells' centres, corners of cells are half a cell off them
@@ -29,8 +29,8 @@ class Georeference {
     [[nodiscard]] WorldRing ring(const LatticeRing& ring) const;
 
     AffineTransform transform_;
-    double shift_;     ///< 0.5 where lattice points are centres
-    bool mirrored_;    ///< the raster's rows run with y, so orientations turn over
+    double shift_;   ///< 0.5 where lattice points are centres
+    bool mirrored_;  ///< the raster's rows run with y, so orientations turn over
 };
 
 }  // namespace d2b

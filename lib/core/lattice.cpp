@@ -27,7 +27,8 @@ std::int32_t take_varint(const std::vector<std::uint8_t>& bytes, std::size_t& at
 }  // namespace
 
 PackedRing::PackedRing(const LatticeRing& corners) {
-    const auto first = static_cast<std::size_t>(std::min_element(corners.begin(), corners.end()) - corners.begin());
+    const auto first =
+        static_cast<std::size_t>(std::min_element(corners.begin(), corners.end()) - corners.begin());
     const std::size_t n = corners.size();
     start_ = corners[first];
     corner_count_ = static_cast<std::uint32_t>(n);

@@ -38,7 +38,8 @@ struct LatticeBox {
 };
 
 /// A rectilinear ring in about one byte a corner: its corners alternate between steps along a row and along a
-/// column, so a step is one number. It starts at its first corner in scan order, so equal rings are equal bytes.
+/// column, so a step is one number. It starts at its first corner in scan order, so equal rings are equal
+/// bytes.
 class PackedRing {
   public:
     PackedRing() = default;
@@ -60,7 +61,7 @@ class PackedRing {
     std::int64_t points_ = 0;
     std::int64_t area_ = 0;
     LatticeBox box_;
-    std::vector<std::uint8_t> steps_;   // all but the closing one, zigzag varints
+    std::vector<std::uint8_t> steps_;  // all but the closing one, zigzag varints
 };
 
 /// Whether the unit square at `square` lies inside a ring: O(corners).

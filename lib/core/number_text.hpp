@@ -8,8 +8,8 @@
 
 namespace d2b {
 
-/// The shortest decimal text that reads back as the same number, whatever the locale; whole numbers below 1e15
-/// without an exponent.
+/// The shortest decimal text that reads back as the same number, whatever the locale; whole numbers below
+/// 1e15 without an exponent.
 [[nodiscard]] inline std::string number_text(double value) {
     if (value == std::floor(value) && std::abs(value) < 1e15)
         return std::to_string(static_cast<long long>(value));

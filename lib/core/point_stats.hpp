@@ -24,9 +24,9 @@ class FixedPoint {
     }
     /// @param n more than 0
     [[nodiscard]] double mean(Int128 sum, std::int64_t n) const {
-        const auto whole = static_cast<double>(sum / n);
+        const Int128 whole = sum / n;
         const auto rest = static_cast<double>(sum % n) / static_cast<double>(n);
-        return std::ldexp(whole + rest, -shift_);
+        return std::ldexp(static_cast<double>(whole) + rest, -shift_);
     }
 
   private:
@@ -36,7 +36,7 @@ class FixedPoint {
 
 /// Count, sum, lowest and highest of a set of elevations.
 struct PointStats {
-    Int128 sum = 0;      ///< in FixedPoint
+    Int128 sum = 0;  ///< in FixedPoint
     std::int64_t n = 0;
     double lowest = std::numeric_limits<double>::infinity();
     double highest = -std::numeric_limits<double>::infinity();

@@ -11,26 +11,32 @@ namespace d2b {
 
 /// The stages, in the order in which they run.
 enum class Stage { read, ground, detect, levels, trace, filter, outline, attributes, write };
-inline constexpr std::array<std::string_view, 9> stage_names{"read",   "ground",  "detect",     "levels", "trace",
-                                                             "filter", "outline", "attributes", "write"};
+inline constexpr std::array<std::string_view, 9> stage_names{
+    "read", "ground", "detect", "levels", "trace", "filter", "outline", "attributes", "write"};
 
 /// Why something that was found is not in the result, or not in its traced form.
 enum class Reason {
-    threshold_not_above_minimum,   ///< a threshold that every point or all but the lowest exceed
-    threshold_not_below_maximum,   ///< a threshold that nothing exceeds
+    threshold_not_above_minimum,  ///< a threshold that every point or all but the lowest exceed
+    threshold_not_below_maximum,  ///< a threshold that nothing exceeds
     threshold_repeated,
-    contour_short,                 ///< fewer grid points than the noise factor
-    contour_small,                 ///< less than the smallest area
-    contour_on_dropped,            ///< stands on a contour that was dropped
-    hole_short,                    ///< filled: fewer grid points than the noise factor
-    hole_small,                    ///< filled: less than the smallest area
-    outline_kept_traced,           ///< simplification would have broken the polygon
-    polygon_repaired,              ///< GEOS called it invalid
+    contour_short,        ///< fewer grid points than the noise factor
+    contour_small,        ///< less than the smallest area
+    contour_on_dropped,   ///< stands on a contour that was dropped
+    hole_short,           ///< filled: fewer grid points than the noise factor
+    hole_small,           ///< filled: less than the smallest area
+    outline_kept_traced,  ///< simplification would have broken the polygon
+    polygon_repaired,     ///< GEOS called it invalid
 };
-inline constexpr std::array<std::string_view, 10> reason_names{
-    "threshold_not_above_minimum", "threshold_not_below_maximum", "threshold_repeated", "contour_short",
-    "contour_small",               "contour_on_dropped",          "hole_short",         "hole_small",
-    "outline_kept_traced",         "polygon_repaired"};
+inline constexpr std::array<std::string_view, 10> reason_names{"threshold_not_above_minimum",
+                                                               "threshold_not_below_maximum",
+                                                               "threshold_repeated",
+                                                               "contour_short",
+                                                               "contour_small",
+                                                               "contour_on_dropped",
+                                                               "hole_short",
+                                                               "hole_small",
+                                                               "outline_kept_traced",
+                                                               "polygon_repaired"};
 
 struct LevelReport {
     int level = 0;
@@ -40,13 +46,13 @@ struct LevelReport {
 };
 
 struct UnitReport {
-    std::string horizontal;             ///< name of the unit, "degree", or "unknown"
+    std::string horizontal;  ///< name of the unit, "degree", or "unknown"
     std::string horizontal_decided_by;
-    double horizontal_metres = 1;       ///< metres in one unit; 0 for degrees
+    double horizontal_metres = 1;  ///< metres in one unit; 0 for degrees
     std::string vertical;
     std::string vertical_decided_by;
     double vertical_metres = 1;
-    std::string areas;                  ///< "geodesic" or "planar"
+    std::string areas;  ///< "geodesic" or "planar"
 };
 
 /// What a run did, as data: the tools print it, tests read it.
@@ -59,23 +65,26 @@ struct RunReport {
     UnitReport units;
     std::int64_t rows = 0;
     std::int64_t cols = 0;
-    std::int64_t points = 0;            ///< rows * cols
+    std::int64_t points = 0;  ///< rows * cols
     std::int64_t valid_points = 0;
     double minimum = 0;
     double maximum = 0;
     double mean = 0;
     double standard_deviation = 0;
-    std::vector<LevelReport> levels;    ///< from level 0 up
+    std::vector<LevelReport> levels;  ///< from level 0 up
     std::int64_t contours = 0;
     std::int64_t buildings = 0;
-    std::int64_t vertices = 0;          ///< of the contours as written, closing ones not counted
+    std::int64_t vertices = 0;  ///< of the contours as written, closing ones not counted
     std::array<std::int64_t, reason_names.size()> dropped{};
     std::array<double, stage_names.size()> seconds{};
-    std::array<std::int64_t, stage_names.size()> peak_memory_bytes{};   ///< of the process, when the stage ended
+    std::array<std::int64_t, stage_names.size()>
+        peak_memory_bytes{};  ///< of the process, when the stage ended
     std::vector<std::string> warnings;
 
     void count(Reason reason, std::int64_t n = 1) { dropped[static_cast<std::size_t>(reason)] += n; }
-    [[nodiscard]] std::int64_t counted(Reason reason) const { return dropped[static_cast<std::size_t>(reason)]; }
+    [[nodiscard]] std::int64_t counted(Reason reason) const {
+        return dropped[static_cast<std::size_t>(reason)];
+    }
 };
 
 }  // namespace d2b

@@ -60,8 +60,8 @@ void resolve_vertical(UnitReport& report, const DemInfo& info, const Crs& crs, s
     if (!option.empty()) {
         const auto unit = parse_length_unit(option);
         if (!unit)
-            throw OptionError("-zunit must be m, ft, us-ft or the metres in one unit, not '" + std::string(option) +
-                              "'.");
+            throw OptionError("-zunit must be m, ft, us-ft or the metres in one unit, not '" +
+                              std::string(option) + "'.");
         set_vertical(report, *unit, "-zunit");
     } else if (const auto band = parse_length_unit(info.band_unit)) {
         set_vertical(report, *band, "unit of the band");

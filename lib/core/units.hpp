@@ -8,13 +8,13 @@
 
 namespace d2b {
 
-/// A unit of length by one of its usual names ("m", "metre", "ft", "foot", "us-ft", "US survey foot", ...), or by
-/// the metres in it as a number; letters of either case.
+/// A unit of length by one of its usual names ("m", "metre", "ft", "foot", "us-ft", "US survey foot", ...),
+/// or by the metres in it as a number; letters of either case.
 /// @return nothing where the text is none of these
 [[nodiscard]] std::optional<LengthUnit> parse_length_unit(std::string_view text);
 
-/// Finds horizontal and vertical units separately. Vertical: the option, then the band's unit, then the vertical
-/// part of the CRS, then the horizontal unit, then metres; the report says which won.
+/// Finds horizontal and vertical units separately. Vertical: the option, then the band's unit, then the
+/// vertical part of the CRS, then the horizontal unit, then metres; the report says which won.
 /// @param vertical_option as given with -zunit, "" for none @throws OptionError where it is no unit
 [[nodiscard]] UnitReport resolve_units(const DemInfo& info, const Crs& crs, std::string_view vertical_option);
 

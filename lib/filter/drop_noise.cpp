@@ -6,7 +6,8 @@
 namespace d2b {
 namespace {
 
-std::optional<Reason> noise(const Contour& contour, const FilterOptions& options, const SquareArea& square_area) {
+std::optional<Reason> noise(const Contour& contour, const FilterOptions& options,
+                            const SquareArea& square_area) {
     if (contour.key.level == 0)
         return {};
     if (contour.exterior.points() < options.noise_factor)
@@ -25,13 +26,14 @@ FilteredStack drop_noise(Stack&& stack, const FilterOptions& options, const Squa
     result.stack.sample = std::move(stack.sample);
     result.stack.standing_on_it = std::move(stack.standing_on_it);
     std::vector<Contour>& kept = result.stack.contours;
-    // Where each contour's points are now: an index into `kept`, -1 below the stack; and whether it is kept itself.
+    // Where each contour's points are now: an index into `kept`, -1 below the stack; and whether it is kept
+    // itself.
     std::vector<std::pair<std::int64_t, bool>> place;
     place.reserve(stack.contours.size());
     for (Contour& contour : stack.contours) {
         const bool has_parent = contour.parent >= 0;
-        const auto [holder, parent_kept] =
-            has_parent ? place[static_cast<std::size_t>(contour.parent)] : std::pair<std::int64_t, bool>{-1, true};
+        const auto [holder, parent_kept] = has_parent ? place[static_cast<std::size_t>(contour.parent)]
+                                                      : std::pair<std::int64_t, bool>{-1, true};
         const auto reason = parent_kept ? noise(contour, options, square_area) : Reason::contour_on_dropped;
         if (reason) {
             context.report.count(*reason);

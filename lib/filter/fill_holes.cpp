@@ -7,7 +7,8 @@
 namespace d2b {
 namespace {
 
-std::optional<Reason> noise(const PackedRing& hole, const FilterOptions& options, const SquareArea& square_area) {
+std::optional<Reason> noise(const PackedRing& hole, const FilterOptions& options,
+                            const SquareArea& square_area) {
     if (hole.points() < options.noise_factor)
         return Reason::hole_short;
     if (options.min_area_m2 > 0 &&
@@ -51,7 +52,8 @@ void fill_holes(std::vector<Contour>& contours, const FilterOptions& options, co
         }
         std::erase_if(contours[i].interiors, [&](const PackedRing& hole) {
             const auto reason = noise(hole, options, square_area);
-            const bool fill = reason && !any_inside(keys, level, hole) && !any_inside(remaining_below, level - 1, hole);
+            const bool fill =
+                reason && !any_inside(keys, level, hole) && !any_inside(remaining_below, level - 1, hole);
             if (fill)
                 context.report.count(*reason);
             else

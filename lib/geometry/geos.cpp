@@ -15,11 +15,21 @@ struct FreeText {
     void operator()(char* text) const { GEOSFree_r(context, text); }
 };
 
-double x_of(const Position& p) { return p.x; }
-double y_of(const Position& p) { return p.y; }
-double x_of(LatticePoint p) { return p.col; }
-double y_of(LatticePoint p) { return -static_cast<double>(p.row); }
-void set(Position& p, double x, double y) { p = {x, y}; }
+double x_of(const Position& p) {
+    return p.x;
+}
+double y_of(const Position& p) {
+    return p.y;
+}
+double x_of(LatticePoint p) {
+    return p.col;
+}
+double y_of(LatticePoint p) {
+    return -static_cast<double>(p.row);
+}
+void set(Position& p, double x, double y) {
+    p = {x, y};
+}
 void set(LatticePoint& p, double x, double y) {
     p = {static_cast<std::int32_t>(std::lround(-y)), static_cast<std::int32_t>(std::lround(x))};
 }
@@ -32,7 +42,8 @@ double signed_area(const std::vector<Point>& ring) {
     const double x0 = x_of(ring.front());
     const double y0 = y_of(ring.front());
     for (std::size_t i = 1; i + 1 < ring.size(); ++i)
-        sum += (x_of(ring[i]) - x0) * (y_of(ring[i + 1]) - y0) - (x_of(ring[i + 1]) - x0) * (y_of(ring[i]) - y0);
+        sum +=
+            (x_of(ring[i]) - x0) * (y_of(ring[i + 1]) - y0) - (x_of(ring[i + 1]) - x0) * (y_of(ring[i]) - y0);
     return sum;
 }
 
@@ -45,7 +56,7 @@ struct Geos::Impl {
     Impl() { GEOSContext_setErrorMessageHandler_r(context.get(), remember, this); }
     static void remember(const char* text, void* self) { static_cast<Impl*>(self)->message = text; }
 
-    GeometryPtr own(GEOSGeometry* geometry) {
+    GeometryPtr own(GEOSGeometry* geometry) const {
         if (geometry == nullptr)
             throw Error("GEOS failed on a polygon: " + message + ".");
         return {geometry, GeometryDeleter{context.get()}};
@@ -73,9 +84,11 @@ struct Geos::Impl {
     }
 
     template <typename Point>
-    GeometryPtr polygon(const std::vector<Point>& exterior, const std::vector<std::vector<Point>>& interiors) {
+    GeometryPtr polygon(const std::vector<Point>& exterior,
+                        const std::vector<std::vector<Point>>& interiors) {
         GeometryPtr shell = ring(exterior);
         std::vector<GeometryPtr> holes;
+        holes.reserve(interiors.size());
         for (const auto& interior : interiors)
             holes.push_back(ring(interior));
         // GEOS owns what it is given, also where it fails.
@@ -87,6 +100,7 @@ struct Geos::Impl {
     template <typename Polygon>
     GeometryPtr collection(const std::vector<Polygon>& polygons) {
         std::vector<GeometryPtr> parts;
+        parts.reserve(polygons.size());
         for (const Polygon& p : polygons)
             parts.push_back(polygon(p.exterior, p.interiors));
         std::vector<GEOSGeometry*> given = release(parts);
@@ -113,6 +127,7 @@ struct Geos::Impl {
 
     /// Appends the polygons of a geometry of any type.
     template <typename Polygon>
+    // NOLINTNEXTLINE(misc-no-recursion): as deep as collections are nested
     void collect(const GEOSGeometry* geometry, std::vector<Polygon>& polygons) {
         using Ring = decltype(Polygon::exterior);
         using Point = typename Ring::value_type;
@@ -121,7 +136,8 @@ struct Geos::Impl {
         if (GEOSGeomTypeId_r(context.get(), geometry) == GEOS_POLYGON) {
             Polygon polygon{points<Point>(GEOSGetExteriorRing_r(context.get(), geometry), true), {}};
             for (int i = 0; i < GEOSGetNumInteriorRings_r(context.get(), geometry); ++i)
-                polygon.interiors.push_back(points<Point>(GEOSGetInteriorRingN_r(context.get(), geometry, i), false));
+                polygon.interiors.push_back(
+                    points<Point>(GEOSGetInteriorRingN_r(context.get(), geometry, i), false));
             polygons.push_back(std::move(polygon));
         } else if (GEOSGeomTypeId_r(context.get(), geometry) >= GEOS_MULTIPOINT) {
             for (int i = 0; i < GEOSGetNumGeometries_r(context.get(), geometry); ++i)
@@ -142,15 +158,17 @@ std::string Geos::invalidity(const std::vector<WorldPolygon>& polygons) {
                 return "a coordinate is not a finite number";
     GeometryPtr geometry;
     try {
-        geometry = polygons.size() == 1 ? impl_->polygon(polygons.front().exterior, polygons.front().interiors)
-                                        : impl_->collection(polygons);
+        geometry = polygons.size() == 1
+                       ? impl_->polygon(polygons.front().exterior, polygons.front().interiors)
+                       : impl_->collection(polygons);
     } catch (const Error& error) {
         return error.what();
     }
     GEOSContextHandle_t context = impl_->context.get();
     if (GEOSisValid_r(context, geometry.get()) == 1)
         return {};
-    const std::unique_ptr<char, FreeText> reason(GEOSisValidReason_r(context, geometry.get()), FreeText{context});
+    const std::unique_ptr<char, FreeText> reason(GEOSisValidReason_r(context, geometry.get()),
+                                                 FreeText{context});
     return reason ? reason.get() : "invalid";
 }
 
@@ -167,7 +185,8 @@ std::vector<WorldPolygon> Geos::repaired(const std::vector<WorldPolygon>& polygo
     return result;
 }
 
-std::vector<LatticePolygon> Geos::difference(const LatticePolygon& whole, const std::vector<LatticePolygon>& parts) {
+std::vector<LatticePolygon> Geos::difference(const LatticePolygon& whole,
+                                             const std::vector<LatticePolygon>& parts) {
     if (parts.empty())
         return {whole};
     GEOSContextHandle_t context = impl_->context.get();
@@ -191,7 +210,7 @@ double Geos::area_outside(const WorldPolygon& inner, const WorldPolygon& outer) 
 }
 
 std::string geos_version() {
-    const std::string text = GEOSversion();   // "3.11.1-CAPI-1.17.1"
+    const std::string text = GEOSversion();  // "3.11.1-CAPI-1.17.1"
     return text.substr(0, text.find('-'));
 }
 

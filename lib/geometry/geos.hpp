@@ -19,11 +19,11 @@ class Geos {
 
     /// @return what makes the polygons invalid, with the place; "" where they are valid
     [[nodiscard]] std::string invalidity(const std::vector<WorldPolygon>& polygons);
-    /// The polygonal part of GEOS's structural repair, which keeps the areas that are covered once. Oriented as
-    /// WorldPolygon says. @throws Error
+    /// The polygonal part of GEOS's structural repair, which keeps the areas that are covered once. Oriented
+    /// as WorldPolygon says. @throws Error
     [[nodiscard]] std::vector<WorldPolygon> repaired(const std::vector<WorldPolygon>& polygons);
-    /// `whole` less `parts`, which lie in it and share only whole edges or points with its rings and each other:
-    /// then no new point arises, and the result is exact on the lattice. @throws Error
+    /// `whole` less `parts`, which lie in it and share only whole edges or points with its rings and each
+    /// other: then no new point arises, and the result is exact on the lattice. @throws Error
     [[nodiscard]] std::vector<LatticePolygon> difference(const LatticePolygon& whole,
                                                          const std::vector<LatticePolygon>& parts);
     /// Area of what lies in `inner` and not in `outer`: 0 where they are nested exactly. @throws Error

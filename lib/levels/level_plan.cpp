@@ -19,7 +19,8 @@ std::vector<double> sliced(const ElevationStatistics& statistics, int lod) {
     std::vector<double> result;
     for (int i = 1; i <= lod; ++i) {
         const double t = mean + deviation * (2.0 * i / (lod + 1) - 1);
-        // The deviation of the largest doubles is infinite; such slices are dropped like all above the maximum.
+        // The deviation of the largest doubles is infinite; such slices are dropped like all above the
+        // maximum.
         result.push_back(std::isfinite(t) ? t : std::numeric_limits<double>::infinity());
     }
     return result;
@@ -29,11 +30,12 @@ std::vector<double> multiples(const ElevationStatistics& statistics, double inte
     const double first = std::floor((statistics.minimum - offset) / interval) + 1;
     const double last = std::ceil((statistics.maximum - offset) / interval) - 1;
     if (!(last - first < static_cast<double>(most_thresholds)))
-        throw OptionError("-i " + number_text(interval) + " gives more than " + std::to_string(most_thresholds) +
-                          " levels on this DEM; use a larger interval.");
+        throw OptionError("-i " + number_text(interval) + " gives more than " +
+                          std::to_string(most_thresholds) + " levels on this DEM; use a larger interval.");
     std::vector<double> result;
     // Counted, since adding 1 to a number beyond 2^53 leaves it as it is.
     const auto count = static_cast<int>(std::max(0.0, last - first + 1));
+    result.reserve(static_cast<std::size_t>(count));
     for (int k = 0; k < count; ++k)
         result.push_back(offset + (first + k) * interval);
     return result;
@@ -49,7 +51,8 @@ std::vector<double> candidates(const ElevationStatistics& statistics, const Leve
     return sliced(statistics, options.lod);
 }
 
-std::vector<double> usable(std::vector<double> thresholds, const ElevationStatistics& statistics, RunReport& report) {
+std::vector<double> usable(std::vector<double> thresholds, const ElevationStatistics& statistics,
+                           RunReport& report) {
     std::sort(thresholds.begin(), thresholds.end());
     std::vector<double> kept;
     for (const double t : thresholds) {
@@ -74,7 +77,8 @@ int LevelPlan::level_count() const {
     return static_cast<int>(most) + 1;
 }
 
-LevelPlan plan_global_levels(const ElevationStatistics& statistics, const LevelOptions& options, Context& context) {
+LevelPlan plan_global_levels(const ElevationStatistics& statistics, const LevelOptions& options,
+                             Context& context) {
     RunReport& report = context.report;
     report.valid_points = statistics.moments.n;
     LevelPlan plan{0, {{}, {}}};

@@ -14,7 +14,8 @@ Count exceeded(double z, const std::vector<double>& thresholds) {
     if (std::isnan(z))
         return 0;
     if (thresholds.size() > few)
-        return static_cast<Count>(1 + (std::lower_bound(thresholds.begin(), thresholds.end(), z) - thresholds.begin()));
+        return static_cast<Count>(
+            1 + (std::lower_bound(thresholds.begin(), thresholds.end(), z) - thresholds.begin()));
     unsigned count = 1;
     for (const double t : thresholds)
         count += z > t ? 1U : 0U;

@@ -9,8 +9,8 @@
 
 namespace d2b {
 
-/// What the thresholds depend on: a mergeable reduction over all valid points, exact, so that bands, tiles and
-/// threads in any order give the same thresholds to the bit.
+/// What the thresholds depend on: a mergeable reduction over all valid points, exact, so that bands, tiles
+/// and threads in any order give the same thresholds to the bit.
 struct ElevationStatistics {
     Moments moments;
     double minimum = std::numeric_limits<double>::infinity();

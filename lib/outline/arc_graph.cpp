@@ -10,7 +10,7 @@ namespace {
 
 /// Points where a number of edges other than two meet, sorted.
 std::vector<LatticePoint> find_junctions(const std::vector<LatticePolygon>& polygons) {
-    std::vector<std::pair<LatticePoint, LatticePoint>> ends;   // each edge from both of its points, once
+    std::vector<std::pair<LatticePoint, LatticePoint>> ends;  // each edge from both of its points, once
     const auto add = [&](const LatticeRing& ring) {
         for (std::size_t i = 0; i < ring.size(); ++i) {
             const LatticePoint next = ring[(i + 1) % ring.size()];
@@ -39,10 +39,12 @@ std::vector<LatticePoint> find_junctions(const std::vector<LatticePolygon>& poly
 
 class ArcCutter {
   public:
-    ArcCutter(const std::vector<LatticePoint>& junctions, std::vector<Arc>& arcs) : junctions_(junctions), arcs_(arcs) {}
+    ArcCutter(const std::vector<LatticePoint>& junctions, std::vector<Arc>& arcs)
+        : junctions_(junctions), arcs_(arcs) {}
 
     std::vector<ArcUse> cut(const LatticeRing& ring) {
-        std::size_t start = static_cast<std::size_t>(std::min_element(ring.begin(), ring.end()) - ring.begin());
+        std::size_t start =
+            static_cast<std::size_t>(std::min_element(ring.begin(), ring.end()) - ring.begin());
         for (std::size_t i = 0; i < ring.size(); ++i)
             if (is_junction(ring[i]) && !is_junction(ring[start]))
                 start = i;

@@ -8,8 +8,8 @@
 
 namespace d2b {
 
-/// A stretch of outline between two junctions, or a whole ring without one (then its first point is repeated at
-/// the end). Neighbours and levels that share it share this object: whoever moves it moves it for all.
+/// A stretch of outline between two junctions, or a whole ring without one (then its first point is repeated
+/// at the end). Neighbours and levels that share it share this object: whoever moves it moves it for all.
 using Arc = std::vector<LatticePoint>;
 
 /// An arc in a ring, along or against its direction.
@@ -25,7 +25,7 @@ struct ArcGraph {
         std::vector<std::vector<ArcUse>> interiors;
     };
     std::vector<Arc> arcs;
-    std::vector<Outline> outlines;   ///< one a contour
+    std::vector<Outline> outlines;  ///< one a contour
 
     /// A contour's outline from the arcs as they are now.
     [[nodiscard]] LatticePolygon polygon(std::size_t contour) const;

@@ -5,7 +5,9 @@
 namespace d2b {
 namespace {
 
-LatticePoint turned(LatticePoint point) { return {point.col, point.row}; }
+LatticePoint turned(LatticePoint point) {
+    return {point.col, point.row};
+}
 
 void sort_distinct(std::vector<LatticePoint>& points) {
     std::sort(points.begin(), points.end());

@@ -34,7 +34,9 @@ Outliner::Outliner(Outliner&&) noexcept = default;
 Outliner& Outliner::operator=(Outliner&&) noexcept = default;
 Outliner::~Outliner() = default;
 
-OutlineStatus Outliner::status() const { return impl_->arcs ? OutlineStatus::simplified : OutlineStatus::traced; }
+OutlineStatus Outliner::status() const {
+    return impl_->arcs ? OutlineStatus::simplified : OutlineStatus::traced;
+}
 
 LatticePolygon Outliner::outline(std::size_t contour) const {
     return impl_->arcs ? impl_->arcs->polygon(contour) : traced(contour);

@@ -15,9 +15,9 @@ enum class OutlineStatus { traced, simplified, kept_traced, repaired };
 
 /// How outlines are drawn from contours.
 enum class Drawing {
-    traced,       ///< corner by corner: exact where rows and columns run along the axes and nothing moves them
-    noded,        ///< with every corner that another outline has on it, so that what is shared stays shared
-    simplified    ///< from shared arcs, straightened
+    traced,     ///< corner by corner: exact where rows and columns run along the axes and nothing moves them
+    noded,      ///< with every corner that another outline has on it, so that what is shared stays shared
+    simplified  ///< from shared arcs, straightened
 };
 
 /// Draws outlines of contours on the lattice, one at a time.

@@ -23,15 +23,17 @@ class Straightener {
   private:
     struct Vertex {
         LatticePoint at;
-        std::size_t previous;   // of those that remain
+        std::size_t previous;  // of those that remain
         std::size_t next;
-        bool fixed;             // an end of its arc
+        bool fixed;  // an end of its arc
         bool removed = false;
     };
     using Edge = std::array<LatticePoint, 2>;
     using Candidate = std::tuple<double, LatticePoint, std::size_t, std::size_t, std::size_t>;
 
-    [[nodiscard]] static Edge edge(LatticePoint a, LatticePoint b) { return {std::min(a, b), std::max(a, b)}; }
+    [[nodiscard]] static Edge edge(LatticePoint a, LatticePoint b) {
+        return {std::min(a, b), std::max(a, b)};
+    }
     [[nodiscard]] double deviation(std::size_t from, std::size_t to) const;
     [[nodiscard]] bool free_to_go(std::size_t vertex) const;
     void consider(std::size_t vertex);
@@ -39,8 +41,8 @@ class Straightener {
 
     const Georeference& georeference_;
     double tolerance_;
-    std::vector<Vertex> vertices_;        // of all arcs, one after the other
-    std::vector<std::size_t> first_;      // of each arc, and one past the last
+    std::vector<Vertex> vertices_;    // of all arcs, one after the other
+    std::vector<std::size_t> first_;  // of each arc, and one past the last
     VertexGrid grid_;
     std::set<Edge> edges_;
     std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue_;
@@ -49,7 +51,7 @@ class Straightener {
 
 Straightener::Straightener(const std::vector<Arc>& arcs, double tolerance, const Georeference& georeference)
     : georeference_(georeference), tolerance_(tolerance) {
-    std::set<LatticePoint> ends;   // junctions are shared by arcs, and stand in the grid once
+    std::set<LatticePoint> ends;  // junctions are shared by arcs, and stand in the grid once
     for (const Arc& arc : arcs) {
         first_.push_back(vertices_.size());
         for (std::size_t i = 0; i < arc.size(); ++i) {
@@ -67,13 +69,16 @@ Straightener::Straightener(const std::vector<Arc>& arcs, double tolerance, const
 /// The largest distance of the original points between two vertices from the edge that would join these.
 double Straightener::deviation(std::size_t from, std::size_t to) const {
     const LatticePoint origin = vertices_[from].at;
-    const auto offset = [&](LatticePoint p) { return georeference_.step(p.row - origin.row, p.col - origin.col); };
+    const auto offset = [&](LatticePoint p) {
+        return georeference_.step(p.row - origin.row, p.col - origin.col);
+    };
     const Position along = offset(vertices_[to].at);
     const double length2 = along.x * along.x + along.y * along.y;
     double largest = 0;
     for (std::size_t i = from + 1; i < to; ++i) {
         const Position p = offset(vertices_[i].at);
-        const double share = length2 > 0 ? std::clamp((p.x * along.x + p.y * along.y) / length2, 0.0, 1.0) : 0.0;
+        const double share =
+            length2 > 0 ? std::clamp((p.x * along.x + p.y * along.y) / length2, 0.0, 1.0) : 0.0;
         largest = std::max(largest, std::hypot(p.x - share * along.x, p.y - share * along.y));
         if (largest > tolerance_)
             break;
@@ -85,7 +90,7 @@ bool Straightener::free_to_go(std::size_t vertex) const {
     const Vertex& v = vertices_[vertex];
     const LatticePoint a = vertices_[v.previous].at;
     const LatticePoint c = vertices_[v.next].at;
-    return a != c && edges_.count(edge(a, c)) == 0 && !grid_.any_in(a, v.at, c);
+    return a != c && !edges_.contains(edge(a, c)) && !grid_.any_in(a, v.at, c);
 }
 
 void Straightener::consider(std::size_t vertex) {
@@ -123,7 +128,7 @@ void Straightener::run() {
             queue_.pop();
             const Vertex& v = vertices_[vertex];
             if (v.removed || v.previous != previous || v.next != next)
-                continue;   // its neighbours have changed: it stands in the queue again
+                continue;  // its neighbours have changed: it stands in the queue again
             if (!free_to_go(vertex)) {
                 blocked_.push_back(vertex);
                 continue;

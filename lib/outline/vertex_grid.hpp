@@ -11,7 +11,9 @@ namespace d2b {
 /// Points in buckets of 16 x 16, to find those in a triangle.
 class VertexGrid {
   public:
-    void add(LatticePoint point) { buckets_[bucket(point.row >> shift, point.col >> shift)].push_back(point); }
+    void add(LatticePoint point) {
+        buckets_[bucket(point.row >> shift, point.col >> shift)].push_back(point);
+    }
     /// One of the points equal to this.
     void remove(LatticePoint point);
     /// Whether a point other than its three corners lies in a triangle or on its border.
@@ -20,7 +22,8 @@ class VertexGrid {
   private:
     static constexpr int shift = 4;
     static std::uint64_t bucket(std::int32_t row, std::int32_t col) {
-        return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(row)) << 32) | static_cast<std::uint32_t>(col);
+        return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(row)) << 32) |
+               static_cast<std::uint32_t>(col);
     }
     std::unordered_map<std::uint64_t, std::vector<LatticePoint>> buckets_;
 };

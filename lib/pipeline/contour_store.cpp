@@ -20,8 +20,9 @@ Taken ContourStore::take(Stack&& stack) {
         contours_[static_cast<std::size_t>(standing)].parent = base;
     if (kept.front().key.level == 1) {
         bases_.push_back(base);
-        percentiles_.push_back(filtered.stack.sample.size() > 0 ? take_percentiles(filtered.stack.sample, range_)
-                                                                : Percentiles{});
+        percentiles_.push_back(filtered.stack.sample.size() > 0
+                                   ? take_percentiles(filtered.stack.sample, range_)
+                                   : Percentiles{});
     }
     for (Contour& contour : kept) {
         if (contour.parent >= 0)
@@ -55,7 +56,8 @@ ContourSet ContourStore::finish() {
             set.buildings.push_back(number[old]);
             set.percentiles.push_back(percentiles_[stack_of[old]]);
         } else {
-            set.building.push_back(contour.key.level == 0 ? -1 : set.building[static_cast<std::size_t>(contour.parent)]);
+            set.building.push_back(
+                contour.key.level == 0 ? -1 : set.building[static_cast<std::size_t>(contour.parent)]);
         }
     }
     contours_ = {};

@@ -9,8 +9,8 @@
 
 namespace d2b {
 
-/// Bands of rows of a source, more than once: kept after the first pass where they fit in memory, else read again.
-/// Bands lie on the absolute grid: their borders do not depend on the window.
+/// Bands of rows of a source, more than once: kept after the first pass where they fit in memory, else read
+/// again. Bands lie on the absolute grid: their borders do not depend on the window.
 class ElevationReader {
   public:
     /// @param keep_bytes most that is kept

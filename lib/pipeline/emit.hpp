@@ -14,7 +14,7 @@ struct Emission {
     const Options& options;
     const Georeference& georeference;
     const Crs& crs;
-    const Crs& target_crs;      ///< kind none: the DEM's
+    const Crs& target_crs;  ///< kind none: the DEM's
     const ContourSet& set;
     Provenance provenance;
     std::string vertical_unit;
@@ -24,12 +24,5 @@ struct Emission {
 /// Draws every outline, places it, has it checked, measures it, and hands it to the sink with its attributes,
 /// in the order of the records. Fills in areas and status. @throws Error
 void emit(const Emission& emission, Records& records, FeatureSink& sink, Context& context);
-
-/// Polygons that GEOS has found valid. Where the drawn ones are not, the traced ones; where these are not either,
-/// repaired ones. What happened is counted.
-/// @param traced asked for only when it is needed
-[[nodiscard]] std::vector<WorldPolygon> checked(std::vector<WorldPolygon> drawn,
-                                                const std::function<std::vector<WorldPolygon>()>& traced, Geos& geos,
-                                                OutlineStatus& status, RunReport& report);
 
 }  // namespace d2b

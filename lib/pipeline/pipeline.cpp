@@ -1,7 +1,7 @@
 #include "pipeline/pipeline.hpp"
 
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 
 #include "core/units.hpp"
 #include "detect/one_label.hpp"
@@ -45,9 +45,10 @@ void warn_of_coarse_cells(const Window& window, const SquareArea& area, const Cr
     const double size = cell_size_m(window, area);
     if (!(size > coarsest_cell_m))
         return;
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1f", size);
-    context.warn("The cells are " + std::string(text) +
+    std::array<char, 32> text{};
+    const auto [end, error] =
+        std::to_chars(text.data(), text.data() + text.size(), size, std::chars_format::fixed, 1);
+    context.warn("The cells are " + std::string(text.data(), end) +
                  " m wide, which is too coarse for single buildings; up to 1 m is best, 2.5 m may do.");
 }
 
@@ -78,7 +79,8 @@ ContourSet trace_contours(ElevationReader& reader, const TraceFrame& frame, cons
         }
         const StageClock clock(context.report, Stage::trace);
         tracer.trace(band, labels, levels);
-        context.progress(0.3 + 0.3 * (band.shape.first_row + band.shape.rows - frame.window.row) / frame.window.rows);
+        context.progress(0.3 + 0.3 * (band.shape.first_row + band.shape.rows - frame.window.row) /
+                                   frame.window.rows);
     });
     {
         const StageClock clock(context.report, Stage::trace);
@@ -110,9 +112,11 @@ void warn_of_nothing(const LevelPlan& plan, Context& context) {
     if (report.valid_points == 0)
         context.warn("'" + report.input + "' has no valid point; the layers are empty.");
     else if (report.minimum == report.maximum)
-        context.warn("All valid points of '" + report.input + "' have the same elevation; no building was found.");
+        context.warn("All valid points of '" + report.input +
+                     "' have the same elevation; no building was found.");
     else if (plan.level_count() == 1)
-        context.warn("No threshold lies between the lowest and the highest elevation; no building was found.");
+        context.warn(
+            "No threshold lies between the lowest and the highest elevation; no building was found.");
     else if (report.buildings == 0)
         context.warn("No building was found; a smaller -nf or -min_area, or more levels, may show some.");
 }
@@ -149,8 +153,14 @@ void run(const Options& options, DemSource& source, FeatureSink& sink, Context& 
     }
     report_result(records, plan, report);
     warn_of_nothing(plan, context);
-    const Emission emission{options, georeference, crs, target, set, make_provenance(options, info, crs, target, report),
-                            report.units.vertical, info.window};
+    const Emission emission{options,
+                            georeference,
+                            crs,
+                            target,
+                            set,
+                            make_provenance(options, info, crs, target, report),
+                            report.units.vertical,
+                            info.window};
     emit(emission, records, sink, context);
     context.progress(1);
 }

@@ -8,8 +8,8 @@
 namespace d2b {
 
 /// The whole job: read -> detect -> levels -> trace -> filter -> outline -> attributes -> write.
-/// Reads the source twice (statistics, then contours), or once where it fits in memory; the report in `context`
-/// says what was done, found, dropped and repaired.
+/// Reads the source twice (statistics, then contours), or once where it fits in memory; the report in
+/// `context` says what was done, found, dropped and repaired.
 /// @param options  as checked by the option table; write.layers `automatic` means both
 /// @throws Error: nothing is visible at the sink then
 void run(const Options& options, DemSource& source, FeatureSink& sink, Context& context);

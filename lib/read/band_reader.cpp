@@ -9,8 +9,8 @@
 #include <cpl_conv.h>
 
 #include "core/error.hpp"
-#include "read/gdal_messages.hpp"
 #include "core/number_text.hpp"
+#include "read/gdal_messages.hpp"
 
 namespace d2b {
 

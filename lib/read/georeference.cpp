@@ -6,9 +6,9 @@
 
 #include <ogr_spatialref.h>
 
+#include "core/number_text.hpp"
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
-#include "core/number_text.hpp"
 
 namespace d2b {
 

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "read/gdal_messages.hpp"
 #include "core/number_text.hpp"
+#include "read/gdal_messages.hpp"
 
 namespace d2b {
 

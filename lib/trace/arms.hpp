@@ -14,13 +14,14 @@ inline constexpr double nothing_outside = std::numeric_limits<double>::infinity(
 /// A corner of an outline while it is being traced.
 struct Corner {
     LatticePoint at;
-    bool pinch = false;                   ///< the outline may pass here twice
-    double outside = nothing_outside;     ///< lowest elevation outside, along the edge that leads here
+    bool pinch = false;                ///< the outline may pass here twice
+    double outside = nothing_outside;  ///< lowest elevation outside, along the edge that leads here
 };
 
-/// Outlines in the making. Each open outline is a chain of corners with two ends, its arms, both on vertical edges
-/// that go on into the next row: the head comes down the left side of a run, the tail goes up the right side of
-/// one. What the outline bounds lies on its left. Only corners are kept: contour compression costs nothing.
+/// Outlines in the making. Each open outline is a chain of corners with two ends, its arms, both on vertical
+/// edges that go on into the next row: the head comes down the left side of a run, the tail goes up the right
+/// side of one. What the outline bounds lies on its left. Only corners are kept: contour compression costs
+/// nothing.
 class Arms {
   public:
     struct Pair {
@@ -33,7 +34,8 @@ class Arms {
     void extend_head(std::uint32_t arm, Corner turn, Corner down);
     /// The same at the tail, against the direction of the chain: down from `turn` after `down`.
     void extend_tail(std::uint32_t arm, Corner turn, Corner down);
-    /// The head goes on to `turn`, along the row to `up`, and up into the tail of the same or of another chain.
+    /// The head goes on to `turn`, along the row to `up`, and up into the tail of the same or of another
+    /// chain.
     /// @return the corners of the ring that this closes, else none
     std::vector<Corner> join(std::uint32_t head, Corner turn, Corner up, std::uint32_t tail);
     /// Elevations outside along the vertical edge at an arm.

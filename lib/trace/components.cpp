@@ -63,7 +63,8 @@ std::uint32_t Components::unite(std::uint32_t a, std::uint32_t b) {
     from.sample.reset();
     if (into.standing_on_it.size() < from.standing_on_it.size())
         std::swap(into.standing_on_it, from.standing_on_it);
-    into.standing_on_it.insert(into.standing_on_it.end(), from.standing_on_it.begin(), from.standing_on_it.end());
+    into.standing_on_it.insert(into.standing_on_it.end(), from.standing_on_it.begin(),
+                               from.standing_on_it.end());
     from.standing_on_it = {};
     return a;
 }

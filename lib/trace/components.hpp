@@ -9,8 +9,8 @@
 
 namespace d2b {
 
-/// A finished contour that waits for the one below it to finish. Siblings and children are lists of indices, so
-/// that a tower of thousands of levels costs no recursion.
+/// A finished contour that waits for the one below it to finish. Siblings and children are lists of indices,
+/// so that a tower of thousands of levels costs no recursion.
 struct Node {
     Contour contour;
     std::uint32_t next = none;
@@ -19,28 +19,28 @@ struct Node {
 
 /// A contour while it grows: the connected runs found so far.
 struct Component {
-    std::uint32_t up = none;            ///< union-find; itself where it is a root
+    std::uint32_t up = none;  ///< union-find; itself where it is a root
     std::uint32_t size = 1;
-    std::uint32_t next_member = none;   ///< ring of all numbers that were united
+    std::uint32_t next_member = none;  ///< ring of all numbers that were united
     std::int32_t level = 0;
     std::int32_t last_row = 0;
     Label label = 0;
     LatticePoint first;
-    std::uint32_t below = none;         ///< component one level down
-    std::uint32_t first_child = none;   ///< finished contours that stand on it
+    std::uint32_t below = none;        ///< component one level down
+    std::uint32_t first_child = none;  ///< finished contours that stand on it
     std::uint32_t last_child = none;
     PointStats own;
     double lowest_outside = nothing_below;
     PackedRing exterior;
     std::vector<PackedRing> interiors;
-    std::unique_ptr<ElevationSample> sample;           ///< level 1
-    std::vector<std::int64_t> standing_on_it;          ///< level 0
+    std::unique_ptr<ElevationSample> sample;   ///< level 1
+    std::vector<std::int64_t> standing_on_it;  ///< level 0
 
     static constexpr double nothing_below = std::numeric_limits<double>::infinity();
 };
 
-/// Union-find over the runs of all levels; numbers are used again once a contour is finished, so that memory is
-/// bounded by what is open.
+/// Union-find over the runs of all levels; numbers are used again once a contour is finished, so that memory
+/// is bounded by what is open.
 class Components {
   public:
     /// @return a component of one run

@@ -15,27 +15,27 @@ inline constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 /// A longest stretch of squares of one row that belong to one level (and, above level 0, to one label).
 struct Run {
-    std::int32_t begin = 0;          ///< column of its first square
-    std::int32_t end = 0;            ///< one past its last
+    std::int32_t begin = 0;  ///< column of its first square
+    std::int32_t end = 0;    ///< one past its last
     Label label = 0;
-    std::uint32_t below = none;      ///< the run one level down that contains it, in the same row
+    std::uint32_t below = none;  ///< the run one level down that contains it, in the same row
     std::uint32_t component = none;
-    std::uint32_t head = none;       ///< arm of the outline that comes down its left side
-    std::uint32_t tail = none;       ///< arm of the outline that goes up its right side
+    std::uint32_t head = none;  ///< arm of the outline that comes down its left side
+    std::uint32_t tail = none;  ///< arm of the outline that goes up its right side
 };
 
 /// A longest stretch of squares with the same levels: what statistics are added by.
 struct Segment {
     std::int32_t begin = 0;
     std::int32_t end = 0;
-    std::int32_t level = 0;           ///< the highest level that it belongs to
-    std::uint32_t run = none;         ///< there
-    std::uint32_t building = none;    ///< the run of level 1 that contains it
+    std::int32_t level = 0;         ///< the highest level that it belongs to
+    std::uint32_t run = none;       ///< there
+    std::uint32_t building = none;  ///< the run of level 1 that contains it
 };
 
 /// One row of squares, taken apart.
 struct RunRow {
-    std::vector<std::vector<Run>> levels;   ///< runs by level, ascending columns
+    std::vector<std::vector<Run>> levels;  ///< runs by level, ascending columns
     std::vector<Segment> segments;
 
     void clear() {
@@ -45,13 +45,14 @@ struct RunRow {
     }
 };
 
-/// Cuts a row into runs on all levels in one pass: where the count rises, runs open; where it falls, they close.
+/// Cuts a row into runs on all levels in one pass: where the count rises, runs open; where it falls, they
+/// close.
 /// @param labels one a square, or none: all are label 1
 template <typename Count>
 void cut_into_runs(std::span<const Count> counts, std::span<const Label> labels, RunRow& row) {
     row.clear();
     const auto cols = static_cast<std::int32_t>(counts.size());
-    std::int32_t open = 0;   // runs are open on levels 0 .. open - 1
+    std::int32_t open = 0;  // runs are open on levels 0 .. open - 1
     Label label = 0;
     for (std::int32_t col = 0; col < cols;) {
         const auto at = static_cast<std::size_t>(col);
@@ -62,8 +63,11 @@ void cut_into_runs(std::span<const Count> counts, std::span<const Label> labels,
             row.levels[static_cast<std::size_t>(--open)].back().end = col;
         for (; open < count; ++open) {
             const std::uint32_t below =
-                open == 0 ? none : static_cast<std::uint32_t>(row.levels[static_cast<std::size_t>(open - 1)].size() - 1);
-            row.levels[static_cast<std::size_t>(open)].push_back({col, cols, open == 0 ? 0 : next_label, below});
+                open == 0
+                    ? none
+                    : static_cast<std::uint32_t>(row.levels[static_cast<std::size_t>(open - 1)].size() - 1);
+            row.levels[static_cast<std::size_t>(open)].push_back(
+                {col, cols, open == 0 ? 0 : next_label, below});
         }
         label = next_label;
         std::int32_t end = col + 1;

@@ -10,7 +10,7 @@ std::vector<std::vector<Corner>> split_at_pinches(const std::vector<Corner>& out
         return {outline};
     std::vector<std::vector<Corner>> rings;
     std::vector<Corner> path;
-    std::map<LatticePoint, std::size_t> passed;   // pinches of the path, and where in it they stand
+    std::map<LatticePoint, std::size_t> passed;  // pinches of the path, and where in it they stand
     for (const Corner& corner : outline) {
         if (corner.pinch) {
             const auto [place, is_new] = passed.try_emplace(corner.at, path.size());

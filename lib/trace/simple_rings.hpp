@@ -6,8 +6,8 @@
 
 namespace d2b {
 
-/// Cuts a closed outline into rings that pass no point twice. With squares joined along edges only, an outline
-/// meets itself where two squares of one contour meet in a corner:
+/// Cuts a closed outline into rings that pass no point twice. With squares joined along edges only, an
+/// outline meets itself where two squares of one contour meet in a corner:
 ///
 ///     # # .        the outline of the # goes around the inner dot through the corner; cut there, the
 ///     # . #  <-    outer ring and the courtyard each pass it once, and the courtyard touches the

@@ -9,13 +9,14 @@
 
 namespace d2b {
 
-/// Collapsed contouring (-trace points) on the engine of cells: a unit square between four grid points belongs to
-/// as many levels as all four of them do, so it is a cell whose count is the least of its corners'. Above level 0
-/// all four must bear one label. Support: one row below and one column to the right.
+/// Collapsed contouring (-trace points) on the engine of cells: a unit square between four grid points
+/// belongs to as many levels as all four of them do, so it is a cell whose count is the least of its
+/// corners'. Above level 0 all four must bear one label. Support: one row below and one column to the right.
 /// @param upper, lower   counts of two neighbouring rows of points; @param squares one less, written
 template <typename Count>
-void squares_between(std::span<const Count> upper, std::span<const Count> lower, std::span<const Label> upper_labels,
-                     std::span<const Label> lower_labels, std::vector<Count>& squares) {
+void squares_between(std::span<const Count> upper, std::span<const Count> lower,
+                     std::span<const Label> upper_labels, std::span<const Label> lower_labels,
+                     std::vector<Count>& squares) {
     squares.resize(upper.size() - 1);
     for (std::size_t c = 0; c < squares.size(); ++c)
         squares[c] = std::min(std::min(upper[c], upper[c + 1]), std::min(lower[c], lower[c + 1]));

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "trace/simple_rings.hpp"
-
 namespace d2b {
 
 Sweep::Sweep(std::int32_t levels, std::int32_t first_col) : first_col_(first_col) {
@@ -78,7 +76,8 @@ void Sweep::link_level(std::size_t level, const OutsideRows& outside) {
     }
 }
 
-/// Two runs that share an edge become one component, and the outlines between them and their neighbours go on.
+/// Two runs that share an edge become one component, and the outlines between them and their neighbours go
+/// on.
 void Sweep::follow(std::size_t i, std::size_t level, const OutsideRows& outside) {
     const Link link = links_[i];
     Runs& uppers = previous_.levels[level];
@@ -106,8 +105,8 @@ void Sweep::follow(std::size_t i, std::size_t level, const OutsideRows& outside)
         }
     }
     components_[lower.component].last_row = line_;
-    const bool more = i + 1 < links_.size() &&
-                      (links_[i + 1].lower == link.lower || links_[i + 1].upper == link.upper);
+    const bool more =
+        i + 1 < links_.size() && (links_[i + 1].lower == link.lower || links_[i + 1].upper == link.upper);
     if (!more)
         right_sides_meet(upper, lower, outside);
 }
@@ -132,16 +131,18 @@ void Sweep::right_sides_meet(Run& upper, Run& lower, const OutsideRows& outside)
 
 void Sweep::start(Run& run, std::size_t level, const OutsideRows& outside) {
     const std::uint32_t below = level == 0 ? none : current_.levels[level - 1][run.below].component;
-    run.component = components_.add(static_cast<std::int32_t>(level), run.label, {line_, run.begin + first_col_}, below);
+    run.component =
+        components_.add(static_cast<std::int32_t>(level), run.label, {line_, run.begin + first_col_}, below);
     const Arms::Pair pair =
         arms_.open(corner(run.end), corner(run.begin, lowest(outside.above, run.begin, run.end)));
     run.tail = pair.tail;
     run.head = pair.head;
 }
 
-/// Joins the head at `head_run`'s left side, at column `from`, to the tail at `tail_run`'s right side, at `to`.
-void Sweep::close_gap(Run& head_run, Run& tail_run, std::int32_t from, std::int32_t to, std::uint32_t component,
-                      std::span<const double> outside) {
+/// Joins the head at `head_run`'s left side, at column `from`, to the tail at `tail_run`'s right side, at
+/// `to`.
+void Sweep::close_gap(Run& head_run, Run& tail_run, std::int32_t from, std::int32_t to,
+                      std::uint32_t component, std::span<const double> outside) {
     const double beside = lowest(outside, std::min(from, to), std::max(from, to));
     const auto ring = arms_.join(head_run.head, corner(from), corner(to, beside), tail_run.tail);
     if (!ring.empty())
@@ -158,63 +159,6 @@ void Sweep::pass_sides(Run& run, const OutsideRows& outside) {
         if (static_cast<std::size_t>(right) < row.size())
             arms_.pass(run.tail, row[static_cast<std::size_t>(right)]);
     }
-}
-
-void Sweep::add_ring(std::uint32_t component, const std::vector<Corner>& outline) {
-    Component& c = components_[component];
-    for (const auto& corners : split_at_pinches(outline)) {
-        LatticeRing ring;
-        ring.reserve(corners.size());
-        for (const Corner& corner : corners)
-            ring.push_back(corner.at);
-        PackedRing packed(ring);
-        if (packed.area() < 0) {
-            c.interiors.push_back(std::move(packed));
-            continue;
-        }
-        c.exterior = std::move(packed);
-        for (const Corner& corner : corners)
-            c.lowest_outside = std::min(c.lowest_outside, corner.outside);
-    }
-}
-
-void Sweep::finish_ended(StackSink& sink) {
-    for (auto level = previous_.levels.rbegin(); level != previous_.levels.rend(); ++level)
-        for (const Run& run : *level) {
-            const std::uint32_t root = components_.find(run.component);
-            Component& c = components_[root];
-            // -1 marks those already handed out: several runs of the row above may have been theirs.
-            if (c.last_row >= 0 && c.last_row < line_)
-                finish(root, sink);
-        }
-    std::swap(previous_, current_);
-    current_.clear();
-}
-
-void Sweep::finish(std::uint32_t root, StackSink& sink) {
-    Component& c = components_[root];
-    c.last_row = -1;
-    const std::int32_t level = c.level;
-    Stack stack;
-    if (c.sample)
-        stack.sample = std::move(*c.sample);
-    stack.standing_on_it = std::move(c.standing_on_it);
-    const std::uint32_t below = c.below;
-    Node node = components_.finish(root);
-    std::sort(node.contour.interiors.begin(), node.contour.interiors.end(),
-              [](const PackedRing& a, const PackedRing& b) { return a.start() < b.start(); });
-    if (level > 1) {
-        components_.hang(std::move(node), components_.find(below));
-        return;
-    }
-    stack.contours = components_.flatten(std::move(node));
-    const Taken taken = sink.take(std::move(stack));
-    if (level == 0)
-        return;
-    Component& ground = components_[components_.find(below)];
-    ground.own.merge(taken.fallen);
-    if (taken.handle >= 0)
-        ground.standing_on_it.push_back(taken.handle);
 }
 
 }  // namespace d2b

@@ -10,18 +10,18 @@
 
 namespace d2b {
 
-/// The lowest elevations beside outlines of level 1, by the rows next to the line that is being swept: points that
-/// are valid and do not qualify, +infinity elsewhere. Empty spans stand for rows that are not there.
+/// The lowest elevations beside outlines of level 1, by the rows next to the line that is being swept: points
+/// that are valid and do not qualify, +infinity elsewhere. Empty spans stand for rows that are not there.
 struct OutsideRows {
-    std::span<const double> above;    ///< the row above the line that is not on it
-    std::span<const double> on;       ///< -trace points: the row of points on the line; else empty
-    std::span<const double> below;    ///< the row below the line that is not on it
+    std::span<const double> above;  ///< the row above the line that is not on it
+    std::span<const double> on;     ///< -trace points: the row of points on the line; else empty
+    std::span<const double> below;  ///< the row below the line that is not on it
     bool of_points = false;
 };
 
-/// The engine: a line sweeps over the lattice, between the row of squares above it and the one below. All levels
-/// are linked, traced and finished in one pass; the carry is one row of runs, the open outlines and the open
-/// components. O(squares + length of all outlines).
+/// The engine: a line sweeps over the lattice, between the row of squares above it and the one below. All
+/// levels are linked, traced and finished in one pass; the carry is one row of runs, the open outlines and
+/// the open components. O(squares + length of all outlines).
 class Sweep {
   public:
     /// @param levels root included @param first_col of the window in the whole raster
@@ -30,7 +30,8 @@ class Sweep {
     /// Links the row of squares below the line (given as `current`) to the one above.
     /// @param line row number of the line, which is that of the squares below it
     void link(std::int32_t line, const OutsideRows& outside);
-    /// Hands out what ended above the line, the highest levels first; then the row below becomes the row above.
+    /// Hands out what ended above the line, the highest levels first; then the row below becomes the row
+    /// above.
     void finish_ended(StackSink& sink);
 
     [[nodiscard]] RunRow& current() { return current_; }
@@ -60,12 +61,13 @@ class Sweep {
 
     std::int32_t first_col_;
     std::int32_t line_ = 0;
-    bool with_outside_ = false;    ///< level 1 is being linked
+    bool with_outside_ = false;  ///< level 1 is being linked
     bool of_points_ = false;
     RunRow previous_;
     RunRow current_;
     std::vector<Link> links_;
-    std::vector<std::int32_t> pinches_;   ///< columns of this line and level where squares may meet in a corner
+    std::vector<std::int32_t>
+        pinches_;  ///< columns of this line and level where squares may meet in a corner
     Arms arms_;
     Components components_;
 };

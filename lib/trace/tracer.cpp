@@ -16,7 +16,8 @@ Tracer<Count>::Tracer(const TraceFrame& frame, const TraceOptions& options, Stac
       next_row_(frame.window.row) {}
 
 template <typename Count>
-void Tracer<Count>::trace(const ElevationBand& elevations, const LabelBand& labels, const LevelBand<Count>& levels) {
+void Tracer<Count>::trace(const ElevationBand& elevations, const LabelBand& labels,
+                          const LevelBand<Count>& levels) {
     for (std::int32_t i = 0; i < elevations.shape.rows; ++i) {
         std::swap(rows_[1], rows_[2]);
         std::swap(rows_[0], rows_[1]);
@@ -55,7 +56,7 @@ void Tracer<Count>::sweep_points() {
     const PointRow& lower = rows_[0];
     const PointRow& upper = rows_[1];
     if (upper.counts.empty())
-        return;   // the first row of points is the line above the first row of squares
+        return;  // the first row of points is the line above the first row of squares
     squares_between<Count>(upper.counts, lower.counts, upper.labels, lower.labels, squares_);
     cut_into_runs<Count>(squares_, std::span(upper.labels).first(upper.labels.empty() ? 0 : squares_.size()),
                          sweep_.current());
@@ -112,7 +113,8 @@ void Tracer<Count>::add_cells() {
         PointStats& own = components[run_of(segment.level, segment.run)].own;
         ElevationSample* sample =
             segment.building == none ? nullptr : components[run_of(1, segment.building)].sample.get();
-        for (auto c = static_cast<std::size_t>(segment.begin); c < static_cast<std::size_t>(segment.end); ++c) {
+        for (auto c = static_cast<std::size_t>(segment.begin); c < static_cast<std::size_t>(segment.end);
+             ++c) {
             const double z = rows_[0].elevations[c];
             own.add(z, frame_.fixed);
             if (sample != nullptr)
@@ -134,8 +136,8 @@ void Tracer<Count>::spread_owners(std::vector<Owner>& owners) {
     }
 }
 
-/// A point on the line is counted once, with the highest contour among the four squares around it (the first in
-/// scan order where several are as high): a point where two contours touch belongs to one of them.
+/// A point on the line is counted once, with the highest contour among the four squares around it (the first
+/// in scan order where several are as high): a point where two contours touch belongs to one of them.
 template <typename Count>
 void Tracer<Count>::add_points(const std::vector<double>& elevations) {
     const std::size_t squares = lower_owners_.size();

@@ -14,15 +14,15 @@ namespace d2b {
 /// What the tracer needs to know of the whole DEM before its first row.
 struct TraceFrame {
     Window window;
-    std::int32_t levels = 1;      ///< root included
-    FixedPoint fixed;             ///< for sums of elevations
-    ElevationRange range;         ///< for percentiles
+    std::int32_t levels = 1;  ///< root included
+    FixedPoint fixed;         ///< for sums of elevations
+    ElevationRange range;     ///< for percentiles
 };
 
-/// Collapsed contouring (Chittineni 2003, 4.2) of all levels in one pass over bands of rows. At each level the
-/// region is the union of the unit squares (-trace points) or cells (-trace cells) that qualify; squares that
-/// share an edge belong to one contour.
-/// Support: one row and column. Carry between bands: the rows next to the line, open outlines and components.
+/// Collapsed contouring (Chittineni 2003, 4.2) of all levels in one pass over bands of rows. At each level
+/// the region is the union of the unit squares (-trace points) or cells (-trace cells) that qualify; squares
+/// that share an edge belong to one contour. Support: one row and column. Carry between bands: the rows next
+/// to the line, open outlines and components.
 /// @tparam Count as the levels are kept
 template <typename Count>
 class Tracer {
@@ -37,7 +37,8 @@ class Tracer {
   private:
     struct PointRow {
         std::vector<double> elevations;
-        std::vector<double> outside;   ///< elevation where a point is valid and does not qualify, else +infinity
+        std::vector<double>
+            outside;  ///< elevation where a point is valid and does not qualify, else +infinity
         std::vector<Count> counts;
         std::vector<Label> labels;
     };
@@ -63,9 +64,9 @@ class Tracer {
     StackSink& sink_;
     Sweep sweep_;
     std::int32_t next_row_;
-    PointRow rows_[3];               ///< the newest first
+    PointRow rows_[3];  ///< the newest first
     std::vector<Count> squares_;
-    std::vector<Owner> upper_owners_;   ///< -trace points: of the squares above the line
+    std::vector<Owner> upper_owners_;  ///< -trace points: of the squares above the line
     std::vector<Owner> lower_owners_;
 };
 

@@ -92,11 +92,26 @@ void DatasetWriter::begin(const std::string& path, Mode mode, std::span<const La
     const bool one_by_one = mode == Mode::create && !has(dataset_.get(), ODsCRandomLayerWrite);
     for (std::size_t i = 0; i < specs_.size() && (i == 0 || !one_by_one); ++i)
         open_layer(specs_[i]);
-    if (mode == Mode::create)
+    if (mode == Mode::create) {
+        make_tables();
         return;
+    }
     // A driver that still had layers or metadata to write at its end would write them after a rollback, too.
     OgrCall call(target_);
     GDALFlushCache(dataset_.get());
+    call.check(true, "creating the layers");
+}
+
+void DatasetWriter::make_tables() {
+    if (!transactions_ || layers_.size() < 2)
+        return;
+    // SQL drivers make the table of a layer when it is first used: in the order of features, which is not that
+    // of the layers. To read does it, and leaves spatial indices, which are quicker made at the end, for later.
+    OgrCall call(target_);
+    for (const LayerWriter& layer : layers_) {
+        OGR_L_ResetReading(layer.handle());
+        const FeatureHandle none(OGR_L_GetNextFeature(layer.handle()));
+    }
     call.check(true, "creating the layers");
 }
 

@@ -40,6 +40,7 @@ class DatasetWriter {
 
   private:
     void open(const std::string& path, Mode mode);
+    void make_tables();
     void start_transaction();
     void commit();
     void remove_layer(const std::string& name);

@@ -17,7 +17,8 @@ Grid podium() {
     Grid grid{8, 10, std::vector<double>(80, 1.0), {}};
     for (int row = 2; row <= 5; ++row)
         for (int col = 2; col <= 7; ++col)
-            grid.z[static_cast<std::size_t>(row * 10 + col)] = row >= 3 && row <= 4 && col >= 3 && col <= 5 ? 20 : 10;
+            grid.z[static_cast<std::size_t>(row * 10 + col)] =
+                row >= 3 && row <= 4 && col >= 3 && col <= 5 ? 20 : 10;
     grid.z[33] = 30;
     return grid;
 }
@@ -50,9 +51,9 @@ TEST(Records, ContoursOfAPodiumWithATower) {
     EXPECT_EQ(level1.parent_id, 1);
     EXPECT_EQ(level1.building_id, 1);
     EXPECT_EQ(level1.threshold, 4);
-    EXPECT_EQ(level1.base, 1);                  // the ground
-    EXPECT_TRUE(std::isnan(level1.tier_z));     // its child holds all its points
-    EXPECT_EQ(level1.top, 8);                   // so it ends at the child's threshold
+    EXPECT_EQ(level1.base, 1);               // the ground
+    EXPECT_TRUE(std::isnan(level1.tier_z));  // its child holds all its points
+    EXPECT_EQ(level1.top, 8);                // so it ends at the child's threshold
     EXPECT_EQ(level1.points, 24);
     const ContourRecord& level2 = records.contours[2];
     EXPECT_EQ(level2.base, 8);
@@ -75,8 +76,8 @@ TEST(Records, BuildingOfAPodiumWithATowerInFeet) {
     EXPECT_EQ(building.ground, 1);
     EXPECT_EQ(building.roof, 30);
     EXPECT_DOUBLE_EQ(building.height_m, 29 * 0.3048);
-    EXPECT_NEAR(building.heights_m[0], 9 * 0.3048, 0.001);    // the 12th of 24: 10
-    EXPECT_NEAR(building.heights_m[3], 19 * 0.3048, 0.001);   // the 23rd: 20
+    EXPECT_NEAR(building.heights_m[0], 9 * 0.3048, 0.001);   // the 12th of 24: 10
+    EXPECT_NEAR(building.heights_m[3], 19 * 0.3048, 0.001);  // the 23rd: 20
     EXPECT_EQ(building.parts, 3);
     EXPECT_EQ(building.levels, 3);
     EXPECT_EQ(building.points, 24);
@@ -104,7 +105,7 @@ TEST(Records, IdsGoOnFromWhatIsThere) {
 TEST(Records, AtTheEdgeAndWithoutGround) {
     Grid grid{4, 4, std::vector<double>(16, 9.0), {}};
     grid.z[15] = test::nodata;
-    grid.z[0] = 1;   // the minimum; it lies diagonally across from the block's far corner
+    grid.z[0] = 1;  // the minimum; it lies diagonally across from the block's far corner
     for (const std::size_t i : {1U, 4U, 5U})
         grid.z[i] = test::nodata;
     const Records records = records_of(grid, {5});
@@ -120,7 +121,8 @@ void expect_good_names(std::span<const Attribute<Record>> attributes) {
     std::set<std::string_view> names;
     for (const Attribute<Record>& attribute : attributes) {
         EXPECT_LE(attribute.name.size(), 10U) << attribute.name;
-        EXPECT_EQ(attribute.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_"), std::string_view::npos);
+        EXPECT_EQ(attribute.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_"),
+                  std::string_view::npos);
         EXPECT_TRUE(names.insert(attribute.name).second) << attribute.name;
         EXPECT_FALSE(attribute.alias.empty());
         EXPECT_FALSE(attribute.description.empty());
@@ -149,8 +151,8 @@ TEST(AttributeTable, ValuesHaveTheTypesOfTheirFields) {
     EXPECT_EQ(fields[1].alias, "Ground (foot)");
     EXPECT_EQ(fields[3].unit, "m");
     const auto contour_values = field_values(contour_attributes(), records.contours[0]);
-    EXPECT_TRUE(std::holds_alternative<std::monostate>(contour_values[1]));   // no parent
-    EXPECT_TRUE(std::holds_alternative<std::monostate>(contour_values[2]));   // no building
+    EXPECT_TRUE(std::holds_alternative<std::monostate>(contour_values[1]));  // no parent
+    EXPECT_TRUE(std::holds_alternative<std::monostate>(contour_values[2]));  // no building
 }
 
 TEST(AttributeTable, FloorsAreStoreysOfThreeMetres) {

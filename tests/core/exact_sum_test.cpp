@@ -52,7 +52,8 @@ TEST(Moments, DoNotDependOnOrderOrPortions) {
     std::mt19937_64 random(7);
     std::vector<double> values;
     for (int i = 0; i < 5000; ++i)
-        values.push_back(std::ldexp(static_cast<double>(random() % 2000001) - 1e6, static_cast<int>(random() % 80) - 60));
+        values.push_back(
+            std::ldexp(static_cast<double>(random() % 2000001) - 1e6, static_cast<int>(random() % 80) - 60));
     const Moments forwards = moments_of(values);
     std::shuffle(values.begin(), values.end(), random);
     Moments merged = moments_of({values.begin(), values.begin() + 1234});

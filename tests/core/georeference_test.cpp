@@ -37,8 +37,9 @@ TEST(Georeference, UsesAllSixTerms) {
 
 TEST(Georeference, ExteriorRingsRunCounterClockwiseOnEveryGrid) {
     for (const AffineTransform& transform :
-         {AffineTransform{0, 1, 0, 0, 0, -1}, AffineTransform{0, 1, 0, 0, 0, 1}, AffineTransform{0, -1, 0, 0, 0, 1},
-          AffineTransform{0, 0, 1, 0, 1, 0}, AffineTransform{0, 0.6, 0.8, 0, 0.8, -0.6}}) {
+         {AffineTransform{0, 1, 0, 0, 0, -1}, AffineTransform{0, 1, 0, 0, 0, 1},
+          AffineTransform{0, -1, 0, 0, 0, 1}, AffineTransform{0, 0, 1, 0, 1, 0},
+          AffineTransform{0, 0.6, 0.8, 0, 0.8, -0.6}}) {
         const WorldPolygon polygon = Georeference(transform, TraceMode::cells).polygon(square);
         EXPECT_DOUBLE_EQ(signed_area(polygon.exterior), 16);
         EXPECT_DOUBLE_EQ(signed_area(polygon.interiors.front()), -1);

@@ -34,11 +34,12 @@ TEST(FixedPoint, ManyLargeValuesDoNotOverflow) {
 }
 
 TEST(ElevationSample, PercentilesAreNearestRanks) {
-    const ElevationRange range{0, 65536};   // a bin is one unit wide
+    const ElevationRange range{0, 65536};  // a bin is one unit wide
     ElevationSample sample;
     for (const int z : {15, 20, 35, 40, 50})
         sample.add(range.bin(z));
-    // The classic example of the nearest rank: 30 % of five is the 2nd, 40 % the 2nd, 50 % the 3rd, 100 % the 5th.
+    // The classic example of the nearest rank: 30 % of five is the 2nd, 40 % the 2nd, 50 % the 3rd, 100 % the
+    // 5th.
     EXPECT_EQ(sample.percentile(0.05, range), 15.5);
     EXPECT_EQ(sample.percentile(0.30, range), 20.5);
     EXPECT_EQ(sample.percentile(0.40, range), 20.5);

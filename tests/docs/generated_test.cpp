@@ -23,7 +23,9 @@ TEST(GeneratedDocs, SchemaIsThatOfTheAttributeTable) {
     EXPECT_NE(text_of(D2B_DOCS "/output.md").find(schema_markdown()), std::string::npos);
 }
 
-TEST(GeneratedDocs, OptionsAreThoseOfTheOptionTable) { EXPECT_EQ(text_of(D2B_DOCS "/options.md"), options_markdown()); }
+TEST(GeneratedDocs, OptionsAreThoseOfTheOptionTable) {
+    EXPECT_EQ(text_of(D2B_DOCS "/options.md"), options_markdown());
+}
 
 }  // namespace
 }  // namespace d2b

@@ -75,8 +75,10 @@ TEST(Holes, ShortOnesAreFilled) {
 
 TEST(Holes, SmallOnesAreFilled) {
     Context context;
-    EXPECT_EQ(trace_grid(plate(0), {10}, {TraceMode::cells, 0, 9.0}, context).contours[1].interiors.size(), 1U);
-    EXPECT_EQ(trace_grid(plate(0), {10}, {TraceMode::cells, 0, 9.5}, context).contours[1].interiors.size(), 0U);
+    EXPECT_EQ(trace_grid(plate(0), {10}, {TraceMode::cells, 0, 9.0}, context).contours[1].interiors.size(),
+              1U);
+    EXPECT_EQ(trace_grid(plate(0), {10}, {TraceMode::cells, 0, 9.5}, context).contours[1].interiors.size(),
+              0U);
     EXPECT_EQ(context.report.counted(Reason::hole_small), 1);
 }
 
@@ -91,15 +93,16 @@ TEST(Holes, StayWhereAContourStandsInThem) {
     Grid large{9, 9, std::vector<double>(81, 20.0), {}};
     for (int row = 1; row <= 7; ++row)
         for (int col = 1; col <= 7; ++col)
-            large.z[static_cast<std::size_t>(row * 9 + col)] = row >= 2 && row <= 6 && col >= 2 && col <= 6 ? 20 : 0;
+            large.z[static_cast<std::size_t>(row * 9 + col)] =
+                row >= 2 && row <= 6 && col >= 2 && col <= 6 ? 20 : 0;
     const ContourSet set = trace_grid(large, {10}, {TraceMode::cells, 0, 25.0}, context);
     ASSERT_EQ(set.contours.size(), 3U);
     EXPECT_EQ(set.contours[1].interiors.size(), 1U);
 }
 
 TEST(Holes, StayWhereAHoleOfTheLevelBelowRemains) {
-    // NoData in the pit: the root has a hole there. It is as short, so both are filled; with a point of NoData
-    // less the root's ring is shorter than the pit's.
+    // NoData in the pit: the root has a hole there. It is as short, so both are filled; with a point of
+    // NoData less the root's ring is shorter than the pit's.
     Context context;
     ContourSet set = trace_grid(plate(test::nodata), {10}, {TraceMode::cells, 13}, context);
     EXPECT_EQ(set.contours[0].interiors.size(), 0U);
@@ -113,7 +116,7 @@ TEST(Holes, AZigzagHoleBelowKeepsASmootherOneAboveIt) {
     // Level 0 has a hole of an odd shape (long ring), level 1 the 3 x 3 pit around it (ring of 12).
     Grid grid = plate(5);
     for (const int at : {4 * 11 + 4, 4 * 11 + 6, 5 * 11 + 4, 5 * 11 + 5, 5 * 11 + 6, 6 * 11 + 4, 6 * 11 + 6})
-        grid.z[static_cast<std::size_t>(at)] = test::nodata;   // an H: its ring passes 16 points
+        grid.z[static_cast<std::size_t>(at)] = test::nodata;  // an H: its ring passes 16 points
     Context context;
     const ContourSet set = trace_grid(grid, {10}, {TraceMode::cells, 14}, context);
     EXPECT_EQ(set.contours[0].interiors.size(), 1U);

@@ -8,7 +8,9 @@
 namespace d2b {
 namespace {
 
-WorldPolygon box(double x0, double y0, double x1, double y1) { return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}}; }
+WorldPolygon box(double x0, double y0, double x1, double y1) {
+    return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}};
+}
 
 LatticePolygon lattice_box(std::int32_t row0, std::int32_t col0, std::int32_t row1, std::int32_t col1) {
     return {{{row0, col0}, {row1, col0}, {row1, col1}, {row0, col1}}, {}};
@@ -18,7 +20,8 @@ double area(const std::vector<WorldPolygon>& polygons) {
     double sum = 0;
     const auto add = [&](const WorldRing& ring) {
         for (std::size_t i = 0; i < ring.size(); ++i)
-            sum += (ring[i].x * ring[(i + 1) % ring.size()].y - ring[(i + 1) % ring.size()].x * ring[i].y) / 2;
+            sum +=
+                (ring[i].x * ring[(i + 1) % ring.size()].y - ring[(i + 1) % ring.size()].x * ring[i].y) / 2;
     };
     for (const WorldPolygon& polygon : polygons) {
         add(polygon.exterior);
@@ -74,14 +77,15 @@ TEST(Geos, RepairsToValidOrientedPolygons) {
     const auto repaired = geos.repaired({bowtie});
     EXPECT_EQ(repaired.size(), 2U);
     EXPECT_EQ(geos.invalidity(repaired), "");
-    EXPECT_DOUBLE_EQ(area(repaired), 2);   // counter-clockwise, or it would be negative
+    EXPECT_DOUBLE_EQ(area(repaired), 2);  // counter-clockwise, or it would be negative
 }
 
 TEST(Geos, DifferenceIsExactOnTheLattice) {
     Geos geos;
     const LatticePolygon whole = lattice_box(0, 0, 10, 10);
     // One child shares a wall and two corners, one stands free, and both touch in a corner.
-    const auto left = geos.difference(whole, {lattice_box(0, 0, 4, 10), lattice_box(6, 2, 8, 5), lattice_box(4, 0, 5, 1)});
+    const auto left =
+        geos.difference(whole, {lattice_box(0, 0, 4, 10), lattice_box(6, 2, 8, 5), lattice_box(4, 0, 5, 1)});
     EXPECT_EQ(area(left), 100 - 40 - 6 - 1);
     ASSERT_EQ(left.size(), 1U);
     EXPECT_EQ(left[0].interiors.size(), 1U);
@@ -91,10 +95,13 @@ TEST(Geos, DifferenceMayComeApartOrVanish) {
     Geos geos;
     EXPECT_EQ(geos.difference(lattice_box(0, 0, 3, 9), {lattice_box(0, 3, 3, 6)}).size(), 2U);
     EXPECT_TRUE(geos.difference(lattice_box(0, 0, 3, 3), {lattice_box(0, 0, 3, 3)}).empty());
-    EXPECT_EQ(geos.difference(lattice_box(0, 0, 3, 3), {}).front().exterior, lattice_box(0, 0, 3, 3).exterior);
+    EXPECT_EQ(geos.difference(lattice_box(0, 0, 3, 3), {}).front().exterior,
+              lattice_box(0, 0, 3, 3).exterior);
 }
 
-TEST(Geos, ReportsItsVersion) { EXPECT_EQ(geos_version().find_first_not_of("0123456789."), std::string::npos); }
+TEST(Geos, ReportsItsVersion) {
+    EXPECT_EQ(geos_version().find_first_not_of("0123456789."), std::string::npos);
+}
 
 }  // namespace
 }  // namespace d2b

@@ -47,10 +47,10 @@ TEST(LevelPlan, LodOneIsTheMean) {
 TEST(LevelPlan, DropsWhatCutsNothingAndSaysSo) {
     Context context;
     LevelOptions options;
-    options.fixed = {7, 1, 3, 3, 0, 9, 12, 1};   // the minimum is 1, the maximum 9
+    options.fixed = {7, 1, 3, 3, 0, 9, 12, 1};  // the minimum is 1, the maximum 9
     const LevelPlan plan = plan_global_levels(statistics_of({1, 9, 4}), options, context);
     EXPECT_EQ(plan.thresholds[1], (std::vector<double>{3, 7}));
-    EXPECT_EQ(context.report.counted(Reason::threshold_not_above_minimum), 3);   // 0, 1 and 1
+    EXPECT_EQ(context.report.counted(Reason::threshold_not_above_minimum), 3);  // 0, 1 and 1
     EXPECT_EQ(context.report.counted(Reason::threshold_not_below_maximum), 2);
     EXPECT_EQ(context.report.counted(Reason::threshold_repeated), 1);
 }
@@ -77,11 +77,13 @@ TEST(LevelPlan, IntervalsCountFromTheirOffset) {
 TEST(LevelPlan, EnormousElevationsNeitherOverflowNorNeverEnd) {
     Context context;
     for (const int lod : {1, 4})
-        for (const double t : plan_global_levels(statistics_of({-1.7e308, 1.7e308}), with_lod(lod), context).thresholds[1])
+        for (const double t :
+             plan_global_levels(statistics_of({-1.7e308, 1.7e308}), with_lod(lod), context).thresholds[1])
             EXPECT_TRUE(std::isfinite(t));
     LevelOptions options;
-    options.interval = 1e13;   // 1e30 and the next double are 1.4e14 apart: no threshold fits between them
-    EXPECT_LE(plan_global_levels(statistics_of({1e30, 1.0000000000000002e30}), options, context).level_count(), 1);
+    options.interval = 1e13;  // 1e30 and the next double are 1.4e14 apart: no threshold fits between them
+    EXPECT_LE(
+        plan_global_levels(statistics_of({1e30, 1.0000000000000002e30}), options, context).level_count(), 1);
 }
 
 TEST(LevelPlan, TooManyLevelsAreRefused) {
@@ -92,7 +94,8 @@ TEST(LevelPlan, TooManyLevelsAreRefused) {
         static_cast<void>(plan_global_levels(statistics_of({0, 1}), options, context));
         FAIL();
     } catch (const OptionError& error) {
-        EXPECT_STREQ(error.what(), "-i 1e-06 gives more than 65534 levels on this DEM; use a larger interval.");
+        EXPECT_STREQ(error.what(),
+                     "-i 1e-06 gives more than 65534 levels on this DEM; use a larger interval.");
     }
     for (int i = 1; i < 70000; ++i)
         options.fixed.push_back(i / 70000.0);
@@ -143,7 +146,8 @@ TEST(Quantise, SearchesAndCountsAlike) {
 TEST(Quantise, EachLabelHasItsThresholds) {
     const LevelPlan plan{0, {{}, {10}, {1, 2, 3}}};
     const ElevationBand band{{0, 1, 3}, {5, 5, 5}};
-    EXPECT_EQ(quantise<std::uint8_t>(band, {{0, 1, 3}, {0, 1, 2}}, plan).counts, (std::vector<std::uint8_t>{1, 1, 4}));
+    EXPECT_EQ(quantise<std::uint8_t>(band, {{0, 1, 3}, {0, 1, 2}}, plan).counts,
+              (std::vector<std::uint8_t>{1, 1, 4}));
     EXPECT_EQ(plan.level_count(), 4);
 }
 

@@ -114,7 +114,7 @@ TEST(Simplify, DoesNotJumpOverAnotherOutline) {
 TEST(Simplify, ARingKeepsAnArea) {
     std::vector<Arc> ring{{{0, 0}, {3, 0}, {3, 3}, {0, 3}, {0, 0}}};
     simplify(ring, 100, unit_grid);
-    EXPECT_EQ(ring[0].size(), 4U);   // a triangle, closed
+    EXPECT_EQ(ring[0].size(), 4U);  // a triangle, closed
 }
 
 class SimplifiedGrid : public testing::TestWithParam<unsigned> {
@@ -174,8 +174,8 @@ double one_sided(const LatticeRing& from, const LatticeRing& to) {
             const Position p{a.x + (b.x - a.x) * k / 16, a.y + (b.y - a.y) * k / 16};
             double nearest = 1e9;
             for (std::size_t j = 0; j < to.size(); ++j)
-                nearest = std::min(nearest,
-                                   distance(p, unit_grid.position(to[j]), unit_grid.position(to[(j + 1) % to.size()])));
+                nearest = std::min(nearest, distance(p, unit_grid.position(to[j]),
+                                                     unit_grid.position(to[(j + 1) % to.size()])));
             largest = std::max(largest, nearest);
         }
     return largest;
@@ -193,6 +193,21 @@ TEST_P(SimplifiedGrid, StaysWithinTheToleranceBothWays) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, SimplifiedGrid, testing::Range(0U, 120U));
 
+class TracedGrid : public testing::TestWithParam<unsigned> {};
+
+TEST_P(TracedGrid, IsValidAsItIsTraced) {
+    const test::RandomGridCase c = test::random_grid(GetParam(), 30);
+    Context context;
+    const ContourSet set =
+        trace_grid(c.grid, c.thresholds, {c.mode, static_cast<int>(GetParam() % 9)}, context);
+    const Outliner outliner(set.contours, Drawing::traced, {}, unit_grid);
+    Geos geos;
+    for (std::size_t i = 0; i < set.contours.size(); ++i)
+        EXPECT_EQ(geos.invalidity({unit_grid.polygon(outliner.outline(i))}), "") << i;
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, TracedGrid, testing::Range(3000U, 3150U));
+
 class RotatedGrid : public testing::TestWithParam<unsigned> {};
 
 /// On a rotated grid positions are rounded; noded outlines share theirs, so what remains is far below a cell.
@@ -201,8 +216,8 @@ TEST_P(RotatedGrid, NestingHoldsToAMillionthOfACell) {
     Context context;
     const ContourSet set = trace_grid(c.grid, c.thresholds, {c.mode}, context);
     const double angle = 0.37;
-    const Georeference rotated({691234.5, 0.5 * std::cos(angle), 0.5 * std::sin(angle), 5334567.5, 0.5 * std::sin(angle),
-                                -0.5 * std::cos(angle)},
+    const Georeference rotated({691234.5, 0.5 * std::cos(angle), 0.5 * std::sin(angle), 5334567.5,
+                                0.5 * std::sin(angle), -0.5 * std::cos(angle)},
                                c.mode);
     const Outliner outliner(set.contours, choose_drawing({}, rotated), {}, rotated);
     Geos geos;

@@ -7,7 +7,6 @@
 
 #include "core/crs.hpp"
 #include "geometry/geos.hpp"
-#include "pipeline/emit.hpp"
 #include "support/memory_io.hpp"
 #include "support/random_grid.hpp"
 
@@ -199,7 +198,8 @@ TEST(Pipeline, ReprojectingNeedsACrs) {
         run_on(source, options, result);
         FAIL();
     } catch (const OptionError& error) {
-        EXPECT_STREQ(error.what(), "-t_srs needs to know the CRS of the DEM, which has none; give it with -a_srs.");
+        EXPECT_STREQ(error.what(),
+                     "-t_srs needs to know the CRS of the DEM, which has none; give it with -a_srs.");
     }
 }
 
@@ -211,7 +211,8 @@ TEST(Pipeline, CoarseCellsAreWarnedOf) {
     run_on(source, cells({10}), result);
     ASSERT_EQ(result.context.report.warnings.size(), 1U);
     EXPECT_EQ(result.context.report.warnings[0],
-              "The cells are 5.0 m wide, which is too coarse for single buildings; up to 1 m is best, 2.5 m may do.");
+              "The cells are 5.0 m wide, which is too coarse for single buildings; up to 1 m is best, 2.5 m "
+              "may do.");
 }
 
 std::string only_warning(MemorySource& source, const Options& options) {
@@ -227,7 +228,8 @@ TEST(Pipeline, NothingToFindIsAWarning) {
     MemorySource nothing(2, 2, std::vector<double>(4, std::numeric_limits<double>::quiet_NaN()));
     EXPECT_EQ(only_warning(nothing, {}), "'memory' has no valid point; the layers are empty.");
     MemorySource flat(3, 3, std::vector<double>(9, 7.0));
-    EXPECT_EQ(only_warning(flat, {}), "All valid points of 'memory' have the same elevation; no building was found.");
+    EXPECT_EQ(only_warning(flat, {}),
+              "All valid points of 'memory' have the same elevation; no building was found.");
     MemorySource low = block();
     EXPECT_EQ(only_warning(low, cells({100})),
               "No threshold lies between the lowest and the highest elevation; no building was found.");
@@ -247,7 +249,7 @@ TEST(Pipeline, ManyLevelsNeedSixteenBits) {
     Result result;
     run_on(source, cells(thresholds), result);
     EXPECT_EQ(result.context.report.levels.size(), 891U);
-    EXPECT_EQ(result.context.report.levels[890].points, 10);   // 890 to 899
+    EXPECT_EQ(result.context.report.levels[890].points, 10);  // 890 to 899
 }
 
 TEST(Pipeline, CancellingLeavesNothing) {
@@ -273,39 +275,6 @@ TEST(Pipeline, SaysWhereItComesFrom) {
     EXPECT_EQ(result.sink.provenance.metadata.at("D2B_THRESHOLDS"), "10 15.25");
     EXPECT_EQ(result.sink.provenance.metadata.at("D2B_SOURCE"), "memory");
     EXPECT_EQ(result.sink.provenance.crs_wkt, "");
-}
-
-const WorldPolygon bowtie{{{0, 0}, {2, 2}, {2, 0}, {0, 2}}, {}};
-const WorldPolygon square{{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {}};
-
-TEST(Checked, AnInvalidPolygonIsRepairedAndCounted) {
-    Geos geos;
-    RunReport report;
-    OutlineStatus status = OutlineStatus::traced;
-    const auto parts = checked({bowtie}, [] { return std::vector<WorldPolygon>{}; }, geos, status, report);
-    EXPECT_EQ(geos.invalidity(parts), "");
-    EXPECT_EQ(status, OutlineStatus::repaired);
-    EXPECT_EQ(report.counted(Reason::polygon_repaired), 1);
-}
-
-TEST(Checked, AnInvalidSimplifiedPolygonKeepsItsTracedForm) {
-    Geos geos;
-    RunReport report;
-    OutlineStatus status = OutlineStatus::simplified;
-    const auto parts = checked({bowtie}, [] { return std::vector<WorldPolygon>{square}; }, geos, status, report);
-    EXPECT_EQ(parts[0].exterior, square.exterior);
-    EXPECT_EQ(status, OutlineStatus::kept_traced);
-    EXPECT_EQ(report.counted(Reason::outline_kept_traced), 1);
-    EXPECT_EQ(report.counted(Reason::polygon_repaired), 0);
-}
-
-TEST(Checked, AValidPolygonIsLeftAlone) {
-    Geos geos;
-    RunReport report;
-    OutlineStatus status = OutlineStatus::simplified;
-    const auto parts = checked({square}, [] { return std::vector<WorldPolygon>{}; }, geos, status, report);
-    EXPECT_EQ(parts[0].exterior, square.exterior);
-    EXPECT_EQ(status, OutlineStatus::simplified);
 }
 
 }  // namespace

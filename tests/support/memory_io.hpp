@@ -25,8 +25,8 @@ class MemorySource : public DemSource {
     void read(std::int32_t first_row, std::int32_t rows, std::span<double> elevations) override {
         ++reads;
         for (std::int32_t i = 0; i < rows; ++i) {
-            const auto from = elevations_.begin() +
-                              static_cast<std::ptrdiff_t>(first_row + i) * info_.cols + info_.window.col;
+            const auto from = elevations_.begin() + static_cast<std::ptrdiff_t>(first_row + i) * info_.cols +
+                              info_.window.col;
             std::copy(from, from + info_.window.cols,
                       elevations.begin() + static_cast<std::ptrdiff_t>(i) * info_.window.cols);
         }
@@ -52,8 +52,8 @@ class MemorySink : public FeatureSink {
     /// A value by the name of its field.
     [[nodiscard]] FieldValue value(std::size_t layer, std::size_t feature, const std::string& field) const {
         const auto& fields = layers[layer].fields;
-        const auto found =
-            std::find_if(fields.begin(), fields.end(), [&](const FieldSpec& spec) { return spec.name == field; });
+        const auto found = std::find_if(fields.begin(), fields.end(),
+                                        [&](const FieldSpec& spec) { return spec.name == field; });
         return features[layer][feature].values.at(static_cast<std::size_t>(found - fields.begin()));
     }
     [[nodiscard]] double number(std::size_t layer, std::size_t feature, const std::string& field) const {

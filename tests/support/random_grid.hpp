@@ -28,7 +28,8 @@ inline RandomGridCase random_grid(unsigned seed, unsigned largest = 14, bool wit
     for (int i = 0; i < grid.rows * grid.cols; ++i) {
         const int first = below(static_cast<unsigned>(values));
         // The higher of two makes large regions with small holes.
-        grid.z.push_back(with_nodata && below(9) == 0 ? nodata : std::max(first, below(static_cast<unsigned>(values))));
+        grid.z.push_back(
+            with_nodata && below(9) == 0 ? nodata : std::max(first, below(static_cast<unsigned>(values))));
         if (labelled)
             grid.labels.push_back(static_cast<Label>(below(3)));
     }

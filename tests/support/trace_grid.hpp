@@ -20,10 +20,11 @@ struct Grid {
     std::int32_t rows = 0;
     std::int32_t cols = 0;
     std::vector<double> z;
-    std::vector<Label> labels;   ///< empty: one label
+    std::vector<Label> labels;  ///< empty: one label
 
     [[nodiscard]] double at(std::int32_t row, std::int32_t col) const {
-        return z[static_cast<std::size_t>(row) * static_cast<std::size_t>(cols) + static_cast<std::size_t>(col)];
+        return z[static_cast<std::size_t>(row) * static_cast<std::size_t>(cols) +
+                 static_cast<std::size_t>(col)];
     }
     [[nodiscard]] Label label(std::int32_t row, std::int32_t col) const {
         return labels.empty() ? 1 : labels[static_cast<std::size_t>(row * cols + col)];
@@ -39,20 +40,22 @@ struct TraceSettings {
     int noise_factor = 0;
     double min_area = 0;
     std::int32_t rows_a_band = 1000000;
-    LatticePoint origin;   ///< of the window in the whole raster
+    LatticePoint origin;  ///< of the window in the whole raster
 };
 
 template <typename Count>
-ContourSet trace_levels(const Grid& grid, const LevelPlan& plan, const TraceSettings& settings, Context& context) {
+ContourSet trace_levels(const Grid& grid, const LevelPlan& plan, const TraceSettings& settings,
+                        Context& context) {
     ElevationStatistics statistics;
     statistics.add({{0, grid.rows, grid.cols}, grid.z});
     FilterOptions filter;
     filter.noise_factor = settings.noise_factor;
     filter.min_area_m2 = settings.min_area;
-    ContourStore store(filter, [](LatticePoint) { return 1.0; }, statistics.range(), context);
+    ContourStore store(
+        filter, [](LatticePoint) { return 1.0; }, statistics.range(), context);
     const Window window{settings.origin.row, settings.origin.col, grid.rows, grid.cols};
-    Tracer<Count> tracer({window, plan.level_count(), statistics.fixed_point(), statistics.range()}, {settings.mode},
-                         store);
+    Tracer<Count> tracer({window, plan.level_count(), statistics.fixed_point(), statistics.range()},
+                         {settings.mode}, store);
     for (std::int32_t row = 0; row < grid.rows; row += settings.rows_a_band) {
         const std::int32_t rows = std::min(settings.rows_a_band, grid.rows - row);
         const auto begin = static_cast<std::ptrdiff_t>(row) * grid.cols;
@@ -69,8 +72,8 @@ ContourSet trace_levels(const Grid& grid, const LevelPlan& plan, const TraceSett
 }
 
 /// Traces a grid with the same thresholds for every label.
-inline ContourSet trace_grid(const Grid& grid, const std::vector<double>& thresholds, const TraceSettings& settings,
-                             Context& context) {
+inline ContourSet trace_grid(const Grid& grid, const std::vector<double>& thresholds,
+                             const TraceSettings& settings, Context& context) {
     ElevationStatistics statistics;
     statistics.add({{0, grid.rows, grid.cols}, grid.z});
     Label labels = 1;

@@ -31,7 +31,9 @@ std::multiset<Shape> shapes(const ContourSet& set, const std::function<LatticePo
     return result;
 }
 
-LatticePoint unmoved(LatticePoint square) { return square; }
+LatticePoint unmoved(LatticePoint square) {
+    return square;
+}
 
 Grid rotated(const Grid& grid) {
     Grid result{grid.cols, grid.rows, {}, {}};

@@ -9,7 +9,8 @@ namespace {
 using Squares = std::set<LatticePoint>;
 
 /// Whether a unit square qualifies at a level.
-bool qualifies(const Grid& grid, const std::vector<double>& thresholds, TraceMode mode, int level, LatticePoint s) {
+bool qualifies(const Grid& grid, const std::vector<double>& thresholds, TraceMode mode, int level,
+               LatticePoint s) {
     const int reach = mode == TraceMode::points ? 1 : 0;
     if (s.row < 0 || s.col < 0 || s.row + reach >= grid.rows || s.col + reach >= grid.cols)
         return false;
@@ -44,8 +45,8 @@ Squares flood(LatticePoint start, const Squares& all, const Grid& grid, int leve
     return found;
 }
 
-/// Background squares around a region, joined along edges; where the region meets itself in a corner its squares
-/// are joined there, so the background on both sides is apart. The first piece is the outside.
+/// Background squares around a region, joined along edges; where the region meets itself in a corner its
+/// squares are joined there, so the background on both sides is apart. The first piece is the outside.
 std::vector<Squares> background(const Squares& region) {
     LatticePoint low = *region.begin();
     LatticePoint high = low;
@@ -130,7 +131,8 @@ std::set<LatticePoint> squares_inside(const Contour& contour) {
                 for (std::size_t i = 0; i < ring.size(); ++i) {
                     const LatticePoint a = ring[i];
                     const LatticePoint b = ring[(i + 1) % ring.size()];
-                    if (a.col == b.col && a.col > c && std::min(a.row, b.row) <= r && r < std::max(a.row, b.row))
+                    if (a.col == b.col && a.col > c && std::min(a.row, b.row) <= r &&
+                        r < std::max(a.row, b.row))
                         ++crossings;
                 }
             if (crossings % 2 == 1)

@@ -12,12 +12,13 @@ namespace d2b::test {
 struct ReferenceContour {
     std::int32_t level = 0;
     std::set<LatticePoint> squares;
-    LatticePoint parent_first;      ///< first square of the contour one level down
+    LatticePoint parent_first;  ///< first square of the contour one level down
     std::int64_t exterior_points = 0;
     std::size_t interiors = 0;
 };
 
-[[nodiscard]] std::vector<ReferenceContour> reference_contours(const Grid& grid, const std::vector<double>& thresholds,
+[[nodiscard]] std::vector<ReferenceContour> reference_contours(const Grid& grid,
+                                                               const std::vector<double>& thresholds,
                                                                TraceMode mode);
 
 /// The unit squares inside a polygon, by a test of every square's centre against every edge.

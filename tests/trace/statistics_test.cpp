@@ -10,16 +10,16 @@ namespace {
 
 using test::Grid;
 
-/// Where the points of a contour lie, seen from its polygon: in -trace cells in its cells; in -trace points at
-/// the corners of its squares.
+/// Where the points of a contour lie, seen from its polygon: in -trace cells in its cells; in -trace points
+/// at the corners of its squares.
 std::set<LatticePoint> points_of(const Contour& contour, TraceMode mode) {
     const std::set<LatticePoint> squares = test::squares_inside(contour);
     if (mode == TraceMode::cells)
         return squares;
     std::set<LatticePoint> points;
     for (const LatticePoint s : squares)
-        for (const LatticePoint p :
-             {s, LatticePoint{s.row + 1, s.col}, LatticePoint{s.row, s.col + 1}, LatticePoint{s.row + 1, s.col + 1}})
+        for (const LatticePoint p : {s, LatticePoint{s.row + 1, s.col}, LatticePoint{s.row, s.col + 1},
+                                     LatticePoint{s.row + 1, s.col + 1}})
             points.insert(p);
     return points;
 }
@@ -43,7 +43,8 @@ TEST_P(PointStatistics, CellsAreCountedInTheContourThatHoldsThem) {
         ASSERT_EQ(stats.n, static_cast<std::int64_t>(own.size()));
         if (stats.n > 0) {
             const double largest = c.thresholds.back() + 0.5;
-            EXPECT_DOUBLE_EQ(FixedPoint(largest).mean(stats.sum, stats.n), sum / static_cast<double>(stats.n));
+            EXPECT_DOUBLE_EQ(FixedPoint(largest).mean(stats.sum, stats.n),
+                             sum / static_cast<double>(stats.n));
         }
     }
 }

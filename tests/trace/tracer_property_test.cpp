@@ -10,7 +10,9 @@ namespace {
 
 using test::TraceSettings;
 
-std::set<LatticePoint> distinct(const LatticeRing& ring) { return {ring.begin(), ring.end()}; }
+std::set<LatticePoint> distinct(const LatticeRing& ring) {
+    return {ring.begin(), ring.end()};
+}
 
 void expect_simple_and_compressed(const LatticeRing& ring) {
     EXPECT_EQ(distinct(ring).size(), ring.size());

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -102,5 +103,7 @@ int run_guarded(const std::vector<std::string>& arguments) {
 }  // namespace d2b
 
 int main(int argc, char* argv[]) {
+    // At a limit of the size of files writing then fails, with a message, and cleans up.
+    std::signal(SIGXFSZ, SIG_IGN);
     return d2b::run_guarded({argv + std::min(argc, 1), argv + argc});
 }

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include <proj.h>
+
+#include "core/feature_sink.hpp"
+
+namespace d2b {
+
+struct AreaDelete {
+    void operator()(PJ_AREA* area) const { proj_area_destroy(area); }
+};
+using AreaPtr = std::unique_ptr<PJ_AREA, AreaDelete>;
+
+/// @param crs that of the positions
+/// @returns null where nothing is known of the area: PROJ then goes by the CRSs' areas of use
+[[nodiscard]] AreaPtr area_of(const PJ* crs, std::span<const Position> positions);
+
+}  // namespace d2b

@@ -1,0 +1,71 @@
+#include "core/crs.hpp"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include <proj.h>
+
+#include "core/crs/axis_units.hpp"
+#include "core/crs/crs_impl.hpp"
+#include "core/crs/lon_lat.hpp"
+#include "core/crs/parse_crs.hpp"
+#include "core/crs/proj_objects.hpp"
+
+namespace d2b {
+
+void Crs::Impl::read(std::string_view text) {
+    context = std::make_unique<ProjContext>();
+    PJ_CONTEXT* pj_context = context->get();
+    const PjPtr given = parse_crs(*context, text);
+    name = proj_get_name(given.get());
+    static constexpr std::array<const char*, 2> one_line{"MULTILINE=NO", nullptr};
+    const char* exported = proj_as_wkt(pj_context, given.get(), PJ_WKT2_2019, one_line.data());
+    if (!exported)
+        throw unreadable(text, *context);
+    wkt = exported;
+
+    horizontal = horizontal_part(pj_context, given.get());
+    const PjPtr base = unbound(pj_context, PjPtr(proj_clone(pj_context, horizontal.get())));
+    kind = kind_of(pj_context, base.get());
+    const std::optional<AxisUnit> unit = axis_unit(pj_context, base.get(), 0);
+    if (kind == Kind::geographic && unit)
+        angular_unit = to_degrees(unit->factor);
+    if (kind == Kind::projected ||
+        (kind == Kind::local && axes_type(pj_context, base.get()) == PJ_CS_TYPE_CARTESIAN))
+        horizontal_unit = length_unit(unit);
+    if (kind != Kind::other)
+        vertical_unit = vertical_unit_of(pj_context, given.get(), base.get());
+    on_ellipsoid = lon_lat_of(horizontal.get()) != nullptr;
+}
+
+Crs::Crs() : impl_(std::make_shared<const Impl>()) {}
+
+Crs::Crs(std::string_view text) {
+    auto impl = std::make_shared<Impl>();
+    if (!text.empty())
+        impl->read(text);
+    impl_ = std::move(impl);
+}
+
+Crs::Kind Crs::kind() const {
+    return impl_->kind;
+}
+std::string Crs::name() const {
+    return impl_->name;
+}
+std::string Crs::wkt() const {
+    return impl_->wkt;
+}
+std::optional<LengthUnit> Crs::horizontal_unit() const {
+    return impl_->horizontal_unit;
+}
+std::optional<LengthUnit> Crs::vertical_unit() const {
+    return impl_->vertical_unit;
+}
+bool Crs::on_ellipsoid() const {
+    return impl_->on_ellipsoid;
+}
+
+}  // namespace d2b

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <span>
+
+#include "core/crs/geodesic_polygon.hpp"
+#include "core/crs/lon_lat.hpp"
+#include "core/feature_sink.hpp"
+
+namespace d2b {
+
+/// How much edges that are straight in a CRS bend on the ellipsoid. Found once for each tile of a fixed grid
+/// over the CRS, so that no result depends on earlier rings.
+class EdgeBends {
+  public:
+    /// @param tile side of the smallest tiles, units of the CRS
+    explicit EdgeBends(double tile) : tile_(tile) {}
+
+    /// Units of the CRS over which the bend may be taken for constant.
+    [[nodiscard]] double tile() const { return tile_; }
+    /// In the neighbourhood of a ring: no edge there has a sag (in metres) above bend * length^2 (in units of
+    /// the CRS). Infinite where the ring is too large to say.
+    /// @param corners at least one @param lon_lat, polygon of the CRS, the same in every call
+    [[nodiscard]] double around(std::span<const Position> corners, const LonLat& lon_lat,
+                                const GeodesicPolygon& polygon);
+
+  private:
+    /// Tiles double in size from level to level.
+    struct Tile {
+        int level = 0;
+        std::int64_t col = 0;
+        std::int64_t row = 0;
+        auto operator<=>(const Tile&) const = default;
+    };
+
+    [[nodiscard]] double tile_size(int level) const { return std::ldexp(tile_, level); }
+    [[nodiscard]] double measure(const Tile& tile, const LonLat& lon_lat,
+                                 const GeodesicPolygon& polygon) const;
+
+    double tile_;
+    std::map<Tile, double> bends_;
+};
+
+}  // namespace d2b

@@ -1,0 +1,68 @@
+#include "core/crs/lon_lat.hpp"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "core/crs/axis_units.hpp"
+#include "core/crs/operation.hpp"
+
+namespace d2b {
+namespace {
+
+bool read_ellipsoid(LonLat& result, const PJ* geographic) {
+    PJ_CONTEXT* context = result.context.get();
+    const PjPtr ellipsoid(proj_get_ellipsoid(context, geographic));
+    double polar_radius = 0;
+    double inverse_flattening = 0;
+    if (!ellipsoid || !proj_ellipsoid_get_parameters(context, ellipsoid.get(), &result.radius, &polar_radius,
+                                                     nullptr, &inverse_flattening))
+        return false;
+    result.flattening = inverse_flattening == 0 ? 0 : 1 / inverse_flattening;
+    const PjPtr meridian(proj_get_prime_meridian(context, geographic));
+    double longitude = 0;
+    double radians = 0;
+    if (meridian &&
+        proj_prime_meridian_get_parameters(context, meridian.get(), &longitude, &radians, nullptr))
+        result.prime_meridian = longitude * to_degrees(radians);
+    return std::isfinite(result.radius) && result.radius > 0 && result.flattening < 1;
+}
+
+}  // namespace
+
+void LonLat::apply(std::span<Position> positions) const {
+    if (operation)
+        carry_out(operation.get(), positions);
+    for (Position& p : positions) {
+        p = {p.x * degrees, p.y * degrees};
+        if (!(std::abs(p.y) <= 90))  // rounding may lead past a pole
+            p.y = std::abs(p.y) <= 90 + 1e-9 ? std::copysign(90.0, p.y)
+                                             : std::numeric_limits<double>::infinity();
+    }
+}
+
+std::unique_ptr<LonLat> lon_lat_of(const PJ* horizontal) {
+    auto result = std::make_unique<LonLat>();
+    PJ_CONTEXT* context = result->context.get();
+    const PjPtr crs = unbound(context, PjPtr(proj_clone(context, horizontal)));
+    const Crs::Kind kind = kind_of(context, crs.get());
+    if (kind != Crs::Kind::projected && kind != Crs::Kind::geographic)
+        return nullptr;
+    PjPtr base(proj_crs_get_geodetic_crs(context, crs.get()));
+    while (base && proj_crs_is_derived(context, base.get()))  // rotated poles
+        base.reset(proj_get_source_crs(context, base.get()));
+    if (!base || kind_of(context, base.get()) != Crs::Kind::geographic ||
+        !read_ellipsoid(*result, base.get()))
+        return nullptr;
+    const std::optional<AxisUnit> unit = axis_unit(context, base.get(), 0);
+    if (!unit)
+        return nullptr;
+    result->degrees = to_degrees(unit->factor);
+    if (kind == Crs::Kind::geographic && !proj_crs_is_derived(context, crs.get()))
+        return result;
+    result->operation = operation_between(context, crs.get(), base.get(), nullptr);
+    return result->operation ? std::move(result) : nullptr;
+}
+
+}  // namespace d2b

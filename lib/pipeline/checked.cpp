@@ -1,0 +1,22 @@
+#include "pipeline/checked.hpp"
+
+namespace d2b {
+
+std::vector<WorldPolygon> checked(std::vector<WorldPolygon> drawn,
+                                  const std::function<std::vector<WorldPolygon>()>& traced, Geos& geos,
+                                  OutlineStatus& status, RunReport& report) {
+    if (drawn.empty() || geos.invalidity(drawn).empty())
+        return drawn;
+    if (status == OutlineStatus::simplified) {
+        status = OutlineStatus::kept_traced;
+        report.count(Reason::outline_kept_traced);
+        drawn = traced();
+        if (geos.invalidity(drawn).empty())
+            return drawn;
+    }
+    status = OutlineStatus::repaired;
+    report.count(Reason::polygon_repaired);
+    return geos.repaired(drawn);
+}
+
+}  // namespace d2b

@@ -1,0 +1,79 @@
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/cli_test_case.hpp"
+
+namespace d2b::test {
+namespace {
+
+using nlohmann::json;
+
+/// Real DEMs, which stand beside the project and are not part of it.
+class Cities : public CliTest, public ::testing::WithParamInterface<const char*> {
+  protected:
+    void SetUp() override {
+        CliTest::SetUp();
+        dem_ = std::string(D2B_SHARED) + "/cities/" + GetParam();
+        if (!std::filesystem::exists(dem_))
+            GTEST_SKIP() << missing_shared(dem_);
+    }
+    /// Runs, and looks at every polygon of the result.
+    void expect_valid(Arguments arguments) const {
+        arguments.insert(arguments.end(), {"-json", "--", dem_, "out.gpkg"});
+        const json report = json::parse(run_well(arguments));
+        EXPECT_EQ(report["dropped"]["polygon_repaired"], 0);
+        EXPECT_EQ(report["dropped"]["outline_kept_traced"], 0);
+        for (const char* name : {"buildings", "contours"}) {
+            const Layer found = layer("out.gpkg", name);
+            EXPECT_GT(found.records.size(), 0U) << name;
+            for (const Record& record : found.records) {
+                EXPECT_TRUE(record.valid()) << name << " " << record.text("id");
+                EXPECT_GT(record.number("area_m2"), 0) << name << " " << record.text("id");
+            }
+        }
+        EXPECT_EQ(report["output"]["buildings"], layer("out.gpkg", "buildings").records.size());
+    }
+    /// The smaller side of a cell.
+    [[nodiscard]] double cell() const {
+        const OpenDataset dem(GDALOpen(dem_.c_str(), GA_ReadOnly));
+        std::array<double, 6> transform{};
+        EXPECT_EQ(GDALGetGeoTransform(dem.get(), transform.data()), CE_None);
+        return std::min(std::hypot(transform[1], transform[4]), std::hypot(transform[2], transform[5]));
+    }
+
+  private:
+    std::string dem_;
+};
+
+TEST_P(Cities, areTracedByDefault) {
+    expect_valid({});
+}
+
+TEST_P(Cities, areSimplifiedAsDisjointBandsOfCells) {
+    char tolerance[32];
+    std::snprintf(tolerance, sizeof tolerance, "%.9f", 0.9 * cell());
+    expect_valid({"-trace", "cells", "-disjoint", "-simplify", tolerance});
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, Cities,
+    ::testing::Values("annarbor/dsm.tif", "annarbor/dsm_zfeet.tif", "annarbor/dtm.tif",
+                      "annarbor/dtm_zfeet.tif", "athens_lod1_synthetic/dsm_400m_lod1_on_terrain.tif",
+                      "athens_lod1_synthetic/dtm_400m.tif", "athens_lod1_synthetic/ndsm_lod1.tif",
+                      "bilbao/dsm.tif", "bilbao/dtm.tif", "delft/derived_epsg4326_dsm.tif", "delft/dsm.tif",
+                      "delft/dtm.tif", "seville/dsm.tif", "seville/dtm.tif", "stbarth/dsm.tif",
+                      "stbarth/dtm.tif", "stuttgart_csite2/derived_epsg4326_dsm.tif",
+                      "stuttgart_csite2/dsm.tif"),
+    [](const auto& test) {
+        std::string name = test.param;
+        for (char& c : name)
+            if (std::isalnum(static_cast<unsigned char>(c)) == 0)
+                c = '_';
+        return name;
+    });
+
+}  // namespace
+}  // namespace d2b::test

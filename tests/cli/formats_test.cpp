@@ -1,0 +1,139 @@
+#include <cmath>
+
+#include <cpl_vsi.h>
+
+#include "cli/cli_test_case.hpp"
+
+namespace d2b::test {
+namespace {
+
+/// What comes out does not depend on where it comes from or goes to.
+class Formats : public CliTest {
+  protected:
+    void SetUp() override {
+        CliTest::SetUp();
+        run_well({"-q", sample("nodata.tif"), "reference.gpkg"});
+    }
+    void expect_as_reference(const Layer& found, const std::string& name) const {
+        SCOPED_TRACE(found.name);
+        const Layer reference = layer("reference.gpkg", name);
+        EXPECT_EQ(found.crs, "ETRS89 / UTM zone 33N");
+        EXPECT_EQ(found.fields, reference.fields);
+        ASSERT_EQ(found.records.size(), reference.records.size());
+        ASSERT_GT(found.records.size(), 2U);
+        for (const Record& expected : reference.records) {
+            const Record& record = found.where("id", expected.number("id"));
+            EXPECT_TRUE(OGR_G_Equals(record.geometry(), expected.geometry()) != 0 ||
+                        std::abs(record.area() - expected.area()) < 1e-6);
+            for (const std::string& field : reference.fields) {
+                ASSERT_EQ(record.is_null(field), expected.is_null(field)) << field;
+                if (field == "status") {
+                    EXPECT_EQ(record.text(field), expected.text(field));
+                } else if (!record.is_null(field)) {
+                    EXPECT_NEAR(record.number(field), expected.number(field),
+                                1e-9 * std::abs(expected.number(field)))
+                        << field;
+                }
+            }
+        }
+    }
+    void expect_file(const std::string& file, const Arguments& more) const {
+        SCOPED_TRACE(file);
+        for (const std::string name : {"buildings", "contours"}) {
+            Arguments arguments{"-q", "-layers", name, "--", sample("nodata.tif"), name + file};
+            arguments.insert(arguments.begin(), more.begin(), more.end());
+            run_well(arguments);
+            const std::vector<std::string> names = layer_names(path(name + file));
+            ASSERT_EQ(names.size(), 1U);
+            expect_as_reference(layer(name + file, names[0]), name);
+        }
+    }
+    void expect_source(const std::string& source, const ToolSetup& setup = {}) const {
+        run_well({"-q", source, "out.gpkg"}, setup);
+        expect_as_reference(layer("out.gpkg", "buildings"), "buildings");
+        expect_as_reference(layer("out.gpkg", "contours"), "contours");
+    }
+};
+
+TEST_F(Formats, geoPackage) {
+    EXPECT_EQ(layer_names(path("reference.gpkg")), (std::vector<std::string>{"buildings", "contours"}));
+    expect_as_reference(layer("reference.gpkg", "contours"), "contours");
+    EXPECT_EQ(sql_value(path("reference.gpkg"), "PRAGMA integrity_check"), "ok");
+    EXPECT_EQ(sql_value(path("reference.gpkg"), "SELECT count(*) FROM rtree_contours_geom"),
+              sql_value(path("reference.gpkg"), "SELECT count(*) FROM contours"));
+}
+
+TEST_F(Formats, spatiaLite) {
+    run_well({"-q", sample("nodata.tif"), "out.sqlite"});
+    EXPECT_EQ(layer_names(path("out.sqlite")), (std::vector<std::string>{"buildings", "contours"}));
+    expect_as_reference(layer("out.sqlite", "buildings"), "buildings");
+}
+
+TEST_F(Formats, shapefileFolder) {
+    run_well({"-q", "-f", "ESRI Shapefile", "--", sample("nodata.tif"), "folder"});
+    for (const char* name : {"buildings", "contours"}) {
+        expect_as_reference(layer("folder", name), name);
+        for (const char* extension : {".shp", ".shx", ".dbf", ".prj", ".cpg"})
+            EXPECT_TRUE(std::filesystem::exists(path(std::string("folder/") + name + extension)));
+    }
+}
+
+TEST_F(Formats, singleFiles) {
+    expect_file(".shp", {});
+    expect_file(".geojson", {});
+    expect_file(".fgb", {});
+    expect_file(".json", {"-f", "GeoJSON"});
+}
+
+TEST_F(Formats, standardOutput) {
+    const Arguments common{"-f",   "GeoJSON",   "-layers",           "buildings",
+                           "-nln", "buildings", sample("nodata.tif")};
+    Arguments to_stdout = common;
+    to_stdout.push_back("/vsistdout/");
+    Arguments to_file = common;
+    to_file.insert(to_file.end(), {"-q", "out.geojson"});
+    const std::string text = run_well(to_stdout);  // quiet of its own accord
+    run_well(to_file);
+    EXPECT_GT(text.size(), 1000U);
+    EXPECT_EQ(text, read_bytes(path("out.geojson")));
+}
+
+TEST_F(Formats, standardInput) {
+    expect_source("/vsistdin/", {.stdin_text = read_bytes(sample("nodata.tif"))});
+}
+
+TEST_F(Formats, zippedSource) {
+    const std::string bytes = read_bytes(sample("nodata.tif"));
+    VSILFILE* file = VSIFOpenL(("/vsizip/" + path("dems.zip") + "/folder/nodata.tif").c_str(), "wb");
+    ASSERT_NE(file, nullptr);
+    EXPECT_EQ(VSIFWriteL(bytes.data(), 1, bytes.size(), file), bytes.size());
+    EXPECT_EQ(VSIFCloseL(file), 0);
+    expect_source("/vsizip/" + path("dems.zip") + "/folder/nodata.tif");
+}
+
+TEST_F(Formats, virtualSource) {
+    const OpenDataset dem(GDALOpen(sample("nodata.tif").c_str(), GA_ReadOnly));
+    const OpenDataset copy(GDALCreateCopy(GDALGetDriverByName("VRT"), path("dem.vrt").c_str(), dem.get(),
+                                          FALSE, nullptr, nullptr, nullptr));
+    ASSERT_TRUE(copy);
+    GDALFlushCache(copy.get());
+    expect_source("dem.vrt");
+}
+
+TEST_F(Formats, sourceInOtherFormats) {
+    const OpenDataset dem(GDALOpen(sample("nodata.tif").c_str(), GA_ReadOnly));
+    for (const auto& [format, name] : {std::pair("HFA", "dem.img"), {"ENVI", "dem.bin"}}) {
+        {
+            const OpenDataset copy(GDALCreateCopy(GDALGetDriverByName(format), path(name).c_str(), dem.get(),
+                                                  FALSE, nullptr, nullptr, nullptr));
+            ASSERT_TRUE(copy) << format;
+        }
+        run_well({"-q", "-overwrite", name, "out.gpkg"});
+        EXPECT_EQ(layer("out.gpkg", "contours").sum("n_points"),
+                  layer("reference.gpkg", "contours").sum("n_points"))
+            << format;
+    }
+}
+
+}  // namespace
+}  // namespace d2b::test

@@ -1,0 +1,129 @@
+#include <cpl_string.h>
+
+#include "cli/cli_test_case.hpp"
+
+namespace d2b::test {
+namespace {
+
+class InputErrors : public CliTest {
+  protected:
+    void failed(const std::string& part, const std::string& source, Arguments arguments = {}) const {
+        arguments.insert(arguments.end(), {"--", source, "out.gpkg"});
+        expect_error(1, part, arguments);
+    }
+};
+
+TEST_F(InputErrors, missingSource) {
+    failed("'none.tif' cannot be opened as a raster: ", "none.tif");
+    failed("'nowhere/none.tif' cannot be opened as a raster: ", "nowhere/none.tif");
+    failed("'/vsizip/none.zip/a.tif' cannot be opened as a raster: ", "/vsizip/none.zip/a.tif");
+}
+
+TEST_F(InputErrors, notARaster) {
+    write_text(path("text.tif"), "no raster at all");
+    failed("'text.tif' cannot be opened as a raster: ", "text.tif");
+    write_text(path("empty.tif"), "");
+    failed("'empty.tif' cannot be opened as a raster: ", "empty.tif");
+}
+
+TEST_F(InputErrors, truncatedGeoTiff) {
+    RasterSpec spec = blocks();
+    write(path("whole.tif"), spec);
+    const std::string bytes = read_bytes(path("whole.tif"));
+    write_text(path("short.tif"), bytes.substr(0, bytes.size() - 600));
+    failed("'short.tif' cannot be read: ", "short.tif");
+    failed("; the file may be truncated or damaged.", "short.tif");
+    write_text(path("head.tif"), bytes.substr(0, 6));
+    failed("'head.tif' cannot be opened as a raster: ", "head.tif");
+}
+
+TEST_F(InputErrors, truncatedCompressedTown) {
+    const std::string bytes = read_bytes(sample("town.tif"));
+    write_text(path("short.tif"), bytes.substr(0, bytes.size() * 2 / 3));
+    failed("short.tif' cannot be ", "short.tif");
+}
+
+TEST_F(InputErrors, truncatedEnvi) {
+    RasterSpec spec = blocks();
+    spec.driver = "ENVI";
+    write(path("grid.img"), spec);
+    write_text(path("grid.img"), read_bytes(path("grid.img")).substr(0, 2000));
+    failed("'grid.img' has 2000 bytes where its header promises 2400; it is truncated, so copy it again.",
+           "grid.img");
+}
+
+TEST_F(InputErrors, complexBand) {
+    RasterSpec spec = blocks();
+    spec.type = GDT_CFloat32;
+    write(path("complex.tif"), spec);
+    failed(
+        "Band 1 of 'complex.tif' holds complex numbers, which are no elevations; choose another band with "
+        "-b.",
+        "complex.tif");
+}
+
+TEST_F(InputErrors, noSuchBand) {
+    write(path("dem.tif"), blocks());
+    failed("'dem.tif' has no band 2; its bands are numbered from 1 to 1.", "dem.tif", {"-b", "2"});
+}
+
+TEST_F(InputErrors, groundControlPointsOnly) {
+    RasterSpec spec = blocks();
+    spec.transform.reset();
+    spec.crs = "";
+    const GDALDatasetH dataset = create(path("gcps.tif"), spec);
+    std::array<GDAL_GCP, 3> points{};
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        GDALInitGCPs(1, &points[i]);
+        points[i].dfGCPPixel = i == 1 ? 30 : 0;
+        points[i].dfGCPLine = i == 2 ? 20 : 0;
+        points[i].dfGCPX = 391000 + points[i].dfGCPPixel;
+        points[i].dfGCPY = 5820000 - points[i].dfGCPLine;
+    }
+    ASSERT_EQ(GDALSetGCPs(dataset, 3, points.data(), ""), CE_None);
+    for (GDAL_GCP& point : points)
+        GDALDeinitGCPs(1, &point);
+    GDALClose(dataset);
+    failed(
+        "'gcps.tif' is placed by ground control points only; turn it into a regular grid with gdalwarp "
+        "first.",
+        "gcps.tif");
+}
+
+TEST_F(InputErrors, singularTransform) {
+    RasterSpec spec = blocks();
+    spec.transform = std::array<double, 6>{391000, 1, 2, 5820000, 2, 4};
+    write(path("flat.tif"), spec);
+    failed("The transform of 'flat.tif' (391000, 1, 2, 5820000, 2, 4) gives its cells no area; correct it",
+           "flat.tif");
+}
+
+TEST_F(InputErrors, scaleOfNothing) {
+    write(path("source.tif"), blocks());
+    write_text(path("zero.vrt"),
+               R"(<VRTDataset rasterXSize="30" rasterYSize="20"><VRTRasterBand dataType="Float32"
+        band="1"><Scale>0</Scale><SimpleSource><SourceFilename relativeToVRT="1">source.tif</SourceFilename>
+        <SourceBand>1</SourceBand></SimpleSource></VRTRasterBand></VRTDataset>)");
+    expect_error(1, "'zero.vrt' has the scale 0 and the offset 0, which give no elevations",
+                 {"zero.vrt", "out.gpkg"}, {}, 2);
+}
+
+TEST_F(InputErrors, nothingOnStdin) {
+    failed("Nothing came in on the standard input; send a raster to it or give a file.", "/vsistdin/");
+}
+
+TEST_F(InputErrors, stdinWithoutRoom) {
+    const Arguments arguments{"--config", "CPL_TMPDIR=/nonexistent", "/vsistdin/", "out.gpkg"};
+    expect_error(1, "set CPL_TMPDIR to a folder with room.", arguments,
+                 {.stdin_text = read_bytes(sample("degrees.tif"))});
+}
+
+TEST_F(InputErrors, cutline) {
+    write(path("dem.tif"), blocks());
+    failed("The cutline 'none.shp' cannot be opened: ", "dem.tif", {"-cutline", "none.shp"});
+    write_text(path("points.geojson"), R"({"type": "Point", "coordinates": [13, 52]})");
+    failed("points.geojson", "dem.tif", {"-cutline", "points.geojson"});
+}
+
+}  // namespace
+}  // namespace d2b::test

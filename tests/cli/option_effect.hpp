@@ -1,0 +1,21 @@
+#pragma once
+
+#include "cli/cli_test_case.hpp"
+
+namespace d2b::test {
+
+/// Tests of this suite are named after the option that they test, "__" and more may follow: coverage_test.cpp
+/// asks for one of every option in the table. All show what an option does to the result.
+class OptionEffect : public CliTest {
+  protected:
+    void SetUp() override;
+    /// Runs on the DEM of blocks() with levels of 5 and 15 unless the arguments say others. @return stdout
+    std::string trace(Arguments arguments) const;
+    [[nodiscard]] Layer buildings() const { return layer("out.gpkg", "buildings"); }
+    [[nodiscard]] Layer contours() const { return layer("out.gpkg", "contours"); }
+};
+
+/// The same for the switches that GDAL's programs share.
+class GdalSwitchEffect : public OptionEffect {};
+
+}  // namespace d2b::test

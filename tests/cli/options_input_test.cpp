@@ -1,0 +1,111 @@
+#include <algorithm>
+
+#include "cli/option_effect.hpp"
+
+namespace d2b::test {
+
+void OptionEffect::SetUp() {
+    CliTest::SetUp();
+    write(path("blocks.tif"), blocks());
+}
+
+std::string OptionEffect::trace(Arguments arguments) const {
+    const auto given = [&](const char* option) { return std::ranges::count(arguments, option) > 0; };
+    if (!given("-fl") && !given("-lod") && !given("-i"))
+        arguments.insert(arguments.begin(), {"-fl", "5", "15"});
+    arguments.insert(arguments.end(), {"blocks.tif", "out.gpkg"});
+    return run_well(arguments);
+}
+
+namespace {
+
+/// Two bands: in the first all is flat but for one building.
+RasterSpec one_building() {
+    RasterSpec spec = blocks();
+    for (double& z : spec.values)
+        if (z == 10 || z == 20 || z == 8)
+            z = 0;
+    return spec;
+}
+
+TEST_F(OptionEffect, b) {
+    RasterSpec spec = one_building();
+    spec.bands = 2;
+    const GDALDatasetH dataset = create(path("two.tif"), spec);
+    std::vector<double> second = blocks().values;
+    ASSERT_EQ(GDALRasterIO(GDALGetRasterBand(dataset, 2), GF_Write, 0, 0, 30, 20, second.data(), 30, 20,
+                           GDT_Float64, 0, 0),
+              CE_None);
+    GDALClose(dataset);
+    run_well({"-q", "-fl", "5", "two.tif", "first.gpkg"});
+    run_well({"-q", "-fl", "5", "-b", "2", "two.tif", "second.gpkg"});
+    EXPECT_EQ(layer("first.gpkg", "buildings").records.size(), 1U);
+    EXPECT_EQ(layer("second.gpkg", "buildings").records.size(), 2U);
+}
+
+TEST_F(OptionEffect, oo) {
+    trace({});
+    EXPECT_NEAR(contours().records[0].box().MinX, 391000.5, 1e-9);
+    run_warned({"-q", "-fl", "5", "15", "-oo", "GEOREF_SOURCES=NONE", "blocks.tif", "plain.gpkg"},
+               {"no georeferencing", "no coordinate reference system"});
+    EXPECT_NEAR(layer("plain.gpkg", "contours").records[0].box().MinX, 0.5, 1e-9);
+}
+
+/// A grid in text and an empty GeoTIFF's driver: only the named format is tried.
+TEST_F(OptionEffect, if) {
+    trace({"-if", "GTiff"});
+    EXPECT_EQ(buildings().records.size(), 2U);
+    expect_error(1, "not recognized as", {"-if", "AAIGrid", "blocks.tif", "other.gpkg"});
+    trace({"-if", "AAIGrid", "-if", "GTiff", "-overwrite"});  // any of them
+}
+
+TEST_F(OptionEffect, a_srs) {
+    trace({});
+    EXPECT_EQ(buildings().crs, "ETRS89 / UTM zone 33N");
+    const double area = buildings().records[0].number("area_m2");
+    const double x = buildings().records[0].box().MinX;
+    trace({"-a_srs", "EPSG:2264", "-overwrite"});  // North Carolina, in feet
+    EXPECT_EQ(buildings().crs, "NAD83 / North Carolina (ftUS)");
+    EXPECT_EQ(buildings().records[0].box().MinX, x);  // nothing is reprojected
+    // 63 square units: of metres, then of feet; both less than a thousandth from the plane.
+    EXPECT_NEAR(area, 63, 0.07);
+    EXPECT_NEAR(buildings().records[0].number("area_m2"), 63 * 0.3048 * 0.3048, 0.02);
+}
+
+TEST_F(OptionEffect, a_srs__compound) {
+    trace({"-a_srs", "EPSG:25833+6360"});  // heights in US survey feet
+    EXPECT_NEAR(buildings().where("id", 1).number("height"), 20 * 1200.0 / 3937, 1e-9);
+}
+
+TEST_F(OptionEffect, snodata) {
+    trace({});
+    EXPECT_EQ(contours().records[0].number("n_points"), 600);
+    trace({"-snodata", "10", "-overwrite"});
+    EXPECT_EQ(contours().records[0].number("n_points"), 600 - 60);
+    EXPECT_EQ(contours().where("level", 2).number("n_points"), 20);
+}
+
+TEST_F(OptionEffect, inodata) {
+    RasterSpec spec = blocks();
+    spec.nodata = 10;
+    write(path("holes.tif"), spec);
+    run_well({"-q", "-fl", "5", "holes.tif", "without.gpkg"});
+    run_well({"-q", "-fl", "5", "-inodata", "holes.tif", "with.gpkg"});
+    EXPECT_EQ(layer("without.gpkg", "contours").records[0].number("n_points"), 600 - 60);
+    EXPECT_EQ(layer("with.gpkg", "contours").records[0].number("n_points"), 600);
+}
+
+TEST_F(OptionEffect, zunit) {
+    trace({"-zunit", "m"});
+    EXPECT_DOUBLE_EQ(buildings().where("id", 1).number("height"), 20);
+    trace({"-zunit", "ft", "-overwrite"});
+    EXPECT_DOUBLE_EQ(buildings().where("id", 1).number("height"), 20 * 0.3048);
+    EXPECT_DOUBLE_EQ(buildings().where("id", 1).number("roof"), 20);  // stays in the unit of the DEM
+    trace({"-zunit", "us-ft", "-overwrite"});
+    EXPECT_DOUBLE_EQ(buildings().where("id", 1).number("height"), 20 * 1200.0 / 3937);
+    trace({"-zunit", "0.5", "-overwrite"});
+    EXPECT_DOUBLE_EQ(buildings().where("id", 1).number("height"), 10);
+}
+
+}  // namespace
+}  // namespace d2b::test

@@ -1,0 +1,81 @@
+#include <regex>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/option_effect.hpp"
+
+namespace d2b::test {
+namespace {
+
+using nlohmann::json;
+
+}  // namespace
+
+TEST_F(OptionEffect, q) {
+    EXPECT_EQ(trace({}),
+              "0...10...20...30...40...50...60...70...80...90...100 - done.\n"
+              "2 buildings and 4 contours in out.gpkg\n");
+    EXPECT_EQ(trace({"-q", "-overwrite"}), "");
+    EXPECT_EQ(trace({"-quiet", "-overwrite"}), "");
+    EXPECT_EQ(trace({"--quiet", "--overwrite"}), "");
+}
+
+TEST_F(OptionEffect, json) {
+    const json report = json::parse(trace({"-json", "-nf", "11"}));
+    EXPECT_EQ(report["input"]["name"], "blocks.tif");
+    EXPECT_EQ(report["input"]["driver"], "GTiff");
+    EXPECT_EQ(report["input"]["points"], 600);
+    EXPECT_EQ(report["input"]["maximum"], 20);
+    EXPECT_NEAR(report["input"]["mean"].get<double>(), 1.84, 1e-12);
+    EXPECT_EQ(report["units"]["vertical_decided_by"], "horizontal unit of the CRS");
+    EXPECT_EQ(report["units"]["areas"], "geodesic");
+    ASSERT_EQ(report["levels"].size(), 3U);
+    EXPECT_EQ(report["levels"][2]["threshold"], 15);
+    EXPECT_EQ(report["levels"][2]["points"], 20);
+    EXPECT_EQ(report["output"]["name"], "out.gpkg");
+    EXPECT_EQ(report["output"]["buildings"], 1);
+    EXPECT_EQ(report["output"]["contours"], 3);
+    EXPECT_EQ(report["output"]["vertices"], 12);
+    EXPECT_EQ(report["dropped"]["contour_short"], 2);
+    EXPECT_GT(report["stages"]["write"]["seconds"].get<double>(), 0);
+    EXPECT_TRUE(report["warnings"].empty());
+}
+
+TEST_F(OptionEffect, json__warnings) {
+    RasterSpec spec = blocks();
+    spec.crs = "";
+    write(path("plain.tif"), spec);
+    const json report = json::parse(
+        run_warned({"-json", "-fl", "5", "--", "plain.tif", "out.gpkg"}, {"no coordinate reference system"}));
+    ASSERT_EQ(report["warnings"].size(), 1U);
+    expect_has(report["warnings"][0], "no coordinate reference system");
+    EXPECT_EQ(report["units"]["areas"], "planar");
+}
+
+TEST_F(OptionEffect, help) {
+    for (const char* name : {"--help", "-help", "-h"}) {
+        const std::string text = run_well({name});
+        expect_has(text, "Usage: dem2buildings [options] <src_raster> <dst_vector>");
+        expect_has(text, "-lod <n>");
+    }
+}
+
+TEST_F(OptionEffect, version) {
+    for (const char* name : {"--version", "-version"})
+        EXPECT_TRUE(
+            std::regex_match(run_well({name}), std::regex("dem2buildings \\d+\\.\\d+\\.\\d+, GDAL \\d.*\n")));
+}
+
+TEST_F(OptionEffect, man) {
+    const std::string page = run_well({"-man"});
+    EXPECT_TRUE(page.starts_with(".TH"));
+    expect_has(page, ".SH EXAMPLES");
+}
+
+TEST_F(OptionEffect, options_md) {
+    const std::string text = run_well({"-options_md"});
+    EXPECT_TRUE(text.starts_with("# Options of dem2buildings\n"));
+    expect_has(text, "`-lod <n>`");
+}
+
+}  // namespace d2b::test

@@ -1,0 +1,54 @@
+#include "cli/option_effect.hpp"
+
+namespace d2b::test {
+TEST_F(OptionEffect, srcwin) {
+    trace({"-srcwin", "15", "0", "15", "20"});
+    const Layer stack = contours();
+    EXPECT_EQ(stack.records[0].number("n_points"), 15 * 20);
+    EXPECT_EQ(stack.records[0].box().MinX, 391015.5);
+    EXPECT_EQ(stack.records[0].box().MaxX, 391029.5);
+    ASSERT_EQ(buildings().records.size(), 1U);
+    EXPECT_EQ(buildings().records[0].number("height"), 6);
+    EXPECT_EQ(buildings().records[0].area(), 6);
+}
+
+TEST_F(OptionEffect, projwin) {
+    trace({"-projwin", "391003", "5819997", "391010", "5819990"});
+    // The points with 391003 <= x < 391010 and so in y: columns 3 to 9, rows 3 to 9.
+    const Layer stack = contours();
+    EXPECT_EQ(stack.records[0].number("n_points"), 7 * 7);
+    EXPECT_EQ(stack.records[0].box().MinX, 391003.5);
+    EXPECT_EQ(stack.records[0].box().MaxY, 5819996.5);
+    EXPECT_EQ(stack.records[0].number("elev_min"), 10);
+}
+
+TEST_F(OptionEffect, te) {
+    trace({"-te", "391015", "5819990", "391030", "5820000"});
+    const Layer stack = contours();
+    EXPECT_EQ(stack.records[0].number("n_points"), 15 * 10);
+    EXPECT_EQ(stack.records[0].box().MinX, 391015.5);
+    EXPECT_EQ(stack.records[0].box().MinY, 5819990.5);
+    ASSERT_EQ(buildings().records.size(), 1U);
+    EXPECT_EQ(buildings().records[0].number("height"), 6);
+}
+
+TEST_F(OptionEffect, cutline) {
+    write_text(path("area.geojson"),
+               R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "EPSG:25833"}},
+                   "features": [{"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates":
+                   [[[391015, 5820000], [391030, 5820000], [391030, 5819980], [391015, 5820000]]]}}]})");
+    trace({"-cutline", "area.geojson"});
+    // Of the triangle's 150 cells those count whose centres are in it: row r has column c in x >= 15 + 0.75
+    // y.
+    int inside = 0;
+    for (int row = 0; row < 20; ++row)
+        for (int col = 15; col < 30; ++col)
+            inside += col + 0.5 > 15 + 0.75 * (row + 0.5) ? 1 : 0;
+    const Layer stack = contours();
+    EXPECT_EQ(stack.records[0].number("n_points"), inside);
+    EXPECT_GE(stack.records[0].box().MinX, 391015);
+    EXPECT_EQ(buildings().records.size(),
+              0U);  // of the 12 points 7 are left, and they pass the noise factor not
+}
+
+}  // namespace d2b::test

@@ -1,0 +1,140 @@
+#include <unistd.h>
+
+#include "cli/cli_test_case.hpp"
+
+namespace d2b::test {
+namespace {
+
+class OutputErrors : public CliTest {
+  protected:
+    void SetUp() override {
+        CliTest::SetUp();
+        write(path("dem.tif"), blocks());
+    }
+    void failed(int status, const std::string& part, const std::string& destination,
+                Arguments arguments = {}) const {
+        arguments.insert(arguments.end(), {"--", "dem.tif", destination});
+        expect_error(status, part, arguments);
+    }
+    /// Runs with a limit of the size of files, as a disk that fills up.
+    ToolResult run_limited(int kilobytes, const Arguments& arguments) const {
+        Arguments command{"sh", "-c", "ulimit -f " + std::to_string(kilobytes * 2) + "; exec \"$@\"", "sh",
+                          D2B_TOOL};
+        command.insert(command.end(), arguments.begin(), arguments.end());
+        return run_tool(command, {.working_directory = folder_.string()});
+    }
+};
+
+TEST_F(OutputErrors, destinationsThatCannotBe) {
+    failed(1, R"(Cannot write "no/out.gpkg": there is no folder "no"; make it first.)", "no/out.gpkg");
+    failed(1, R"("dem.tif" is not a folder; choose another destination.)", "dem.tif/out.gpkg");
+    failed(2, R"(The name "out.xyz" does not tell its format; give it an extension such as .gpkg, or say)",
+           "out.xyz");
+    failed(2, R"(The name "out" does not tell its format)", "out");
+    failed(2, R"(There is no format "NoSuch" in this GDAL; -f takes, among others: GPKG, ESRI Shapefile)",
+           "out.gpkg", {"-f", "NoSuch"});
+    failed(2, R"(Format "GTiff" cannot hold a new vector dataset)", "out.gpkg", {"-f", "GTiff"});
+    failed(2, R"(Format "Memory" cannot hold a new vector dataset)", "out.gpkg", {"-f", "Memory"});
+    failed(2, R"("out.geojson" holds one layer (format GeoJSON); use -layers buildings or -layers contours)",
+           "out.geojson", {"-layers", "both"});
+}
+
+TEST_F(OutputErrors, existingDestinations) {
+    run_well({"-q", "dem.tif", "out.gpkg"});
+    failed(
+        2,
+        R"("out.gpkg" exists; say -overwrite to replace the layers of this run in it, or -append to add to them.)",
+        "out.gpkg");
+    write_text(path("note.gpkg"), "not a GeoPackage");
+    failed(2, R"("note.gpkg" exists and is not a dataset of format GPKG; remove it first.)", "note.gpkg",
+           {"-overwrite"});
+    std::filesystem::create_directory(path("folder.gpkg"));
+    failed(2, R"("folder.gpkg" is a folder, and GPKG writes a file here; give the name of a file.)",
+           "folder.gpkg", {"-overwrite"});
+    write_text(path("out.dbf"), "a table of its own");
+    failed(2, R"(Writing "out.shp" would replace )", "out.shp", {"-layers", "buildings"});
+}
+
+TEST_F(OutputErrors, appendsNothingThatDoesNotFit) {
+    run_well({"-q", "dem.tif", "out.gpkg"});
+    failed(
+        1,
+        R"(Cannot append to "out.gpkg": its layer "buildings" is in ETRS89 / UTM zone 33N and the result in WGS 84)",
+        "out.gpkg", {"-append", "-t_srs", "EPSG:4326"});
+    failed(1, "has no Z, and the result has; write to another destination.", "out.gpkg", {"-append", "-3d"});
+}
+
+TEST_F(OutputErrors, foldersWithForeignFiles) {
+    const Arguments shapefile{"-q", "-f", "ESRI Shapefile", "--", "dem.tif", "folder"};
+    run_well(shapefile);
+    write_text(path("folder/letter.txt"), "keep me");
+    failed(2, R"(The folder "folder" also holds "letter.txt", which -overwrite would touch)", "folder",
+           {"-f", "ESRI Shapefile", "-overwrite"});
+    std::filesystem::create_directory(path("plain"));
+    write_text(path("plain/letter.txt"), "keep me");
+    failed(2, R"("plain" exists)", "plain", {"-f", "ESRI Shapefile"});
+}
+
+TEST_F(OutputErrors, folderThatTakesNoFiles) {
+    failed(1, R"(Cannot write "/proc/out.gpkg": the folder "/proc" takes no new files)", "/proc/out.gpkg");
+    if (::geteuid() == 0)
+        GTEST_SKIP() << "root may write into any folder";
+    std::filesystem::create_directory(path("closed"));
+    std::filesystem::permissions(path("closed"), std::filesystem::perms::owner_read);
+    const ToolResult result = run({"-q", "dem.tif", "closed/out.gpkg"});
+    std::filesystem::permissions(path("closed"), std::filesystem::perms::owner_all);
+    EXPECT_EQ(result.status, 1);
+    expect_has(result.err, "takes no new files (Permission denied)");
+}
+
+TEST_F(OutputErrors, creationOptionsThatFail) {
+    failed(1, R"(Cannot write "out.gpkg": )", "out.gpkg", {"-lco", "GEOMETRY_NAME=id"});
+}
+
+TEST_F(OutputErrors, fullDiskOnStdout) {
+    const ToolSetup full{.stdout_file = "/dev/full"};
+    const std::string sentence =
+        "Cannot write to stdout; see whether the disk is full or the reader has gone.";
+    expect_error(1, sentence, {"--help"}, full);
+    expect_error(1, sentence, {"--version"}, full);
+    expect_error(1, R"(Cannot write "/vsistdout/")",
+                 {"-f", "GeoJSON", "-layers", "buildings", "dem.tif", "/vsistdout/"}, full);
+    // The report is lost, not the result.
+    const ToolResult result = run({"-json", "dem.tif", "out.gpkg"}, full);
+    EXPECT_EQ(result.status, 1);
+    EXPECT_EQ(result.err, "ERROR: " + sentence + "\n");
+    EXPECT_EQ(layer("out.gpkg", "buildings").records.size(), 2U);
+}
+
+TEST_F(OutputErrors, fullDiskForTheFile) {
+    for (const char* name : {"out.gpkg", "out.shp", "out.geojson", "out.fgb", "out.sqlite"}) {
+        for (const int kilobytes : {1, 20, 120}) {
+            SCOPED_TRACE(std::string(name) + " " + std::to_string(kilobytes));
+            const auto before = entries();
+            const ToolResult result =
+                run_limited(kilobytes, {"-q", "-layers", "contours", "--", sample("town.tif"), name});
+            EXPECT_EQ(result.status, 1);
+            EXPECT_TRUE(result.err.starts_with(std::string("ERROR: Cannot write \"") + name + "\": "))
+                << result.err;
+            EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+            EXPECT_EQ(result.out, "");
+            EXPECT_EQ(entries(), before);
+        }
+    }
+}
+
+TEST_F(OutputErrors, fullDiskLeavesTheOldResult) {
+    for (const char* flag : {"-overwrite", "-append"}) {
+        std::filesystem::remove(path("out.gpkg"));
+        run_well({"-q", "dem.tif", "out.gpkg"});
+        const ToolResult result =
+            run_limited(200, {"-q", flag, "-a_srs", "EPSG:25833", sample("town.tif"), "out.gpkg"});
+        EXPECT_EQ(result.status, 1) << flag;
+        EXPECT_TRUE(result.err.starts_with("ERROR: Cannot write \"out.gpkg\": ")) << result.err;
+        EXPECT_EQ(entries(), (std::vector<std::string>{"dem.tif", "out.gpkg"}));
+        EXPECT_EQ(layer("out.gpkg", "buildings").records.size(), 2U) << flag;
+    }
+}
+
+}  // namespace
+}  // namespace d2b::test

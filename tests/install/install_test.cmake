@@ -1,0 +1,63 @@
+# Installs the build into a folder of its own, compares the files with installed_files.txt, and builds and runs the
+# consumer against them. `-D update=ON` writes the list again.
+cmake_minimum_required(VERSION 3.22)
+set(prefix ${work}/prefix)
+file(REMOVE_RECURSE ${work})
+
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${ARGN} failed (${status}):\n${output}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+run(${CMAKE_COMMAND} --install ${build} --config ${config} --prefix ${prefix})
+
+# Names that depend on the system or the kind of build are made the same. Documents are as in the source tree.
+file(GLOB_RECURSE files LIST_DIRECTORIES FALSE RELATIVE ${prefix} ${prefix}/*)
+list(FILTER files EXCLUDE REGEX "^${docdir}/")
+list(TRANSFORM files REPLACE "^${libdir}/" "LIBDIR/")
+list(TRANSFORM files REPLACE "^${mandir}/" "MANDIR/")
+string(TOLOWER ${config} config)
+list(TRANSFORM files REPLACE "Targets-${config}\\.cmake$" "Targets-CONFIG.cmake")
+list(TRANSFORM files REPLACE "libdem2buildings\\.(a|so[.0-9]*)$" "libdem2buildings.LIBRARY")
+list(REMOVE_DUPLICATES files)
+list(SORT files)
+set(list_file ${CMAKE_CURRENT_LIST_DIR}/installed_files.txt)
+list(JOIN files "\n" text)
+if(update)
+  file(WRITE ${list_file} "${text}\n")
+endif()
+file(STRINGS ${list_file} expected)
+foreach(file IN LISTS files)
+  if(NOT file IN_LIST expected)
+    message(SEND_ERROR "${file} is installed, but not in ${list_file}")
+  endif()
+endforeach()
+foreach(file IN LISTS expected)
+  if(NOT file IN_LIST files)
+    message(SEND_ERROR "${file} is in ${list_file}, but not installed")
+  endif()
+endforeach()
+
+file(GLOB_RECURSE documents LIST_DIRECTORIES FALSE RELATIVE ${source} ${source}/docs/*)
+foreach(document IN LISTS documents ITEMS LICENSE README.md)
+  if(NOT EXISTS ${prefix}/${docdir}/${document})
+    message(SEND_ERROR "the document ${document} is not installed")
+  endif()
+endforeach()
+
+# The consumer must find the package by itself: nothing of our build tree is given.
+run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${work}/consumer -G ${generator}
+    -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_CXX_COMPILER_LAUNCHER=${launcher}
+    -D CMAKE_BUILD_TYPE=Debug)
+run(${CMAKE_COMMAND} --build ${work}/consumer)
+run(${work}/consumer/consumer)
+if(NOT output STREQUAL "dem2buildings ${version}: 1 building, 2 contours\n")
+  message(FATAL_ERROR "the consumer says: ${output}")
+endif()
+run(${prefix}/bin/dem2buildings --version)
+if(NOT output MATCHES "${version}")
+  message(FATAL_ERROR "the installed tool says: ${output}")
+endif()

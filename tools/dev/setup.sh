@@ -1,0 +1,47 @@
+# For try.sh and test.sh, which read this file. Debian packages are installed where they are missing; on systems
+# without apt-get, what is installed already has to do.
+
+build_packages="g++ cmake ninja-build libgdal-dev libgeos-dev libproj-dev libgeographiclib-dev libboost-dev
+    libboost-program-options-dev nlohmann-json3-dev"
+
+# as_root command...: with sudo only where it is needed
+as_root() {
+    if [ "$(id -u)" -eq 0 ]; then
+        "$@"
+    elif command -v sudo >/dev/null; then
+        sudo "$@"
+    else
+        echo "$0: to install packages, run this as root or install sudo" >&2
+        return 1
+    fi
+}
+
+# install_packages names...: does nothing, and asks for no rights, where all are there
+install_packages() {
+    command -v apt-get >/dev/null || return 0
+    missing=""
+    for package in "$@"; do
+        case "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" in
+            installed) ;;
+            *) missing="$missing $package" ;;
+        esac
+    done
+    [ -n "$missing" ] || return 0
+    echo "Installing$missing"
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get update -qq
+    # shellcheck disable=SC2086  # a list of words
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing >/dev/null
+}
+
+# configure cmake-options...: build/, Release unless it was configured by hand
+configure() {
+    if [ -e build/CMakeCache.txt ]; then
+        cmake -S . -B build "$@"
+    else
+        cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release "$@"
+    fi
+}
+
+build() {
+    cmake --build build --parallel "${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}" "$@"
+}

@@ -1,0 +1,16 @@
+#!/bin/sh
+# Installs what is needed, builds, and finds the buildings of a sample town.
+set -eu
+cd "$(dirname "$0")/../.."
+. tools/dev/setup.sh
+
+install_packages $build_packages gdal-bin
+# Without the tests, unless they are there already.
+if [ -e build/CMakeCache.txt ]; then configure; else configure -DD2B_BUILD_TESTS=OFF; fi
+build --target dem2buildings_tool
+./build/tools/dem2buildings -overwrite sample_dems/town.tif build/town.gpkg
+
+echo
+echo "The buildings of sample_dems/town.tif are in $PWD/build/town.gpkg, layers buildings and contours."
+echo "Look at them:  qgis sample_dems/town.tif build/town.gpkg"
+echo "or list them:  ogrinfo -so build/town.gpkg buildings"
