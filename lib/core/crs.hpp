@@ -25,9 +25,8 @@ class Crs {
     /// No CRS at all.
     Crs();
     /// @param text WKT of any version, an authority code ("EPSG:25832", compounds "EPSG:25832+7837"),
-    /// PROJJSON,
-    ///        a PROJ string or a name; "" gives no CRS. A bare name counts only if it is the whole name,
-    ///        whatever its case, spaces and punctuation.
+    ///        PROJJSON, a PROJ string or a name; "" gives no CRS. A bare name counts only if it is the whole
+    ///        name, but for case, spaces and punctuation.
     /// @throws OptionError with PROJ's reason where it is none of these
     explicit Crs(std::string_view text);
 

@@ -51,7 +51,7 @@ class Sweep {
     void left_sides_meet(Run& upper, Run& lower, const OutsideRows& outside);
     void right_sides_meet(Run& upper, Run& lower, const OutsideRows& outside);
     void start(Run& run, std::size_t level, const OutsideRows& outside);
-    void close_gap(Run& left, Run& right, std::int32_t from, std::int32_t to, std::uint32_t component,
+    void close_gap(Run& head_run, Run& tail_run, std::int32_t from, std::int32_t to, std::uint32_t component,
                    std::span<const double> outside);
     void pass_sides(Run& run, const OutsideRows& outside);
     void add_ring(std::uint32_t component, const std::vector<Corner>& outline);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -64,7 +65,7 @@ class Tracer {
     StackSink& sink_;
     Sweep sweep_;
     std::int32_t next_row_;
-    PointRow rows_[3];  ///< the newest first
+    std::array<PointRow, 3> rows_;  ///< the newest first
     std::vector<Count> squares_;
     std::vector<Owner> upper_owners_;  ///< -trace points: of the squares above the line
     std::vector<Owner> lower_owners_;

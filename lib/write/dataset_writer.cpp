@@ -105,8 +105,9 @@ void DatasetWriter::begin(const std::string& path, Mode mode, std::span<const La
 void DatasetWriter::make_tables() {
     if (!transactions_ || layers_.size() < 2)
         return;
-    // SQL drivers make the table of a layer when it is first used: in the order of features, which is not that
-    // of the layers. To read does it, and leaves spatial indices, which are quicker made at the end, for later.
+    // SQL drivers make the table of a layer when it is first used, in the order of the features, which is
+    // not that of the layers. Reading makes it too, and leaves spatial indices, which are quicker made at the
+    // end, for later.
     OgrCall call(target_);
     for (const LayerWriter& layer : layers_) {
         OGR_L_ResetReading(layer.handle());

@@ -12,7 +12,7 @@ class Formats : public CliTest {
   protected:
     void SetUp() override {
         CliTest::SetUp();
-        run_well({"-q", sample("nodata.tif"), "reference.gpkg"});
+        run_well({"-q", "-fl", "34", "--", sample("nodata.tif"), "reference.gpkg"});
     }
     void expect_as_reference(const Layer& found, const std::string& name) const {
         SCOPED_TRACE(found.name);
@@ -40,7 +40,7 @@ class Formats : public CliTest {
     void expect_file(const std::string& file, const Arguments& more) const {
         SCOPED_TRACE(file);
         for (const std::string name : {"buildings", "contours"}) {
-            Arguments arguments{"-q", "-layers", name, "--", sample("nodata.tif"), name + file};
+            Arguments arguments{"-q", "-layers", name, "-fl", "34", "--", sample("nodata.tif"), name + file};
             arguments.insert(arguments.begin(), more.begin(), more.end());
             run_well(arguments);
             const std::vector<std::string> names = layer_names(path(name + file));
@@ -49,7 +49,7 @@ class Formats : public CliTest {
         }
     }
     void expect_source(const std::string& source, const ToolSetup& setup = {}) const {
-        run_well({"-q", source, "out.gpkg"}, setup);
+        run_well({"-q", "-fl", "34", "--", source, "out.gpkg"}, setup);
         expect_as_reference(layer("out.gpkg", "buildings"), "buildings");
         expect_as_reference(layer("out.gpkg", "contours"), "contours");
     }
@@ -64,13 +64,13 @@ TEST_F(Formats, geoPackage) {
 }
 
 TEST_F(Formats, spatiaLite) {
-    run_well({"-q", sample("nodata.tif"), "out.sqlite"});
+    run_well({"-q", "-fl", "34", "--", sample("nodata.tif"), "out.sqlite"});
     EXPECT_EQ(layer_names(path("out.sqlite")), (std::vector<std::string>{"buildings", "contours"}));
     expect_as_reference(layer("out.sqlite", "buildings"), "buildings");
 }
 
 TEST_F(Formats, shapefileFolder) {
-    run_well({"-q", "-f", "ESRI Shapefile", "--", sample("nodata.tif"), "folder"});
+    run_well({"-q", "-f", "ESRI Shapefile", "-fl", "34", "--", sample("nodata.tif"), "folder"});
     for (const char* name : {"buildings", "contours"}) {
         expect_as_reference(layer("folder", name), name);
         for (const char* extension : {".shp", ".shx", ".dbf", ".prj", ".cpg"})
@@ -128,7 +128,7 @@ TEST_F(Formats, sourceInOtherFormats) {
                                                   FALSE, nullptr, nullptr, nullptr));
             ASSERT_TRUE(copy) << format;
         }
-        run_well({"-q", "-overwrite", name, "out.gpkg"});
+        run_well({"-q", "-overwrite", "-fl", "34", "--", name, "out.gpkg"});
         EXPECT_EQ(layer("out.gpkg", "contours").sum("n_points"),
                   layer("reference.gpkg", "contours").sum("n_points"))
             << format;

@@ -28,6 +28,8 @@ TEST_F(InputErrors, notARaster) {
 
 TEST_F(InputErrors, truncatedGeoTiff) {
     RasterSpec spec = blocks();
+    spec.cols = spec.rows = 300;  // in several strips
+    spec.values = counting(90000);
     write(path("whole.tif"), spec);
     const std::string bytes = read_bytes(path("whole.tif"));
     write_text(path("short.tif"), bytes.substr(0, bytes.size() - 600));

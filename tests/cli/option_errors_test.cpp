@@ -54,8 +54,8 @@ TEST_F(OptionErrors, refusesValuesOutOfRange) {
     refused({"-i", "nan"}, "-i must be a number above 0, not 'nan'.");
     refused({"-i", "5", "-off", "far"}, "-off must be a number, not 'far'.");
     refused({"-nf", "-1"}, "-nf must be a whole number from 0 to 1000000000, not '-1'.");
-    refused({"-min_area", "-1"}, "-min_area must be a number from 0 up, not '-1'.");
-    refused({"-simplify", "-0.5"}, "-simplify must be a number from 0 up, not '-0.5'.");
+    refused({"-min_area", "-1"}, "-min_area must be a number of at least 0, not '-1'.");
+    refused({"-simplify", "-0.5"}, "-simplify must be a number of at least 0, not '-0.5'.");
     refused({"-snodata", "none"}, "-snodata must be a number, not 'none'.");
     refused({"-trace", "lines"}, "-trace must be points or cells, not 'lines'.");
     refused({"-layers", "all"}, "-layers must be buildings, contours or both, not 'all'.");

@@ -59,7 +59,7 @@ TEST_F(OutputErrors, appendsNothingThatDoesNotFit) {
     run_well({"-q", "dem.tif", "out.gpkg"});
     failed(
         1,
-        R"(Cannot append to "out.gpkg": its layer "buildings" is in ETRS89 / UTM zone 33N and the result in WGS 84)",
+        R"(Cannot append to "out.gpkg": its layer "buildings" is in "ETRS89 / UTM zone 33N" and the result in "WGS 84")",
         "out.gpkg", {"-append", "-t_srs", "EPSG:4326"});
     failed(1, "has no Z, and the result has; write to another destination.", "out.gpkg", {"-append", "-3d"});
 }
@@ -77,6 +77,9 @@ TEST_F(OutputErrors, foldersWithForeignFiles) {
 
 TEST_F(OutputErrors, folderThatTakesNoFiles) {
     failed(1, R"(Cannot write "/proc/out.gpkg": the folder "/proc" takes no new files)", "/proc/out.gpkg");
+}
+
+TEST_F(OutputErrors, folderWithoutPermission) {
     if (::geteuid() == 0)
         GTEST_SKIP() << "root may write into any folder";
     std::filesystem::create_directory(path("closed"));
@@ -97,8 +100,7 @@ TEST_F(OutputErrors, fullDiskOnStdout) {
         "Cannot write to stdout; see whether the disk is full or the reader has gone.";
     expect_error(1, sentence, {"--help"}, full);
     expect_error(1, sentence, {"--version"}, full);
-    expect_error(1, R"(Cannot write "/vsistdout/")",
-                 {"-f", "GeoJSON", "-layers", "buildings", "dem.tif", "/vsistdout/"}, full);
+    expect_error(1, sentence, {"-f", "GeoJSON", "-layers", "buildings", "dem.tif", "/vsistdout/"}, full);
     // The report is lost, not the result.
     const ToolResult result = run({"-json", "dem.tif", "out.gpkg"}, full);
     EXPECT_EQ(result.status, 1);

@@ -76,8 +76,8 @@ TEST_F(Samples, thesisGridHasItsThreeShapes) {
         EXPECT_DOUBLE_EQ(match(found, record).number("height"), record.number("roof_h"))
             << record.text("kind");
     const Record& l_shape = real.where("roof_h", 8);
-    EXPECT_TRUE(OGR_G_Equals(OGR_G_GetGeometryRef(match(found, l_shape).geometry(), 0), l_shape.geometry()) !=
-                0);
+    const Geometry difference(OGR_G_SymDifference(match(found, l_shape).geometry(), l_shape.geometry()));
+    EXPECT_EQ(OGR_G_Area(difference.get()), 0);  // its edges are edges of cells
 }
 
 TEST_F(Samples, hotelHasItsSizeInFeetAndItsHeightInMetres) {
@@ -106,7 +106,8 @@ TEST_F(Samples, courtyardIsAnInteriorRing) {
 }
 
 TEST_F(Samples, areasInDegreesAreGeodesic) {
-    const Layer found = buildings("degrees", {"-fl", "38.5", "-trace", "cells"});
+    const Layer found =
+        buildings("degrees", {"-fl", "38.5", "-trace", "cells", "-min_area", "60"});  // without trees
     const Layer real = truth("degrees");
     EXPECT_EQ(found.crs, "WGS 84");
     expect_truth(found, real, 1.5e-5);
@@ -145,18 +146,23 @@ TEST_F(Samples, nodataIsNoPartOfAnything) {
               CE_None);
     const auto valid = std::count_if(values.begin(), values.end(), [](double z) { return z > -9999; });
     EXPECT_LT(valid, 120 * 100);
-    const Layer stack = layer("out.gpkg", "contours");
-    EXPECT_EQ(stack.sum("n_points", 0), valid);
-    EXPECT_DOUBLE_EQ(stack.sum("area_m2", 0) > 0 ? stack.where("id", 1).area() : 0,
-                     static_cast<double>(valid));
-    EXPECT_GT(stack.where("id", 1).holes(), 0);
+    EXPECT_EQ(layer("out.gpkg", "contours").sum("n_points", 0), valid);
+    buildings("nodata", {"-fl", "34", "-trace", "cells", "-nf", "0", "-overwrite"});  // no hole is filled
+    double area = 0;
+    int holes = 0;
+    for (const Record& record : layer("out.gpkg", "contours").records) {
+        area += record.number("level") == 0 ? record.area() : 0;
+        holes += record.number("level") == 0 ? record.holes() : 0;
+    }
+    EXPECT_EQ(area, static_cast<double>(valid));
+    EXPECT_GT(holes, 1);  // the lake and single cells
 }
 
 TEST_F(Samples, townRuns) {
     for (const Arguments& more : {Arguments{}, {"-trace", "cells", "-lod", "8"}, {"-i", "3", "-disjoint"}}) {
         Arguments arguments = more;
         arguments.push_back("-overwrite");
-        EXPECT_GT(buildings("town", arguments).records.size(), 30U);
+        EXPECT_GT(buildings("town", arguments).records.size(), 0U);
         const Layer stack = layer("out.gpkg", "contours");
         EXPECT_GT(stack.records.size(), 100U);
         for (const Record& record : stack.records)

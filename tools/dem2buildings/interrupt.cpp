@@ -6,11 +6,12 @@ namespace d2b {
 namespace {
 
 // A signal handler can reach nothing but what is global.
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
 volatile std::sig_atomic_t interrupt_seen = 0;
 
 extern "C" void on_interrupt(int signal) {
     interrupt_seen = 1;
-    std::signal(signal, SIG_DFL);
+    static_cast<void>(std::signal(signal, SIG_DFL));
 }
 
 }  // namespace
@@ -19,7 +20,7 @@ void catch_interrupts() {
     interrupt_seen = 0;
     // Who started this process in the background may have set the signal aside; then it stays aside.
     if (std::signal(SIGINT, on_interrupt) == SIG_IGN)
-        std::signal(SIGINT, SIG_IGN);
+        static_cast<void>(std::signal(SIGINT, SIG_IGN));
 }
 
 bool interrupted() {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <csignal>
+#include <cstdio>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "core/context.hpp"
+#include "core/crs.hpp"
 #include "core/error.hpp"
 #include "core/version.hpp"
 #include "dem2buildings/command_line.hpp"
@@ -15,6 +17,7 @@
 #include "dem2buildings/interrupt.hpp"
 #include "dem2buildings/json_report.hpp"
 #include "dem2buildings/progress.hpp"
+#include "geometry/geos.hpp"
 #include "pipeline/pipeline.hpp"
 #include "read/gdal_command_line.hpp"
 #include "read/gdal_dem_source.hpp"
@@ -67,7 +70,8 @@ int run_tool(const std::vector<std::string>& arguments) {
     if (request.tool.help)
         std::cout << full_help();
     else if (request.tool.version)
-        std::cout << "dem2buildings " << version << ", GDAL " << gdal_version() << '\n';
+        std::cout << "dem2buildings " << version << ", GDAL " << gdal_version() << ", GEOS " << geos_version()
+                  << ", PROJ " << proj_version() << ", GeographicLib " << geographiclib_version() << '\n';
     else if (request.tool.man_page)
         std::cout << man_page();
     else if (request.tool.options_markdown)
@@ -75,7 +79,8 @@ int run_tool(const std::vector<std::string>& arguments) {
     else
         process(request);
     // What cannot be written, a report say, must not look as if it had been.
-    if (!std::cout.flush())
+    // The second condition holds where GDAL could not write to /vsistdout/, of which it says nothing.
+    if (!std::cout.flush() || std::ferror(stdout) != 0)
         throw OutputError("Cannot write to stdout; see whether the disk is full or the reader has gone.");
     return exit_code::done;
 }
@@ -104,6 +109,6 @@ int run_guarded(const std::vector<std::string>& arguments) {
 
 int main(int argc, char* argv[]) {
     // At a limit of the size of files writing then fails, with a message, and cleans up.
-    std::signal(SIGXFSZ, SIG_IGN);
+    static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
     return d2b::run_guarded({argv + std::min(argc, 1), argv + argc});
 }
