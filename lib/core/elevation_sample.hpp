@@ -5,37 +5,38 @@
 
 namespace d2b {
 
-/// The range that the bins of an ElevationSample divide; the same for a whole run, so that samples merge.
+/// The range that the bins of a histogram divide; the same for a whole run, so that histograms merge.
 struct ElevationRange {
     double minimum = 0;
     double maximum = 0;
 
     static constexpr std::uint32_t bins = 65536;
-    [[nodiscard]] std::uint16_t bin(double elevation) const;
+    [[nodiscard]] std::uint32_t bin(double elevation) const;
     /// The bin's middle.
     [[nodiscard]] double elevation(std::uint32_t bin) const;
 };
 
-/// The elevations of a building, for percentiles: exact to a 65,536th of the DEM's range, whatever the order
-/// of the points. Two bytes a point up to 2^18 points, a histogram of 512 KiB above.
+/// The elevations of a building, for percentiles. Exact up to 2^17 points (1 MiB); above, a histogram of 512
+/// KiB that is exact to a 65,536th of the DEM's range. Which of the two depends on their number alone, so the
+/// result does not depend on the order of the points.
 class ElevationSample {
   public:
-    void add(std::uint16_t bin);
+    static constexpr std::size_t largest_list = std::size_t{1} << 17;
+
+    void add(double elevation, const ElevationRange& range);
     /// @param other left empty
-    void merge(ElevationSample& other);
+    void merge(ElevationSample& other, const ElevationRange& range);
     [[nodiscard]] std::int64_t size() const { return size_; }
-    /// Nearest rank: the lowest elevation that at least the share of the points do not exceed.
-    /// @param share 0 to 1 @pre size() > 0
-    [[nodiscard]] double percentile(double share, const ElevationRange& range) const;
-    /// Several at once, ascending shares. @pre size() > 0
+    /// Nearest ranks: the lowest elevations that at least these shares of the points do not exceed.
+    /// @param shares 0 to 1, ascending @pre size() > 0
     [[nodiscard]] std::vector<double> percentiles(const std::vector<double>& shares,
                                                   const ElevationRange& range) const;
 
   private:
-    void make_histogram();
+    void make_histogram(const ElevationRange& range);
 
     std::int64_t size_ = 0;
-    std::vector<std::uint16_t> values_;
+    std::vector<double> values_;
     std::vector<std::uint32_t> histogram_;
 };
 

@@ -59,7 +59,7 @@ std::uint32_t Components::unite(std::uint32_t a, std::uint32_t b) {
         into.last_child = from.last_child;
     }
     if (into.sample)
-        into.sample->merge(*from.sample);
+        into.sample->merge(*from.sample, range_);
     from.sample.reset();
     if (into.standing_on_it.size() < from.standing_on_it.size())
         std::swap(into.standing_on_it, from.standing_on_it);

@@ -43,6 +43,9 @@ struct Component {
 /// is bounded by what is open.
 class Components {
   public:
+    /// @param range of the elevations that samples hold
+    explicit Components(const ElevationRange& range) : range_(range) {}
+
     /// @return a component of one run
     std::uint32_t add(std::int32_t level, Label label, LatticePoint first, std::uint32_t below);
     std::uint32_t find(std::uint32_t component);
@@ -58,6 +61,7 @@ class Components {
     std::vector<Contour> flatten(Node&& top);
 
   private:
+    ElevationRange range_;
     std::vector<Component> pool_;
     std::vector<Node> nodes_;
     std::uint32_t free_ = none;

@@ -4,7 +4,8 @@
 
 namespace d2b {
 
-Sweep::Sweep(std::int32_t levels, std::int32_t first_col) : first_col_(first_col) {
+Sweep::Sweep(std::int32_t levels, std::int32_t first_col, const ElevationRange& range)
+    : first_col_(first_col), components_(range) {
     previous_.levels.resize(static_cast<std::size_t>(levels));
     current_.levels.resize(static_cast<std::size_t>(levels));
 }

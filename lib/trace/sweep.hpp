@@ -25,7 +25,7 @@ struct OutsideRows {
 class Sweep {
   public:
     /// @param levels root included @param first_col of the window in the whole raster
-    Sweep(std::int32_t levels, std::int32_t first_col);
+    Sweep(std::int32_t levels, std::int32_t first_col, const ElevationRange& range);
 
     /// Links the row of squares below the line (given as `current`) to the one above.
     /// @param line row number of the line, which is that of the squares below it

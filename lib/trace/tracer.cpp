@@ -12,7 +12,7 @@ Tracer<Count>::Tracer(const TraceFrame& frame, const TraceOptions& options, Stac
     : frame_(frame),
       points_(options.mode == TraceMode::points),
       sink_(sink),
-      sweep_(frame.levels, frame.window.col),
+      sweep_(frame.levels, frame.window.col, frame.range),
       next_row_(frame.window.row) {}
 
 template <typename Count>
@@ -98,7 +98,7 @@ void Tracer<Count>::add(const Owner& owner, double elevation) {
     Components& components = sweep_.components();
     components[components.find(owner.component)].own.add(elevation, frame_.fixed);
     if (owner.building != none)
-        components[components.find(owner.building)].sample->add(frame_.range.bin(elevation));
+        components[components.find(owner.building)].sample->add(elevation, frame_.range);
 }
 
 /// Every cell is a point of the contour that it lies in.
@@ -118,7 +118,7 @@ void Tracer<Count>::add_cells() {
             const double z = rows_[0].elevations[c];
             own.add(z, frame_.fixed);
             if (sample != nullptr)
-                sample->add(frame_.range.bin(z));
+                sample->add(z, frame_.range);
         }
     }
 }

@@ -18,7 +18,7 @@ std::string foreign_file(const fs::path& folder, GDALDatasetH dataset,
                          const std::vector<std::string>& names) {
     const CPLStringList listed(GDALGetFileList(dataset));
     for (const auto& entry : fs::directory_iterator(folder)) {
-        const std::string file = entry.path().filename().string();
+        std::string file = entry.path().filename().string();
         const bool part = CSLFindString(listed.List(), entry.path().c_str()) >= 0 ||
                           named(names, entry.path().stem().string()) ||
                           named(names, file.substr(0, file.find('.')));

@@ -1,8 +1,8 @@
 #include "write/file_moves.hpp"
 
 #include <cerrno>
+#include <cstdio>
 #include <fcntl.h>
-#include <stdio.h>
 #include <system_error>
 #include <unistd.h>
 

@@ -1,5 +1,6 @@
 #include "write/format_probe.hpp"
 
+#include <array>
 #include <cstdint>
 #include <sys/stat.h>
 
@@ -82,8 +83,8 @@ bool writes_two(GDALDriverH driver, const std::string& file, bool& transactions)
 
 void read_back(GDALDriverH driver, const std::string& file, FormatProbe& result) {
     const char* name = GDALGetDriverShortName(driver);
-    const char* const only[] = {name, nullptr};
-    const DatasetHandle dataset(GDALOpenEx(file.c_str(), GDAL_OF_VECTOR, only, nullptr, nullptr));
+    const std::array<const char*, 2> only{name, nullptr};
+    const DatasetHandle dataset(GDALOpenEx(file.c_str(), GDAL_OF_VECTOR, only.data(), nullptr, nullptr));
     if (!dataset)
         return;
     result.several_layers = result.several_layers && GDALDatasetGetLayerCount(dataset.get()) > 1;

@@ -27,7 +27,7 @@ std::string name_of(const WriteOptions& options, const VectorFormat& format, boo
         return options.layer_name + (layers == Layers::both && !buildings ? "_contours" : "");
     const bool file_is_layer = !format.several_layers && !is_stream(options.destination) &&
                                !is_connection(format.driver, options.destination);
-    const std::string stem = stem_of(options.destination);
+    std::string stem = stem_of(options.destination);
     if (file_is_layer && !stem.empty())
         return stem;
     return buildings ? "buildings" : "contours";

@@ -1,5 +1,7 @@
 #include "write/layer_fit.hpp"
 
+#include <array>
+
 #include "core/error.hpp"
 
 namespace d2b {
@@ -14,9 +16,9 @@ std::string srs_name(OGRSpatialReferenceH srs) {
 bool same_srs(OGRSpatialReferenceH a, OGRSpatialReferenceH b) {
     if (a == nullptr || b == nullptr)
         return a == b;
-    const char* const options[] = {"IGNORE_DATA_AXIS_TO_SRS_AXIS_MAPPING=YES",
-                                   "CRITERION=EQUIVALENT_EXCEPT_AXIS_ORDER_GEOGCRS", nullptr};
-    return OSRIsSameEx(a, b, options) != FALSE;
+    const std::array<const char*, 3> options{"IGNORE_DATA_AXIS_TO_SRS_AXIS_MAPPING=YES",
+                                             "CRITERION=EQUIVALENT_EXCEPT_AXIS_ORDER_GEOGCRS", nullptr};
+    return OSRIsSameEx(a, b, options.data()) != FALSE;
 }
 
 /// Text takes everything: formats without a schema (CSV, GeoJSON) call a column text where they know no

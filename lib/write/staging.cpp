@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <set>
-#include <stdlib.h>
 #include <system_error>
 #include <utility>
 

@@ -1,6 +1,7 @@
 #include "write/vector_format.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <sys/stat.h>
 #include <utility>
@@ -103,8 +104,8 @@ VectorFormat format_for(const WriteOptions& options) {
 }
 
 DatasetHandle open_dataset(const VectorFormat& format, const std::string& path, unsigned access) {
-    const char* const only[] = {format.name.c_str(), nullptr};
-    return DatasetHandle(GDALOpenEx(path.c_str(), GDAL_OF_VECTOR | access, only, nullptr, nullptr));
+    const std::array<const char*, 2> only{format.name.c_str(), nullptr};
+    return DatasetHandle(GDALOpenEx(path.c_str(), GDAL_OF_VECTOR | access, only.data(), nullptr, nullptr));
 }
 
 bool is_stream(const std::string& destination) {

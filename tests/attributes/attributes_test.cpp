@@ -76,8 +76,8 @@ TEST(Records, BuildingOfAPodiumWithATowerInFeet) {
     EXPECT_EQ(building.ground, 1);
     EXPECT_EQ(building.roof, 30);
     EXPECT_DOUBLE_EQ(building.height_m, 29 * 0.3048);
-    EXPECT_NEAR(building.heights_m[0], 9 * 0.3048, 0.001);   // the 12th of 24: 10
-    EXPECT_NEAR(building.heights_m[3], 19 * 0.3048, 0.001);  // the 23rd: 20
+    EXPECT_DOUBLE_EQ(building.heights_m[0], 9 * 0.3048);   // the 12th of 24: 10
+    EXPECT_DOUBLE_EQ(building.heights_m[3], 19 * 0.3048);  // the 23rd: 20
     EXPECT_EQ(building.parts, 3);
     EXPECT_EQ(building.levels, 3);
     EXPECT_EQ(building.points, 24);

@@ -89,11 +89,11 @@ TEST(Percentiles, AreThoseOfAllPointsOfTheBuilding) {
     Context context;
     const ContourSet set = test::trace_grid(grid, {50, 150}, {TraceMode::cells}, context);
     ASSERT_EQ(set.percentiles.size(), 1U);
-    // 100 values, 100 to 199: the nearest rank of a share is 99 + 100 share; a bin is 199 / 65536 wide.
-    EXPECT_NEAR(set.percentiles[0][0], 149, 0.004);
-    EXPECT_NEAR(set.percentiles[0][1], 169, 0.004);
-    EXPECT_NEAR(set.percentiles[0][2], 189, 0.004);
-    EXPECT_NEAR(set.percentiles[0][3], 194, 0.004);
+    // 100 values, 100 to 199: the nearest rank of a share is 99 + 100 share.
+    EXPECT_EQ(set.percentiles[0][0], 149);
+    EXPECT_EQ(set.percentiles[0][1], 169);
+    EXPECT_EQ(set.percentiles[0][2], 189);
+    EXPECT_EQ(set.percentiles[0][3], 194);
 }
 
 }  // namespace
