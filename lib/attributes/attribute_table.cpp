@@ -65,7 +65,7 @@ constexpr std::array building_table{
                               [](const BuildingRecord& r) -> FieldValue { return r.points; }},
     Attribute<BuildingRecord>{
         "at_edge", "At the edge", FieldType::integer, Unit::none,
-        "1 where the edge of the raster may cut it, else 0",
+        "1 where it touches the edge of the part of the raster that is used, else 0",
         [](const BuildingRecord& r) -> FieldValue { return std::int64_t{r.at_edge ? 1 : 0}; }},
     Attribute<BuildingRecord>{
         "area_m2", "Area", FieldType::real, Unit::square_metre,

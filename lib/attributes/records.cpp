@@ -81,7 +81,9 @@ BuildingRecord building_record(const ContourTable& table, std::size_t b, const C
     record.height_m = (record.roof - record.ground) * context.metres;
     for (std::size_t i = 0; i < percentile_shares.size(); ++i)
         record.heights_m[i] =
-            base.points > 0 ? (table.percentiles[b][i] - record.ground) * context.metres : unknown;
+            base.points > 0
+                ? (std::min(table.percentiles[b][i], base.highest) - record.ground) * context.metres
+                : unknown;
     record.points = base.points;
     const LatticeBox box = contour.exterior.box();
     record.at_edge = box.low.row <= context.frame.low.row || box.low.col <= context.frame.low.col ||

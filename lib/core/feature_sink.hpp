@@ -62,6 +62,8 @@ struct Feature {
 struct Provenance {
     std::string crs_wkt;                          ///< of the coordinates that are written; "" for none
     std::map<std::string, std::string> metadata;  ///< source, options, thresholds, units, version
+    /// Names of metadata that must be equal where features are appended.
+    std::vector<std::string> binding = {};
 };
 
 /// Where features go: a file (write/), or a list in tests and in other programs.

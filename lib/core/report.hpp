@@ -26,8 +26,9 @@ enum class Reason {
     hole_small,           ///< filled: less than the smallest area
     outline_kept_traced,  ///< simplification would have broken the polygon
     polygon_repaired,     ///< GEOS called it invalid
+    polygon_lost,         ///< nothing of it was left to repair: it is not written
 };
-inline constexpr std::array<std::string_view, 10> reason_names{"threshold_not_above_minimum",
+inline constexpr std::array<std::string_view, 11> reason_names{"threshold_not_above_minimum",
                                                                "threshold_not_below_maximum",
                                                                "threshold_repeated",
                                                                "contour_short",
@@ -36,7 +37,8 @@ inline constexpr std::array<std::string_view, 10> reason_names{"threshold_not_ab
                                                                "hole_short",
                                                                "hole_small",
                                                                "outline_kept_traced",
-                                                               "polygon_repaired"};
+                                                               "polygon_repaired",
+                                                               "polygon_lost"};
 
 struct LevelReport {
     int level = 0;
@@ -72,9 +74,10 @@ struct RunReport {
     double mean = 0;
     double standard_deviation = 0;
     std::vector<LevelReport> levels;  ///< from level 0 up
-    std::int64_t contours = 0;
-    std::int64_t buildings = 0;
-    std::int64_t vertices = 0;  ///< of the contours as written, closing ones not counted
+    std::int64_t contours = 0;        ///< written
+    std::int64_t buildings = 0;       ///< written
+    std::int64_t vertices = 0;  ///< of the contours as written (of the buildings where these are alone),
+                                ///< closing ones not counted
     std::array<std::int64_t, reason_names.size()> dropped{};
     std::array<double, stage_names.size()> seconds{};
     std::array<std::int64_t, stage_names.size()>

@@ -2,6 +2,7 @@
 #include "geometry/geos.hpp"
 
 #include <cmath>
+#include <new>
 #include <type_traits>
 
 #include "core/error.hpp"
@@ -31,7 +32,19 @@ void set(Position& p, double x, double y) {
     p = {x, y};
 }
 void set(LatticePoint& p, double x, double y) {
+    if (x != std::round(x) || y != std::round(y))
+        throw Error("GEOS moved a vertex off the lattice, which outlines that share whole edges rule out.");
     p = {static_cast<std::int32_t>(std::lround(-y)), static_cast<std::int32_t>(std::lround(x))};
+}
+
+/// What GEOS cannot even make a ring of, or null.
+const char* wrong_points(const WorldRing& ring) {
+    if (ring.empty())
+        return "a ring has no points";
+    for (const Position& p : ring)
+        if (!std::isfinite(p.x) || !std::isfinite(p.y))
+            return "a coordinate is not a finite number";
+    return nullptr;
 }
 
 /// Twice the area, positive where the ring runs counter-clockwise; relative to its first point, so that large
@@ -54,7 +67,14 @@ struct Geos::Impl {
     std::string message;
 
     Impl() { GEOSContext_setErrorMessageHandler_r(context.get(), remember, this); }
-    static void remember(const char* text, void* self) { static_cast<Impl*>(self)->message = text; }
+    /// Called from C: nothing may be thrown.
+    static void remember(const char* text, void* self) noexcept {
+        try {
+            static_cast<Impl*>(self)->message = text;
+        } catch (const std::bad_alloc&) {
+            static_cast<Impl*>(self)->message.clear();
+        }
+    }
 
     GeometryPtr own(GEOSGeometry* geometry) const {
         if (geometry == nullptr)
@@ -152,10 +172,13 @@ Geos& Geos::operator=(Geos&&) noexcept = default;
 Geos::~Geos() = default;
 
 std::string Geos::invalidity(const std::vector<WorldPolygon>& polygons) {
-    for (const WorldPolygon& polygon : polygons)
-        for (const Position& p : polygon.exterior)
-            if (!std::isfinite(p.x) || !std::isfinite(p.y))
-                return "a coordinate is not a finite number";
+    for (const WorldPolygon& polygon : polygons) {
+        if (const char* wrong = wrong_points(polygon.exterior))
+            return wrong;
+        for (const WorldRing& ring : polygon.interiors)
+            if (const char* wrong = wrong_points(ring))
+                return wrong;
+    }
     GeometryPtr geometry;
     try {
         geometry = polygons.size() == 1
@@ -205,7 +228,8 @@ double Geos::area_outside(const WorldPolygon& inner, const WorldPolygon& outer) 
     const GeometryPtr b = impl_->polygon(outer.exterior, outer.interiors);
     const GeometryPtr left = impl_->own(GEOSDifference_r(context, a.get(), b.get()));
     double area = 0;
-    GEOSArea_r(context, left.get(), &area);
+    if (GEOSArea_r(context, left.get(), &area) == 0)
+        throw Error("GEOS failed to measure a polygon: " + impl_->message + ".");
     return area;
 }
 

@@ -40,8 +40,8 @@ bool VertexGrid::any_in(LatticePoint a, LatticePoint b, LatticePoint c) const {
             if (found == buckets_.end())
                 continue;
             for (const LatticePoint p : found->second)
-                if (p != a && p != b && p != c && p >= LatticePoint{low.row, low.col} && p.col >= low.col &&
-                    p.col <= high.col && p.row <= high.row && inside(p, a, b, c))
+                if (p != a && p != b && p != c && p.row >= low.row && p.col >= low.col && p.col <= high.col &&
+                    p.row <= high.row && inside(p, a, b, c))
                     return true;
         }
     return false;

@@ -16,7 +16,10 @@ std::vector<WorldPolygon> checked(std::vector<WorldPolygon> drawn,
     }
     status = OutlineStatus::repaired;
     report.count(Reason::polygon_repaired);
-    return geos.repaired(drawn);
+    drawn = geos.repaired(drawn);
+    if (drawn.empty())
+        report.count(Reason::polygon_lost);
+    return drawn;
 }
 
 }  // namespace d2b

@@ -26,15 +26,17 @@ ElevationReader::ElevationReader(DemSource& source, Context& context, std::size_
 }
 
 void ElevationReader::for_each(const std::function<void(const ElevationBand&)>& use) {
-    if (!kept_.empty()) {
+    if (complete_) {
         for (const ElevationBand& band : kept_)
             use(band);
         return;
     }
+    kept_.clear();
     const Window& window = source_.info().window;
     const std::int32_t end = window.row + window.rows;
     for (std::int32_t row = window.row; row < end;) {
-        const std::int32_t next = std::min(end, (row / rows_a_band_ + 1) * rows_a_band_);
+        const std::int64_t border = (std::int64_t{row} / rows_a_band_ + 1) * rows_a_band_;
+        const auto next = static_cast<std::int32_t>(std::min<std::int64_t>(end, border));
         ElevationBand band{{row, next - row, window.cols}, {}};
         band.elevations.resize(band.shape.size());
         {
@@ -46,6 +48,7 @@ void ElevationReader::for_each(const std::function<void(const ElevationBand&)>& 
             kept_.push_back(std::move(band));
         row = next;
     }
+    complete_ = keep_;
 }
 
 }  // namespace d2b

@@ -23,6 +23,7 @@ class ElevationReader {
     DemSource& source_;
     Context& context_;
     bool keep_;
+    bool complete_ = false;  ///< all bands are kept
     std::int32_t rows_a_band_;
     std::vector<ElevationBand> kept_;
 };

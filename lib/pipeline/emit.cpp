@@ -33,7 +33,8 @@ class Emitter {
 
     void begin();
     void emit_building(std::size_t contour, BuildingRecord& record, double threshold);
-    void emit_contour(std::size_t contour, ContourRecord& record);
+    /// @return whether it is in its layer
+    bool emit_contour(std::size_t contour, ContourRecord& record);
 
   private:
     template <typename Record>
@@ -81,19 +82,28 @@ void Emitter::add(std::size_t layer, std::span<const Attribute<Record>> attribut
 }
 
 void Emitter::emit_building(std::size_t contour, BuildingRecord& record, double threshold) {
-    if (buildings_layer_)
-        add(*buildings_layer_, building_attributes(), record, placer_.whole(contour), threshold);
+    if (!buildings_layer_)
+        return;
+    Placed placed = placer_.whole(contour);
+    if (placed.parts.empty())
+        return;
+    ++context_.report.buildings;
+    if (!contours_layer_)
+        context_.report.vertices += vertices_of(placed.parts);
+    add(*buildings_layer_, building_attributes(), record, std::move(placed), threshold);
 }
 
-void Emitter::emit_contour(std::size_t contour, ContourRecord& record) {
+bool Emitter::emit_contour(std::size_t contour, ContourRecord& record) {
     if (!contours_layer_)
-        return;
+        return false;
     Placed placed = emission_.options.outline.disjoint ? placer_.tier(contour) : placer_.whole(contour);
     // A contour that its children cover whole has no band of its own.
     if (placed.parts.empty())
-        return;
+        return false;
+    ++context_.report.contours;
     context_.report.vertices += vertices_of(placed.parts);
     add(*contours_layer_, contour_attributes(), record, std::move(placed), record.threshold);
+    return true;
 }
 
 }  // namespace
@@ -101,12 +111,16 @@ void Emitter::emit_contour(std::size_t contour, ContourRecord& record) {
 void emit(const Emission& emission, Records& records, FeatureSink& sink, Context& context) {
     Emitter emitter(emission, sink, context);
     emitter.begin();
+    // What stands on a contour that is not written stands on that contour's parent.
+    std::vector<std::int64_t> written_id(records.contours.size(), 0);
     for (std::size_t i = 0; i < records.contours.size(); ++i) {
         ContourRecord& record = records.contours[i];
+        const std::int64_t parent = emission.set.contours[i].parent;
+        record.parent_id = parent < 0 ? 0 : written_id[static_cast<std::size_t>(parent)];
         if (record.level == 1)
             emitter.emit_building(i, records.buildings[static_cast<std::size_t>(emission.set.building[i])],
                                   record.threshold);
-        emitter.emit_contour(i, record);
+        written_id[i] = emitter.emit_contour(i, record) ? record.id : record.parent_id;
         if (i % 64 == 0)
             context.progress(0.6 +
                              0.35 * static_cast<double>(i) / static_cast<double>(records.contours.size()));

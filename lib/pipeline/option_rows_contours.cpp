@@ -97,7 +97,7 @@ std::vector<OptionRow> contours() {
          .details =
              "Borders that polygons share move together: nesting, disjointness and validity hold. A contour "
              "that would break keeps its traced outline and is flagged.",
-         .unit = "units of the CRS"}));
+         .unit = "units of the input's CRS, degrees in a geographic one"}));
     rows.push_back(
         switch_row("disjoint", [](auto& r) -> auto& { return r.options.outline.disjoint; },
                    {.help = "Write contours as bands that do not overlap instead of stacked ones."}));

@@ -25,8 +25,10 @@ std::vector<OptionRow> dataset() {
     rows.push_back(switch_row(
         "overwrite", [](auto& r) -> auto& { return r.options.write.overwrite; },
         {.help = "Replace layers of the same names in an existing output.",
-         .details = "Other layers of that dataset stay. An existing output is refused without -overwrite or "
-                    "-append."}));
+         .details =
+             "Other layers of a GeoPackage or SQLite file stay, also the one of ours that -layers leaves "
+             "out; other formats are refused where they hold other layers. An existing output is refused "
+             "without -overwrite or -append."}));
     rows.push_back(switch_row("append", [](auto& r) -> auto& { return r.options.write.append; },
                               {.help = "Add to layers of the same names in an existing output."}));
     return rows;

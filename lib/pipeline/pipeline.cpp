@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/number_text.hpp"
 #include "core/units.hpp"
 #include "detect/one_label.hpp"
 #include "pipeline/elevation_reader.hpp"
@@ -73,8 +74,11 @@ ContourSet trace_contours(ElevationReader& reader, const TraceFrame& frame, cons
         LevelBand<Count> levels;
         LabelBand labels;
         {
-            const StageClock clock(context.report, Stage::levels);
+            const StageClock clock(context.report, Stage::detect);
             labels = detect_one_label(band, context);
+        }
+        {
+            const StageClock clock(context.report, Stage::levels);
             levels = quantise<Count>(band, labels, plan);
         }
         const StageClock clock(context.report, Stage::trace);
@@ -96,8 +100,6 @@ LatticeBox lattice_frame(const Window& window, TraceMode mode) {
 }
 
 void report_result(const Records& records, const LevelPlan& plan, RunReport& report) {
-    report.contours = static_cast<std::int64_t>(records.contours.size());
-    report.buildings = static_cast<std::int64_t>(records.buildings.size());
     for (int level = 0; level < plan.level_count(); ++level)
         report.levels.push_back({level, plan.threshold(1, level), 0, 0});
     for (const ContourRecord& record : records.contours) {
@@ -107,7 +109,15 @@ void report_result(const Records& records, const LevelPlan& plan, RunReport& rep
     }
 }
 
-void warn_of_nothing(const LevelPlan& plan, Context& context) {
+void warn_of_large_tolerance(double tolerance, const Georeference& georeference, Context& context) {
+    constexpr double most_cells = 100;
+    const double cells = tolerance / std::sqrt(georeference.cell_area());
+    if (cells > most_cells)
+        context.warn("-simplify " + number_text(tolerance) + " is " + number_text(std::round(cells)) +
+                     " cells wide, which leaves little of a building; it is in units of the input's CRS.");
+}
+
+void warn_of_nothing(const LevelPlan& plan, const Records& records, Context& context) {
     const RunReport& report = context.report;
     if (report.valid_points == 0)
         context.warn("'" + report.input + "' has no valid point; the layers are empty.");
@@ -117,7 +127,7 @@ void warn_of_nothing(const LevelPlan& plan, Context& context) {
     else if (plan.level_count() == 1)
         context.warn(
             "No threshold lies between the lowest and the highest elevation; no building was found.");
-    else if (report.buildings == 0)
+    else if (records.buildings.empty())
         context.warn("No building was found; a smaller -nf or -min_area, or more levels, may show some.");
 }
 
@@ -134,6 +144,7 @@ void run(const Options& options, DemSource& source, FeatureSink& sink, Context& 
     const Georeference georeference(info.transform, options.trace.mode);
     const SquareArea area = make_square_area(georeference, crs);
     warn_of_coarse_cells(info.window, area, crs, context);
+    warn_of_large_tolerance(options.outline.simplify, georeference, context);
 
     ElevationReader reader(source, context);
     const ElevationStatistics statistics = collect_statistics(reader, info.window, context);
@@ -152,7 +163,7 @@ void run(const Options& options, DemSource& source, FeatureSink& sink, Context& 
                                 lattice_frame(info.window, options.trace.mode), sink.first_id()});
     }
     report_result(records, plan, report);
-    warn_of_nothing(plan, context);
+    warn_of_nothing(plan, records, context);
     const Emission emission{options,
                             georeference,
                             crs,

@@ -1,5 +1,7 @@
 #include "pipeline/placer.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "pipeline/checked.hpp"
@@ -14,6 +16,41 @@ std::vector<Position> corners_of(const Window& window, const Georeference& geore
         for (const std::int32_t col : {window.col, window.col + window.cols})
             corners.push_back(georeference.position({row, col}));
     return corners;
+}
+
+/// The longest edge that is brought to another CRS in one piece, in cells: straight lines bend there, by L^2
+/// / 8R or so, which is far below a cell for these.
+constexpr double longest_edge_cells = 64;
+
+/// Cuts long edges into equal parts. An edge that two outlines share is cut alike in both, whichever way they
+/// run.
+WorldRing with_short_edges(const WorldRing& ring, double longest) {
+    WorldRing result;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Position from = ring[i];
+        const Position to = ring[(i + 1) % ring.size()];
+        result.push_back(from);
+        const int pieces =
+            static_cast<int>(std::min(1e6, std::ceil(std::hypot(to.x - from.x, to.y - from.y) / longest)));
+        const bool forwards = std::pair(from.x, from.y) < std::pair(to.x, to.y);
+        const Position a = forwards ? from : to;
+        const Position b = forwards ? to : from;
+        for (int k = 1; k < pieces; ++k) {
+            const double share = static_cast<double>(forwards ? k : pieces - k) / pieces;
+            result.push_back({a.x + (b.x - a.x) * share, a.y + (b.y - a.y) * share});
+        }
+    }
+    return result;
+}
+
+Geodesy::Measure measure(Geodesy& geodesy, const std::vector<WorldPolygon>& parts) {
+    Geodesy::Measure sum;
+    for (const WorldPolygon& part : parts) {
+        const Geodesy::Measure one = geodesy.polygon(part);
+        sum.area_m2 += one.area_m2;
+        sum.perimeter_m += one.perimeter_m;
+    }
+    return sum;
 }
 
 }  // namespace
@@ -55,10 +92,15 @@ Placer::Parts Placer::shape(std::size_t contour, bool tier, const Draw& draw) {
 Placer::Parts Placer::in_target_crs(Parts parts) {
     if (!transform_)
         return parts;
+    const double longest = longest_edge_cells * std::sqrt(placement_.georeference.cell_area());
+    const auto carry = [&](WorldRing& ring) {
+        ring = with_short_edges(ring, longest);
+        transform_->apply(ring);
+    };
     for (WorldPolygon& part : parts) {
-        transform_->apply(part.exterior);
+        carry(part.exterior);
         for (WorldRing& ring : part.interiors)
-            transform_->apply(ring);
+            carry(ring);
     }
     return parts;
 }
@@ -76,12 +118,14 @@ Placed Placer::place(std::size_t contour, bool tier) {
         };
         placed.parts = checked(in_target_crs(parts), traced, geos_, placed.status, context_.report);
     }
-    // Measured in the CRS of the DEM, where edges are straight.
+    // Measured in the CRS of the DEM, where edges are straight; a repaired polygon is known in that of the
+    // output.
     const StageClock clock(context_.report, Stage::attributes);
-    for (const WorldPolygon& part : parts) {
-        const Geodesy::Measure one = geodesy_.polygon(part);
-        placed.measure.area_m2 += one.area_m2;
-        placed.measure.perimeter_m += one.perimeter_m;
+    if (placed.status == OutlineStatus::repaired && transform_) {
+        Geodesy geodesy(placement_.target_crs);
+        placed.measure = measure(geodesy, placed.parts);
+    } else {
+        placed.measure = measure(geodesy_, placed.status == OutlineStatus::repaired ? placed.parts : parts);
     }
     return placed;
 }

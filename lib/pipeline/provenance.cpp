@@ -22,6 +22,8 @@ Provenance make_provenance(const Options& options, const DemInfo& info, const Cr
                            const RunReport& report) {
     Provenance provenance;
     provenance.crs_wkt = target.kind() == Crs::Kind::none ? crs.wkt() : target.wkt();
+    // Elevations in two units, or stacked contours among disjoint ones, would make nonsense of a layer.
+    provenance.binding = {"D2B_VERTICAL_UNIT", "D2B_CONTOURS"};
     provenance.metadata = {
         {"D2B_VERSION", std::string(version)},
         {"D2B_SOURCE", info.name},
@@ -34,8 +36,10 @@ Provenance make_provenance(const Options& options, const DemInfo& info, const Cr
         {"D2B_THRESHOLDS", thresholds_of(report)},
         {"D2B_MINIMUM", number_text(report.minimum)},
         {"D2B_MAXIMUM", number_text(report.maximum)},
-        {"D2B_VERTICAL_UNIT", report.units.vertical + " (" + report.units.vertical_decided_by + ")"},
-        {"D2B_HORIZONTAL_UNIT", report.units.horizontal + " (" + report.units.horizontal_decided_by + ")"},
+        {"D2B_VERTICAL_UNIT", report.units.vertical},
+        {"D2B_VERTICAL_UNIT_FROM", report.units.vertical_decided_by},
+        {"D2B_HORIZONTAL_UNIT", report.units.horizontal},
+        {"D2B_HORIZONTAL_UNIT_FROM", report.units.horizontal_decided_by},
         {"D2B_AREAS", report.units.areas},
     };
     return provenance;

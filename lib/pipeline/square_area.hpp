@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 #include "core/crs.hpp"
 #include "core/georeference.hpp"
 #include "filter/noise.hpp"

@@ -19,7 +19,7 @@ namespace {
 /// A NoData value as a band of 32-bit floats would hold it. Decimal texts of the largest float may lie a
 /// little above it; what is farther out equals no float.
 double as_single(double value) {
-    constexpr double largest = std::numeric_limits<float>::max();
+    constexpr auto largest = static_cast<double>(std::numeric_limits<float>::max());
     if (std::isfinite(value) && std::abs(value) > largest)
         return std::abs(value) <= 3.4028236e38 ? std::copysign(largest, value) : value;
     return static_cast<double>(static_cast<float>(value));
@@ -82,7 +82,7 @@ std::int32_t BandReader::chunk_rows() const {
 void BandReader::read(std::int32_t first_row, std::int32_t rows, std::span<double> elevations,
                       Context& context) {
     const Window& w = info_.window;
-    const std::size_t cols = static_cast<std::size_t>(w.cols);
+    const auto cols = static_cast<std::size_t>(w.cols);
     if (rows < 0 || first_row < w.row || rows > w.rows - (first_row - w.row) ||
         elevations.size() != static_cast<std::size_t>(rows) * cols)
         throw InputError("Rows from " + std::to_string(first_row) + " on, " + std::to_string(rows) +

@@ -102,7 +102,7 @@ void CutlineMask::burn(std::int32_t first_row) {
 }
 
 void CutlineMask::apply(std::int32_t first_row, std::int32_t rows, std::span<double> elevations) {
-    const std::size_t cols = static_cast<std::size_t>(window_.cols);
+    const auto cols = static_cast<std::size_t>(window_.cols);
     for (std::int32_t i = 0; i < rows; ++i) {
         const std::int32_t row = first_row + i;
         if (row < strip_first_ || row >= strip_first_ + strip_rows_)

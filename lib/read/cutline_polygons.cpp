@@ -62,6 +62,7 @@ void add_polygon(OGRGeometryH polygon, RingProjector& projector, std::vector<Pix
 }
 
 /// Polygons, and those within multipolygons and collections.
+// NOLINTNEXTLINE(misc-no-recursion): as deep as collections are nested
 void add_polygons(OGRGeometryH geometry, RingProjector& projector, std::vector<PixelPolygon>& polygons) {
     const OGRwkbGeometryType type = OGR_GT_Flatten(OGR_G_GetGeometryType(geometry));
     if (type == wkbPolygon)

@@ -38,7 +38,7 @@ std::string wkt_from_user(const std::string& text) {
     // As a library we may be handed this text from far away: it must not make us open files or connections.
     const OGRErr status =
         crs.SetFromUserInput(text.c_str(), OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get());
-    const std::string wkt = status == OGRERR_NONE ? wkt_of(OGRSpatialReference::ToHandle(&crs)) : "";
+    std::string wkt = status == OGRERR_NONE ? wkt_of(OGRSpatialReference::ToHandle(&crs)) : "";
     if (wkt.empty())
         throw OptionError("-a_srs " + one_line(text) + " is not a coordinate reference system (" +
                           messages.reason() +

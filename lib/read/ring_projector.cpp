@@ -41,6 +41,7 @@ Position RingProjector::to_pixel(Position source) const {
     return pixel;
 }
 
+// NOLINTNEXTLINE(misc-no-recursion): it ends with the depth
 void RingProjector::add_between(const Vertex& from, const Vertex& to, int depth, WorldRing& ring) const {
     Vertex middle{{(from.source.x + to.source.x) / 2, (from.source.y + to.source.y) / 2}, {}};
     middle.pixel = to_pixel(middle.source);

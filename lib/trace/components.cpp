@@ -69,9 +69,9 @@ std::uint32_t Components::unite(std::uint32_t a, std::uint32_t b) {
     return a;
 }
 
-Node Components::finish(std::uint32_t root) {
+ContourNode Components::finish(std::uint32_t root) {
     Component& c = pool_[root];
-    Node node;
+    ContourNode node;
     node.first_child = c.first_child;
     node.contour.key = {c.level, c.first};
     node.contour.label = c.label;
@@ -86,7 +86,7 @@ Node Components::finish(std::uint32_t root) {
     return node;
 }
 
-void Components::hang(Node&& node, std::uint32_t below) {
+void Components::hang(ContourNode&& node, std::uint32_t below) {
     std::uint32_t number = free_node_;
     if (number == none) {
         number = static_cast<std::uint32_t>(nodes_.size());
@@ -101,7 +101,7 @@ void Components::hang(Node&& node, std::uint32_t below) {
     c.last_child = number;
 }
 
-std::vector<Contour> Components::flatten(Node&& top) {
+std::vector<Contour> Components::flatten(ContourNode&& top) {
     std::vector<Contour> contours;
     std::vector<std::pair<std::uint32_t, std::int64_t>> todo{{top.first_child, 0}};
     contours.push_back(std::move(top.contour));
@@ -109,7 +109,7 @@ std::vector<Contour> Components::flatten(Node&& top) {
         auto [number, parent] = todo.back();
         todo.pop_back();
         while (number != none) {
-            Node& node = nodes_[number];
+            ContourNode& node = nodes_[number];
             node.contour.parent = parent;
             todo.emplace_back(node.first_child, static_cast<std::int64_t>(contours.size()));
             contours.push_back(std::move(node.contour));

@@ -11,7 +11,7 @@ namespace d2b {
 
 /// A finished contour that waits for the one below it to finish. Siblings and children are lists of indices,
 /// so that a tower of thousands of levels costs no recursion.
-struct Node {
+struct ContourNode {
     Contour contour;
     std::uint32_t next = none;
     std::uint32_t first_child = none;
@@ -54,16 +54,16 @@ class Components {
     Component& operator[](std::uint32_t component) { return pool_[component]; }
 
     /// Gives a finished root's numbers back. @return what it held, as a contour without parent
-    Node finish(std::uint32_t root);
+    ContourNode finish(std::uint32_t root);
     /// Hangs a finished contour onto the component that it stands on.
-    void hang(Node&& node, std::uint32_t below);
+    void hang(ContourNode&& node, std::uint32_t below);
     /// The tree under a finished contour, parents first; its nodes' numbers are given back.
-    std::vector<Contour> flatten(Node&& top);
+    std::vector<Contour> flatten(ContourNode&& top);
 
   private:
     ElevationRange range_;
     std::vector<Component> pool_;
-    std::vector<Node> nodes_;
+    std::vector<ContourNode> nodes_;
     std::uint32_t free_ = none;
     std::uint32_t free_node_ = none;
 };

@@ -47,7 +47,7 @@ void Sweep::finish(std::uint32_t root, StackSink& sink) {
         stack.sample = std::move(*c.sample);
     stack.standing_on_it = std::move(c.standing_on_it);
     const std::uint32_t below = c.below;
-    Node node = components_.finish(root);
+    ContourNode node = components_.finish(root);
     std::sort(node.contour.interiors.begin(), node.contour.interiors.end(),
               [](const PackedRing& a, const PackedRing& b) { return a.start() < b.start(); });
     if (level > 1) {

@@ -137,11 +137,23 @@ void DatasetWriter::open_layer(const LayerSpec& spec) {
             layer = GDALDatasetGetLayer(dataset_.get(), 0);
     }
     if (layer != nullptr) {
+        require_same_origin(layer);
         layers_.push_back(LayerWriter::adopt(layer, spec, setting));
         return;
     }
     layers_.push_back(LayerWriter::create(dataset_.get(), spec, setting));
     describe(layers_.back().handle());
+}
+
+void DatasetWriter::require_same_origin(OGRLayerH layer) const {
+    for (const std::string& name : provenance_.binding) {
+        const char* there = GDALGetMetadataItem(layer, name.c_str(), nullptr);
+        const auto ours = provenance_.metadata.find(name);
+        if (there != nullptr && ours != provenance_.metadata.end() && ours->second != there)
+            throw OutputError("Cannot append to \"" + target_.name + "\": its layer \"" +
+                              OGR_L_GetName(layer) + "\" has " + name + " \"" + there +
+                              "\" and the result \"" + ours->second + "\"; write to another destination.");
+    }
 }
 
 void DatasetWriter::describe(GDALMajorObjectH object) {

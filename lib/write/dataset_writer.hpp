@@ -45,6 +45,8 @@ class DatasetWriter {
     void commit();
     void remove_layer(const std::string& name);
     void open_layer(const LayerSpec& spec);
+    /// @throws OutputError where a layer that is there was made in another way
+    void require_same_origin(OGRLayerH layer) const;
     void describe(GDALMajorObjectH object);
     void write_pending();
 

@@ -35,6 +35,7 @@ class Cities : public CliTest, public ::testing::WithParamInterface<const char*>
             }
         }
         EXPECT_EQ(report["output"]["buildings"], layer("out.gpkg", "buildings").records.size());
+        EXPECT_EQ(report["output"]["contours"], layer("out.gpkg", "contours").records.size());
     }
     /// The smaller side of a cell.
     [[nodiscard]] double cell() const {
@@ -56,6 +57,10 @@ TEST_P(Cities, areSimplifiedAsDisjointBandsOfCells) {
     char tolerance[32];
     std::snprintf(tolerance, sizeof tolerance, "%.9f", 0.9 * cell());
     expect_valid({"-trace", "cells", "-disjoint", "-simplify", tolerance});
+}
+
+TEST_P(Cities, areReprojected) {
+    expect_valid({"-t_srs", "EPSG:4326"});
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -62,6 +62,10 @@ TEST_F(OutputErrors, appendsNothingThatDoesNotFit) {
         R"(Cannot append to "out.gpkg": its layer "buildings" is in "ETRS89 / UTM zone 33N" and the result in "WGS 84")",
         "out.gpkg", {"-append", "-t_srs", "EPSG:4326"});
     failed(1, "has no Z, and the result has; write to another destination.", "out.gpkg", {"-append", "-3d"});
+    failed(1, R"(has D2B_VERTICAL_UNIT "metre" and the result "foot"; write to another destination.)",
+           "out.gpkg", {"-append", "-zunit", "ft"});
+    failed(1, R"(has D2B_CONTOURS "stacked" and the result "disjoint"; write to another destination.)",
+           "out.gpkg", {"-append", "-disjoint"});
 }
 
 TEST_F(OutputErrors, foldersWithForeignFiles) {

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/error.hpp"
+
 namespace d2b {
 namespace {
 
@@ -64,6 +66,22 @@ TEST(Geos, SaysWhatIsWrong) {
     EXPECT_NE(geos.invalidity({box(0, 0, 2, 2), box(1, 0, 3, 2)}), "");
     EXPECT_EQ(geos.invalidity({box(0, 0, std::numeric_limits<double>::infinity(), 1)}),
               "a coordinate is not a finite number");
+}
+
+TEST(Geos, EmptyAndEndlessRingsAreInvalidAndNoException) {
+    Geos geos;
+    EXPECT_EQ(geos.invalidity({WorldPolygon{}}), "a ring has no points");
+    WorldPolygon endless = box(0, 0, 9, 9);
+    endless.interiors.push_back({{1, 1}, {1, std::numeric_limits<double>::quiet_NaN()}, {2, 1}});
+    EXPECT_EQ(geos.invalidity({endless}), "a coordinate is not a finite number");
+}
+
+TEST(Geos, DifferenceOfCrossingOutlinesIsRefused) {
+    Geos geos;
+    // The two diagonals cross at (1.5, -1.5).
+    const LatticePolygon whole{{{0, 0}, {3, 3}, {0, 3}}, {}};
+    const LatticePolygon part{{{3, 0}, {3, 1}, {0, 3}}, {}};
+    EXPECT_THROW(static_cast<void>(geos.difference(whole, {part})), Error);
 }
 
 TEST(Geos, ARingOfTooFewPointsIsInvalidAndNoException) {

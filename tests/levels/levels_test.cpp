@@ -76,10 +76,11 @@ TEST(LevelPlan, IntervalsCountFromTheirOffset) {
 
 TEST(LevelPlan, EnormousElevationsNeitherOverflowNorNeverEnd) {
     Context context;
-    for (const int lod : {1, 4})
-        for (const double t :
-             plan_global_levels(statistics_of({-1.7e308, 1.7e308}), with_lod(lod), context).thresholds[1])
+    for (const int lod : {1, 4}) {
+        const LevelPlan plan = plan_global_levels(statistics_of({-1.7e308, 1.7e308}), with_lod(lod), context);
+        for (const double t : plan.thresholds[1])
             EXPECT_TRUE(std::isfinite(t));
+    }
     LevelOptions options;
     options.interval = 1e13;  // 1e30 and the next double are 1.4e14 apart: no threshold fits between them
     EXPECT_LE(

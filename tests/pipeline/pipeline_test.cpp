@@ -7,6 +7,7 @@
 
 #include "core/crs.hpp"
 #include "geometry/geos.hpp"
+#include "pipeline/elevation_reader.hpp"
 #include "support/memory_io.hpp"
 #include "support/random_grid.hpp"
 
@@ -187,6 +188,112 @@ TEST(Pipeline, ReprojectedOutlinesStayNested) {
         EXPECT_EQ(result.context.report.crs, "ETRS89 / UTM zone 32N");
     }
     EXPECT_GT(checked_pairs, 200U);
+}
+
+/// Straight lines bend when they are reprojected: long ones by more than a cell.
+TEST(Pipeline, LongOutlinesStayNestedWhenTheyAreReprojected) {
+    constexpr int cols = 20000;
+    constexpr int rows = 40;
+    std::vector<double> z(static_cast<std::size_t>(rows) * cols, 0.0);
+    for (int row = 1; row < rows - 1; ++row)
+        for (int col = 1; col < cols - 1; ++col)
+            z[static_cast<std::size_t>(row) * cols + static_cast<std::size_t>(col)] =
+                row > 1 && row < rows - 2 && col % 1000 > 10 ? 20 : 10;
+    MemorySource source(rows, cols, z);
+    source.edit().transform = {600000, 1, 0, 5800000, 0, -1};
+    source.edit().crs_wkt = Crs("EPSG:25832").wkt();
+    Options options = cells({5, 15});
+    options.outline.target_crs = "EPSG:3857";
+    Result result;
+    run_on(source, options, result);
+    const auto& features = result.sink.features[contours];
+    ASSERT_EQ(features.size(), 22U);
+    Geos geos;
+    for (std::size_t i = 1; i < features.size(); ++i) {
+        const auto parent = std::get<std::int64_t>(result.sink.value(contours, i, "parent_id")) - 1;
+        EXPECT_LT(
+            geos.area_outside(features[i].parts[0], features[static_cast<std::size_t>(parent)].parts[0]),
+            2.6e-6);
+    }
+    options.outline.disjoint = true;
+    Result disjoint;
+    run_on(source, options, disjoint);
+    EXPECT_EQ(disjoint.context.report.counted(Reason::polygon_repaired), 0);
+}
+
+TEST(Pipeline, DisjointContoursReferToWhatIsWritten) {
+    MemorySource source = block();  // level 1 and 2 cover the same cells: level 1 has no band of its own
+    Options options = cells({10, 15});
+    options.outline.disjoint = true;
+    Result result;
+    run_on(source, options, result);
+    ASSERT_EQ(result.sink.features[contours].size(), 2U);
+    EXPECT_EQ(result.sink.value(contours, 1, "level"), FieldValue{std::int64_t{2}});
+    EXPECT_EQ(result.sink.value(contours, 1, "id"), FieldValue{std::int64_t{3}});
+    EXPECT_EQ(result.sink.value(contours, 1, "parent_id"), FieldValue{std::int64_t{1}});
+    EXPECT_EQ(result.context.report.contours, 2);
+    EXPECT_EQ(result.context.report.buildings, 1);
+}
+
+TEST(Pipeline, CountsWhatIsWritten) {
+    MemorySource source = block();
+    Options options = cells({10});
+    options.write.layers = Layers::buildings;
+    Result result;
+    run_on(source, options, result);
+    EXPECT_EQ(result.context.report.contours, 0);
+    EXPECT_EQ(result.context.report.buildings, 1);
+    EXPECT_EQ(result.context.report.vertices, 4);
+}
+
+TEST(Pipeline, ALargeToleranceIsWarnedOf) {
+    MemorySource source = block();
+    source.edit().transform = {13, 1e-5, 0, 52, 0, -1e-5};
+    source.edit().crs_wkt = Crs("EPSG:4326").wkt();
+    Options options = cells({10});
+    options.outline.simplify = 1;
+    Result result;
+    run_on(source, options, result);
+    ASSERT_EQ(result.context.report.warnings.size(), 1U);
+    EXPECT_EQ(
+        result.context.report.warnings[0],
+        "-simplify 1 is 100000 cells wide, which leaves little of a building; it is in units of the input's "
+        "CRS.");
+}
+
+TEST(Pipeline, ReadsAgainAfterAFailure) {
+    MemorySource source = block();
+    Context context;
+    ElevationReader reader(source, context);
+    EXPECT_THROW(reader.for_each([](const ElevationBand&) { throw Cancelled(); }), Cancelled);
+    std::int32_t rows = 0;
+    for (int pass = 0; pass < 2; ++pass)
+        reader.for_each([&](const ElevationBand& band) { rows += band.shape.rows; });
+    EXPECT_EQ(rows, 2 * 10);
+    EXPECT_EQ(source.reads, 2);
+}
+
+TEST(Pipeline, BandsReachTheLastRowOfTheLargestRaster) {
+    class TallSource : public DemSource {
+      public:
+        TallSource() {
+            info_.rows = 2147483647;
+            info_.cols = 1;
+            info_.window = {2147483500, 0, 147, 1};
+        }
+        [[nodiscard]] const DemInfo& info() const override { return info_; }
+        void read(std::int32_t first, std::int32_t rows, std::span<double>) override {
+            read_to = first + rows;
+        }
+        std::int32_t read_to = 0;
+
+      private:
+        DemInfo info_;
+    };
+    TallSource source;
+    Context context;
+    ElevationReader(source, context).for_each([](const ElevationBand&) {});
+    EXPECT_EQ(source.read_to, 2147483647);
 }
 
 TEST(Pipeline, ReprojectingNeedsACrs) {

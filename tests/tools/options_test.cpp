@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/number_text.hpp"
 #include "pipeline/option_checks.hpp"
 #include "pipeline/option_values.hpp"
 #include "tools/parse.hpp"
@@ -216,16 +217,16 @@ TEST(OptionValues, doNotDependOnTheLocale) {
             break;
     EXPECT_EQ(parse({"-i", "2.5"}).options.levels.interval, 2.5);
     EXPECT_EQ(refusal({"-i", "2,5"}), "-i must be a number above 0, not '2,5'.");
-    EXPECT_EQ(shortest_number(0.1), "0.1");
+    EXPECT_EQ(number_text(0.1), "0.1");
     std::setlocale(LC_ALL, before.c_str());
 }
 
 TEST(OptionValues, areShortestAndReadBack) {
-    EXPECT_EQ(shortest_number(10), "10");
-    EXPECT_EQ(shortest_number(-0.25), "-0.25");
-    EXPECT_EQ(shortest_number(1000000), "1000000");
-    EXPECT_EQ(shortest_number(1e300), "1e+300");
-    EXPECT_EQ(read_number({}, shortest_number(1.0 / 3)), 1.0 / 3);
+    EXPECT_EQ(number_text(10), "10");
+    EXPECT_EQ(number_text(-0.25), "-0.25");
+    EXPECT_EQ(number_text(1000000), "1000000");
+    EXPECT_EQ(number_text(1e300), "1e+300");
+    EXPECT_EQ(read_number({}, number_text(1.0 / 3)), 1.0 / 3);
 }
 
 TEST(OptionValues, lookLikeNumbers) {
