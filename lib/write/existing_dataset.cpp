@@ -47,8 +47,8 @@ std::int64_t largest_id(GDALDatasetH dataset, const std::vector<std::string>& na
         const int field = OGR_FD_GetFieldIndex(OGR_L_GetLayerDefn(layer), "id");
         if (field < 0 || (!any_name && !named(names, OGR_L_GetName(layer))))
             continue;
-        const char* ignored[] = {"OGR_GEOMETRY", "OGR_STYLE", nullptr};
-        OGR_L_SetIgnoredFields(layer, ignored);
+        std::array<const char*, 3> ignored{"OGR_GEOMETRY", "OGR_STYLE", nullptr};
+        OGR_L_SetIgnoredFields(layer, ignored.data());
         OGR_L_ResetReading(layer);
         while (const FeatureHandle feature{OGR_L_GetNextFeature(layer)})
             largest = std::max<std::int64_t>(largest, OGR_F_GetFieldAsInteger64(feature.get(), field));
