@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/cli_test_case.hpp"
+#include "core/number_text.hpp"
 
 namespace d2b::test {
 namespace {
@@ -54,9 +55,7 @@ TEST_P(Cities, areTracedByDefault) {
 }
 
 TEST_P(Cities, areSimplifiedAsDisjointBandsOfCells) {
-    char tolerance[32];
-    std::snprintf(tolerance, sizeof tolerance, "%.9f", 0.9 * cell());
-    expect_valid({"-trace", "cells", "-disjoint", "-simplify", tolerance});
+    expect_valid({"-trace", "cells", "-disjoint", "-simplify", number_text(0.9 * cell())});
 }
 
 TEST_P(Cities, areReprojected) {

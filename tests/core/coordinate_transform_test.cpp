@@ -9,6 +9,7 @@
 #include "core/crs_cases.hpp"
 #include "core/ellipsoid.hpp"
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 
 namespace d2b {
 namespace {
@@ -48,7 +49,7 @@ TEST(CoordinateTransform, KeepsTheShiftOfABoundCrs) {
     // One second of arc at the equator, as the shift along the y axis that TOWGS84 states.
     const double shift = 6378137 * std::tan(radians(1 / 3600.0));
     std::vector<Position> places{{0, 0}};
-    CoordinateTransform(Crs("+proj=longlat +ellps=WGS84 +towgs84=0," + std::to_string(shift) + ",0"),
+    CoordinateTransform(Crs("+proj=longlat +ellps=WGS84 +towgs84=0," + number_text(shift) + ",0"),
                         Crs("EPSG:4326"), {})
         .apply(places);
     EXPECT_NEAR(places[0].x * 3600, 1, 1e-6);
