@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "pipeline/pipeline.hpp"
+#include "support/memory_io.hpp"
+
+namespace d2b::test {
+
+inline constexpr std::size_t buildings = 0;
+inline constexpr std::size_t contours = 1;
+
+/// 10 x 12 cells: a block of 4 x 6 cells of 20 on ground of 5.
+inline MemorySource block() {
+    std::vector<double> z(120, 5);
+    for (int row = 3; row < 7; ++row)
+        for (int col = 2; col < 8; ++col)
+            z[static_cast<std::size_t>(row * 12 + col)] = 20;
+    return {10, 12, z};
+}
+
+inline Options cells(std::vector<double> thresholds) {
+    Options options;
+    options.trace.mode = TraceMode::cells;
+    options.levels.fixed = std::move(thresholds);
+    options.filter.noise_factor = 0;
+    return options;
+}
+
+struct Result {
+    MemorySink sink;
+    Context context;
+};
+
+inline void run_on(MemorySource& source, const Options& options, Result& result) {
+    run(options, source, result.sink, result.context);
+}
+
+}  // namespace d2b::test

@@ -1,0 +1,69 @@
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "core/crs.hpp"
+#include "pipeline/pipeline_case.hpp"
+
+namespace d2b {
+namespace {
+
+using test::block;
+using test::buildings;
+using test::cells;
+using test::MemorySource;
+using test::Result;
+using test::run_on;
+
+TEST(Pipeline, ALargeToleranceIsWarnedOf) {
+    MemorySource source = block();
+    source.edit().transform = {13, 1e-5, 0, 52, 0, -1e-5};
+    source.edit().crs_wkt = Crs("EPSG:4326").wkt();
+    Options options = cells({10});
+    options.outline.simplify = 1;
+    Result result;
+    run_on(source, options, result);
+    ASSERT_EQ(result.context.report.warnings.size(), 1U);
+    EXPECT_EQ(
+        result.context.report.warnings[0],
+        "-simplify 1 is 100000 cells wide, which leaves little of a building; it is in units of the input's "
+        "CRS.");
+}
+
+TEST(Pipeline, CoarseCellsAreWarnedOf) {
+    MemorySource source = block();
+    source.edit().transform = {600000, 5, 0, 5800000, 0, -5};
+    source.edit().crs_wkt = Crs("EPSG:25832").wkt();
+    Result result;
+    run_on(source, cells({10}), result);
+    ASSERT_EQ(result.context.report.warnings.size(), 1U);
+    EXPECT_EQ(result.context.report.warnings[0],
+              "The cells are 5.0 m wide, which is too coarse for single buildings; up to 1 m is best, 2.5 m "
+              "may do.");
+}
+
+std::string only_warning(MemorySource& source, const Options& options) {
+    Result result;
+    run_on(source, options, result);
+    EXPECT_TRUE(result.sink.finished);
+    EXPECT_EQ(result.sink.features[buildings].size(), 0U);
+    EXPECT_EQ(result.context.report.warnings.size(), 1U);
+    return result.context.report.warnings.empty() ? "" : result.context.report.warnings[0];
+}
+
+TEST(Pipeline, NothingToFindIsAWarning) {
+    MemorySource nothing(2, 2, std::vector<double>(4, std::numeric_limits<double>::quiet_NaN()));
+    EXPECT_EQ(only_warning(nothing, {}), "'memory' has no valid point; the layers are empty.");
+    MemorySource flat(3, 3, std::vector<double>(9, 7.0));
+    EXPECT_EQ(only_warning(flat, {}),
+              "All valid points of 'memory' have the same elevation; no building was found.");
+    MemorySource low = block();
+    EXPECT_EQ(only_warning(low, cells({100})),
+              "No threshold lies between the lowest and the highest elevation; no building was found.");
+    MemorySource line(1, 5, {0, 9, 9, 9, 0});
+    EXPECT_EQ(only_warning(line, {}),
+              "No building was found; a smaller -nf or -min_area, or more levels, may show some.");
+}
+
+}  // namespace
+}  // namespace d2b
