@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "attributes/field_names.hpp"
+
 namespace d2b {
 namespace {
 
@@ -16,6 +18,17 @@ FieldValue number(double value) {
 FieldValue reference(std::int64_t id) {
     return id > 0 ? FieldValue{id} : FieldValue{};
 }
+FieldValue nodata_share(const BuildingRecord& record) {
+    if (record.cells == 0 || record.points > record.cells || std::isnan(record.confidence))
+        return {};
+    return 1 - static_cast<double>(record.points) / static_cast<double>(record.cells);
+}
+FieldValue doubt(const BuildingRecord& record) {
+    constexpr double sure = 0.9;
+    if (record.doubt.empty() || !(record.confidence < sure))
+        return {};
+    return std::string(record.doubt);
+}
 FieldValue floors(double height_m) {
     if (!std::isfinite(height_m))
         return {};
@@ -27,7 +40,9 @@ constexpr std::array building_table{
                               "number of the building, from 1 in scan order",
                               [](const BuildingRecord& r) -> FieldValue { return r.id; }},
     Attribute<BuildingRecord>{"ground", "Ground", FieldType::real, Unit::vertical,
-                              "elevation of the ground: the lowest point within a cell outside the outline",
+                              "elevation of the ground: a low percentile of the terrain under and beside the "
+                              "outline; in the thesis preset "
+                              "the lowest point within a cell outside it",
                               [](const BuildingRecord& r) { return number(r.ground); }},
     Attribute<BuildingRecord>{"roof", "Roof", FieldType::real, Unit::vertical,
                               "elevation of the highest point",
@@ -63,6 +78,17 @@ constexpr std::array building_table{
                               [](const BuildingRecord& r) -> FieldValue { return std::int64_t{r.levels}; }},
     Attribute<BuildingRecord>{"n_points", "Points", FieldType::integer, Unit::none, "points of the DEM in it",
                               [](const BuildingRecord& r) -> FieldValue { return r.points; }},
+    Attribute<BuildingRecord>{"n_cells", "Cells", FieldType::integer, Unit::none, "cells of the DEM in it",
+                              [](const BuildingRecord& r) -> FieldValue { return r.cells; }},
+    Attribute<BuildingRecord>{"nodata", "Not valid", FieldType::real, Unit::none,
+                              "share of its cells without a valid point; NULL with -trace points",
+                              [](const BuildingRecord& r) { return nodata_share(r); }},
+    Attribute<BuildingRecord>{"confidence", "Confidence", FieldType::real, Unit::none,
+                              "how sure it is that this is a building, 0 to 1; NULL in the thesis preset",
+                              [](const BuildingRecord& r) { return number(r.confidence); }},
+    Attribute<BuildingRecord>{"doubt", "Doubt", FieldType::text, Unit::none,
+                              "what speaks most against it being a building, where confidence is below 0.9",
+                              [](const BuildingRecord& r) { return doubt(r); }},
     Attribute<BuildingRecord>{
         "at_edge", "At the edge", FieldType::integer, Unit::none,
         "1 where it touches the edge of the part of the raster that is used, else 0",
@@ -71,13 +97,22 @@ constexpr std::array building_table{
         "area_m2", "Area", FieldType::real, Unit::square_metre,
         "area of the footprint less its courtyards, on the ellipsoid where the CRS has one",
         [](const BuildingRecord& r) { return number(r.area_m2); }},
+    Attribute<BuildingRecord>{"volume_m3", "Volume", FieldType::real, Unit::cubic_metre,
+                              "between its surface and the level of the ground",
+                              [](const BuildingRecord& r) { return number(r.area_m2 * r.mean_m); }},
     Attribute<BuildingRecord>{"perim_m", "Perimeter", FieldType::real, Unit::metre,
                               "length of all rings, on the ellipsoid where the CRS has one",
                               [](const BuildingRecord& r) { return number(r.perimeter_m); }},
     Attribute<BuildingRecord>{
         "status", "Outline", FieldType::text, Unit::none,
-        "traced, simplified, kept_traced (simplifying would have broken it) or repaired",
+        "traced, simplified, regularized, kept_traced (anything else would have broken it) or repaired",
         [](const BuildingRecord& r) -> FieldValue { return std::string(status_name(r.status)); }},
+    Attribute<BuildingRecord>{"moved_m", "Moved", FieldType::real, Unit::metre,
+                              "largest distance between the regularized outline and its trace",
+                              [](const BuildingRecord& r) { return number(r.deviation_m); }},
+    Attribute<BuildingRecord>{"area_chg", "Area change", FieldType::real, Unit::none,
+                              "by regularizing the outline, share of the traced area",
+                              [](const BuildingRecord& r) { return number(r.area_change); }},
 };
 
 constexpr std::array contour_table{
@@ -127,7 +162,7 @@ constexpr std::array contour_table{
                              [](const ContourRecord& r) { return number(r.perimeter_m); }},
     Attribute<ContourRecord>{
         "status", "Outline", FieldType::text, Unit::none,
-        "traced, simplified, kept_traced (simplifying would have broken it) or repaired",
+        "traced, simplified, regularized, kept_traced (anything else would have broken it) or repaired",
         [](const ContourRecord& r) -> FieldValue { return std::string(status_name(r.status)); }},
 };
 
@@ -139,6 +174,8 @@ std::string unit_name(Unit unit, const std::string& vertical) {
             return "m";
         case Unit::square_metre:
             return "m2";
+        case Unit::cubic_metre:
+            return "m3";
         case Unit::none:
             break;
     }
@@ -169,12 +206,13 @@ std::span<const Attribute<ContourRecord>> contour_attributes() {
 
 template <typename Record>
 std::vector<FieldSpec> field_specs(std::span<const Attribute<Record>> attributes,
-                                   const std::string& vertical_unit) {
+                                   const std::string& vertical_unit, FieldNames names) {
     std::vector<FieldSpec> fields;
     for (const Attribute<Record>& a : attributes) {
         const std::string unit = unit_name(a.unit, vertical_unit);
-        fields.push_back({std::string(a.name), std::string(a.alias) + (unit.empty() ? "" : " (" + unit + ")"),
-                          a.type, unit, std::string(a.description)});
+        fields.push_back({std::string(field_name(names, a.name)),
+                          std::string(a.alias) + (unit.empty() ? "" : " (" + unit + ")"), a.type, unit,
+                          std::string(a.description)});
     }
     return fields;
 }
@@ -188,8 +226,10 @@ std::vector<FieldValue> field_values(std::span<const Attribute<Record>> attribut
     return values;
 }
 
-template std::vector<FieldSpec> field_specs(std::span<const Attribute<BuildingRecord>>, const std::string&);
-template std::vector<FieldSpec> field_specs(std::span<const Attribute<ContourRecord>>, const std::string&);
+template std::vector<FieldSpec> field_specs(std::span<const Attribute<BuildingRecord>>, const std::string&,
+                                            FieldNames);
+template std::vector<FieldSpec> field_specs(std::span<const Attribute<ContourRecord>>, const std::string&,
+                                            FieldNames);
 template std::vector<FieldValue> field_values(std::span<const Attribute<BuildingRecord>>,
                                               const BuildingRecord&);
 template std::vector<FieldValue> field_values(std::span<const Attribute<ContourRecord>>,

@@ -6,10 +6,11 @@
 
 #include "attributes/records.hpp"
 #include "core/feature_sink.hpp"
+#include "core/options.hpp"
 
 namespace d2b {
 
-enum class AttributeUnit { none, vertical, metre, square_metre };
+enum class AttributeUnit { none, vertical, metre, square_metre, cubic_metre };
 
 /// One attribute of a record: the only place for its name, type, unit, words and value.
 template <typename Record>
@@ -28,7 +29,8 @@ struct Attribute {
 /// @param vertical_unit name of the DEM's vertical unit
 template <typename Record>
 [[nodiscard]] std::vector<FieldSpec> field_specs(std::span<const Attribute<Record>> attributes,
-                                                 const std::string& vertical_unit);
+                                                 const std::string& vertical_unit,
+                                                 FieldNames names = FieldNames::own);
 template <typename Record>
 [[nodiscard]] std::vector<FieldValue> field_values(std::span<const Attribute<Record>> attributes,
                                                    const Record& record);

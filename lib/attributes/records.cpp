@@ -49,7 +49,9 @@ ContourRecord contour_record(const ContourTable& table, std::size_t i, const Poi
     return record;
 }
 
-double ground_of(const Contour& contour) {
+double ground_of(const ContourTable& table, const Contour& contour) {
+    if (!table.footprints.empty())
+        return table.footprints[contour.label].ground;
     return std::isfinite(contour.lowest_outside) ? contour.lowest_outside : unknown;
 }
 
@@ -58,8 +60,8 @@ void stack_parts(const ContourTable& table, std::vector<ContourRecord>& records)
     const std::vector<double> above = child_thresholds(records);
     for (std::size_t i = 0; i < records.size(); ++i) {
         ContourRecord& record = records[i];
-        const double ground = ground_of(table.contours[i]);
         record.base = record.threshold;
+        const double ground = record.level == 1 ? ground_of(table, table.contours[i]) : unknown;
         if (record.level == 1)
             record.base = std::isnan(ground) ? record.threshold : std::min(ground, record.threshold);
         else if (record.level > 1)
@@ -76,7 +78,7 @@ BuildingRecord building_record(const ContourTable& table, std::size_t b, const C
     const Contour& contour = table.contours[static_cast<std::size_t>(table.buildings[b])];
     BuildingRecord record;
     record.id = context.first_id + static_cast<std::int64_t>(b);
-    record.ground = ground_of(contour);
+    record.ground = ground_of(table, contour);
     record.roof = base.highest;
     record.height_m = (record.roof - record.ground) * context.metres;
     for (std::size_t i = 0; i < percentile_shares.size(); ++i)
@@ -85,6 +87,11 @@ BuildingRecord building_record(const ContourTable& table, std::size_t b, const C
                 ? (std::min(table.percentiles[b][i], base.highest) - record.ground) * context.metres
                 : unknown;
     record.points = base.points;
+    record.cells = contour.squares();
+    record.mean_m = (base.mean - record.ground) * context.metres;
+    record.confidence = table.footprints.empty() ? unknown : table.footprints[contour.label].confidence;
+    if (!table.footprints.empty())
+        record.doubt = table.footprints[contour.label].doubt;
     const LatticeBox box = contour.exterior.box();
     record.at_edge = box.low.row <= context.frame.low.row || box.low.col <= context.frame.low.col ||
                      box.high.row >= context.frame.high.row || box.high.col >= context.frame.high.col;
@@ -111,12 +118,25 @@ Records make_records(const ContourTable& table, const AttributeContext& context)
     return records;
 }
 
+double stack_rmse(const std::vector<Contour>& contours, const FixedPoint& fixed, Label last_building) {
+    double scatter = 0;
+    std::int64_t points = 0;
+    for (const Contour& contour : contours)
+        if (contour.key.level > 0 && contour.label <= last_building) {
+            scatter += fixed.scatter(contour.own);
+            points += contour.own.n;
+        }
+    return points > 0 ? std::sqrt(scatter / static_cast<double>(points)) : 0;
+}
+
 std::string_view status_name(OutlineStatus status) {
     switch (status) {
         case OutlineStatus::traced:
             return "traced";
         case OutlineStatus::simplified:
             return "simplified";
+        case OutlineStatus::regularized:
+            return "regularized";
         case OutlineStatus::kept_traced:
             return "kept_traced";
         case OutlineStatus::repaired:

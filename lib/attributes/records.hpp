@@ -42,10 +42,23 @@ struct BuildingRecord {
     std::int64_t parts = 0;   ///< contours of its stack
     std::int32_t levels = 0;  ///< highest level of its stack
     std::int64_t points = 0;
+    std::int64_t cells = 0;  ///< unit squares of the footprint
+    double mean_m = 0;       ///< mean height above ground
+    double confidence = 0;   ///< 0 to 1; NaN where nothing was detected
+    std::string_view doubt;  ///< what speaks most against it being a building
     bool at_edge = false;
     double area_m2 = 0;
     double perimeter_m = 0;
     OutlineStatus status = OutlineStatus::traced;
+    double deviation_m = 0;  ///< largest distance between the outline and its trace
+    double area_change = 0;  ///< by regularisation, share of the traced area
+};
+
+/// What detection knows of a label.
+struct Footprint {
+    double ground = 0;      ///< elevation, in the DEM's vertical unit
+    double confidence = 0;  ///< 0 to 1
+    std::string_view doubt;
 };
 
 /// The contours of a run with what relates them, sorted by key.
@@ -54,6 +67,8 @@ struct ContourTable {
     const std::vector<std::int64_t>& building;    ///< a contour: index of its building, -1 in level 0
     const std::vector<std::int64_t>& buildings;   ///< a building: its contour of level 1
     const std::vector<Percentiles>& percentiles;  ///< a building
+    /// by label; empty where nothing was detected: then the ground is the lowest point beside a building
+    const std::vector<Footprint>& footprints;
 };
 
 struct Records {
@@ -75,6 +90,12 @@ struct AttributeContext {
 /// the ground) and ends at the mean of the points that no child holds, or at the children's threshold where
 /// that is lower or there are no such points.
 [[nodiscard]] Records make_records(const ContourTable& table, const AttributeContext& context);
+
+/// Root mean square of the distances between the points of all stacks and the stacked surface: at a point,
+/// the mean of its highest contour's own points. In the DEM's vertical unit.
+/// @param last_building labels above are left out
+[[nodiscard]] double stack_rmse(const std::vector<Contour>& contours, const FixedPoint& fixed,
+                                Label last_building);
 
 [[nodiscard]] std::string_view status_name(OutlineStatus status);
 

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/lattice.hpp"
 #include "core/options.hpp"
 
 namespace d2b {
@@ -28,6 +29,7 @@ using WorldRing = std::vector<Position>;
 struct WorldPolygon {
     WorldRing exterior;
     std::vector<WorldRing> interiors;
+    std::vector<ArcSpan> arcs = {};  ///< runs of vertices that stand for circular arcs
 };
 
 enum class FieldType { integer, real, text };
@@ -47,6 +49,8 @@ struct LayerSpec {
     std::string description;
     std::vector<FieldSpec> fields;
     bool with_z = false;  ///< every vertex carries Feature::z
+    bool with_arcs =
+        false;  ///< runs of vertices that stand for arcs are written as such where the format has curves
 };
 
 /// std::monostate is NULL.
@@ -54,7 +58,7 @@ using FieldValue = std::variant<std::monostate, std::int64_t, double, std::strin
 
 struct Feature {
     std::vector<FieldValue> values;   ///< one a field, in their order
-    std::vector<WorldPolygon> parts;  ///< at least one; written as a MultiPolygon
+    std::vector<WorldPolygon> parts;  ///< at least one; written as a MultiPolygon (with arcs a MultiSurface)
     double z = 0;
 };
 
@@ -87,8 +91,10 @@ class FeatureSink {
     [[nodiscard]] virtual std::int64_t first_id() const { return 1; }
 
     /// What the destination calls a layer. @param layers what is written
-    [[nodiscard]] virtual std::string layer_name(bool buildings, Layers /*layers*/) const {
-        return buildings ? "buildings" : "contours";
+    [[nodiscard]] virtual std::string layer_name(LayerRole role, Layers /*layers*/) const {
+        return role == LayerRole::buildings  ? "buildings"
+               : role == LayerRole::contours ? "contours"
+                                             : "doubtful";
     }
 };
 

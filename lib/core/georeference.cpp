@@ -10,9 +10,10 @@ Georeference::Georeference(const AffineTransform& transform, TraceMode mode)
       shift_(mode == TraceMode::points ? 0.5 : 0.0),
       mirrored_(transform[1] * transform[5] - transform[2] * transform[4] > 0) {}
 
-Position Georeference::position(LatticePoint point) const {
-    const double col = point.col + shift_;
-    const double row = point.row + shift_;
+Position Georeference::position(FinePoint point) const {
+    // Exact: divided by a power of two.
+    const double col = static_cast<double>(point.col) / FinePoint::steps + shift_;
+    const double row = static_cast<double>(point.row) / FinePoint::steps + shift_;
     return {transform_[0] + col * transform_[1] + row * transform_[2],
             transform_[3] + col * transform_[4] + row * transform_[5]};
 }
@@ -25,21 +26,29 @@ double Georeference::cell_area() const {
     return std::abs(transform_[1] * transform_[5] - transform_[2] * transform_[4]);
 }
 
-WorldRing Georeference::ring(const LatticeRing& ring) const {
+WorldRing Georeference::ring(const FineRing& ring) const {
     WorldRing result;
     result.reserve(ring.size());
-    for (const LatticePoint point : ring)
+    for (const FinePoint point : ring)
         result.push_back(position(point));
     if (mirrored_)
         std::reverse(result.begin() + 1, result.end());
     return result;
 }
 
-WorldPolygon Georeference::polygon(const LatticePolygon& polygon) const {
+WorldPolygon Georeference::polygon(const FinePolygon& polygon) const {
     WorldPolygon result{ring(polygon.exterior), {}};
     result.interiors.reserve(polygon.interiors.size());
-    for (const LatticeRing& interior : polygon.interiors)
+    for (const FineRing& interior : polygon.interiors)
         result.interiors.push_back(ring(interior));
+    result.arcs = polygon.arcs;
+    if (mirrored_)
+        for (ArcSpan& arc : result.arcs) {
+            // Turned over about its first vertex, a ring's vertex i is n - i, and an arc begins at its end.
+            const std::size_t n =
+                arc.ring == 0 ? polygon.exterior.size() : polygon.interiors[arc.ring - 1].size();
+            arc.first = static_cast<std::uint32_t>((2 * n - arc.first - arc.edges) % n);
+        }
     return result;
 }
 

@@ -15,9 +15,11 @@ class Georeference {
     /// @param mode grid points are the cells' centres, corners of cells are half a cell off them
     Georeference(const AffineTransform& transform, TraceMode mode);
 
-    [[nodiscard]] Position position(LatticePoint point) const;
+    [[nodiscard]] Position position(FinePoint point) const;
+    [[nodiscard]] Position position(LatticePoint point) const { return position(fine(point)); }
     /// Exterior rings counter-clockwise with y up, whichever way the raster's rows run.
-    [[nodiscard]] WorldPolygon polygon(const LatticePolygon& polygon) const;
+    [[nodiscard]] WorldPolygon polygon(const FinePolygon& polygon) const;
+    [[nodiscard]] WorldPolygon polygon(const LatticePolygon& traced) const { return polygon(fine(traced)); }
     /// A step of rows and columns, in units of the CRS.
     [[nodiscard]] Position step(double rows, double cols) const;
     /// Of a cell, in square units of the CRS.
@@ -26,7 +28,7 @@ class Georeference {
     [[nodiscard]] bool axis_parallel() const { return transform_[2] == 0 && transform_[4] == 0; }
 
   private:
-    [[nodiscard]] WorldRing ring(const LatticeRing& ring) const;
+    [[nodiscard]] WorldRing ring(const FineRing& ring) const;
 
     AffineTransform transform_;
     double shift_;   ///< 0.5 where lattice points are centres

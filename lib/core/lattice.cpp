@@ -26,6 +26,22 @@ std::int32_t take_varint(const std::vector<std::uint8_t>& bytes, std::size_t& at
 
 }  // namespace
 
+FineRing fine(const LatticeRing& ring) {
+    FineRing result;
+    result.reserve(ring.size());
+    for (const LatticePoint point : ring)
+        result.push_back(fine(point));
+    return result;
+}
+
+FinePolygon fine(const LatticePolygon& polygon) {
+    FinePolygon result{fine(polygon.exterior), {}};
+    result.interiors.reserve(polygon.interiors.size());
+    for (const LatticeRing& ring : polygon.interiors)
+        result.interiors.push_back(fine(ring));
+    return result;
+}
+
 PackedRing::PackedRing(const LatticeRing& corners) {
     const auto first =
         static_cast<std::size_t>(std::min_element(corners.begin(), corners.end()) - corners.begin());

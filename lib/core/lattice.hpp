@@ -26,6 +26,41 @@ struct LatticePolygon {
     std::vector<LatticeRing> interiors;
 };
 
+/// A point between the corners of the lattice, in 1024ths of a row and a column. Outlines are drawn on these:
+/// a power of two, so that a corner is the same number in coordinates whether it comes from here or from
+/// there.
+struct FinePoint {
+    std::int64_t row = 0;
+    std::int64_t col = 0;
+
+    static constexpr std::int64_t steps = 1024;  ///< in a cell
+
+    friend auto operator<=>(const FinePoint&, const FinePoint&) = default;
+};
+
+/// As a LatticeRing: closed without repetition, what it bounds on its left.
+using FineRing = std::vector<FinePoint>;
+
+/// Vertices of a ring that lie on one circular arc.
+struct ArcSpan {
+    std::uint32_t ring = 0;   ///< 0: the exterior, then the interiors
+    std::uint32_t first = 0;  ///< vertex at which it begins
+    std::uint32_t edges = 0;  ///< to its end, at least two; round the ring's end where need be
+};
+
+/// exterior first, then interiors
+struct FinePolygon {
+    FineRing exterior;
+    std::vector<FineRing> interiors;
+    std::vector<ArcSpan> arcs = {};
+};
+
+[[nodiscard]] inline FinePoint fine(LatticePoint point) {
+    return {point.row * FinePoint::steps, point.col * FinePoint::steps};
+}
+[[nodiscard]] FineRing fine(const LatticeRing& ring);
+[[nodiscard]] FinePolygon fine(const LatticePolygon& polygon);
+
 /// Rows and columns that a ring spans, inclusive.
 struct LatticeBox {
     LatticePoint low;

@@ -26,9 +26,31 @@ struct ReadOptions {
     std::string vertical_unit;  ///< "m", "ft", "us-ft" or metres in a unit; found where empty
 };
 
-enum class TraceMode { points, cells };
+/// Where `by_preset` stands, the preset decides: see pipeline/preset.hpp.
+enum class GroundMode { by_preset, automatic, given, none };
+
+struct GroundOptions {
+    GroundMode mode = GroundMode::by_preset;
+    std::string terrain;             ///< the terrain model of GroundMode::given
+    double max_building_width = 60;  ///< m: the ground is looked for beyond buildings as wide as this
+};
+
+struct DetectOptions {
+    double min_height = 2;        ///< m above ground
+    double min_area_m2 = 30;      ///< of a building; FilterOptions::min_area_m2 where that is given
+    double min_confidence = 0.5;  ///< what is below is doubtful
+    std::string mask;             ///< raster or polygons: buildings are looked for in them alone
+    std::string ndvi;             ///< raster of the normalised difference vegetation index
+    double split_height = 0;      ///< m: a step that divides buildings; 0: none does
+};
+
+enum class TraceMode { by_preset, points, cells };
+
+/// What the slices of -lod divide: the elevations of each building, or those of the whole DEM.
+enum class LevelSource { by_preset, building, global };
 
 struct LevelOptions {
+    LevelSource source = LevelSource::by_preset;
     int lod = 4;                     ///< slices of mean +- standard deviation
     std::vector<double> fixed;       ///< explicit thresholds
     std::optional<double> interval;  ///< thresholds at offset + n * interval
@@ -36,21 +58,32 @@ struct LevelOptions {
 };
 
 struct TraceOptions {
-    TraceMode mode = TraceMode::points;
+    TraceMode mode = TraceMode::by_preset;
 };
 
 struct FilterOptions {
-    int noise_factor = 10;  ///< fewest grid points on a ring
-    double min_area_m2 = 0;
+    int noise_factor = 10;              ///< fewest grid points on a ring
+    std::optional<double> min_area_m2;  ///< smallest area; by preset where it is not given
+    bool keep_footprints = false;       ///< contours of level 1 were found by other means: none is noise
 };
 
+enum class Walls { by_preset, automatic, off, right, free };
+
 struct OutlineOptions {
+    Walls walls = Walls::by_preset;
+    /// cells: no outline leaves its trace by more; 1.5, but at most 1.25 m, where it is not given
+    std::optional<double> wall_tolerance;
+    bool arcs = false;       ///< recognised arcs are written as such
     double simplify = 0;     ///< tolerance in units of the CRS; 0: every corner is kept
     bool disjoint = false;   ///< bands that do not overlap
     std::string target_crs;  ///< "": the DEM's
 };
 
 enum class Layers { automatic, both, buildings, contours };
+enum class LayerRole { buildings, contours, doubtful };
+
+/// Whose names the fields of buildings have.
+enum class FieldNames { own, urock, city4cfd, osm };
 
 struct WriteOptions {
     std::string destination;
@@ -62,11 +95,18 @@ struct WriteOptions {
     bool overwrite = false;
     bool append = false;
     bool with_z = false;
+    bool doubtful = false;  ///< also a layer of what may be a building
+    FieldNames fields = FieldNames::own;
+    std::string ground;  ///< GeoTIFF of the terrain; "": none
+    std::string height;  ///< GeoTIFF of the heights above it
+    std::string canopy;  ///< GeoTIFF of the heights of what is no building
 };
 
 struct Options {
-    std::string preset = "thesis";
+    std::string preset = "buildings";
     ReadOptions read;
+    GroundOptions ground;
+    DetectOptions detect;
     LevelOptions levels;
     TraceOptions trace;
     FilterOptions filter;

@@ -29,26 +29,58 @@ class FixedPoint {
         return std::ldexp(static_cast<double>(whole) + rest, -shift_);
     }
 
+    /// Some 30 binary digits of an elevation, whose squares can be summed.
+    [[nodiscard]] static std::int64_t coarse(std::int64_t fixed) { return fixed >> coarse_shift; }
+    /// Sum of the squared distances of points from their mean.
+    template <typename Stats>
+    [[nodiscard]] double scatter(const Stats& stats) const {
+        if (stats.n == 0)
+            return 0;
+        // n * sum(x^2) - sum(x)^2 may need more than 128 bits; so x is taken from the whole mean.
+        const Int128 middle = stats.coarse_sum / stats.n;
+        const Int128 rest = stats.coarse_sum - middle * stats.n;  // less than n
+        const Int128 squares =
+            stats.coarse_squares - 2 * middle * stats.coarse_sum + middle * middle * stats.n;
+        const double scatter =
+            static_cast<double>(squares) -
+            static_cast<double>(rest) * (static_cast<double>(rest) / static_cast<double>(stats.n));
+        return std::max(0.0, std::ldexp(scatter, 2 * (coarse_shift - shift_)));
+    }
+    /// Sample standard deviation. @pre stats.n > 1
+    template <typename Stats>
+    [[nodiscard]] double standard_deviation(const Stats& stats) const {
+        return std::sqrt(scatter(stats) / static_cast<double>(stats.n - 1));
+    }
+
   private:
+    static constexpr int coarse_shift = 30;
     int shift_ = 0;
     double factor_ = 1;
 };
 
 /// Count, sum, lowest and highest of a set of elevations.
 struct PointStats {
-    Int128 sum = 0;  ///< in FixedPoint
+    Int128 sum = 0;             ///< in FixedPoint
+    Int128 coarse_sum = 0;      ///< in FixedPoint::coarse
+    Int128 coarse_squares = 0;  ///< of the same
     std::int64_t n = 0;
     double lowest = std::numeric_limits<double>::infinity();
     double highest = -std::numeric_limits<double>::infinity();
 
     void add(double elevation, const FixedPoint& fixed) {
-        sum += fixed.to_fixed(elevation);
+        const std::int64_t z = fixed.to_fixed(elevation);
+        sum += z;
+        const std::int64_t c = FixedPoint::coarse(z);
+        coarse_sum += c;
+        coarse_squares += Int128{c} * c;
         ++n;
         lowest = std::min(lowest, elevation);
         highest = std::max(highest, elevation);
     }
     void merge(const PointStats& other) {
         sum += other.sum;
+        coarse_sum += other.coarse_sum;
+        coarse_squares += other.coarse_squares;
         n += other.n;
         lowest = std::min(lowest, other.lowest);
         highest = std::max(highest, other.highest);

@@ -24,11 +24,12 @@ enum class Reason {
     contour_on_dropped,   ///< stands on a contour that was dropped
     hole_short,           ///< filled: fewer grid points than the noise factor
     hole_small,           ///< filled: less than the smallest area
-    outline_kept_traced,  ///< simplification would have broken the polygon
+    outline_kept_traced,  ///< straight walls or simplification would have broken the polygon
     polygon_repaired,     ///< GEOS called it invalid
     polygon_lost,         ///< nothing of it was left to repair: it is not written
+    building_doubtful,    ///< its confidence is too low
 };
-inline constexpr std::array<std::string_view, 11> reason_names{"threshold_not_above_minimum",
+inline constexpr std::array<std::string_view, 12> reason_names{"threshold_not_above_minimum",
                                                                "threshold_not_below_maximum",
                                                                "threshold_repeated",
                                                                "contour_short",
@@ -38,7 +39,8 @@ inline constexpr std::array<std::string_view, 11> reason_names{"threshold_not_ab
                                                                "hole_small",
                                                                "outline_kept_traced",
                                                                "polygon_repaired",
-                                                               "polygon_lost"};
+                                                               "polygon_lost",
+                                                               "building_doubtful"};
 
 struct LevelReport {
     int level = 0;
@@ -76,6 +78,9 @@ struct RunReport {
     std::vector<LevelReport> levels;  ///< from level 0 up
     std::int64_t contours = 0;        ///< written
     std::int64_t buildings = 0;       ///< written
+    std::int64_t doubtful = 0;        ///< written
+    double stack_rmse_m = 0;    ///< of the stacked surface (at a point: tier_z of the highest contour that
+                                ///< holds it) against the points of all buildings
     std::int64_t vertices = 0;  ///< of the contours as written (of the buildings where these are alone),
                                 ///< closing ones not counted
     std::array<std::int64_t, reason_names.size()> dropped{};

@@ -8,12 +8,12 @@ namespace {
 
 std::optional<Reason> noise(const Contour& contour, const FilterOptions& options,
                             const SquareArea& square_area) {
-    if (contour.key.level == 0)
+    if (contour.key.level == 0 || (contour.key.level == 1 && options.keep_footprints))
         return {};
     if (contour.exterior.points() < options.noise_factor)
         return Reason::contour_short;
-    if (options.min_area_m2 > 0 &&
-        static_cast<double>(contour.squares()) * square_area(contour.key.first) < options.min_area_m2)
+    const double least = options.min_area_m2.value_or(0);
+    if (least > 0 && static_cast<double>(contour.squares()) * square_area(contour.key.first) < least)
         return Reason::contour_small;
     return {};
 }

@@ -7,12 +7,14 @@
 namespace d2b {
 namespace {
 
-std::optional<Reason> noise(const PackedRing& hole, const FilterOptions& options,
+std::optional<Reason> noise(const PackedRing& hole, std::int32_t level, const FilterOptions& options,
                             const SquareArea& square_area) {
+    if (level == 1 && options.keep_footprints)
+        return {};
     if (hole.points() < options.noise_factor)
         return Reason::hole_short;
-    if (options.min_area_m2 > 0 &&
-        static_cast<double>(-hole.area()) * square_area(hole.start()) < options.min_area_m2)
+    const double least = options.min_area_m2.value_or(0);
+    if (least > 0 && static_cast<double>(-hole.area()) * square_area(hole.start()) < least)
         return Reason::hole_small;
     return {};
 }
@@ -51,7 +53,7 @@ void fill_holes(std::vector<Contour>& contours, const FilterOptions& options, co
             remaining_below = std::exchange(remaining, {});
         }
         std::erase_if(contours[i].interiors, [&](const PackedRing& hole) {
-            const auto reason = noise(hole, options, square_area);
+            const auto reason = noise(hole, level, options, square_area);
             const bool fill =
                 reason && !any_inside(keys, level, hole) && !any_inside(remaining_below, level - 1, hole);
             if (fill)

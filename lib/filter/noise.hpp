@@ -19,8 +19,9 @@ struct FilteredStack {
 
 /// Drops noise from the low level to the high: a contour whose exterior ring passes fewer grid points than
 /// the noise factor (Chittineni 2003, 4.2), or that is smaller than the smallest area as traced, is dropped
-/// with all above it; a root never is. The points of what is dropped go to the contour below. Counted in the
-/// report.
+/// with all above it; a root never is, and a
+/// footprint that was found by other means is not. The points of what is dropped go to the contour below.
+/// Counted in the report.
 [[nodiscard]] FilteredStack drop_noise(Stack&& stack, const FilterOptions& options,
                                        const SquareArea& square_area, Context& context);
 

@@ -22,19 +22,19 @@ double x_of(const Position& p) {
 double y_of(const Position& p) {
     return p.y;
 }
-double x_of(LatticePoint p) {
-    return p.col;
+double x_of(FinePoint p) {
+    return static_cast<double>(p.col);
 }
-double y_of(LatticePoint p) {
+double y_of(FinePoint p) {
     return -static_cast<double>(p.row);
 }
 void set(Position& p, double x, double y) {
     p = {x, y};
 }
-void set(LatticePoint& p, double x, double y) {
+void set(FinePoint& p, double x, double y) {
     if (x != std::round(x) || y != std::round(y))
         throw Error("GEOS moved a vertex off the lattice, which outlines that share whole edges rule out.");
-    p = {static_cast<std::int32_t>(std::lround(-y)), static_cast<std::int32_t>(std::lround(x))};
+    p = {static_cast<std::int64_t>(-y), static_cast<std::int64_t>(x)};
 }
 
 /// What GEOS cannot even make a ring of, or null.
@@ -208,8 +208,7 @@ std::vector<WorldPolygon> Geos::repaired(const std::vector<WorldPolygon>& polygo
     return result;
 }
 
-std::vector<LatticePolygon> Geos::difference(const LatticePolygon& whole,
-                                             const std::vector<LatticePolygon>& parts) {
+std::vector<FinePolygon> Geos::difference(const FinePolygon& whole, const std::vector<FinePolygon>& parts) {
     if (parts.empty())
         return {whole};
     GEOSContextHandle_t context = impl_->context.get();
@@ -217,7 +216,7 @@ std::vector<LatticePolygon> Geos::difference(const LatticePolygon& whole,
     const GeometryPtr pieces = impl_->collection(parts);
     const GeometryPtr less = impl_->own(GEOSUnaryUnion_r(context, pieces.get()));
     const GeometryPtr left = impl_->own(GEOSDifference_r(context, from.get(), less.get()));
-    std::vector<LatticePolygon> result;
+    std::vector<FinePolygon> result;
     impl_->collect(left.get(), result);
     return result;
 }

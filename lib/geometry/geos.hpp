@@ -24,8 +24,8 @@ class Geos {
     [[nodiscard]] std::vector<WorldPolygon> repaired(const std::vector<WorldPolygon>& polygons);
     /// `whole` less `parts`, which lie in it and share only whole edges or points with its rings and each
     /// other: then no new point arises, and the result is exact on the lattice. @throws Error
-    [[nodiscard]] std::vector<LatticePolygon> difference(const LatticePolygon& whole,
-                                                         const std::vector<LatticePolygon>& parts);
+    [[nodiscard]] std::vector<FinePolygon> difference(const FinePolygon& whole,
+                                                      const std::vector<FinePolygon>& parts);
     /// Area of what lies in `inner` and not in `outer`: 0 where they are nested exactly. @throws Error
     [[nodiscard]] double area_outside(const WorldPolygon& inner, const WorldPolygon& outer);
 

@@ -13,6 +13,9 @@ namespace d2b {
 struct LevelPlan {
     double minimum = 0;                           ///< recorded as the threshold of level 0
     std::vector<std::vector<double>> thresholds;  ///< a list a label
+    /// Labels are footprints: all their points belong to level 1, whose threshold is the ground and is only
+    /// recorded.
+    bool footprints = false;
 
     /// Levels of the label with most, the root counted.
     [[nodiscard]] int level_count() const;
@@ -25,6 +28,7 @@ struct LevelPlan {
 /// s of all valid elevations, t_i = m - s + 2 s i / (LOD + 1), i = 1..LOD; or the explicit ones, or every
 /// multiple of an interval from an offset. Thresholds that are not above the minimum, not below the maximum
 /// or repeated are dropped and counted in the report, which also gets the statistics.
+/// With LevelSource::building there are no slices of the whole.
 /// @throws OptionError where an interval gives more than 65,534 levels
 [[nodiscard]] LevelPlan plan_global_levels(const ElevationStatistics& statistics, const LevelOptions& options,
                                            Context& context);

@@ -11,8 +11,6 @@ constexpr std::size_t few = 16;
 
 template <typename Count>
 Count exceeded(double z, const std::vector<double>& thresholds) {
-    if (std::isnan(z))
-        return 0;
     if (thresholds.size() > few)
         return static_cast<Count>(
             1 + (std::lower_bound(thresholds.begin(), thresholds.end(), z) - thresholds.begin()));
@@ -29,7 +27,11 @@ LevelBand<Count> quantise(const ElevationBand& elevations, const LabelBand& labe
     LevelBand<Count> result{elevations.shape, std::vector<Count>(elevations.shape.size())};
     for (std::size_t i = 0; i < result.counts.size(); ++i) {
         const Label label = labels.labels.empty() ? 1 : labels.labels[i];
-        result.counts[i] = exceeded<Count>(elevations.elevations[i], plan.thresholds[label]);
+        const double z = elevations.elevations[i];
+        // A point of a footprint that is not valid is part of it all the same.
+        const Count least = plan.footprints && label != 0 ? 2 : std::isnan(z) ? 0 : 1;
+        result.counts[i] =
+            std::isnan(z) ? least : std::max(least, exceeded<Count>(z, plan.thresholds[label]));
     }
     return result;
 }

@@ -1,13 +1,30 @@
 #include "outline/outline.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "outline/arc_graph.hpp"
 #include "outline/simplify.hpp"
+#include "outline/wall_drawing.hpp"
+#include "outline/walls.hpp"
 
 namespace d2b {
+namespace {
+
+CellShape cell_shape(const Georeference& georeference, double x_stretch) {
+    const Position col = georeference.step(0, 1);
+    const Position row = georeference.step(1, 0);
+    const CellShape shape{{col.x * x_stretch, col.y}, {row.x * x_stretch, row.y}};
+    const double scale = 1 / std::sqrt(std::abs(cross(shape.col, shape.row)));
+    return {scale * shape.col, scale * shape.row};
+}
+
+}  // namespace
 
 Drawing choose_drawing(const OutlineOptions& options, const Georeference& georeference) {
+    if (options.walls != Walls::off && options.walls != Walls::by_preset)
+        return Drawing::regularized;
     if (options.simplify > 0)
         return Drawing::simplified;
     return georeference.axis_parallel() && options.target_crs.empty() ? Drawing::traced : Drawing::noded;
@@ -17,34 +34,82 @@ struct Outliner::Impl {
     const std::vector<Contour>& contours;
     std::optional<CornerIndex> corners;
     std::optional<ArcGraph> arcs;
+    /// Regularized outlines of all levels, and those of levels 0 and 1 alone, each made when it is first
+    /// asked for.
+    std::optional<WallOptions> wall_options;
+    std::vector<Contour> low_contours;
+    std::optional<RegularOutlines> walls;
+    std::optional<RegularOutlines> low_walls;
+
+    const RegularOutlines& all_levels() {
+        if (!walls)
+            walls.emplace(contours, *wall_options);
+        return *walls;
+    }
+    const RegularOutlines& footprints() {
+        if (contours.empty() || contours.back().key.level <= 1)
+            return all_levels();
+        if (!low_walls) {
+            // Sorted by key, those of low levels come first.
+            const auto end = std::ranges::find_if(contours, [](const Contour& c) { return c.key.level > 1; });
+            low_contours.assign(contours.begin(), end);
+            low_walls.emplace(low_contours, *wall_options);
+        }
+        return *low_walls;
+    }
 };
 
+namespace {
+
+OutlineQuality quality_of(const RegularOutlines& outlines, std::size_t contour) {
+    const RegularOutlines::Quality quality = outlines.quality(contour);
+    return {quality.fitted ? OutlineStatus::regularized : OutlineStatus::kept_traced, quality.deviation,
+            quality.area_change};
+}
+
+}  // namespace
+
 Outliner::Outliner(const std::vector<Contour>& contours, Drawing drawing, const OutlineOptions& options,
-                   const Georeference& georeference)
-    : impl_(std::make_unique<Impl>(Impl{contours, {}, {}})) {
+                   const Georeference& georeference, double x_stretch)
+    : impl_(std::make_unique<Impl>(Impl{contours, {}, {}, {}, {}, {}, {}})) {
     if (drawing != Drawing::traced)
         impl_->corners.emplace(contours);
     if (drawing == Drawing::simplified) {
         impl_->arcs = build_arc_graph(contours);
         simplify(impl_->arcs->arcs, options.simplify, georeference);
     }
+    if (drawing == Drawing::regularized)
+        impl_->wall_options = WallOptions{options.walls, options.wall_tolerance.value_or(1.5),
+                                          cell_shape(georeference, x_stretch)};
 }
 
 Outliner::Outliner(Outliner&&) noexcept = default;
 Outliner& Outliner::operator=(Outliner&&) noexcept = default;
 Outliner::~Outliner() = default;
 
-OutlineStatus Outliner::status() const {
-    return impl_->arcs ? OutlineStatus::simplified : OutlineStatus::traced;
+OutlineQuality Outliner::quality(std::size_t contour) const {
+    if (impl_->wall_options)
+        return quality_of(impl_->all_levels(), contour);
+    return {impl_->arcs ? OutlineStatus::simplified : OutlineStatus::traced, 0, 0};
 }
 
-LatticePolygon Outliner::outline(std::size_t contour) const {
-    return impl_->arcs ? impl_->arcs->polygon(contour) : traced(contour);
+OutlineQuality Outliner::footprint_quality(std::size_t contour) const {
+    return impl_->wall_options ? quality_of(impl_->footprints(), contour) : quality(contour);
 }
 
-LatticePolygon Outliner::traced(std::size_t contour) const {
-    LatticePolygon polygon = traced_polygon(impl_->contours[contour]);
-    return impl_->corners ? impl_->corners->noded(polygon) : polygon;
+FinePolygon Outliner::outline(std::size_t contour) const {
+    if (impl_->wall_options)
+        return impl_->all_levels().polygon(contour);
+    return impl_->arcs ? fine(impl_->arcs->polygon(contour)) : traced(contour);
+}
+
+FinePolygon Outliner::footprint(std::size_t contour) const {
+    return impl_->wall_options ? impl_->footprints().polygon(contour) : outline(contour);
+}
+
+FinePolygon Outliner::traced(std::size_t contour) const {
+    const LatticePolygon polygon = traced_polygon(impl_->contours[contour]);
+    return fine(impl_->corners ? impl_->corners->noded(polygon) : polygon);
 }
 
 }  // namespace d2b

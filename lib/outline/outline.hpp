@@ -11,29 +11,44 @@
 namespace d2b {
 
 /// What became of an outline on its way from the trace to the file.
-enum class OutlineStatus { traced, simplified, kept_traced, repaired };
+enum class OutlineStatus { traced, simplified, regularized, kept_traced, repaired };
 
 /// How outlines are drawn from contours.
 enum class Drawing {
-    traced,     ///< corner by corner: exact where rows and columns run along the axes and nothing moves them
-    noded,      ///< with every corner that another outline has on it, so that what is shared stays shared
-    simplified  ///< from shared arcs, straightened
+    traced,      ///< corner by corner: exact where rows and columns run along the axes and nothing moves them
+    noded,       ///< with every corner that another outline has on it, so that what is shared stays shared
+    simplified,  ///< from shared arcs, straightened
+    regularized  ///< with straight walls, right angles and arcs in place of the staircase
+};
+
+/// How an outline differs from its trace.
+struct OutlineQuality {
+    OutlineStatus status = OutlineStatus::traced;
+    double deviation_cells = 0;  ///< outline and trace are nowhere farther apart, either way; a cell is the
+                                 ///< square root of its area. Regularized outlines alone: else 0
+    double area_change = 0;      ///< share of the traced area. Regularized outlines alone: else 0
 };
 
 /// Draws outlines of contours on the lattice, one at a time.
 class Outliner {
   public:
     /// @param contours all that are kept, sorted by key; they stay the caller's and must outlive this
+    /// @param x_stretch length on the ground of a unit of x over that of a unit of y: what is a right angle
     Outliner(const std::vector<Contour>& contours, Drawing drawing, const OutlineOptions& options,
-             const Georeference& georeference);
+             const Georeference& georeference, double x_stretch = 1);
     Outliner(Outliner&&) noexcept;
     Outliner& operator=(Outliner&&) noexcept;
     ~Outliner();
 
-    [[nodiscard]] OutlineStatus status() const;
-    [[nodiscard]] LatticePolygon outline(std::size_t contour) const;
+    [[nodiscard]] OutlineQuality quality(std::size_t contour) const;
+    [[nodiscard]] FinePolygon outline(std::size_t contour) const;
+    /// The outline of a contour of level 0 or 1 for those who do not look at higher levels. Where outlines
+    /// are regularized, footprints are drawn as if nothing stood on them: without vertices that higher levels
+    /// need, and also where their outline keeps its traced form for the sake of what stands on it.
+    [[nodiscard]] FinePolygon footprint(std::size_t contour) const;
+    [[nodiscard]] OutlineQuality footprint_quality(std::size_t contour) const;
     /// The outline without simplification: the way back where a polygon would be invalid.
-    [[nodiscard]] LatticePolygon traced(std::size_t contour) const;
+    [[nodiscard]] FinePolygon traced(std::size_t contour) const;
 
   private:
     struct Impl;

@@ -7,7 +7,7 @@ std::vector<WorldPolygon> checked(std::vector<WorldPolygon> drawn,
                                   OutlineStatus& status, RunReport& report) {
     if (drawn.empty() || geos.invalidity(drawn).empty())
         return drawn;
-    if (status == OutlineStatus::simplified) {
+    if (status == OutlineStatus::simplified || status == OutlineStatus::regularized) {
         status = OutlineStatus::kept_traced;
         report.count(Reason::outline_kept_traced);
         drawn = traced();

@@ -65,4 +65,16 @@ ContourSet ContourStore::finish() {
     return set;
 }
 
+void drop_roots(ContourSet& set) {
+    const auto first = std::find_if(set.contours.begin(), set.contours.end(),
+                                    [](const Contour& contour) { return contour.key.level > 0; });
+    const std::int64_t roots = first - set.contours.begin();
+    set.contours.erase(set.contours.begin(), first);
+    set.building.erase(set.building.begin(), set.building.begin() + roots);
+    for (Contour& contour : set.contours)
+        contour.parent = contour.parent < roots ? -1 : contour.parent - roots;
+    for (std::int64_t& contour : set.buildings)
+        contour -= roots;
+}
+
 }  // namespace d2b

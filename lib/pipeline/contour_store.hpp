@@ -15,6 +15,9 @@ struct ContourSet {
     std::vector<Percentiles> percentiles;  ///< a building
 };
 
+/// Takes the roots out, so that footprints are the lowest contours.
+void drop_roots(ContourSet& set);
+
 /// Takes stacks as they are finished, drops their noise, and keeps the rest in about one byte a corner.
 class ContourStore : public StackSink {
   public:

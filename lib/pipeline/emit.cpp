@@ -1,5 +1,6 @@
 #include "pipeline/emit.hpp"
 
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -37,6 +38,9 @@ class Emitter {
     bool emit_contour(std::size_t contour, ContourRecord& record);
 
   private:
+    [[nodiscard]] bool is_doubtful(std::size_t contour) const {
+        return emission_.set.contours[contour].label > emission_.buildings;
+    }
     template <typename Record>
     void add(std::size_t layer, std::span<const Attribute<Record>> attributes, Record& record,
              Placed&& placed, double threshold);
@@ -47,25 +51,36 @@ class Emitter {
     Placer placer_;
     std::optional<std::size_t> buildings_layer_;
     std::optional<std::size_t> contours_layer_;
+    std::optional<std::size_t> doubtful_layer_;
 };
 
 void Emitter::begin() {
     const WriteOptions& write = emission_.options.write;
     const std::string& source = context_.report.input;
+    // A circle of one CRS is none in another.
+    const bool with_arcs = emission_.options.outline.arcs && emission_.target_crs.kind() == Crs::Kind::none;
     std::vector<LayerSpec> layers;
+    const auto building_fields = field_specs(building_attributes(), emission_.vertical_unit, write.fields);
     if (write.layers != Layers::contours) {
         buildings_layer_ = layers.size();
-        layers.push_back({sink_.layer_name(true, write.layers), "Buildings",
-                          "One polygon a building, from " + source,
-                          field_specs(building_attributes(), emission_.vertical_unit), write.with_z});
+        layers.push_back({sink_.layer_name(LayerRole::buildings, write.layers), "Buildings",
+                          "One polygon a building, from " + source, building_fields, write.with_z,
+                          with_arcs});
     }
     if (write.layers != Layers::buildings) {
         contours_layer_ = layers.size();
         const char* what = emission_.options.outline.disjoint
                                ? "Bands between thresholds that do not overlap, from "
                                : "Stacked contours, low to high, from ";
-        layers.push_back({sink_.layer_name(false, write.layers), "Contours", what + source,
-                          field_specs(contour_attributes(), emission_.vertical_unit), write.with_z});
+        layers.push_back({sink_.layer_name(LayerRole::contours, write.layers), "Contours", what + source,
+                          field_specs(contour_attributes(), emission_.vertical_unit), write.with_z,
+                          with_arcs});
+    }
+    if (write.doubtful) {
+        doubtful_layer_ = layers.size();
+        layers.push_back({sink_.layer_name(LayerRole::doubtful, write.layers), "Doubtful buildings",
+                          "What may be a building, with the reason for the doubt, from " + source,
+                          building_fields, write.with_z, with_arcs});
     }
     const StageClock clock(context_.report, Stage::write);
     sink_.begin(layers, emission_.provenance);
@@ -82,19 +97,24 @@ void Emitter::add(std::size_t layer, std::span<const Attribute<Record>> attribut
 }
 
 void Emitter::emit_building(std::size_t contour, BuildingRecord& record, double threshold) {
-    if (!buildings_layer_)
+    const bool doubtful = is_doubtful(contour);
+    const std::optional<std::size_t> layer = doubtful ? doubtful_layer_ : buildings_layer_;
+    if (!layer)
         return;
-    Placed placed = placer_.whole(contour);
+    Placed placed = placer_.footprint(contour);
     if (placed.parts.empty())
         return;
-    ++context_.report.buildings;
+    ++(doubtful ? context_.report.doubtful : context_.report.buildings);
     if (!contours_layer_)
         context_.report.vertices += vertices_of(placed.parts);
-    add(*buildings_layer_, building_attributes(), record, std::move(placed), threshold);
+    record.deviation_m =
+        placed.deviation / std::sqrt(emission_.georeference.cell_area()) * emission_.cell_size_m;
+    record.area_change = placed.area_change;
+    add(*layer, building_attributes(), record, std::move(placed), threshold);
 }
 
 bool Emitter::emit_contour(std::size_t contour, ContourRecord& record) {
-    if (!contours_layer_)
+    if (!contours_layer_ || is_doubtful(contour))
         return false;
     Placed placed = emission_.options.outline.disjoint ? placer_.tier(contour) : placer_.whole(contour);
     // A contour that its children cover whole has no band of its own.
@@ -125,8 +145,6 @@ void emit(const Emission& emission, Records& records, FeatureSink& sink, Context
             context.progress(0.6 +
                              0.35 * static_cast<double>(i) / static_cast<double>(records.contours.size()));
     }
-    const StageClock clock(context.report, Stage::write);
-    sink.finish();
 }
 
 }  // namespace d2b

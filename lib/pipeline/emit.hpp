@@ -19,10 +19,12 @@ struct Emission {
     Provenance provenance;
     std::string vertical_unit;
     Window window;
+    Label buildings;     ///< labels above are doubtful
+    double cell_size_m;  ///< side of a square of a cell's area
 };
 
 /// Draws every outline, places it, has it checked, measures it, and hands it to the sink with its attributes,
-/// in the order of the records. Fills in areas and status. @throws Error
+/// in the order of the records. Fills in areas and status. The sink is not finished. @throws Error
 void emit(const Emission& emission, Records& records, FeatureSink& sink, Context& context);
 
 }  // namespace d2b

@@ -20,6 +20,7 @@ namespace d2b::rows {
 
 /// The rows of each group, in the order of the help.
 [[nodiscard]] std::vector<OptionRow> input();
+[[nodiscard]] std::vector<OptionRow> buildings();
 [[nodiscard]] std::vector<OptionRow> levels();
 [[nodiscard]] std::vector<OptionRow> contours();
 [[nodiscard]] std::vector<OptionRow> output();

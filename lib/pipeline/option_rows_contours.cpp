@@ -46,23 +46,42 @@ std::vector<OptionRow> noise() {
          .unit = "grid points"}));
     rows.push_back(number_row(
         "min_area", "<m2>", {.lowest = 0}, [](auto& r) -> auto& { return r.options.filter.min_area_m2; },
-        {.help = "Drop contours and fill holes of a smaller area.",
-         .details = "It works as -nf does and removes long thin rows of trees, which have long outlines.",
+        {.help = "Smallest area of a building; by default 30 m2.",
+         .details =
+             "With -preset thesis contours of a smaller area are dropped and such holes filled, as -nf does "
+             "with short ones, which also removes long thin rows of trees; by default none is.",
          .unit = "m2"}));
     return rows;
+}
+
+/// How outlines become walls.
+OptionRow walls() {
+    const Choices<Walls> choices{
+        {"auto", Walls::automatic}, {"off", Walls::off}, {"right", Walls::right}, {"free", Walls::free}};
+    return choice_row(
+        "regularize", "auto|off|right|free", choices,
+        [](auto& r) -> auto& { return r.options.outline.walls; },
+        {.help = "Straight walls in place of the staircase that cells make.",
+         .details =
+             "auto: walls along a building's main directions and at right angles where the data support it, "
+             "others as they run, circles and arcs where they fit. right: right angles alone. free: straight "
+             "walls of any direction. off: the outline as it was traced. What does not fit within the "
+             "tolerance keeps its traced outline. By default auto, off with -simplify or -preset thesis."});
 }
 
 }  // namespace
 
 std::vector<OptionRow> levels() {
-    const Choices<std::string> presets{{"thesis", "thesis"}};
+    const Choices<LevelSource> sources{{"building", LevelSource::building}, {"global", LevelSource::global}};
     std::vector<OptionRow> rows;
     rows.push_back(choice_row(
-        "preset", "thesis", presets, [](auto& r) -> auto& { return r.options.preset; },
-        {.help = "Method, with its defaults; the other options refine it.",
-         .details =
-             "thesis is the method of Chittineni (2003): thresholds from the mean and the standard deviation "
-             "of all elevations, and collapsed contouring."}));
+        "levels", "building|global", sources, [](auto& r) -> auto& { return r.options.levels.source; },
+        {.help = "What the thresholds of -lod divide.",
+         .details = "building: the elevations of each building, so that tiers of a low house and of a tower "
+                    "are both "
+                    "found; thresholds are at least half a metre apart. global: those of the whole input, "
+                    "one set for "
+                    "all, as -preset thesis does. By default building, with -preset thesis global."}));
     rows.push_back(whole_row("lod", "<n>", {.lowest = 1, .highest = 10000},
                              [](auto& r) -> auto& { return r.options.levels.lod; },
                              {.help = "Level of detail: how many thresholds.",
@@ -87,10 +106,21 @@ std::vector<OptionRow> contours() {
         "trace", "points|cells", modes, [](auto& r) -> auto& { return r.options.trace.mode; },
         {.help = "What outlines are drawn through.",
          .details =
+             "By default cells, with -preset thesis points. "
              "points: the outermost grid points above the threshold, so that a building loses half a cell on "
              "each side. cells: the borders of the cells around these points, so that areas are unbiased."}));
     for (OptionRow& row : noise())
         rows.push_back(std::move(row));
+    rows.push_back(walls());
+    rows.push_back(
+        switch_row("arcs", [](auto& r) -> auto& { return r.options.outline.arcs; },
+                   {.help = "Write round walls as circular arcs where the format has them.",
+                    .details = "Without it, and elsewhere, they are written as short straight pieces."}));
+    rows.push_back(number_row(
+        "regularize_tolerance", "<cells>", {.lowest = 0, .highest = 100, .above_lowest = true},
+        [](auto& r) -> auto& { return r.options.outline.wall_tolerance; },
+        {.help = "How far a regularized outline may leave its trace; by default 1.5, but at most 1.25 m.",
+         .unit = "cells"}));
     rows.push_back(number_row(
         "simplify", "<tolerance>", {.lowest = 0}, [](auto& r) -> auto& { return r.options.outline.simplify; },
         {.help = "Simplify outlines; 0 keeps every corner.",

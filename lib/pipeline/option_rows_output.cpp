@@ -34,6 +34,34 @@ std::vector<OptionRow> dataset() {
     return rows;
 }
 
+/// What is written beside buildings and contours, and by which names.
+std::vector<OptionRow> also_written() {
+    const Choices<FieldNames> names{{"own", FieldNames::own},
+                                    {"urock", FieldNames::urock},
+                                    {"city4cfd", FieldNames::city4cfd},
+                                    {"osm", FieldNames::osm}};
+    std::vector<OptionRow> rows;
+    rows.push_back(choice_row("fields", "own|urock|city4cfd|osm", names,
+                              [](auto& r) -> auto& { return r.options.write.fields; },
+                              {.help = "Names of the fields of buildings: those that another program reads.",
+                               .details = "Some are longer than a Shapefile can hold."}));
+    rows.push_back(
+        switch_row("write_doubtful", [](auto& r) -> auto& { return r.options.write.doubtful; },
+                   {.help = "Also write a layer of what may be a building, with the reason for the doubt.",
+                    .details = "Its name is doubtful, or that of -nln with _doubtful after it."}));
+    rows.push_back(text_row("write_ground", "<file.tif>",
+                            [](auto& r) -> auto& { return r.options.write.ground; },
+                            {.help = "Also write the terrain as a GeoTIFF, in metres."}));
+    rows.push_back(text_row("write_height", "<file.tif>",
+                            [](auto& r) -> auto& { return r.options.write.height; },
+                            {.help = "Also write the heights above the terrain as a GeoTIFF, in metres."}));
+    rows.push_back(text_row(
+        "write_canopy", "<file.tif>", [](auto& r) -> auto& { return r.options.write.canopy; },
+        {.help = "Also write the heights of trees as a GeoTIFF, in metres; 0 elsewhere.",
+         .details = "All that rises above -min_height and is no building, as wind models take it."}));
+    return rows;
+}
+
 /// gdal_contour's switch for polygons, so that its command lines work here.
 OptionRow polygons() {
     OptionRow row = described("p", "", {.help = "Accepted; polygons are always written."});
@@ -61,6 +89,8 @@ std::vector<OptionRow> output() {
     rows.push_back(switch_row("3d", [](auto& r) -> auto& { return r.options.write.with_z; },
                               {.help = "Write the threshold as the Z of every vertex."}));
     for (OptionRow& row : dataset())
+        rows.push_back(std::move(row));
+    for (OptionRow& row : also_written())
         rows.push_back(std::move(row));
     rows.push_back(polygons());
     return rows;

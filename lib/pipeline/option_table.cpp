@@ -21,6 +21,7 @@ void append(std::vector<OptionRow>& table, OptionGroup group, std::vector<Option
 std::vector<OptionRow> make_table() {
     std::vector<OptionRow> table;
     append(table, OptionGroup::input, rows::input());
+    append(table, OptionGroup::buildings, rows::buildings());
     append(table, OptionGroup::levels, rows::levels());
     append(table, OptionGroup::contours, rows::contours());
     append(table, OptionGroup::output, rows::output());

@@ -35,9 +35,9 @@ enum class Arity {
     list      ///< numbers, at least one, as long as numbers follow
 };
 
-enum class OptionGroup { input, levels, contours, output, report };
-inline constexpr std::array<std::string_view, 5> option_group_names{"Input", "Levels", "Contours", "Output",
-                                                                    "Report"};
+enum class OptionGroup { input, buildings, levels, contours, output, report };
+inline constexpr std::array<std::string_view, 6> option_group_names{"Input",    "Buildings", "Levels",
+                                                                    "Contours", "Output",    "Report"};
 
 using OptionValues = std::span<const std::string>;
 

@@ -39,6 +39,8 @@ std::string NumberRange::text(std::string_view noun) const {
     std::string text(noun);
     if (std::isinf(lowest))
         return text;
+    if (!std::isinf(highest) && above_lowest)
+        return text + " above " + number_text(lowest) + " and at most " + number_text(highest);
     if (!std::isinf(highest))
         return text + " from " + number_text(lowest) + " to " + number_text(highest);
     return text + (above_lowest ? " above " : " of at least ") + number_text(lowest);

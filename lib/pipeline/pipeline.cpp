@@ -1,13 +1,20 @@
 #include "pipeline/pipeline.hpp"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "core/number_text.hpp"
 #include "core/units.hpp"
 #include "detect/one_label.hpp"
+#include "levels/building_levels.hpp"
 #include "pipeline/elevation_reader.hpp"
 #include "pipeline/emit.hpp"
+#include "pipeline/find_buildings.hpp"
+#include "pipeline/preset.hpp"
 #include "pipeline/provenance.hpp"
 #include "pipeline/square_area.hpp"
 #include "pipeline/stage_clock.hpp"
@@ -17,6 +24,7 @@ namespace d2b {
 namespace {
 
 constexpr double coarsest_cell_m = 3.0;
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 Crs dem_crs(const Options& options, const DemInfo& info) {
     return Crs(options.read.crs.empty() ? info.crs_wkt : options.read.crs);
@@ -65,18 +73,36 @@ ElevationStatistics collect_statistics(ElevationReader& reader, const Window& wi
     return statistics;
 }
 
+/// What a band's points belong to.
+LabelBand labels_of(const ElevationBand& band, const FoundBuildings* found, const Window& window,
+                    Context& context) {
+    const StageClock clock(context.report, Stage::detect);
+    return found == nullptr ? detect_one_label(band, context) : found->band(band.shape, window.row);
+}
+
+/// The levels of each building, from the elevations in it.
+LevelPlan plan_levels(ElevationReader& reader, const FoundBuildings& found,
+                      const ElevationStatistics& statistics, const LevelPlan& global,
+                      const LevelOptions& options, const Window& window, Context& context) {
+    BuildingStatistics buildings(found.count(), statistics.fixed_point());
+    reader.for_each([&](const ElevationBand& band) {
+        const LabelBand labels = labels_of(band, &found, window, context);
+        const StageClock clock(context.report, Stage::levels);
+        buildings.add(band, labels);
+    });
+    return plan_building_levels(buildings, found.ground, global, options,
+                                context.report.units.vertical_metres);
+}
+
 template <typename Count>
 ContourSet trace_contours(ElevationReader& reader, const TraceFrame& frame, const LevelPlan& plan,
-                          const Options& options, const SquareArea& area, Context& context) {
+                          const FoundBuildings* found, const Options& options, const SquareArea& area,
+                          Context& context) {
     ContourStore store(options.filter, area, frame.range, context);
     Tracer<Count> tracer(frame, options.trace, store);
     reader.for_each([&](const ElevationBand& band) {
+        const LabelBand labels = labels_of(band, found, frame.window, context);
         LevelBand<Count> levels;
-        LabelBand labels;
-        {
-            const StageClock clock(context.report, Stage::detect);
-            labels = detect_one_label(band, context);
-        }
         {
             const StageClock clock(context.report, Stage::levels);
             levels = quantise<Count>(band, labels, plan);
@@ -91,7 +117,10 @@ ContourSet trace_contours(ElevationReader& reader, const TraceFrame& frame, cons
         tracer.finish();
     }
     const StageClock clock(context.report, Stage::filter);
-    return store.finish();
+    ContourSet set = store.finish();
+    if (found != nullptr)
+        drop_roots(set);
+    return set;
 }
 
 LatticeBox lattice_frame(const Window& window, TraceMode mode) {
@@ -99,13 +128,18 @@ LatticeBox lattice_frame(const Window& window, TraceMode mode) {
     return {{window.row, window.col}, {window.row + window.rows - less, window.col + window.cols - less}};
 }
 
-void report_result(const Records& records, const LevelPlan& plan, RunReport& report) {
+/// @param buildings labels above are doubtful and have no contours
+void report_result(const Records& records, const LevelPlan& plan, const ContourSet& set, Label buildings,
+                   RunReport& report) {
     for (int level = 0; level < plan.level_count(); ++level)
-        report.levels.push_back({level, plan.threshold(1, level), 0, 0});
-    for (const ContourRecord& record : records.contours) {
-        LevelReport& level = report.levels[static_cast<std::size_t>(record.level)];
+        report.levels.push_back(
+            {level, plan.footprints && level > 0 ? unknown : plan.threshold(1, level), 0, 0});
+    for (std::size_t i = 0; i < records.contours.size(); ++i) {
+        if (set.contours[i].label > buildings)
+            continue;
+        LevelReport& level = report.levels[static_cast<std::size_t>(records.contours[i].level)];
         ++level.contours;
-        level.points += record.points;
+        level.points += records.contours[i].points;
     }
 }
 
@@ -117,6 +151,13 @@ void warn_of_large_tolerance(double tolerance, const Georeference& georeference,
                      " cells wide, which leaves little of a building; it is in units of the input's CRS.");
 }
 
+/// Coarse cells would let a wall leave its trace by more than its neighbours are away.
+double wall_tolerance(double cell_size_m) {
+    constexpr double most_cells = 1.5;
+    constexpr double most_m = 1.25;
+    return cell_size_m > 0 ? std::min(most_cells, most_m / cell_size_m) : most_cells;
+}
+
 void warn_of_nothing(const LevelPlan& plan, const Records& records, Context& context) {
     const RunReport& report = context.report;
     if (report.valid_points == 0)
@@ -124,17 +165,21 @@ void warn_of_nothing(const LevelPlan& plan, const Records& records, Context& con
     else if (report.minimum == report.maximum)
         context.warn("All valid points of '" + report.input +
                      "' have the same elevation; no building was found.");
-    else if (plan.level_count() == 1)
+    else if (!plan.footprints && plan.level_count() == 1)
         context.warn(
             "No threshold lies between the lowest and the highest elevation; no building was found.");
     else if (records.buildings.empty())
-        context.warn("No building was found; a smaller -nf or -min_area, or more levels, may show some.");
+        context.warn(
+            plan.footprints
+                ? "No building was found; -min_height, -min_area or -min_confidence may hide some."
+                : "No building was found; a smaller -nf or -min_area, or more levels, may show some.");
 }
 
 }  // namespace
 
-void run(const Options& options, DemSource& source, FeatureSink& sink, Context& context) {
-    const DemInfo& info = source.info();
+void run(const Options& user_options, const Sources& sources, const Sinks& sinks, Context& context) {
+    Options options = with_preset(user_options);
+    const DemInfo& info = sources.dem.info();
     const Crs crs = dem_crs(options, info);
     const Crs target = target_crs(options, crs);
     RunReport& report = context.report;
@@ -146,23 +191,37 @@ void run(const Options& options, DemSource& source, FeatureSink& sink, Context& 
     warn_of_coarse_cells(info.window, area, crs, context);
     warn_of_large_tolerance(options.outline.simplify, georeference, context);
 
-    ElevationReader reader(source, context);
-    const ElevationStatistics statistics = collect_statistics(reader, info.window, context);
-    const LevelPlan plan = plan_global_levels(statistics, options.levels, context);
-    const TraceFrame frame{info.window, plan.level_count(), statistics.fixed_point(), statistics.range()};
-    const ContourSet set = plan.level_count() <= 255
-                               ? trace_contours<std::uint8_t>(reader, frame, plan, options, area, context)
-                               : trace_contours<std::uint16_t>(reader, frame, plan, options, area, context);
+    if (!options.outline.wall_tolerance)
+        options.outline.wall_tolerance = wall_tolerance(cell_size_m(info.window, area));
 
+    ElevationReader reader(sources.dem, context);
+    const ElevationStatistics statistics = collect_statistics(reader, info.window, context);
+    LevelPlan plan = plan_global_levels(statistics, options.levels, context);
+    std::optional<FoundBuildings> found;
+    if (detects_buildings(options)) {
+        found = find_buildings(options, sources, sinks, reader, cell_steps(info.window, georeference, crs),
+                               report.units.vertical_metres, context);
+        plan = plan_levels(reader, *found, statistics, plan, options.levels, info.window, context);
+    }
+    const FoundBuildings* buildings = found ? &*found : nullptr;
+    const TraceFrame frame{info.window, plan.level_count(), statistics.fixed_point(), statistics.range()};
+    const ContourSet set =
+        plan.level_count() <= 255
+            ? trace_contours<std::uint8_t>(reader, frame, plan, buildings, options, area, context)
+            : trace_contours<std::uint16_t>(reader, frame, plan, buildings, options, area, context);
+
+    const Label last_building = found ? found->buildings : std::numeric_limits<Label>::max();
     Records records;
     {
         const StageClock clock(report, Stage::attributes);
         const FixedPoint fixed = statistics.fixed_point();
-        records = make_records({set.contours, set.building, set.buildings, set.percentiles},
+        records = make_records({set.contours, set.building, set.buildings, set.percentiles,
+                                found ? found->footprints : std::vector<Footprint>{}},
                                {plan, fixed, report.units.vertical_metres,
-                                lattice_frame(info.window, options.trace.mode), sink.first_id()});
+                                lattice_frame(info.window, options.trace.mode), sinks.features.first_id()});
+        report.stack_rmse_m = stack_rmse(set.contours, fixed, last_building) * report.units.vertical_metres;
     }
-    report_result(records, plan, report);
+    report_result(records, plan, set, last_building, report);
     warn_of_nothing(plan, records, context);
     const Emission emission{options,
                             georeference,
@@ -171,8 +230,15 @@ void run(const Options& options, DemSource& source, FeatureSink& sink, Context& 
                             set,
                             make_provenance(options, info, crs, target, report),
                             report.units.vertical,
-                            info.window};
-    emit(emission, records, sink, context);
+                            info.window,
+                            last_building,
+                            cell_size_m(info.window, area)};
+    emit(emission, records, sinks.features, context);
+    const StageClock clock(report, Stage::write);
+    for (RasterSink* raster : {sinks.ground, sinks.height, sinks.canopy})
+        if (raster != nullptr)
+            raster->finish();
+    sinks.features.finish();
     context.progress(1);
 }
 

@@ -4,14 +4,32 @@
 #include "core/dem_source.hpp"
 #include "core/feature_sink.hpp"
 #include "core/options.hpp"
+#include "core/raster_sink.hpp"
 
 namespace d2b {
 
-/// The whole job: read -> detect -> levels -> trace -> filter -> outline -> attributes -> write.
-/// Reads the source twice (statistics, then contours), or once where it fits in memory; the report in
-/// `context` says what was done, found, dropped and repaired.
+/// What a run reads. All on the grid and in the window of the DEM.
+struct Sources {
+    DemSource& dem;
+    DemSource* terrain = nullptr;  ///< of GroundMode::given, in the DEM's vertical unit
+    DemSource* mask = nullptr;     ///< buildings are looked for where it is neither 0 nor invalid
+    DemSource* ndvi = nullptr;
+};
+
+/// Where a run writes to. Rasters are in metres.
+struct Sinks {
+    FeatureSink& features;
+    RasterSink* ground = nullptr;
+    RasterSink* height = nullptr;
+    RasterSink* canopy = nullptr;  ///< heights of what is no building, 0 elsewhere
+};
+
+/// The whole job: read -> ground -> detect -> levels -> trace -> filter -> outline -> attributes -> write.
+/// Reads the DEM twice (statistics, then contours), or once where it fits in memory; the report in `context`
+/// says what was done, found, dropped and repaired.
 /// @param options  as checked by the option table; write.layers `automatic` means both
-/// @throws Error: nothing is visible at the sink then
-void run(const Options& options, DemSource& source, FeatureSink& sink, Context& context);
+/// @throws Error: nothing is visible at the sinks then, but where finishing one fails after another is
+/// finished
+void run(const Options& options, const Sources& sources, const Sinks& sinks, Context& context);
 
 }  // namespace d2b

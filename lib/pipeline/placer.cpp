@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "pipeline/checked.hpp"
@@ -14,7 +15,7 @@ std::vector<Position> corners_of(const Window& window, const Georeference& geore
     std::vector<Position> corners;
     for (const std::int32_t row : {window.row, window.row + window.rows})
         for (const std::int32_t col : {window.col, window.col + window.cols})
-            corners.push_back(georeference.position({row, col}));
+            corners.push_back(georeference.position(LatticePoint{row, col}));
     return corners;
 }
 
@@ -53,13 +54,29 @@ Geodesy::Measure measure(Geodesy& geodesy, const std::vector<WorldPolygon>& part
     return sum;
 }
 
+/// Length on the ground of a unit of x over that of a unit of y.
+double x_stretch(const Placement& placement) {
+    constexpr double steepest = 89;  // degrees: where the poles are near, nothing is a right angle
+    if (placement.crs.kind() != Crs::Kind::geographic)
+        return 1;
+    const Window& window = placement.window;
+    const Position middle = placement.georeference.position(
+        LatticePoint{window.row + window.rows / 2, window.col + window.cols / 2});
+    return std::cos(std::clamp(middle.y, -steepest, steepest) * std::numbers::pi / 180);
+}
+
+Outliner make_outliner(const Placement& placement, Context& context) {
+    const StageClock clock(context.report, Stage::outline);
+    return {placement.contours, choose_drawing(placement.options, placement.georeference), placement.options,
+            placement.georeference, x_stretch(placement)};
+}
+
 }  // namespace
 
 Placer::Placer(const Placement& placement, Context& context)
     : placement_(placement),
       context_(context),
-      outliner_(placement.contours, choose_drawing(placement.options, placement.georeference),
-                placement.options, placement.georeference),
+      outliner_(make_outliner(placement, context)),
       geodesy_(placement.crs) {
     if (placement.target_crs.kind() != Crs::Kind::none)
         transform_.emplace(placement.crs, placement.target_crs,
@@ -74,18 +91,21 @@ void Placer::find_children() {
 }
 
 Placer::Parts Placer::shape(std::size_t contour, bool tier, const Draw& draw) {
-    std::vector<LatticePolygon> polygons{draw(contour)};
+    std::vector<FinePolygon> polygons{draw(contour)};
     if (tier) {
         if (children_.empty())
             find_children();
-        std::vector<LatticePolygon> children;
+        std::vector<FinePolygon> children;
         for (const std::size_t child : children_[contour])
             children.push_back(draw(child));
         polygons = geos_.difference(polygons.front(), children);
     }
     Parts parts;
-    for (const LatticePolygon& polygon : polygons)
+    for (const FinePolygon& polygon : polygons)
         parts.push_back(placement_.georeference.polygon(polygon));
+    if (!placement_.options.arcs)
+        for (WorldPolygon& part : parts)
+            part.arcs.clear();
     return parts;
 }
 
@@ -98,6 +118,7 @@ Placer::Parts Placer::in_target_crs(Parts parts) {
         transform_->apply(ring);
     };
     for (WorldPolygon& part : parts) {
+        part.arcs.clear();  // a circle of one CRS is none in another
         carry(part.exterior);
         for (WorldRing& ring : part.interiors)
             carry(ring);
@@ -105,13 +126,22 @@ Placer::Parts Placer::in_target_crs(Parts parts) {
     return parts;
 }
 
-Placed Placer::place(std::size_t contour, bool tier) {
+Placed Placer::place(std::size_t contour, Form form) {
+    const OutlineQuality quality =
+        form == Form::footprint ? outliner_.footprint_quality(contour) : outliner_.quality(contour);
     Placed placed;
-    placed.status = outliner_.status();
+    placed.status = quality.status;
+    if (quality.status == OutlineStatus::kept_traced)
+        context_.report.count(Reason::outline_kept_traced);
+    placed.deviation = quality.deviation_cells * std::sqrt(placement_.georeference.cell_area());
+    placed.area_change = quality.area_change;
+    const bool tier = form == Form::tier;
     Parts parts;
     {
         const StageClock clock(context_.report, Stage::outline);
-        parts = shape(contour, tier, [&](std::size_t c) { return outliner_.outline(c); });
+        parts = shape(contour, tier, [&](std::size_t c) {
+            return form == Form::footprint ? outliner_.footprint(c) : outliner_.outline(c);
+        });
         const auto traced = [&] {
             parts = shape(contour, tier, [&](std::size_t c) { return outliner_.traced(c); });
             return in_target_crs(parts);

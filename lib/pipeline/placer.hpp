@@ -27,6 +27,9 @@ struct Placed {
     std::vector<WorldPolygon> parts;
     Geodesy::Measure measure;
     OutlineStatus status = OutlineStatus::traced;
+    double deviation = 0;    ///< of a regularized outline from its trace, in units of the CRS of the DEM (in
+                             ///< degrees of latitude where these are degrees)
+    double area_change = 0;  ///< of a regularized outline, share of the traced area
 };
 
 /// Draws outlines, places them in the CRS of the output, has them checked and measures them; one object a
@@ -37,15 +40,18 @@ class Placer {
     Placer(const Placement& placement, Context& context);
 
     /// The polygon of a contour.
-    [[nodiscard]] Placed whole(std::size_t contour) { return place(contour, false); }
+    [[nodiscard]] Placed whole(std::size_t contour) { return place(contour, Form::whole); }
+    /// The polygon of a contour of level 1 as a building, without vertices that only higher levels need.
+    [[nodiscard]] Placed footprint(std::size_t contour) { return place(contour, Form::footprint); }
     /// What the contours that stand on it leave of it: no parts where they cover it whole.
-    [[nodiscard]] Placed tier(std::size_t contour) { return place(contour, true); }
+    [[nodiscard]] Placed tier(std::size_t contour) { return place(contour, Form::tier); }
 
   private:
     using Parts = std::vector<WorldPolygon>;
-    using Draw = std::function<LatticePolygon(std::size_t)>;
+    using Draw = std::function<FinePolygon(std::size_t)>;
+    enum class Form { whole, footprint, tier };
 
-    [[nodiscard]] Placed place(std::size_t contour, bool tier);
+    [[nodiscard]] Placed place(std::size_t contour, Form form);
     [[nodiscard]] Parts shape(std::size_t contour, bool tier, const Draw& draw);
     [[nodiscard]] Parts in_target_crs(Parts parts);
     void find_children();

@@ -1,9 +1,11 @@
 #include "pipeline/provenance.hpp"
 
+#include <cmath>
 #include <string>
 
 #include "core/number_text.hpp"
 #include "core/version.hpp"
+#include "pipeline/preset.hpp"
 
 namespace d2b {
 namespace {
@@ -11,9 +13,40 @@ namespace {
 std::string thresholds_of(const RunReport& report) {
     std::string text;
     for (const LevelReport& level : report.levels)
-        if (level.level > 0)
+        if (level.level > 0 && std::isfinite(level.threshold))
             text += (text.empty() ? "" : " ") + number_text(level.threshold);
     return text;
+}
+
+std::string name_of(Walls walls) {
+    switch (walls) {
+        case Walls::automatic:
+            return "auto";
+        case Walls::right:
+            return "right";
+        case Walls::free:
+            return "free";
+        case Walls::off:
+        case Walls::by_preset:
+            break;
+    }
+    return "off";
+}
+
+std::map<std::string, std::string> detection_metadata(const Options& options) {
+    const std::string ground = options.ground.mode == GroundMode::given  ? options.ground.terrain
+                               : options.ground.mode == GroundMode::none ? "none"
+                                                                         : "auto";
+    return {{"D2B_GROUND", ground},
+            {"D2B_MAX_BUILDING_WIDTH_M", number_text(options.ground.max_building_width)},
+            {"D2B_MIN_HEIGHT_M", number_text(options.detect.min_height)},
+            {"D2B_MIN_CONFIDENCE", number_text(options.detect.min_confidence)},
+            {"D2B_MASK", options.detect.mask},
+            {"D2B_NDVI", options.detect.ndvi},
+            {"D2B_SPLIT_HEIGHT_M", number_text(options.detect.split_height)},
+            {"D2B_LEVELS", options.levels.source == LevelSource::building ? "building" : "global"},
+            {"D2B_LOD", std::to_string(options.levels.lod)},
+            {"D2B_REGULARIZE", name_of(options.outline.walls)}};
 }
 
 }  // namespace
@@ -30,7 +63,8 @@ Provenance make_provenance(const Options& options, const DemInfo& info, const Cr
         {"D2B_PRESET", options.preset},
         {"D2B_TRACE", options.trace.mode == TraceMode::points ? "points" : "cells"},
         {"D2B_NOISE_FACTOR", std::to_string(options.filter.noise_factor)},
-        {"D2B_MIN_AREA_M2", number_text(options.filter.min_area_m2)},
+        {"D2B_MIN_AREA_M2", number_text(detects_buildings(options) ? options.detect.min_area_m2
+                                                                   : options.filter.min_area_m2.value_or(0))},
         {"D2B_SIMPLIFY", number_text(options.outline.simplify)},
         {"D2B_CONTOURS", options.outline.disjoint ? "disjoint" : "stacked"},
         {"D2B_THRESHOLDS", thresholds_of(report)},
@@ -42,6 +76,8 @@ Provenance make_provenance(const Options& options, const DemInfo& info, const Cr
         {"D2B_HORIZONTAL_UNIT_FROM", report.units.horizontal_decided_by},
         {"D2B_AREAS", report.units.areas},
     };
+    if (detects_buildings(options))
+        provenance.metadata.merge(detection_metadata(options));
     return provenance;
 }
 

@@ -54,6 +54,17 @@ SquareArea make_square_area(const Georeference& georeference, const Crs& crs) {
     return [area = georeference.cell_area() * metres * metres](LatticePoint) { return area; };
 }
 
+CellSize cell_steps(const Window& window, const Georeference& georeference, const Crs& crs) {
+    Geodesy geodesy(crs);
+    const LatticePoint middle{window.row + window.rows / 2, window.col + window.cols / 2};
+    // There and back: half the perimeter of a ring without area.
+    const auto length = [&](LatticePoint to) {
+        const WorldRing ring{georeference.position(middle), georeference.position(to)};
+        return geodesy.ring(ring).perimeter_m / 2;
+    };
+    return {length({middle.row, middle.col + 1}), length({middle.row + 1, middle.col})};
+}
+
 double cell_size_m(const Window& window, const SquareArea& area) {
     return std::sqrt(area({window.row + window.rows / 2, window.col + window.cols / 2}));
 }

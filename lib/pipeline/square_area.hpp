@@ -1,7 +1,9 @@
 #pragma once
 
 #include "core/crs.hpp"
+#include "core/dem_info.hpp"
 #include "core/georeference.hpp"
+#include "core/grid.hpp"
 #include "filter/noise.hpp"
 
 namespace d2b {
@@ -12,5 +14,8 @@ namespace d2b {
 
 /// Metres of a cell's side, from its area, in the middle of a window.
 [[nodiscard]] double cell_size_m(const Window& window, const SquareArea& area);
+
+/// Metres of one step along a row and along a column, in the middle of a window.
+[[nodiscard]] CellSize cell_steps(const Window& window, const Georeference& georeference, const Crs& crs);
 
 }  // namespace d2b

@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "read/gdal_messages.hpp"
+#include "read/window.hpp"
 
 namespace d2b {
 
@@ -83,29 +84,24 @@ void BandReader::read(std::int32_t first_row, std::int32_t rows, std::span<doubl
                       Context& context) {
     const Window& w = info_.window;
     const auto cols = static_cast<std::size_t>(w.cols);
-    if (rows < 0 || first_row < w.row || rows > w.rows - (first_row - w.row) ||
-        elevations.size() != static_cast<std::size_t>(rows) * cols)
-        throw InputError("Rows from " + std::to_string(first_row) + " on, " + std::to_string(rows) +
-                         " of them, were asked for outside the window of '" + info_.name +
-                         "' or for a buffer of " + "another size; ask for rows of the window.");
+    require_rows(info_, first_row, rows, elevations.size());
     // Whole rows of blocks: the mask that GDAL makes of NoData reads the same blocks again, from its cache.
     const std::int32_t step = chunk_rows();
     const std::int32_t end = first_row + rows;
     for (std::int32_t row = first_row; row < end;) {
         const std::int32_t next = std::min<std::int32_t>(end - row, step - row % step) + row;
         const std::size_t at = static_cast<std::size_t>(row - first_row) * cols;
-        read_chunk(row, next - row, elevations.subspan(at, static_cast<std::size_t>(next - row) * cols),
-                   context);
+        read_part({row, w.col, next - row, w.cols},
+                  elevations.subspan(at, static_cast<std::size_t>(next - row) * cols), context);
         row = next;
     }
 }
 
-void BandReader::read_chunk(std::int32_t first_row, std::int32_t rows, std::span<double> elevations,
-                            Context& context) {
-    load(band_, GDT_Float64, first_row, rows, elevations.data(), context);
+void BandReader::read_part(const Window& part, std::span<double> elevations, Context& context) {
+    load(band_, GDT_Float64, part, elevations.data(), context);
     if (masked_) {
         mask_.resize(elevations.size());
-        load(GDALGetMaskBand(band_), GDT_Byte, first_row, rows, mask_.data(), context);
+        load(GDALGetMaskBand(band_), GDT_Byte, part, mask_.data(), context);
     }
     constexpr double invalid = std::numeric_limits<double>::quiet_NaN();
     const bool scaled = scale_ != 1 || offset_ != 0;
@@ -120,15 +116,16 @@ void BandReader::read_chunk(std::int32_t first_row, std::int32_t rows, std::span
     }
 }
 
-void BandReader::load(GDALRasterBandH band, GDALDataType type, std::int32_t first_row, std::int32_t rows,
-                      void* values, Context& context) const {
+void BandReader::load(GDALRasterBandH band, GDALDataType type, const Window& part, void* values,
+                      Context& context) const {
     const GdalMessages messages;
     const NoBigReads no_big_reads;
-    const CPLErr status = GDALRasterIOEx(band, GF_Read, info_.window.col, first_row, info_.window.cols, rows,
-                                         values, info_.window.cols, rows, type, 0, 0, nullptr);
+    const CPLErr status = GDALRasterIOEx(band, GF_Read, part.col, part.row, part.cols, part.rows, values,
+                                         part.cols, part.rows, type, 0, 0, nullptr);
     if (status != CE_None || messages.failed())
-        throw InputError("Rows " + std::to_string(first_row) + " to " + std::to_string(first_row + rows - 1) +
-                         " of '" + info_.name + "' cannot be read: " + messages.reason() +
+        throw InputError("Rows " + std::to_string(part.row) + " to " +
+                         std::to_string(part.row + part.rows - 1) + " of '" + info_.name +
+                         "' cannot be read: " + messages.reason() +
                          "; the file may be truncated or damaged.");
     messages.pass_warnings(context);
 }

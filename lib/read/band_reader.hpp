@@ -25,12 +25,13 @@ class BandReader {
 
     /// @param elevations rows * window.cols values @throws InputError with GDAL's reason
     void read(std::int32_t first_row, std::int32_t rows, std::span<double> elevations, Context& context);
+    /// Any part of the raster, in one piece. @param elevations part.rows * part.cols values
+    /// @throws InputError with GDAL's reason
+    void read_part(const Window& part, std::span<double> elevations, Context& context);
 
   private:
-    void read_chunk(std::int32_t first_row, std::int32_t rows, std::span<double> elevations,
-                    Context& context);
-    void load(GDALRasterBandH band, GDALDataType type, std::int32_t first_row, std::int32_t rows,
-              void* values, Context& context) const;
+    void load(GDALRasterBandH band, GDALDataType type, const Window& part, void* values,
+              Context& context) const;
     [[nodiscard]] std::int32_t chunk_rows() const;
 
     GDALRasterBandH band_;

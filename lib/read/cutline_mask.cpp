@@ -98,7 +98,8 @@ void CutlineMask::burn(std::int32_t first_row) {
                                 nullptr) != CE_None ||
         GDALRasterIO(GDALGetRasterBand(strip.get(), 1), GF_Read, 0, 0, window_.cols, strip_rows_,
                      strip_.data(), window_.cols, strip_rows_, GDT_Byte, 0, 0) != CE_None)
-        throw InputError("The cutline cannot be rasterised: " + messages.reason() + "; simplify it.");
+        throw InputError("The polygons of the cutline or mask cannot be rasterised: " + messages.reason() +
+                         "; simplify them.");
 }
 
 void CutlineMask::apply(std::int32_t first_row, std::int32_t rows, std::span<double> elevations) {

@@ -3,47 +3,42 @@
 #include "core/error.hpp"
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
+#include "read/georeference.hpp"
 #include "read/ring_projector.hpp"
 
 namespace d2b {
 
 namespace {
 
-DatasetOwner open_vector(const std::string& path, Context& context) {
+DatasetOwner open_vector(const std::string& path, const std::string& name, Context& context) {
     const GdalMessages messages;
     DatasetOwner dataset(GDALOpenEx(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
                                     nullptr, nullptr, nullptr));
     if (!dataset)
-        throw InputError("The cutline '" + path + "' cannot be opened: " + messages.reason_for(path) + ".");
+        throw InputError("The " + name + " cannot be opened: " + messages.reason_for(path) + ".");
     messages.pass_all(context);
     return dataset;
 }
 
 /// From the layer's CRS to the DEM's; nothing where they are the same or the layer has none.
-TransformOwner transform_between(OGRSpatialReferenceH from, const std::string& path, const DemInfo& info,
+TransformOwner transform_between(OGRSpatialReferenceH from, const std::string& name, const DemInfo& info,
                                  Context& context) {
     if (from == nullptr) {
         if (!info.crs_wkt.empty())
-            context.warn("The cutline '" + path +
-                         "' has no coordinate reference system; its coordinates are taken as the DEM's.");
+            context.warn("The " + name +
+                         " has no coordinate reference system; its coordinates are taken as the DEM's.");
         return nullptr;
     }
     if (info.crs_wkt.empty())
-        throw InputError("The cutline '" + path + "' has a coordinate reference system and '" + info.name +
+        throw InputError("The " + name + " has a coordinate reference system and '" + info.name +
                          "' has none; give the DEM's with -a_srs.");
     const GdalMessages messages;
-    const CrsOwner to(OSRNewSpatialReference(info.crs_wkt.c_str()));
-    OSRSetAxisMappingStrategy(to.get(), OAMS_TRADITIONAL_GIS_ORDER);
-    // Heights play no part: they only could make PROJ ask for vertical grids.
-    if (OSRIsCompound(to.get()) != FALSE)
-        OSRStripVertical(to.get());
-    OSRDemoteTo2D(to.get(), nullptr);
+    const CrsOwner to = horizontal_crs(info.crs_wkt);
     if (OSRIsSame(from, to.get()) != FALSE)
         return nullptr;
     TransformOwner transform(OCTNewCoordinateTransformation(from, to.get()));
     if (!transform)
-        throw InputError("The cutline '" + path +
-                         "' cannot be brought into the DEM's coordinate reference system: " +
+        throw InputError("The " + name + " cannot be brought into the DEM's coordinate reference system: " +
                          messages.reason() + "; reproject it first.");
     return transform;
 }
@@ -74,13 +69,15 @@ void add_polygons(OGRGeometryH geometry, RingProjector& projector, std::vector<P
 
 }  // namespace
 
-std::vector<PixelPolygon> read_cutline(const std::string& path, const DemInfo& info, Context& context) {
-    const DatasetOwner dataset = open_vector(path, context);
+std::vector<PixelPolygon> read_cutline(const std::string& path, const DemInfo& info, Context& context,
+                                       const std::string& role) {
+    const std::string name = role + " '" + path + "'";
+    const DatasetOwner dataset = open_vector(path, name, context);
     const OGRLayerH layer = GDALDatasetGetLayer(dataset.get(), 0);
     if (layer == nullptr)
-        throw InputError("The cutline '" + path + "' has no layer; give a dataset with polygons.");
-    const TransformOwner transform = transform_between(OGR_L_GetSpatialRef(layer), path, info, context);
-    RingProjector projector(transform.get(), info.transform, path);
+        throw InputError("The " + name + " has no layer; give a dataset with polygons.");
+    const TransformOwner transform = transform_between(OGR_L_GetSpatialRef(layer), name, info, context);
+    RingProjector projector(transform.get(), info.transform, name);
     std::vector<PixelPolygon> polygons;
     const GdalMessages messages;
     OGR_L_ResetReading(layer);
@@ -93,10 +90,10 @@ std::vector<PixelPolygon> read_cutline(const std::string& path, const DemInfo& i
             add_polygons(straight.get(), projector, polygons);
     }
     if (messages.failed())
-        throw InputError("The cutline '" + path + "' cannot be read: " + messages.reason() + ".");
+        throw InputError("The " + name + " cannot be read: " + messages.reason() + ".");
     messages.pass_warnings(context);
     if (polygons.empty())
-        throw InputError("The first layer of the cutline '" + path + "' (" + OGR_L_GetName(layer) +
+        throw InputError("The first layer of the " + name + " (" + OGR_L_GetName(layer) +
                          ") has no polygons; give a dataset with polygons.");
     return polygons;
 }

@@ -16,8 +16,9 @@ using PixelPolygon = std::vector<WorldRing>;
 /// (downwards), (0, 0) the outer corner of the first cell. Edges that bend on the way from the layer's CRS to
 /// the DEM's are followed to a small part of a cell.
 /// @param path any vector dataset that GDAL opens @param info georeferencing of the DEM
+/// @param role what messages call it
 /// @throws InputError: cannot be opened or read, no polygons, a CRS where the DEM has none, not transformable
 [[nodiscard]] std::vector<PixelPolygon> read_cutline(const std::string& path, const DemInfo& info,
-                                                     Context& context);
+                                                     Context& context, const std::string& role = "cutline");
 
 }  // namespace d2b

@@ -73,4 +73,17 @@ void read_crs(GDALDatasetH dataset, const std::string& user_crs, DemInfo& info, 
                      "give it with -a_srs.");
 }
 
+CrsOwner horizontal_crs(const std::string& wkt) {
+    if (wkt.empty())
+        return nullptr;
+    CrsOwner crs(OSRNewSpatialReference(wkt.c_str()));
+    if (!crs)
+        return crs;
+    OSRSetAxisMappingStrategy(crs.get(), OAMS_TRADITIONAL_GIS_ORDER);
+    if (OSRIsCompound(crs.get()) != FALSE)
+        OSRStripVertical(crs.get());
+    OSRDemoteTo2D(crs.get(), nullptr);
+    return crs;
+}
+
 }  // namespace d2b

@@ -6,6 +6,7 @@
 
 #include "core/context.hpp"
 #include "core/dem_info.hpp"
+#include "read/gdal_handles.hpp"
 
 namespace d2b {
 
@@ -17,5 +18,9 @@ void read_transform(GDALDatasetH dataset, DemInfo& info, Context& context);
 /// @param user_crs anything that names a CRS without a file or the network being read; "" for the raster's
 /// @throws OptionError where user_crs is no CRS
 void read_crs(GDALDatasetH dataset, const std::string& user_crs, DemInfo& info, Context& context);
+
+/// The CRS without its heights, axes in GIS order: heights play no part where cells are placed, and could
+/// make PROJ ask for vertical grids. @param wkt "" gives null
+[[nodiscard]] CrsOwner horizontal_crs(const std::string& wkt);
 
 }  // namespace d2b

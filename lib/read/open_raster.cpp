@@ -106,4 +106,15 @@ OpenRaster open_raster(const ReadOptions& options, const std::string& path, Cont
     return raster;
 }
 
+OpenRaster open_first_band(const std::string& name, const std::string& path, Context& context) {
+    ReadOptions options;
+    options.source = name;
+    OpenRaster raster{open_dataset(options, path, context), nullptr};
+    raster.band = pick_band(raster.dataset.get(), options);
+    if (GDALDataTypeIsComplex(GDALGetRasterDataType(raster.band)) != FALSE)
+        throw InputError("Band 1 of '" + name + "' holds complex numbers; give a raster of real numbers.");
+    check_length(raster.dataset.get(), options);
+    return raster;
+}
+
 }  // namespace d2b

@@ -20,4 +20,8 @@ struct OpenRaster {
 ///         only, no such band, complex values, shorter than its header says
 [[nodiscard]] OpenRaster open_raster(const ReadOptions& options, const std::string& path, Context& context);
 
+/// Opens a raster that accompanies the DEM and takes its first band. @param name for messages
+/// @throws InputError as open_raster()
+[[nodiscard]] OpenRaster open_first_band(const std::string& name, const std::string& path, Context& context);
+
 }  // namespace d2b

@@ -18,12 +18,12 @@ constexpr int deepest = 12;       // at most 4096 parts an edge
 }  // namespace
 
 RingProjector::RingProjector(OGRCoordinateTransformationH transform, const AffineTransform& grid,
-                             std::string path)
-    : transform_(transform), path_(std::move(path)) {
+                             std::string name)
+    : transform_(transform), name_(std::move(name)) {
     AffineTransform forward = grid;  // GDAL's inverse takes no constant
     if (GDALInvGeoTransform(forward.data(), to_cells_.data()) == 0)
-        throw InputError("The transform of the DEM cannot be inverted, so that '" + path_ +
-                         "' cannot be placed.");
+        throw InputError("The transform of the DEM cannot be inverted, so that the " + name_ +
+                         " cannot be placed.");
 }
 
 Position RingProjector::to_pixel(Position source) const {
@@ -34,9 +34,8 @@ Position RingProjector::to_pixel(Position source) const {
     const AffineTransform& g = to_cells_;
     const Position pixel{g[0] + p.x * g[1] + p.y * g[2], g[3] + p.x * g[4] + p.y * g[5]};
     if (!std::isfinite(pixel.x) || !std::isfinite(pixel.y))
-        throw InputError("The cutline '" + path_ +
-                         "' has a position without an image in the DEM's coordinate " + "reference system (" +
-                         number_text(source.x) + ", " + number_text(source.y) +
+        throw InputError("The " + name_ + " has a position without an image in the DEM's coordinate " +
+                         "reference system (" + number_text(source.x) + ", " + number_text(source.y) +
                          "); clip it to the surroundings of the DEM.");
     return pixel;
 }

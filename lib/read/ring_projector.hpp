@@ -8,12 +8,12 @@
 
 namespace d2b {
 
-/// Takes rings from the CRS of a cutline to pixel coordinates of a DEM.
+/// Takes rings from the CRS of a cutline or mask to pixel coordinates of a DEM.
 class RingProjector {
   public:
     /// @param transform to the DEM's CRS, or nullptr; must outlive this
-    /// @param grid the DEM's transform @param path of the cutline, for messages
-    RingProjector(OGRCoordinateTransformationH transform, const AffineTransform& grid, std::string path);
+    /// @param grid the DEM's transform @param name of the polygons, for messages: "cutline 'area.shp'"
+    RingProjector(OGRCoordinateTransformationH transform, const AffineTransform& grid, std::string name);
 
     /// Puts points in between on edges that are bent in the DEM's CRS, so that what remains is less than a
     /// fiftieth of a cell. @throws InputError where a position has no image
@@ -29,7 +29,7 @@ class RingProjector {
 
     OGRCoordinateTransformationH transform_;
     AffineTransform to_cells_{};
-    std::string path_;
+    std::string name_;
 };
 
 }  // namespace d2b

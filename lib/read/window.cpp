@@ -119,4 +119,13 @@ Window choose_window(const ReadOptions& options, const DemInfo& info) {
     return {0, 0, info.rows, info.cols};
 }
 
+void require_rows(const DemInfo& info, std::int32_t first_row, std::int32_t rows, std::size_t size) {
+    const Window& w = info.window;
+    if (rows < 0 || first_row < w.row || rows > w.rows - (first_row - w.row) ||
+        size != static_cast<std::size_t>(rows) * static_cast<std::size_t>(w.cols))
+        throw InputError("Rows from " + std::to_string(first_row) + " on, " + std::to_string(rows) +
+                         " of them, were asked for outside the window of '" + info.name +
+                         "' or for a buffer of another size; ask for rows of the window.");
+}
+
 }  // namespace d2b

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+
 #include "core/dem_info.hpp"
 #include "core/options.hpp"
 
@@ -11,5 +14,9 @@ namespace d2b {
 /// @param info rows, cols and transform of the whole raster
 /// @throws OptionError more than one window, or one that does not fit the raster
 [[nodiscard]] Window choose_window(const ReadOptions& options, const DemInfo& info);
+
+/// @param size of the buffer for the rows @throws InputError where they are not rows of the window, or the
+/// buffer has another size
+void require_rows(const DemInfo& info, std::int32_t first_row, std::int32_t rows, std::size_t size);
 
 }  // namespace d2b

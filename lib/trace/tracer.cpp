@@ -1,6 +1,7 @@
 #include "trace/tracer.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "trace/squares.hpp"
@@ -116,6 +117,8 @@ void Tracer<Count>::add_cells() {
         for (auto c = static_cast<std::size_t>(segment.begin); c < static_cast<std::size_t>(segment.end);
              ++c) {
             const double z = rows_[0].elevations[c];
+            if (std::isnan(z))
+                continue;
             own.add(z, frame_.fixed);
             if (sample != nullptr)
                 sample->add(z, frame_.range);
@@ -148,7 +151,7 @@ void Tracer<Count>::add_points(const std::vector<double>& elevations) {
                 if (square < squares && square < owners->size() &&
                     (*owners)[square].level > (best == nullptr ? -1 : best->level))
                     best = &(*owners)[square];
-        if (best != nullptr)
+        if (best != nullptr && !std::isnan(elevations[c]))
             add(*best, elevations[c]);
     }
 }

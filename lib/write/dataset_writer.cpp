@@ -1,6 +1,6 @@
 #include "write/dataset_writer.hpp"
 
-#include <gdal_version.h>
+#include <utility>
 
 #include "core/error.hpp"
 
@@ -195,16 +195,8 @@ void DatasetWriter::close() {
     if (in_transaction_ && mode_ != Mode::create)
         check_counts(target_, dataset_.get(), counts_);
     commit();
-    OgrCall call(target_);
     layers_.clear();
-    GDALFlushCache(dataset_.get());
-#if GDAL_VERSION_NUM >= GDAL_COMPUTE_VERSION(3, 7, 0)
-    const bool closed = GDALClose(dataset_.release()) == CE_None;
-#else
-    const bool closed = true;
-    dataset_.reset();
-#endif
-    call.check(closed, "closing the dataset");
+    close_written(target_, std::move(dataset_));
 }
 
 }  // namespace d2b

@@ -6,7 +6,7 @@
 #include <cpl_vsi.h>
 
 #include "core/error.hpp"
-#include "write/staging.hpp"
+#include "write/local_path.hpp"
 
 namespace d2b {
 
@@ -16,36 +16,6 @@ namespace fs = std::filesystem;
 
 std::string in_quotes(const std::string& text) {
     return "\"" + text + "\"";
-}
-
-std::string without_slashes(std::string path) {
-    while (path.size() > 1 && path.back() == '/')
-        path.pop_back();
-    return path;
-}
-
-/// A renamed file must not replace the link that leads to it.
-fs::path resolved(const std::string& name) {
-    std::error_code error;
-    fs::path path = without_slashes(name);
-    // A link may lead to a file that is not there yet, which the library's functions do not follow.
-    for (int links = 0; links < 40 && fs::is_symlink(path, error); ++links)
-        path = path.parent_path() / fs::read_symlink(path, error);
-    return path;
-}
-
-void check_parent(const std::string& name, const fs::path& path) {
-    const fs::path parent = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    std::error_code error;
-    const fs::file_status status = fs::status(parent, error);
-    if (!fs::exists(status))
-        throw OutputError("Cannot write " + in_quotes(name) + ": there is no folder " +
-                          in_quotes(parent.string()) + "; make it first.");
-    if (!fs::is_directory(status))
-        throw OutputError("Cannot write " + in_quotes(name) + ": " + in_quotes(parent.string()) +
-                          " is not a folder; choose another destination.");
-    // The permission bits do not tell of read-only and special file systems, and mean nothing to root.
-    const Staging trial(name, path);
 }
 
 void check_siblings(const std::string& name, const fs::path& path, const VectorFormat& format) {
@@ -60,7 +30,7 @@ void check_siblings(const std::string& name, const fs::path& path, const VectorF
 }
 
 void locate_local(Destination& destination, const VectorFormat& format) {
-    const fs::path path = resolved(destination.name);
+    const fs::path path = resolved_path(destination.name);
     destination.local = true;
     destination.path = path.string();
     std::error_code error;
@@ -72,7 +42,7 @@ void locate_local(Destination& destination, const VectorFormat& format) {
         if (fs::is_empty(path, error))
             destination.exists = false;
     }
-    check_parent(destination.name, path);
+    check_parent_folder(destination.name, path);
     if (!destination.exists)
         check_siblings(destination.name, path, format);
 }

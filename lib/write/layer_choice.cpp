@@ -14,6 +14,9 @@ std::string stem_of(const std::string& destination) {
 }  // namespace
 
 Layers resolve_layers(const WriteOptions& options, const VectorFormat& format) {
+    if (options.doubtful && !format.several_layers)
+        throw OptionError("\"" + options.destination + "\" holds one layer (format " + format.name +
+                          "); use a GeoPackage for -write_doubtful.");
     if (options.layers == Layers::automatic)
         return format.several_layers ? Layers::both : Layers::buildings;
     if (options.layers == Layers::both && !format.several_layers)
@@ -22,23 +25,37 @@ Layers resolve_layers(const WriteOptions& options, const VectorFormat& format) {
     return options.layers;
 }
 
-std::string name_of(const WriteOptions& options, const VectorFormat& format, bool buildings, Layers layers) {
-    if (!options.layer_name.empty())
-        return options.layer_name + (layers == Layers::both && !buildings ? "_contours" : "");
+std::string name_of(const WriteOptions& options, const VectorFormat& format, LayerRole role, Layers layers) {
+    if (!options.layer_name.empty()) {
+        if (role == LayerRole::doubtful)
+            return options.layer_name + "_doubtful";
+        return options.layer_name +
+               (layers == Layers::both && role == LayerRole::contours ? "_contours" : "");
+    }
     const bool file_is_layer = !format.several_layers && !is_stream(options.destination) &&
                                !is_connection(format.driver, options.destination);
     std::string stem = stem_of(options.destination);
     if (file_is_layer && !stem.empty())
         return stem;
-    return buildings ? "buildings" : "contours";
+    switch (role) {
+        case LayerRole::buildings:
+            return "buildings";
+        case LayerRole::contours:
+            return "contours";
+        case LayerRole::doubtful:
+            break;
+    }
+    return "doubtful";
 }
 
 std::vector<std::string> names_of(const WriteOptions& options, const VectorFormat& format, Layers layers) {
     std::vector<std::string> names;
     if (layers != Layers::contours)
-        names.push_back(name_of(options, format, true, layers));
+        names.push_back(name_of(options, format, LayerRole::buildings, layers));
     if (layers != Layers::buildings)
-        names.push_back(name_of(options, format, false, layers));
+        names.push_back(name_of(options, format, LayerRole::contours, layers));
+    if (options.doubtful)
+        names.push_back(name_of(options, format, LayerRole::doubtful, layers));
     return names;
 }
 

@@ -12,8 +12,10 @@ namespace d2b {
 /// fits
 [[nodiscard]] Layers resolve_layers(const WriteOptions& options, const VectorFormat& format);
 
-/// As layer_name_for(), of a format that is known.
-[[nodiscard]] std::string name_of(const WriteOptions& options, const VectorFormat& format, bool buildings,
+/// The name of a layer: -nln, with "_contours" after it for the contours where both layers are written, and
+/// "_doubtful" for what is doubtful; without -nln "buildings", "contours" or "doubtful", or the stem of the
+/// file where a file is a layer. @param layers what resolve_layers() gave
+[[nodiscard]] std::string name_of(const WriteOptions& options, const VectorFormat& format, LayerRole role,
                                   Layers layers);
 
 /// The names of all layers that the run writes.

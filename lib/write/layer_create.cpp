@@ -62,15 +62,23 @@ FieldHandle field_of(const FieldSpec& spec, GDALDriverH driver) {
     return field;
 }
 
+OGRwkbGeometryType geometry_type(const LayerSpec& spec, GDALDriverH driver) {
+    const bool curves =
+        spec.with_arcs && GDALGetMetadataItem(driver, GDAL_DCAP_CURVE_GEOMETRIES, nullptr) != nullptr;
+    if (curves)
+        return spec.with_z ? wkbMultiSurfaceZ : wkbMultiSurface;
+    return spec.with_z ? wkbMultiPolygon25D : wkbMultiPolygon;
+}
+
 }  // namespace
 
 OGRLayerH create_layer(GDALDatasetH dataset, const LayerSpec& spec, const LayerSetting& setting) {
     OgrCall call(setting.target);
     const NameValueList options = layer_options(dataset, spec, setting);
     // The C API of GDAL 3.6 takes the list as one that it might change, which it does not.
-    OGRLayerH layer = GDALDatasetCreateLayer(dataset, spec.name.c_str(), setting.srs,
-                                             spec.with_z ? wkbMultiPolygon25D : wkbMultiPolygon,
-                                             const_cast<char**>(options.get()));
+    OGRLayerH layer =
+        GDALDatasetCreateLayer(dataset, spec.name.c_str(), setting.srs,
+                               geometry_type(spec, setting.format.driver), const_cast<char**>(options.get()));
     call.check(layer != nullptr, "creating layer \"" + spec.name + "\"");
     const bool keeps_none =
         OGR_FD_GetGeomFieldCount(OGR_L_GetLayerDefn(layer)) == 0 || OGR_L_GetGeomType(layer) == wkbNone;

@@ -41,7 +41,7 @@ std::string geometry_misfit(OGRLayerH layer, bool with_z) {
     const OGRwkbGeometryType flat = wkbFlatten(type);
     if (flat == wkbUnknown || flat == wkbNone)
         return "";
-    if (flat != wkbMultiPolygon && flat != wkbPolygon)
+    if (flat != wkbMultiPolygon && flat != wkbPolygon && flat != wkbMultiSurface)
         return "holds geometries of type " + std::string(OGRGeometryTypeToName(type)) +
                " and not MultiPolygons";
     if ((OGR_GT_HasZ(type) != FALSE) != with_z)

@@ -30,7 +30,7 @@ LayerWriter::LayerWriter(OGRLayerH layer, const LayerSpec& spec, const LayerSett
       fields_(std::move(fields)),
       has_geometry_(OGR_FD_GetGeomFieldCount(OGR_L_GetLayerDefn(layer)) > 0),
       feature_(OGR_F_Create(OGR_L_GetLayerDefn(layer))),
-      wkb_(spec.with_z) {}
+      wkb_(spec.with_z, wkbFlatten(OGR_L_GetGeomType(layer)) == wkbMultiSurface) {}
 
 LayerWriter LayerWriter::create(GDALDatasetH dataset, const LayerSpec& spec, const LayerSetting& setting) {
     OGRLayerH layer = create_layer(dataset, spec, setting);

@@ -1,5 +1,7 @@
 #include "write/ogr_call.hpp"
 
+#include <gdal_version.h>
+
 #include "core/error.hpp"
 
 namespace d2b {
@@ -19,6 +21,18 @@ void OgrCall::fail(const std::string& doing) const {
          at = reason.find(hidden, at))
         reason.erase(at, hidden.size());
     throw OutputError("Cannot write \"" + target_.name + "\": " + doing + " failed (" + reason + ").");
+}
+
+void close_written(const WriteTarget& target, DatasetHandle dataset) {
+    OgrCall call(target);
+    GDALFlushCache(dataset.get());
+#if GDAL_VERSION_NUM >= GDAL_COMPUTE_VERSION(3, 7, 0)
+    const bool closed = GDALClose(dataset.release()) == CE_None;
+#else
+    const bool closed = true;
+    dataset.reset();
+#endif
+    call.check(closed, "closing the dataset");
 }
 
 }  // namespace d2b

@@ -4,6 +4,7 @@
 
 #include "core/context.hpp"
 #include "read/gdal_messages.hpp"
+#include "write/ogr_handles.hpp"
 
 namespace d2b {
 
@@ -31,5 +32,8 @@ class OgrCall {
     const WriteTarget& target_;
     GdalMessages messages_;
 };
+
+/// Writes what is pending and closes. @throws OutputError: also where only closing fails
+void close_written(const WriteTarget& target, DatasetHandle dataset);
 
 }  // namespace d2b

@@ -29,8 +29,8 @@ class OgrFeatureSink final : public FeatureSink {
     void add(std::size_t layer, const Feature& feature) override { writer_->add(layer, feature); }
     void finish() override;
     [[nodiscard]] std::int64_t first_id() const override { return existing_ ? existing_->largest_id + 1 : 1; }
-    [[nodiscard]] std::string layer_name(bool buildings, Layers layers) const override {
-        return name_of(options_, format_, buildings, layers);
+    [[nodiscard]] std::string layer_name(LayerRole role, Layers layers) const override {
+        return name_of(options_, format_, role, layers);
     }
 
   private:
@@ -135,10 +135,6 @@ std::unique_ptr<FeatureSink> open_sink(const WriteOptions& options, Context& con
 
 Layers layers_for(const WriteOptions& options) {
     return resolve_layers(options, format_for(options));
-}
-
-std::string layer_name_for(const WriteOptions& options, bool buildings, Layers layers) {
-    return name_of(options, format_for(options), buildings, layers);
 }
 
 }  // namespace d2b

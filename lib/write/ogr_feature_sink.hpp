@@ -32,9 +32,4 @@ namespace d2b {
 /// layer a file. @throws OptionError as open_sink
 [[nodiscard]] Layers layers_for(const WriteOptions& options);
 
-/// The name of a layer: -nln, with "_contours" after it for the contours where both layers are written;
-/// without -nln "buildings" or "contours", or the stem of the file where a file is a layer.
-/// @param layers what layers_for() gave @throws OptionError as open_sink
-[[nodiscard]] std::string layer_name_for(const WriteOptions& options, bool buildings, Layers layers);
-
 }  // namespace d2b

@@ -1,7 +1,9 @@
 #include "write/wkb.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
+#include <utility>
 
 #include "core/error.hpp"
 
@@ -9,8 +11,13 @@ namespace d2b {
 
 namespace {
 
+constexpr std::uint32_t line_string_type = 2;
 constexpr std::uint32_t polygon_type = 3;
 constexpr std::uint32_t multi_polygon_type = 6;
+constexpr std::uint32_t circular_string_type = 8;
+constexpr std::uint32_t compound_curve_type = 9;
+constexpr std::uint32_t curve_polygon_type = 10;
+constexpr std::uint32_t multi_surface_type = 12;
 constexpr std::uint32_t z_types = 1000;
 
 }  // namespace
@@ -28,27 +35,73 @@ void MultiPolygonWkb::head(std::uint32_t flat_type, std::size_t count) {
     put(static_cast<std::uint32_t>(count));
 }
 
-void MultiPolygonWkb::ring(const WorldRing& positions, double z) {
-    if (positions.size() < 3)
-        throw OutputError("A polygon has a ring of fewer than three positions and cannot be written.");
-    const auto position = [this, z](const Position& p) {
+/// Every step-th position of a ring, round its end.
+void MultiPolygonWkb::points(const WorldRing& positions, std::size_t first, std::size_t step,
+                             std::size_t count, double z) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const Position& p = positions[(first + i * step) % positions.size()];
         put(p.x);
         put(p.y);
         if (with_z_)
             put(z);
-    };
+    }
+}
+
+void MultiPolygonWkb::ring(const WorldRing& positions, double z) {
+    if (positions.size() < 3)
+        throw OutputError("A polygon has a ring of fewer than three positions and cannot be written.");
     put(static_cast<std::uint32_t>(positions.size() + 1));
-    for (const Position& p : positions)
-        position(p);
-    position(positions.front());
+    points(positions, 0, 1, positions.size() + 1, z);
+}
+
+/// @param arcs of this ring; they do not overlap, and have an even number of edges each
+void MultiPolygonWkb::curve_ring(const WorldRing& positions, std::vector<ArcSpan> arcs, double z) {
+    if (arcs.empty()) {
+        head(line_string_type, positions.size() + 1);
+        points(positions, 0, 1, positions.size() + 1, z);
+        return;
+    }
+    std::ranges::sort(arcs, {}, &ArcSpan::first);
+    // What lies between the end of an arc and the beginning of the next one.
+    const auto gap = [&](std::size_t i) {
+        const ArcSpan& next = arcs[(i + 1) % arcs.size()];
+        const std::size_t round = i + 1 < arcs.size() ? 0 : positions.size();
+        return next.first + round - (arcs[i].first + arcs[i].edges);
+    };
+    std::size_t pieces = arcs.size();
+    for (std::size_t i = 0; i < arcs.size(); ++i)
+        pieces += gap(i) > 0 ? 1U : 0U;
+    head(compound_curve_type, pieces);
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
+        head(circular_string_type, 3);
+        points(positions, arcs[i].first, arcs[i].edges / 2, 3, z);
+        if (gap(i) == 0)
+            continue;
+        head(line_string_type, gap(i) + 1);
+        points(positions, arcs[i].first + arcs[i].edges, 1, gap(i) + 1, z);
+    }
+}
+
+void MultiPolygonWkb::curve_polygon(const WorldPolygon& polygon, double z) {
+    head(curve_polygon_type, 1 + polygon.interiors.size());
+    for (std::size_t r = 0; r <= polygon.interiors.size(); ++r) {
+        const WorldRing& positions = r == 0 ? polygon.exterior : polygon.interiors[r - 1];
+        std::vector<ArcSpan> arcs = polygon.arcs;
+        std::erase_if(arcs, [&](const ArcSpan& arc) { return arc.ring != r; });
+        curve_ring(positions, std::move(arcs), z);
+    }
 }
 
 std::span<const std::byte> MultiPolygonWkb::encode(const Feature& feature) {
     if (feature.parts.empty())
         throw OutputError("A feature without a polygon cannot be written.");
     bytes_.clear();
-    head(multi_polygon_type, feature.parts.size());
+    head(with_arcs_ ? multi_surface_type : multi_polygon_type, feature.parts.size());
     for (const WorldPolygon& polygon : feature.parts) {
+        if (with_arcs_ && !polygon.arcs.empty()) {
+            curve_polygon(polygon, feature.z);
+            continue;
+        }
         head(polygon_type, 1 + polygon.interiors.size());
         ring(polygon.exterior, feature.z);
         for (const WorldRing& interior : polygon.interiors)

@@ -10,10 +10,11 @@
 namespace d2b {
 
 /// Well-known binary of MultiPolygons, in one buffer that is used again and again. Rings are closed here, and
-/// stand in the order and direction in which they are given.
+/// stand in the order and direction in which they are given. With arcs, of MultiSurfaces: polygons that have
+/// arcs are CurvePolygons, whose rings with arcs are CompoundCurves of CircularStrings and LineStrings.
 class MultiPolygonWkb {
   public:
-    explicit MultiPolygonWkb(bool with_z) : with_z_(with_z) {}
+    explicit MultiPolygonWkb(bool with_z, bool with_arcs = false) : with_z_(with_z), with_arcs_(with_arcs) {}
 
     /// @return ISO WKB in the byte order of this machine; valid until the next call
     [[nodiscard]] std::span<const std::byte> encode(const Feature& feature);
@@ -21,10 +22,14 @@ class MultiPolygonWkb {
   private:
     void head(std::uint32_t flat_type, std::size_t count);
     void ring(const WorldRing& positions, double z);
+    void points(const WorldRing& positions, std::size_t first, std::size_t step, std::size_t count, double z);
+    void curve_ring(const WorldRing& positions, std::vector<ArcSpan> arcs, double z);
+    void curve_polygon(const WorldPolygon& polygon, double z);
     template <typename T>
     void put(T value);
 
     bool with_z_;
+    bool with_arcs_;
     std::vector<std::byte> bytes_;
 };
 

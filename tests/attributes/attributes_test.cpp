@@ -31,8 +31,9 @@ Records records_of(const Grid& grid, const std::vector<double>& thresholds, doub
     statistics.add({{0, grid.rows, grid.cols}, grid.z});
     const LevelPlan plan{statistics.minimum, {{}, thresholds}};
     const FixedPoint fixed = statistics.fixed_point();
-    return make_records({set.contours, set.building, set.buildings, set.percentiles},
-                        {plan, fixed, metres, {{0, 0}, {grid.rows, grid.cols}}, first_id});
+    return make_records(
+        {set.contours, set.building, set.buildings, set.percentiles, std::vector<Footprint>{}},
+        {plan, fixed, metres, {{0, 0}, {grid.rows, grid.cols}}, first_id});
 }
 
 TEST(Records, ContoursOfAPodiumWithATower) {
@@ -180,6 +181,7 @@ TEST(AttributeTable, MarkdownHasEveryField) {
 TEST(Status, HasANameForEach) {
     EXPECT_EQ(status_name(OutlineStatus::traced), "traced");
     EXPECT_EQ(status_name(OutlineStatus::simplified), "simplified");
+    EXPECT_EQ(status_name(OutlineStatus::regularized), "regularized");
     EXPECT_EQ(status_name(OutlineStatus::kept_traced), "kept_traced");
     EXPECT_EQ(status_name(OutlineStatus::repaired), "repaired");
 }

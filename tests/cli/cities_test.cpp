@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/cli_test_case.hpp"
+#include "cli/geometries.hpp"
 #include "core/number_text.hpp"
 
 namespace d2b::test {
@@ -46,12 +47,37 @@ class Cities : public CliTest, public ::testing::WithParamInterface<const char*>
         return std::min(std::hypot(transform[1], transform[4]), std::hypot(transform[2], transform[5]));
     }
 
-  private:
     std::string dem_;
 };
 
-TEST_P(Cities, areTracedByDefault) {
-    expect_valid({});
+TEST_P(Cities, areTracedWithThePresetThesis) {
+    expect_valid({"-preset", "thesis"});
+}
+
+/// Nothing is found in some: terrain models have no buildings.
+TEST_P(Cities, areSearchedForBuildingsByDefault) {
+    preset_ = "";
+    const ToolResult result = run({"-json", dem_, "out.gpkg"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const json report = json::parse(result.out);
+    const bool surface = report["output"]["buildings"] > 0;
+    EXPECT_EQ(result.err, surface
+                              ? ""
+                              : "Warning: No building was found; -min_height, -min_area or -min_confidence "
+                                "may hide some.\n");
+    EXPECT_TRUE(surface || dem_.find("dtm") != std::string::npos);
+    EXPECT_EQ(report["dropped"]["polygon_repaired"], 0);
+    const Layer buildings = layer("out.gpkg", "buildings");
+    double sum = 0;
+    for (const Record& record : buildings.records) {
+        EXPECT_TRUE(record.valid()) << record.text("id");
+        EXPECT_GT(record.number("height"), 0) << record.text("id");
+        EXPECT_LT(record.number("height"), 400) << record.text("id");
+        sum += record.area();
+    }
+    EXPECT_NEAR(OGR_G_Area(united(buildings).get()), sum, 1e-9 * sum);
+    for (const Record& record : layer("out.gpkg", "contours").records)
+        EXPECT_TRUE(record.valid()) << record.text("id");
 }
 
 TEST_P(Cities, areSimplifiedAsDisjointBandsOfCells) {

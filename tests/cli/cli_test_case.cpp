@@ -65,6 +65,10 @@ ToolResult CliTest::run(const Arguments& arguments, ToolSetup setup) const {
     if (setup.working_directory.empty())
         setup.working_directory = folder_.string();
     Arguments command{D2B_TOOL};
+    const bool names_preset = std::ranges::any_of(
+        arguments, [](const std::string& argument) { return argument.starts_with("-preset"); });
+    if (!preset_.empty() && !names_preset && !arguments.empty())
+        command.insert(command.end(), {"-preset", preset_});
     command.insert(command.end(), arguments.begin(), arguments.end());
     return run_tool(command, setup);
 }

@@ -39,6 +39,9 @@ class CliTest : public ::testing::Test {
     [[nodiscard]] Layer layer(const std::string& file, const std::string& name) const;
 
     std::filesystem::path folder_;
+    /// Of every run whose arguments name none: most tests look at single points and levels, whatever stands
+    /// there. Empty: the program's own default.
+    std::string preset_ = "thesis";
 };
 
 [[nodiscard]] std::string sample(const std::string& name);

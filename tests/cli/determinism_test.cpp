@@ -47,6 +47,13 @@ TEST_F(Determinism, twoRunsGiveTheSameBytes) {
     expect_same("out.geojson", {"-layers", "contours"}, {"-layers", "contours"});
 }
 
+TEST_F(Determinism, ofBuildings) {
+    const Arguments buildings{"-preset", "buildings", "-split_height", "3", "-write_doubtful"};
+    Arguments other = buildings;
+    other.insert(other.end(), {"--config", "GDAL_CACHEMAX=1", "--config", "GDAL_NUM_THREADS=4"});
+    expect_same("out.gpkg", buildings, other);
+}
+
 TEST_F(Determinism, theCacheDoesNotMatter) {
     expect_same("out.gpkg", {}, {"--config", "GDAL_CACHEMAX=1", "--config", "GDAL_NUM_THREADS=4"});
 }

@@ -11,6 +11,9 @@ class OptionEffect : public CliTest {
     void SetUp() override;
     /// Runs on the DEM of blocks() with levels of 5 and 15 unless the arguments say others. @return stdout
     std::string trace(Arguments arguments) const;
+    /// Looks for buildings on a made town (tests/pipeline/made_town.hpp) in metres of EPSG:25833, town.tif,
+    /// and replaces what was found before. @return stdout
+    std::string find(Arguments arguments) const;
     [[nodiscard]] Layer buildings() const { return layer("out.gpkg", "buildings"); }
     [[nodiscard]] Layer contours() const { return layer("out.gpkg", "contours"); }
 };

@@ -59,7 +59,7 @@ TEST_F(OptionErrors, refusesValuesOutOfRange) {
     refused({"-snodata", "none"}, "-snodata must be a number, not 'none'.");
     refused({"-trace", "lines"}, "-trace must be points or cells, not 'lines'.");
     refused({"-layers", "all"}, "-layers must be buildings, contours or both, not 'all'.");
-    refused({"-preset", "best"}, "-preset must be thesis, not 'best'.");
+    refused({"-preset", "best"}, "-preset must be buildings or thesis, not 'best'.");
     refused({"-zunit", "yard"},
             "-zunit must be m, ft, us-ft or a number above 0 (metres in one unit), not 'yard'.");
     refused({"-zunit", "0"}, "not '0'.");

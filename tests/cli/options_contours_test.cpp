@@ -22,17 +22,6 @@ struct Moments {
 
 }  // namespace
 
-TEST_F(OptionEffect, preset) {
-    trace({"-lod", "4"});
-    const Layer standard = contours();
-    trace({"-preset", "thesis", "-overwrite", "-lod", "4"});
-    const Layer preset = contours();
-    EXPECT_EQ(preset.metadata.at("D2B_PRESET"), "thesis");
-    ASSERT_EQ(preset.records.size(), standard.records.size());
-    for (std::size_t i = 0; i < preset.records.size(); ++i)
-        EXPECT_EQ(preset.records[i].wkt(), standard.records[i].wkt());
-}
-
 TEST_F(OptionEffect, lod) {
     const Moments m;
     for (const int lod : {1, 2, 9}) {

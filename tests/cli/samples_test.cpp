@@ -1,14 +1,10 @@
 #include <cmath>
 
 #include "cli/cli_test_case.hpp"
+#include "cli/geometries.hpp"
 
 namespace d2b::test {
 namespace {
-
-struct DropGeometry {
-    void operator()(OGRGeometryH geometry) const { OGR_G_DestroyGeometry(geometry); }
-};
-using Geometry = std::unique_ptr<void, DropGeometry>;
 
 /// Whether each polygon lies in the other with a margin.
 bool near(OGRGeometryH one, OGRGeometryH other, double margin) {

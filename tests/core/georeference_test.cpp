@@ -1,5 +1,8 @@
 #include "core/georeference.hpp"
 
+#include <array>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace d2b {
@@ -19,16 +22,17 @@ double signed_area(const WorldRing& ring) {
 
 TEST(Georeference, CornersAndCentres) {
     const AffineTransform north_up{1000, 2, 0, 5000, 0, -3};
-    EXPECT_EQ(Georeference(north_up, TraceMode::cells).position({0, 0}), (Position{1000, 5000}));
-    EXPECT_EQ(Georeference(north_up, TraceMode::points).position({0, 0}), (Position{1001, 4998.5}));
-    EXPECT_EQ(Georeference(north_up, TraceMode::cells).position({7, 10}), (Position{1020, 4979}));
+    EXPECT_EQ(Georeference(north_up, TraceMode::cells).position(LatticePoint{0, 0}), (Position{1000, 5000}));
+    EXPECT_EQ(Georeference(north_up, TraceMode::points).position(LatticePoint{0, 0}),
+              (Position{1001, 4998.5}));
+    EXPECT_EQ(Georeference(north_up, TraceMode::cells).position(LatticePoint{7, 10}), (Position{1020, 4979}));
     EXPECT_EQ(Georeference(north_up, TraceMode::cells).cell_area(), 6);
 }
 
 TEST(Georeference, UsesAllSixTerms) {
     const AffineTransform rotated{10, 0.6, 0.8, 20, 0.8, -0.6};
     const Georeference georeference(rotated, TraceMode::cells);
-    EXPECT_EQ(georeference.position({2, 1}), (Position{10 + 0.6 + 2 * 0.8, 20 + 0.8 - 2 * 0.6}));
+    EXPECT_EQ(georeference.position(LatticePoint{2, 1}), (Position{10 + 0.6 + 2 * 0.8, 20 + 0.8 - 2 * 0.6}));
     EXPECT_FALSE(georeference.axis_parallel());
     EXPECT_DOUBLE_EQ(georeference.cell_area(), 1);
     EXPECT_DOUBLE_EQ(georeference.step(1, 0).x, 0.8);
@@ -43,6 +47,33 @@ TEST(Georeference, ExteriorRingsRunCounterClockwiseOnEveryGrid) {
         const WorldPolygon polygon = Georeference(transform, TraceMode::cells).polygon(square);
         EXPECT_DOUBLE_EQ(signed_area(polygon.exterior), 16);
         EXPECT_DOUBLE_EQ(signed_area(polygon.interiors.front()), -1);
+    }
+}
+
+TEST(Georeference, FinePointsAreExactPartsOfACell) {
+    const Georeference georeference({1000, 2, 0, 5000, 0, -3}, TraceMode::cells);
+    EXPECT_EQ(georeference.position(FinePoint{7 * 1024, 10 * 1024}),
+              georeference.position(LatticePoint{7, 10}));
+    EXPECT_EQ(georeference.position(FinePoint{512, 256}), (Position{1000.5, 4998.5}));
+}
+
+TEST(Georeference, ArcsStayOnTheirVertices) {
+    FinePolygon polygon = fine(square);
+    polygon.arcs = {{0, 1, 2}, {1, 3, 2}};  // from vertex 3 of the interior ring round to vertex 1
+    const WorldPolygon plain = Georeference({0, 1, 0, 0, 0, -1}, TraceMode::cells).polygon(polygon);
+    const WorldPolygon mirrored = Georeference({0, 1, 0, 0, 0, 1}, TraceMode::cells).polygon(polygon);
+    const auto ends = [](const WorldPolygon& p, std::size_t i) {
+        const WorldRing& ring = p.arcs[i].ring == 0 ? p.exterior : p.interiors[p.arcs[i].ring - 1];
+        std::array<Position, 2> both{ring[p.arcs[i].first],
+                                     ring[(p.arcs[i].first + p.arcs[i].edges) % ring.size()]};
+        for (Position& end : both)
+            end.y = std::abs(end.y);
+        return both;
+    };
+    for (std::size_t i = 0; i < 2; ++i) {
+        // The mirrored ring runs the other way, so does the arc.
+        EXPECT_EQ(ends(plain, i)[0], ends(mirrored, i)[1]);
+        EXPECT_EQ(ends(plain, i)[1], ends(mirrored, i)[0]);
     }
 }
 

@@ -14,7 +14,7 @@ WorldPolygon box(double x0, double y0, double x1, double y1) {
     return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}};
 }
 
-LatticePolygon lattice_box(std::int32_t row0, std::int32_t col0, std::int32_t row1, std::int32_t col1) {
+FinePolygon lattice_box(std::int64_t row0, std::int64_t col0, std::int64_t row1, std::int64_t col1) {
     return {{{row0, col0}, {row1, col0}, {row1, col1}, {row0, col1}}, {}};
 }
 
@@ -33,17 +33,17 @@ double area(const std::vector<WorldPolygon>& polygons) {
     return sum;
 }
 
-double area(const std::vector<LatticePolygon>& polygons) {
+double area(const std::vector<FinePolygon>& polygons) {
     std::vector<WorldPolygon> world;
-    const auto convert = [](const LatticeRing& ring) {
+    const auto convert = [](const FineRing& ring) {
         WorldRing result;
-        for (const LatticePoint p : ring)
+        for (const FinePoint p : ring)
             result.push_back({static_cast<double>(p.col), static_cast<double>(-p.row)});
         return result;
     };
-    for (const LatticePolygon& polygon : polygons) {
+    for (const FinePolygon& polygon : polygons) {
         world.push_back({convert(polygon.exterior), {}});
-        for (const LatticeRing& ring : polygon.interiors)
+        for (const FineRing& ring : polygon.interiors)
             world.back().interiors.push_back(convert(ring));
     }
     return area(world);
@@ -79,8 +79,8 @@ TEST(Geos, EmptyAndEndlessRingsAreInvalidAndNoException) {
 TEST(Geos, DifferenceOfCrossingOutlinesIsRefused) {
     Geos geos;
     // The two diagonals cross at (1.5, -1.5).
-    const LatticePolygon whole{{{0, 0}, {3, 3}, {0, 3}}, {}};
-    const LatticePolygon part{{{3, 0}, {3, 1}, {0, 3}}, {}};
+    const FinePolygon whole{{{0, 0}, {3, 3}, {0, 3}}, {}};
+    const FinePolygon part{{{3, 0}, {3, 1}, {0, 3}}, {}};
     EXPECT_THROW(static_cast<void>(geos.difference(whole, {part})), Error);
 }
 
@@ -100,7 +100,7 @@ TEST(Geos, RepairsToValidOrientedPolygons) {
 
 TEST(Geos, DifferenceIsExactOnTheLattice) {
     Geos geos;
-    const LatticePolygon whole = lattice_box(0, 0, 10, 10);
+    const FinePolygon whole = lattice_box(0, 0, 10, 10);
     // One child shares a wall and two corners, one stands free, and both touch in a corner.
     const auto left =
         geos.difference(whole, {lattice_box(0, 0, 4, 10), lattice_box(6, 2, 8, 5), lattice_box(4, 0, 5, 1)});

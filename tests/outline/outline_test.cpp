@@ -7,6 +7,7 @@
 
 #include "geometry/geos.hpp"
 #include "outline/arc_graph.hpp"
+#include "outline/outline_checks.hpp"
 #include "outline/simplify.hpp"
 #include "support/random_grid.hpp"
 
@@ -14,9 +15,10 @@ namespace d2b {
 namespace {
 
 using test::Grid;
+using test::one_sided;
+using test::planar_area;
 using test::trace_grid;
-
-const Georeference unit_grid({0, 1, 0, 0, 0, -1}, TraceMode::cells);
+using test::unit_grid;
 
 /// A plate of 20 with a tower of 30 along the middle of its upper wall.
 Grid plate_with_tower() {
@@ -25,21 +27,6 @@ Grid plate_with_tower() {
         for (int col = 1; col <= 7; ++col)
             grid.z[static_cast<std::size_t>(row * 9 + col)] = row <= 2 && col >= 3 && col <= 5 ? 30 : 20;
     return grid;
-}
-
-double planar_area(const LatticePolygon& polygon) {
-    double sum = 0;
-    const auto add = [&](const LatticeRing& ring) {
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-            const LatticePoint a = ring[i];
-            const LatticePoint b = ring[(i + 1) % ring.size()];
-            sum += (static_cast<double>(a.col) * -b.row - static_cast<double>(b.col) * -a.row) / 2;
-        }
-    };
-    add(polygon.exterior);
-    for (const LatticeRing& ring : polygon.interiors)
-        add(ring);
-    return sum;
 }
 
 TEST(Noding, PutsTheCornersOfOthersIntoAnEdge) {
@@ -70,7 +57,7 @@ TEST(ArcGraph, SharesTheWallOfPlateAndTower) {
         shared += count == 2 ? 1 : 0;
     EXPECT_EQ(shared, 1);
     for (std::size_t i = 0; i < set.contours.size(); ++i)
-        EXPECT_EQ(planar_area(graph.polygon(i)), static_cast<double>(set.contours[i].squares()));
+        EXPECT_EQ(planar_area(fine(graph.polygon(i))), static_cast<double>(set.contours[i].squares()));
 }
 
 TEST(Simplify, StraightensAStaircaseWithinTheTolerance) {
@@ -136,10 +123,10 @@ class SimplifiedGrid : public testing::TestWithParam<unsigned> {
 TEST_P(SimplifiedGrid, StaysValidNestedAndDisjoint) {
     const Outliner outliner(set_.contours, Drawing::simplified, options_, unit_grid);
     Geos geos;
-    std::vector<std::vector<LatticePolygon>> children(set_.contours.size());
+    std::vector<std::vector<FinePolygon>> children(set_.contours.size());
     std::vector<double> children_area(set_.contours.size(), 0);
     for (std::size_t i = 0; i < set_.contours.size(); ++i) {
-        const LatticePolygon polygon = outliner.outline(i);
+        const FinePolygon polygon = outliner.outline(i);
         EXPECT_EQ(geos.invalidity({unit_grid.polygon(polygon)}), "") << i;
         EXPECT_GT(planar_area(polygon), 0);
         if (set_.contours[i].parent >= 0) {
@@ -150,42 +137,18 @@ TEST_P(SimplifiedGrid, StaysValidNestedAndDisjoint) {
     for (std::size_t i = 0; i < set_.contours.size(); ++i) {
         // What is left of a parent is its area less its children's: they lie in it and do not overlap.
         double left = 0;
-        const LatticePolygon parent = outliner.outline(i);
-        for (const LatticePolygon& piece : geos.difference(parent, children[i]))
+        const FinePolygon parent = outliner.outline(i);
+        for (const FinePolygon& piece : geos.difference(parent, children[i]))
             left += planar_area(piece);
         EXPECT_DOUBLE_EQ(left + children_area[i], planar_area(parent));
     }
 }
 
-double distance(Position p, Position a, Position b) {
-    const double dx = b.x - a.x;
-    const double dy = b.y - a.y;
-    const double t = std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
-    return std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
-}
-
-/// Largest distance from the points of one ring, and points along its edges, to the other ring.
-double one_sided(const LatticeRing& from, const LatticeRing& to) {
-    double largest = 0;
-    for (std::size_t i = 0; i < from.size(); ++i)
-        for (int k = 0; k < 16; ++k) {
-            const Position a = unit_grid.position(from[i]);
-            const Position b = unit_grid.position(from[(i + 1) % from.size()]);
-            const Position p{a.x + (b.x - a.x) * k / 16, a.y + (b.y - a.y) * k / 16};
-            double nearest = 1e9;
-            for (std::size_t j = 0; j < to.size(); ++j)
-                nearest = std::min(nearest, distance(p, unit_grid.position(to[j]),
-                                                     unit_grid.position(to[(j + 1) % to.size()])));
-            largest = std::max(largest, nearest);
-        }
-    return largest;
-}
-
 TEST_P(SimplifiedGrid, StaysWithinTheToleranceBothWays) {
     const Outliner outliner(set_.contours, Drawing::simplified, options_, unit_grid);
     for (std::size_t i = 0; i < set_.contours.size(); ++i) {
-        const LatticePolygon drawn = outliner.outline(i);
-        const LatticePolygon traced = outliner.traced(i);
+        const FinePolygon drawn = outliner.outline(i);
+        const FinePolygon traced = outliner.traced(i);
         EXPECT_LE(one_sided(drawn.exterior, traced.exterior), tolerance_ + 1e-9);
         EXPECT_LE(one_sided(traced.exterior, drawn.exterior), tolerance_ + 1e-9);
     }
@@ -219,7 +182,7 @@ TEST_P(RotatedGrid, NestingHoldsToAMillionthOfACell) {
     const Georeference rotated({691234.5, 0.5 * std::cos(angle), 0.5 * std::sin(angle), 5334567.5,
                                 0.5 * std::sin(angle), -0.5 * std::cos(angle)},
                                c.mode);
-    const Outliner outliner(set.contours, choose_drawing({}, rotated), {}, rotated);
+    const Outliner outliner(set.contours, Drawing::noded, {}, rotated);
     Geos geos;
     for (std::size_t i = 0; i < set.contours.size(); ++i) {
         const WorldPolygon child = rotated.polygon(outliner.outline(i));
@@ -237,12 +200,16 @@ INSTANTIATE_TEST_SUITE_P(Seeds, RotatedGrid, testing::Range(0U, 60U));
 TEST(Drawing, NodesOnlyWhatCanComeApart) {
     const Georeference rotated({0, 0.6, 0.8, 0, 0.8, -0.6}, TraceMode::cells);
     OutlineOptions options;
+    options.walls = Walls::off;
     EXPECT_EQ(choose_drawing(options, unit_grid), Drawing::traced);
     EXPECT_EQ(choose_drawing(options, rotated), Drawing::noded);
     options.target_crs = "EPSG:3857";
     EXPECT_EQ(choose_drawing(options, unit_grid), Drawing::noded);
     options.simplify = 1;
     EXPECT_EQ(choose_drawing(options, unit_grid), Drawing::simplified);
+    options.walls = Walls::right;
+    EXPECT_EQ(choose_drawing(options, unit_grid), Drawing::regularized);
+    EXPECT_EQ(choose_drawing(options, rotated), Drawing::regularized);
 }
 
 }  // namespace

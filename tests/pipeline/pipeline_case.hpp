@@ -21,6 +21,7 @@ inline MemorySource block() {
 
 inline Options cells(std::vector<double> thresholds) {
     Options options;
+    options.preset = "thesis";
     options.trace.mode = TraceMode::cells;
     options.levels.fixed = std::move(thresholds);
     options.filter.noise_factor = 0;
@@ -33,7 +34,7 @@ struct Result {
 };
 
 inline void run_on(MemorySource& source, const Options& options, Result& result) {
-    run(options, source, result.sink, result.context);
+    run(options, {source}, {result.sink}, result.context);
 }
 
 }  // namespace d2b::test

@@ -131,7 +131,7 @@ TEST(Pipeline, CancellingLeavesNothing) {
     MemorySink sink;
     Context context;
     context.on_progress = [](double share) { return share < 0.5; };
-    EXPECT_THROW(run(cells({10}), source, sink, context), Cancelled);
+    EXPECT_THROW(run(cells({10}), {source}, {sink}, context), Cancelled);
     EXPECT_FALSE(sink.finished);
 }
 

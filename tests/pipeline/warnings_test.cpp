@@ -52,16 +52,18 @@ std::string only_warning(MemorySource& source, const Options& options) {
 }
 
 TEST(Pipeline, NothingToFindIsAWarning) {
+    Options thesis;
+    thesis.preset = "thesis";
     MemorySource nothing(2, 2, std::vector<double>(4, std::numeric_limits<double>::quiet_NaN()));
-    EXPECT_EQ(only_warning(nothing, {}), "'memory' has no valid point; the layers are empty.");
+    EXPECT_EQ(only_warning(nothing, thesis), "'memory' has no valid point; the layers are empty.");
     MemorySource flat(3, 3, std::vector<double>(9, 7.0));
-    EXPECT_EQ(only_warning(flat, {}),
+    EXPECT_EQ(only_warning(flat, thesis),
               "All valid points of 'memory' have the same elevation; no building was found.");
     MemorySource low = block();
     EXPECT_EQ(only_warning(low, cells({100})),
               "No threshold lies between the lowest and the highest elevation; no building was found.");
     MemorySource line(1, 5, {0, 9, 9, 9, 0});
-    EXPECT_EQ(only_warning(line, {}),
+    EXPECT_EQ(only_warning(line, thesis),
               "No building was found; a smaller -nf or -min_area, or more levels, may show some.");
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/dem_source.hpp"
 #include "core/feature_sink.hpp"
+#include "core/raster_sink.hpp"
 
 namespace d2b::test {
 
@@ -38,6 +39,20 @@ class MemorySource : public DemSource {
     std::vector<double> elevations_;
 };
 
+/// A raster in memory.
+class MemoryRaster : public RasterSink {
+  public:
+    void write(std::int32_t rows, std::span<const float> more) override {
+        row_count += rows;
+        values.insert(values.end(), more.begin(), more.end());
+    }
+    void finish() override { finished = true; }
+
+    std::int32_t row_count = 0;
+    std::vector<float> values;
+    bool finished = false;
+};
+
 /// Features in memory.
 class MemorySink : public FeatureSink {
   public:
@@ -55,6 +70,9 @@ class MemorySink : public FeatureSink {
         const auto found = std::find_if(fields.begin(), fields.end(),
                                         [&](const FieldSpec& spec) { return spec.name == field; });
         return features[layer][feature].values.at(static_cast<std::size_t>(found - fields.begin()));
+    }
+    [[nodiscard]] std::int64_t whole(std::size_t layer, std::size_t feature, const std::string& field) const {
+        return std::get<std::int64_t>(value(layer, feature, field));
     }
     [[nodiscard]] double number(std::size_t layer, std::size_t feature, const std::string& field) const {
         return std::get<double>(value(layer, feature, field));

@@ -51,6 +51,7 @@ ContourSet trace_levels(const Grid& grid, const LevelPlan& plan, const TraceSett
     FilterOptions filter;
     filter.noise_factor = settings.noise_factor;
     filter.min_area_m2 = settings.min_area;
+    filter.keep_footprints = plan.footprints;
     ContourStore store(
         filter, [](LatticePoint) { return 1.0; }, statistics.range(), context);
     const Window window{settings.origin.row, settings.origin.col, grid.rows, grid.cols};
@@ -71,6 +72,14 @@ ContourSet trace_levels(const Grid& grid, const LevelPlan& plan, const TraceSett
     return store.finish();
 }
 
+/// Traces a grid with thresholds a label.
+inline ContourSet trace_plan(const Grid& grid, const LevelPlan& plan, const TraceSettings& settings,
+                             Context& context) {
+    if (plan.level_count() <= 255)
+        return trace_levels<std::uint8_t>(grid, plan, settings, context);
+    return trace_levels<std::uint16_t>(grid, plan, settings, context);
+}
+
 /// Traces a grid with the same thresholds for every label.
 inline ContourSet trace_grid(const Grid& grid, const std::vector<double>& thresholds,
                              const TraceSettings& settings, Context& context) {
@@ -81,9 +90,7 @@ inline ContourSet trace_grid(const Grid& grid, const std::vector<double>& thresh
         labels = std::max(labels, label);
     LevelPlan plan{statistics.minimum, std::vector<std::vector<double>>(labels + 1, thresholds)};
     plan.thresholds[0].clear();
-    if (plan.level_count() <= 255)
-        return trace_levels<std::uint8_t>(grid, plan, settings, context);
-    return trace_levels<std::uint16_t>(grid, plan, settings, context);
+    return trace_plan(grid, plan, settings, context);
 }
 
 }  // namespace d2b::test

@@ -29,6 +29,8 @@ RunReport filled() {
     report.mean = 1.0 / 3;
     report.standard_deviation = 0.1;
     report.levels = {{0, -1.5, 1, 11}, {1, 2.5, 3, 7}};
+    report.doubtful = 1;
+    report.stack_rmse_m = 0.75;
     report.contours = 4;
     report.buildings = 2;
     report.vertices = 99;
@@ -63,8 +65,10 @@ TEST(JsonReport, readsBackAsItWas) {
                                    {"areas", "geodesic"}}));
     EXPECT_EQ(json["levels"], Json::parse(R"([{"level":0,"threshold":-1.5,"contours":1,"points":11},
                                               {"level":1,"threshold":2.5,"contours":3,"points":7}])"));
-    EXPECT_EQ(json["output"],
-              Json::parse(R"({"name":"out.gpkg","crs":"WGS 84","buildings":2,"contours":4,"vertices":99})"));
+    EXPECT_EQ(
+        json["output"],
+        Json::parse(
+            R"({"name":"out.gpkg","crs":"WGS 84","buildings":2,"doubtful":1,"stack_rmse_m":0.75,"contours":4,"vertices":99})"));
     EXPECT_EQ(json["warnings"], Json::parse(R"(["first","second"])"));
 }
 
@@ -98,10 +102,12 @@ TEST(JsonReport, keepsTheOrderOfItsKeys) {
 TEST(JsonReport, survivesWhatJsonCannotHold) {
     RunReport report;
     report.mean = std::numeric_limits<double>::quiet_NaN();
+    report.levels = {{1, report.mean, 2, 3}};
     report.input = "bad\xff";
     report.warnings = {"line\nbreak"};
     const Json json = Json::parse(json_report(report));
     EXPECT_TRUE(json["input"]["mean"].is_null());
+    EXPECT_EQ(json["levels"], Json::parse(R"([{"level":1,"threshold":null,"contours":2,"points":3}])"));
     EXPECT_EQ(json["input"]["name"], "bad\xef\xbf\xbd");
     EXPECT_EQ(json["warnings"][0], "line\nbreak");
 }

@@ -32,15 +32,24 @@ TEST(OptionErrors, wholeNumbers) {
 TEST(OptionErrors, numbers) {
     for (const char* text : {"x", "nan", "inf", "-inf", "1e999", "5m", "1,5"})
         EXPECT_EQ(refusal({"-snodata", text}), std::string("-snodata must be a number, not '") + text + "'.");
-    expect_refusals({{{"-i", "0"}, "-i must be a number above 0, not '0'."},
-                     {{"-i", "-2"}, "-i must be a number above 0, not '-2'."},
-                     {{"-i", "2", "-off", "x"}, "-off must be a number, not 'x'."},
-                     {{"-min_area", "-0.5"}, "-min_area must be a number of at least 0, not '-0.5'."},
-                     {{"-simplify", "-1"}, "-simplify must be a number of at least 0, not '-1'."},
-                     {{"-zunit", "yard"},
-                      "-zunit must be m, ft, us-ft or a number above 0 (metres in one unit), not 'yard'."},
-                     {{"-zunit", "0"},
-                      "-zunit must be m, ft, us-ft or a number above 0 (metres in one unit), not '0'."}});
+    expect_refusals(
+        {{{"-i", "0"}, "-i must be a number above 0, not '0'."},
+         {{"-i", "-2"}, "-i must be a number above 0, not '-2'."},
+         {{"-i", "2", "-off", "x"}, "-off must be a number, not 'x'."},
+         {{"-min_area", "-0.5"}, "-min_area must be a number of at least 0, not '-0.5'."},
+         {{"-simplify", "-1"}, "-simplify must be a number of at least 0, not '-1'."},
+         {{"-min_height", "-1"}, "-min_height must be a number of at least 0, not '-1'."},
+         {{"-split_height", "-1"}, "-split_height must be a number of at least 0, not '-1'."},
+         {{"-min_confidence", "1.5"}, "-min_confidence must be a number from 0 to 1, not '1.5'."},
+         {{"-min_confidence", "-0.1"}, "-min_confidence must be a number from 0 to 1, not '-0.1'."},
+         {{"-max_building_width", "0"},
+          "-max_building_width must be a number above 0 and at most 100000, not '0'."},
+         {{"-regularize_tolerance", "101"},
+          "-regularize_tolerance must be a number above 0 and at most 100, not '101'."},
+         {{"-zunit", "yard"},
+          "-zunit must be m, ft, us-ft or a number above 0 (metres in one unit), not 'yard'."},
+         {{"-zunit", "0"},
+          "-zunit must be m, ft, us-ft or a number above 0 (metres in one unit), not '0'."}});
 }
 
 TEST(OptionErrors, fourNumbers) {
@@ -60,9 +69,12 @@ TEST(OptionErrors, fourNumbers) {
 }
 
 TEST(OptionErrors, words) {
-    expect_refusals({{{"-preset", "other"}, "-preset must be thesis, not 'other'."},
+    expect_refusals({{{"-preset", "other"}, "-preset must be buildings or thesis, not 'other'."},
                      {{"-trace", "lines"}, "-trace must be points or cells, not 'lines'."},
                      {{"-layers", "all"}, "-layers must be buildings, contours or both, not 'all'."},
+                     {{"-levels", "all"}, "-levels must be building or global, not 'all'."},
+                     {{"-regularize", "yes"}, "-regularize must be auto, off, right or free, not 'yes'."},
+                     {{"-fields", "gml"}, "-fields must be own, urock, city4cfd or osm, not 'gml'."},
                      {{"-oo", "NAME"}, "-oo must be NAME=VALUE, not 'NAME'."},
                      {{"-oo", "=1"}, "-oo must be NAME=VALUE, not '=1'."},
                      {{"-dsco", "NAME"}, "-dsco must be NAME=VALUE, not 'NAME'."},

@@ -22,12 +22,64 @@ TEST(OptionTable, holdsTheseOptions) {
         for (const std::string& alias : row.aliases)
             EXPECT_TRUE(names.insert(alias).second) << alias;
     }
-    const std::set<std::string> expected{
-        "preset",  "lod",    "fl",      "i",   "off",   "trace",     "nf",       "min_area", "b",
-        "oo",      "if",     "a_srs",   "te",  "zunit", "snodata",   "inodata",  "srcwin",   "projwin",
-        "cutline", "layers", "t_srs",   "3d",  "f",     "of",        "disjoint", "simplify", "output_format",
-        "dsco",    "co",     "lco",     "nln", "q",     "quiet",     "append",   "json",     "overwrite",
-        "help",    "h",      "version", "p",   "man",   "options_md"};
+    const std::set<std::string> expected{"preset",
+                                         "lod",
+                                         "fl",
+                                         "i",
+                                         "off",
+                                         "trace",
+                                         "nf",
+                                         "min_area",
+                                         "b",
+                                         "oo",
+                                         "if",
+                                         "a_srs",
+                                         "te",
+                                         "zunit",
+                                         "snodata",
+                                         "inodata",
+                                         "srcwin",
+                                         "projwin",
+                                         "cutline",
+                                         "layers",
+                                         "t_srs",
+                                         "3d",
+                                         "f",
+                                         "of",
+                                         "disjoint",
+                                         "simplify",
+                                         "output_format",
+                                         "dsco",
+                                         "co",
+                                         "lco",
+                                         "nln",
+                                         "q",
+                                         "quiet",
+                                         "append",
+                                         "json",
+                                         "overwrite",
+                                         "help",
+                                         "h",
+                                         "version",
+                                         "p",
+                                         "man",
+                                         "options_md",
+                                         "ground",
+                                         "max_building_width",
+                                         "min_height",
+                                         "min_confidence",
+                                         "mask",
+                                         "ndvi",
+                                         "split_height",
+                                         "levels",
+                                         "regularize",
+                                         "regularize_tolerance",
+                                         "arcs",
+                                         "fields",
+                                         "write_doubtful",
+                                         "write_ground",
+                                         "write_height",
+                                         "write_canopy"};
     EXPECT_EQ(names, expected);
 }
 
@@ -57,14 +109,52 @@ TEST(OptionTable, defaultsAreThoseOfTheOptions) {
     EXPECT_EQ(find_option("b")->standard, std::to_string(standard.read.band));
     EXPECT_EQ(find_option("lod")->standard, std::to_string(standard.levels.lod));
     EXPECT_EQ(find_option("nf")->standard, std::to_string(standard.filter.noise_factor));
-    EXPECT_EQ(find_option("trace")->standard, "points");
-    EXPECT_EQ(find_option("min_area")->standard, "0");
+    EXPECT_EQ(find_option("max_building_width")->standard, number_text(standard.ground.max_building_width));
+    EXPECT_EQ(find_option("min_height")->standard, number_text(standard.detect.min_height));
+    EXPECT_EQ(find_option("min_confidence")->standard, number_text(standard.detect.min_confidence));
+    EXPECT_EQ(find_option("regularize_tolerance")->standard, "");
+    EXPECT_EQ(find_option("split_height")->standard, "0");
+    EXPECT_EQ(find_option("fields")->standard, "own");
     EXPECT_EQ(find_option("off")->standard, "0");
     EXPECT_EQ(find_option("simplify")->standard, "0");
-    for (const char* name :
-         {"fl",  "i",       "oo",        "if",     "a_srs",    "snodata", "inodata", "srcwin", "projwin",
-          "te",  "cutline", "zunit",     "layers", "disjoint", "t_srs",   "3d",      "f",      "dsco",
-          "lco", "nln",     "overwrite", "append", "q",        "json",    "help",    "version"})
+    for (const char* name : {"ground",
+                             "levels",
+                             "trace",
+                             "min_area",
+                             "regularize",  // what the preset decides
+                             "mask",
+                             "ndvi",
+                             "arcs",
+                             "write_doubtful",
+                             "write_ground",
+                             "write_height",
+                             "write_canopy",
+                             "fl",
+                             "i",
+                             "oo",
+                             "if",
+                             "a_srs",
+                             "snodata",
+                             "inodata",
+                             "srcwin",
+                             "projwin",
+                             "te",
+                             "cutline",
+                             "zunit",
+                             "layers",
+                             "disjoint",
+                             "t_srs",
+                             "3d",
+                             "f",
+                             "dsco",
+                             "lco",
+                             "nln",
+                             "overwrite",
+                             "append",
+                             "q",
+                             "json",
+                             "help",
+                             "version"})
         EXPECT_EQ(find_option(name)->standard, "") << name;
 }
 
@@ -104,9 +194,37 @@ TEST(Options, ofTheInput) {
         EXPECT_EQ(read({"-zunit", unit}).vertical_unit, unit);
 }
 
+TEST(Options, ofTheGround) {
+    const auto ground = [](const Texts& arguments) { return parse(arguments).options.ground; };
+    EXPECT_EQ(ground({}).mode, GroundMode::by_preset);
+    EXPECT_EQ(ground({"-ground", "auto"}).mode, GroundMode::automatic);
+    EXPECT_EQ(ground({"-ground", "none"}).mode, GroundMode::none);
+    EXPECT_EQ(ground({"-ground", "none"}).terrain, "");
+    for (const char* file : {"dtm.tif", "./auto", "./none"}) {
+        EXPECT_EQ(ground({"-ground", file}).mode, GroundMode::given) << file;
+        EXPECT_EQ(ground({"-ground", file}).terrain, file);
+        EXPECT_EQ(find_option("ground")->show(parse({"-ground", file})), file);
+    }
+    EXPECT_EQ(ground({"-max_building_width", "120.5"}).max_building_width, 120.5);
+}
+
+TEST(Options, ofDetection) {
+    const auto detect = [](const Texts& arguments) { return parse(arguments).options.detect; };
+    EXPECT_EQ(parse({"-preset", "thesis"}).options.preset, "thesis");
+    EXPECT_EQ(parse({"-preset", "buildings"}).options.preset, "buildings");
+    EXPECT_EQ(detect({"-min_height", "3.5"}).min_height, 3.5);
+    EXPECT_EQ(detect({"-min_confidence", "1"}).min_confidence, 1);
+    EXPECT_EQ(detect({"-min_confidence", "0"}).min_confidence, 0);
+    EXPECT_EQ(detect({"-mask", "area.gpkg"}).mask, "area.gpkg");
+    EXPECT_EQ(detect({"-ndvi", "ndvi.tif"}).ndvi, "ndvi.tif");
+    EXPECT_EQ(detect({"-split_height", "4"}).split_height, 4);
+}
+
 TEST(Options, ofLevels) {
     const auto levels = [](const Texts& arguments) { return parse(arguments).options.levels; };
-    EXPECT_EQ(parse({"-preset", "thesis"}).options.preset, "thesis");
+    EXPECT_EQ(levels({"-levels", "building"}).source, LevelSource::building);
+    EXPECT_EQ(levels({"-levels", "global"}).source, LevelSource::global);
+    EXPECT_EQ(levels({}).source, LevelSource::by_preset);
     EXPECT_EQ(levels({"-lod", "1"}).lod, 1);
     EXPECT_EQ(levels({"-lod", "10000"}).lod, 10000);
     EXPECT_EQ(levels({"-lod", "+7"}).lod, 7);
@@ -120,6 +238,14 @@ TEST(Options, ofContours) {
     EXPECT_EQ(parse({"-trace", "points"}).options.trace.mode, TraceMode::points);
     EXPECT_EQ(parse({"-nf", "0"}).options.filter.noise_factor, 0);
     EXPECT_EQ(parse({"-min_area", "12.5"}).options.filter.min_area_m2, 12.5);
+    EXPECT_EQ(parse({}).options.filter.min_area_m2, std::nullopt);
+    EXPECT_EQ(parse({}).options.outline.walls, Walls::by_preset);
+    EXPECT_EQ(parse({"-regularize", "auto"}).options.outline.walls, Walls::automatic);
+    EXPECT_EQ(parse({"-regularize", "off"}).options.outline.walls, Walls::off);
+    EXPECT_EQ(parse({"-regularize", "right"}).options.outline.walls, Walls::right);
+    EXPECT_EQ(parse({"-regularize", "free"}).options.outline.walls, Walls::free);
+    EXPECT_EQ(parse({"-regularize_tolerance", "0.75"}).options.outline.wall_tolerance, 0.75);
+    EXPECT_TRUE(parse({"-arcs"}).options.outline.arcs);
     EXPECT_EQ(parse({"-simplify", "0.5"}).options.outline.simplify, 0.5);
     EXPECT_TRUE(parse({"-disjoint"}).options.outline.disjoint);
 }
@@ -140,6 +266,14 @@ TEST(Options, ofTheOutput) {
     EXPECT_EQ(write({"-nln", "roofs"}).layer_name, "roofs");
     EXPECT_TRUE(write({"-overwrite"}).overwrite);
     EXPECT_TRUE(write({"-append"}).append);
+    EXPECT_EQ(write({"-fields", "own"}).fields, FieldNames::own);
+    EXPECT_EQ(write({"-fields", "urock"}).fields, FieldNames::urock);
+    EXPECT_EQ(write({"-fields", "city4cfd"}).fields, FieldNames::city4cfd);
+    EXPECT_EQ(write({"-fields", "osm"}).fields, FieldNames::osm);
+    EXPECT_TRUE(write({"-write_doubtful"}).doubtful);
+    EXPECT_EQ(write({"-write_ground", "g.tif"}).ground, "g.tif");
+    EXPECT_EQ(write({"-write_height", "h.tif"}).height, "h.tif");
+    EXPECT_EQ(write({"-write_canopy", "c.tif"}).canopy, "c.tif");
     EXPECT_EQ(find_option("p")->show(parse({"-p"})), "");  // accepted, changes nothing
 }
 
@@ -190,8 +324,25 @@ TEST(Options, everyOptionChangesWhatItShows) {
                                            {"-help"},
                                            {"-version"},
                                            {"-man"},
-                                           {"-options_md"}};
-    std::set<std::string> seen{"preset", "p"};  // one preset; no effect
+                                           {"-options_md"},
+                                           {"-preset", "thesis"},
+                                           {"-ground", "none"},
+                                           {"-max_building_width", "90"},
+                                           {"-min_height", "3"},
+                                           {"-min_confidence", "0.4"},
+                                           {"-mask", "x"},
+                                           {"-ndvi", "x"},
+                                           {"-split_height", "3"},
+                                           {"-levels", "global"},
+                                           {"-regularize", "off"},
+                                           {"-regularize_tolerance", "1"},
+                                           {"-arcs"},
+                                           {"-fields", "osm"},
+                                           {"-write_doubtful"},
+                                           {"-write_ground", "x"},
+                                           {"-write_height", "x"},
+                                           {"-write_canopy", "x"}};
+    std::set<std::string> seen{"p"};  // no effect
     for (const Texts& arguments : command_lines) {
         const OptionRow& row =
             *find_option(arguments[arguments.size() > 2 && arguments[2] == "-off" ? 2 : 0]);

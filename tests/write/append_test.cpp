@@ -120,7 +120,7 @@ TEST_F(AppendTest, AbandonedAppendLeavesTheOldContent) {
     for (const char* name : {"a.gpkg", "a.geojson", "a.shp"}) {
         write(to(name), 2);
         const auto before = entries();
-        const std::string layer = layer_name_for(to(name), true, Layers::buildings);
+        const std::string layer = buildings_layer(to(name));
         {
             const auto sink = open_sink(more(name), context_);
             const LayerSpec spec = layer_spec(layer);

@@ -115,7 +115,7 @@ TEST_F(FailureTest, AFullDiskLeavesTheOldContent) {
             options.overwrite = !append;
             const std::string message = with_little_room(options, 500000);
             EXPECT_EQ(message.find("Cannot write \"" + path(name) + "\": "), 0u) << name << append << message;
-            const std::string layer = layer_name_for(options, true, layers_for(options));
+            const std::string layer = buildings_layer(options);
             EXPECT_EQ(ids(path(name), layer), (std::vector<std::int64_t>{1, 2, 3})) << name << append;
             EXPECT_EQ(entries(), before) << name << append;
         }

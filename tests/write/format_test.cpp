@@ -1,3 +1,4 @@
+#include "write/layer_choice.hpp"
 #include "write/ogr_feature_sink.hpp"
 #include "write/vector_format.hpp"
 #include "write/write_fixture.hpp"
@@ -12,6 +13,8 @@ WriteOptions named(const std::string& destination, const std::string& format = "
     options.format = format;
     return options;
 }
+
+using Names = std::vector<std::string>;
 
 class FormatTest : public WriteTest {};
 
@@ -104,19 +107,53 @@ TEST_F(FormatTest, AskedLayersAreTakenWhereTheyFit) {
         "GeoPackage for both.");
 }
 
+std::string name_of(const WriteOptions& options, LayerRole role, Layers layers) {
+    return d2b::name_of(options, format_for(options), role, layers);
+}
+
 TEST_F(FormatTest, LayerNames) {
     WriteOptions options = named("x/city.gpkg");
-    EXPECT_EQ(layer_name_for(options, true, Layers::both), "buildings");
-    EXPECT_EQ(layer_name_for(options, false, Layers::both), "contours");
+    EXPECT_EQ(name_of(options, LayerRole::buildings, Layers::both), "buildings");
+    EXPECT_EQ(name_of(options, LayerRole::contours, Layers::both), "contours");
+    EXPECT_EQ(name_of(options, LayerRole::doubtful, Layers::both), "doubtful");
     options.layer_name = "blocks";
-    EXPECT_EQ(layer_name_for(options, true, Layers::both), "blocks");
-    EXPECT_EQ(layer_name_for(options, false, Layers::both), "blocks_contours");
-    EXPECT_EQ(layer_name_for(options, false, Layers::contours), "blocks");
+    EXPECT_EQ(name_of(options, LayerRole::buildings, Layers::both), "blocks");
+    EXPECT_EQ(name_of(options, LayerRole::contours, Layers::both), "blocks_contours");
+    EXPECT_EQ(name_of(options, LayerRole::contours, Layers::contours), "blocks");
+    EXPECT_EQ(name_of(options, LayerRole::doubtful, Layers::both), "blocks_doubtful");
+    EXPECT_EQ(name_of(options, LayerRole::doubtful, Layers::buildings), "blocks_doubtful");
     for (const char* name : {"x/city.shp", "x/city.geojson", "city.fgb", "/vsimem/city.csv"})
-        EXPECT_EQ(layer_name_for(named(name), true, Layers::buildings), "city") << name;
-    EXPECT_EQ(layer_name_for(named("/vsistdout/", "GeoJSON"), true, Layers::buildings), "buildings");
-    EXPECT_EQ(layer_name_for(named("/vsistdout/", "GeoJSON"), false, Layers::contours), "contours");
-    EXPECT_EQ(layer_name_for(named("city", "ESRI Shapefile"), false, Layers::both), "contours");
+        EXPECT_EQ(name_of(named(name), LayerRole::buildings, Layers::buildings), "city") << name;
+    const WriteOptions stream = named("/vsistdout/", "GeoJSON");
+    EXPECT_EQ(name_of(stream, LayerRole::buildings, Layers::buildings), "buildings");
+    EXPECT_EQ(name_of(stream, LayerRole::contours, Layers::contours), "contours");
+    const WriteOptions folder = named("city", "ESRI Shapefile");
+    EXPECT_EQ(name_of(folder, LayerRole::contours, Layers::both), "contours");
+    EXPECT_EQ(name_of(folder, LayerRole::doubtful, Layers::both), "doubtful");
+}
+
+TEST_F(FormatTest, NamesOfAllLayersThatAreWritten) {
+    WriteOptions options = named("a.gpkg");
+    const auto names = [&](Layers layers) { return names_of(options, format_for(options), layers); };
+    EXPECT_EQ(names(Layers::both), (Names{"buildings", "contours"}));
+    options.doubtful = true;
+    EXPECT_EQ(names(Layers::both), (Names{"buildings", "contours", "doubtful"}));
+    EXPECT_EQ(names(Layers::contours), (Names{"contours", "doubtful"}));
+    options.layer_name = "roofs";
+    EXPECT_EQ(names(Layers::buildings), (Names{"roofs", "roofs_doubtful"}));
+}
+
+TEST_F(FormatTest, DoubtfulBuildingsNeedALayerOfTheirOwn) {
+    WriteOptions options = named("a", "ESRI Shapefile");
+    options.doubtful = true;
+    EXPECT_EQ(layers_for(options), Layers::both);
+    for (const Layers layers : {Layers::automatic, Layers::buildings, Layers::contours}) {
+        options = named("a.geojson");
+        options.doubtful = true;
+        options.layers = layers;
+        EXPECT_EQ(thrown<OptionError>([&] { static_cast<void>(layers_for(options)); }),
+                  "\"a.geojson\" holds one layer (format GeoJSON); use a GeoPackage for -write_doubtful.");
+    }
 }
 
 }  // namespace

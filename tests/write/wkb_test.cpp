@@ -10,8 +10,8 @@
 
 namespace {
 
-std::string as_wkt(const d2b::Feature& feature, bool with_z) {
-    d2b::MultiPolygonWkb wkb(with_z);
+std::string as_wkt(const d2b::Feature& feature, bool with_z, bool with_arcs = false) {
+    d2b::MultiPolygonWkb wkb(with_z, with_arcs);
     const auto bytes = wkb.encode(feature);
     OGRGeometryH geometry = nullptr;
     EXPECT_EQ(OGR_G_CreateFromWkb(bytes.data(), nullptr, &geometry, static_cast<int>(bytes.size())),
@@ -44,6 +44,29 @@ TEST(MultiPolygonWkb, GivesEveryVertexTheHeight) {
     d2b::Feature feature = two_parts();
     feature.parts.erase(feature.parts.begin());
     EXPECT_EQ(as_wkt(feature, true), "MULTIPOLYGON Z (((20 20 2.5,21 20 2.5,20 21 2.5,20 20 2.5)))");
+}
+
+TEST(MultiPolygonWkb, ArcsAreCircularStrings) {
+    d2b::Feature feature = two_parts();
+    // A stadium: half circles left and right.
+    feature.parts[0] = {{{4, 9}, {3, 6}, {4, 3}, {8, 3}, {9, 6}, {8, 9}}, {}, {{0, 0, 2}, {0, 3, 2}}};
+    EXPECT_EQ(as_wkt(feature, false, true),
+              "MULTISURFACE (CURVEPOLYGON (COMPOUNDCURVE (CIRCULARSTRING (4 9,3 6,4 3),(4 3,8 "
+              "3),CIRCULARSTRING (8 3,9 "
+              "6,8 9),(8 9,4 9))),((20 20,21 20,20 21,20 20)))");
+    EXPECT_EQ(as_wkt(feature, false),
+              "MULTIPOLYGON (((4 9,3 6,4 3,8 3,9 6,8 9,4 9)),((20 20,21 20,20 21,20 20)))");
+}
+
+TEST(MultiPolygonWkb, AnArcMayGoRoundTheEndOfItsRing) {
+    d2b::Feature feature;
+    feature.parts = {
+        {{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{{3, 2}, {2, 3}, {3, 4}, {4, 3}}}, {{1, 2, 2}, {1, 0, 2}}}};
+    feature.z = 1;
+    EXPECT_EQ(as_wkt(feature, true, true),
+              "MULTISURFACE Z (CURVEPOLYGON Z ((0 0 1,9 0 1,9 9 1,0 9 1,0 0 1),COMPOUNDCURVE Z "
+              "(CIRCULARSTRING Z (3 2 "
+              "1,2 3 1,3 4 1),CIRCULARSTRING Z (3 4 1,4 3 1,3 2 1))))");
 }
 
 TEST(MultiPolygonWkb, BufferIsUsedAgain) {

@@ -8,7 +8,9 @@
 #include <cpl_error.h>
 #include <cpl_string.h>
 
+#include "write/layer_choice.hpp"
 #include "write/ogr_feature_sink.hpp"
+#include "write/vector_format.hpp"
 
 namespace d2b::test {
 
@@ -54,14 +56,18 @@ std::string WriteTest::bytes(const std::string& name) const {
     return text.str();
 }
 
+std::string WriteTest::buildings_layer(const WriteOptions& options) {
+    return name_of(options, format_for(options), LayerRole::buildings, layers_for(options));
+}
+
 std::int64_t WriteTest::write(const WriteOptions& options, int n) {
     const Layers layers = layers_for(options);
     const auto sink = open_sink(options, context_);
     std::vector<LayerSpec> specs;
     if (layers != Layers::contours)
-        specs.push_back(layer_spec(layer_name_for(options, true, layers), options.with_z));
+        specs.push_back(layer_spec(sink->layer_name(LayerRole::buildings, layers), options.with_z));
     if (layers != Layers::buildings)
-        specs.push_back(layer_spec(layer_name_for(options, false, layers), options.with_z));
+        specs.push_back(layer_spec(sink->layer_name(LayerRole::contours, layers), options.with_z));
     sink->begin(specs, provenance());
     for (int i = 0; i < n; ++i)
         for (std::size_t layer = 0; layer < specs.size(); ++layer)

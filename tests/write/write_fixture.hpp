@@ -56,6 +56,9 @@ class WriteTest : public ::testing::Test {
         return "";
     }
 
+    /// What a sink for the destination would call the layer of buildings.
+    [[nodiscard]] static std::string buildings_layer(const WriteOptions& options);
+
     std::filesystem::path folder_;
     Context context_;
     std::vector<std::string> warnings_;

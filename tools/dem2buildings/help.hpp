@@ -1,10 +1,8 @@
 #pragma once
 
-#include <cstddef>
 #include <string>
-#include <string_view>
-#include <vector>
 
+#include "common/help_text.hpp"
 #include "pipeline/option_table.hpp"
 
 namespace d2b {
@@ -29,15 +27,5 @@ namespace d2b {
 
 /// The option and its aliases: "-f, -of <format>".
 [[nodiscard]] std::string option_heading(const OptionRow& row);
-
-/// One of GDAL's own switches, which all its programs have.
-struct GdalSwitch {
-    std::string_view synopsis;
-    std::string_view help;
-};
-[[nodiscard]] const std::vector<GdalSwitch>& gdal_switches();
-
-/// Breaks a text at blanks into lines, each after an indent. A word that is too long has a line of its own.
-[[nodiscard]] std::string wrap(std::string_view text, std::size_t indent, std::size_t width = 80);
 
 }  // namespace d2b

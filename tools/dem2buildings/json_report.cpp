@@ -1,5 +1,6 @@
 #include "dem2buildings/json_report.hpp"
 
+#include <cmath>
 #include <cstddef>
 
 #include <nlohmann/json.hpp>
@@ -39,7 +40,7 @@ Json levels_of(const RunReport& report) {
     Json levels = Json::array();
     for (const LevelReport& level : report.levels)
         levels.push_back(Json{{"level", level.level},
-                              {"threshold", level.threshold},
+                              {"threshold", std::isfinite(level.threshold) ? Json(level.threshold) : Json()},
                               {"contours", level.contours},
                               {"points", level.points}});
     return levels;
@@ -49,6 +50,8 @@ Json output_of(const RunReport& report) {
     return {{"name", report.output},
             {"crs", report.output_crs},
             {"buildings", report.buildings},
+            {"doubtful", report.doubtful},
+            {"stack_rmse_m", report.stack_rmse_m},
             {"contours", report.contours},
             {"vertices", report.vertices}};
 }

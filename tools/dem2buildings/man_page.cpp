@@ -1,3 +1,4 @@
+#include "common/roff.hpp"
 #include "core/version.hpp"
 #include "dem2buildings/help.hpp"
 #include "pipeline/contour_options.hpp"
@@ -5,64 +6,33 @@
 namespace d2b {
 namespace {
 
-/// Text as roff: backslashes and dashes escaped, no line that begins with a control character.
-std::string roff(std::string_view text) {
-    std::string escaped;
-    for (const char letter : text) {
-        if (letter == '\\')
-            escaped += "\\e";
-        else if (letter == '-')
-            escaped += "\\-";
-        else
-            escaped += letter;
-    }
-    return escaped.starts_with('.') || escaped.starts_with('\'') ? "\\&" + escaped : escaped;
-}
-
-std::string section(std::string_view name) {
-    return ".SH " + roff(name) + "\n";
-}
-
-std::string paragraph(std::string_view text) {
-    return ".PP\n" + roff(text) + "\n";
-}
-
-/// A tagged paragraph. @param more further sentences, or ""
-std::string item(std::string_view tag, std::string_view text, std::string_view more = "") {
-    return ".TP\n\\fB" + roff(tag) + "\\fR\n" + roff(text) + "\n" + (more.empty() ? "" : roff(more) + "\n");
-}
-
 std::string options() {
-    std::string text = section("OPTIONS");
+    std::string text = roff_section("OPTIONS");
     for (std::size_t group = 0; group < option_group_names.size(); ++group) {
         text += ".SS " + std::string(option_group_names[group]) + "\n";
         for (const OptionRow& row : option_table()) {
             if (row.hidden || row.group != static_cast<OptionGroup>(group))
                 continue;
             const std::string facts = option_facts(row);
-            text +=
-                item(option_heading(row), row.help, row.details + (row.details.empty() ? "" : " ") + facts);
+            text += roff_item(option_heading(row), row.help,
+                              row.details + (row.details.empty() ? "" : " ") + facts);
         }
     }
     text += ".SS GDAL\n";
     for (const auto& [synopsis, help] : gdal_switches())
-        text += item(synopsis, help);
+        text += roff_item(synopsis, help);
     return text;
 }
 
 std::string contour_table() {
     std::string text =
-        section("OPTIONS OF GDAL_CONTOUR") +
-        paragraph("Command lines of gdal_contour(1) work where the option is the same or accepted.");
+        roff_section("OPTIONS OF GDAL_CONTOUR") +
+        roff_paragraph("Command lines of gdal_contour(1) work where the option is the same or accepted.");
     for (const ContourOption& option : contour_options()) {
         const auto fate = std::string(fate_names[static_cast<std::size_t>(option.fate)]);
-        text += item(option.synopsis, fate + ": " + std::string(option.note) + ".");
+        text += roff_item(option.synopsis, fate + ": " + std::string(option.note) + ".");
     }
     return text;
-}
-
-std::string example(std::string_view command) {
-    return ".PP\n.EX\n" + roff(command) + "\n.EE\n";
 }
 
 }  // namespace
@@ -70,29 +40,30 @@ std::string example(std::string_view command) {
 std::string man_page() {
     // No date: the same sources give the same page.
     std::string text =
-        ".TH DEM2BUILDINGS 1 \"\" \"dem2buildings " + std::string(version) + "\"\n" + section("NAME") +
-        "dem2buildings \\- building footprints from an elevation raster\n" + section("SYNOPSIS") +
-        ".B dem2buildings\n[options] <src_raster> <dst_vector>\n" + section("DESCRIPTION") +
-        paragraph(
+        ".TH DEM2BUILDINGS 1 \"\" \"dem2buildings " + std::string(version) + "\"\n" + roff_section("NAME") +
+        "dem2buildings \\- building footprints from an elevation raster\n" + roff_section("SYNOPSIS") +
+        ".B dem2buildings\n[options] <src_raster> <dst_vector>\n" + roff_section("DESCRIPTION") +
+        roff_paragraph(
             "Traces the buildings of a city in an elevation raster (a digital surface model) and "
             "writes them as polygons, with the stack of contours that they are made of.") +
-        paragraph(
+        roff_paragraph(
             "The source is any raster that GDAL reads, the destination any vector format that it "
             "writes. An existing destination is refused without -overwrite or -append. After a "
             "failure a local destination holds what it held before.") +
-        paragraph(
+        roff_paragraph(
             "Options may stand anywhere and begin with one dash or two; values follow after a "
             "blank or an equals sign. The source stands before the destination. After -- only "
             "file names follow.");
     text += options() + contour_table();
-    text += section("EXIT STATUS") + item("0", "Done; also where nothing was found, with a warning.") +
-            item("1", "Failed: the input cannot be read, the output not written, or memory is short.") +
-            item("2", "Wrong usage: an option, or one that does not fit the input or the destination.") +
-            item("130", "Interrupted.");
-    text += section("EXAMPLES") + example("dem2buildings dsm.tif buildings.gpkg") +
-            example("dem2buildings -fl 10 20 30 -te 84000 446000 85000 447000 dsm.tif buildings.gpkg") +
-            example("dem2buildings -layers buildings -t_srs EPSG:4326 dsm.tif buildings.geojson");
-    return text + section("SEE ALSO") + "gdal_contour(1), gdalinfo(1), ogrinfo(1)\n";
+    text += roff_section("EXIT STATUS") +
+            roff_item("0", "Done; also where nothing was found, with a warning.") +
+            roff_item("1", "Failed: the input cannot be read, the output not written, or memory is short.") +
+            roff_item("2", "Wrong usage: an option, or one that does not fit the input or the destination.") +
+            roff_item("130", "Interrupted.");
+    text += roff_section("EXAMPLES") + roff_example("dem2buildings dsm.tif buildings.gpkg") +
+            roff_example("dem2buildings -fl 10 20 30 -te 84000 446000 85000 447000 dsm.tif buildings.gpkg") +
+            roff_example("dem2buildings -layers buildings -t_srs EPSG:4326 dsm.tif buildings.geojson");
+    return text + roff_section("SEE ALSO") + "gdal_contour(1), gdalinfo(1), ogrinfo(1)\n";
 }
 
 }  // namespace d2b

@@ -1,0 +1,35 @@
+#include "attributes/field_names.hpp"
+
+#include <array>
+
+namespace d2b {
+namespace {
+
+struct Translation {
+    FieldNames names;
+    std::string_view own;
+    std::string_view other;
+};
+
+// URock takes the height of a building from ROOF_HEIGHT unless told otherwise. City4CFD names its attributes
+// in its configuration; these are the names of its own examples. OSM: tags of Simple 3D Buildings.
+constexpr std::array translations{
+    Translation{FieldNames::urock, "id", "ID_BUILD"},
+    Translation{FieldNames::urock, "height", "ROOF_HEIGHT"},
+    Translation{FieldNames::city4cfd, "id", "unique_id"},
+    Translation{FieldNames::city4cfd, "num_floors", "floors"},
+    Translation{FieldNames::city4cfd, "min_height", "base_height"},
+    Translation{FieldNames::osm, "num_floors", "building:levels"},
+    Translation{FieldNames::osm, "ground", "ele"},
+};
+
+}  // namespace
+
+std::string_view field_name(FieldNames names, std::string_view own) {
+    for (const Translation& translation : translations)
+        if (translation.names == names && translation.own == own)
+            return translation.other;
+    return own;
+}
+
+}  // namespace d2b

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace d2b {
+
+/// Values of a window, row by row: what stages with a neighbourhood work on. (0, 0) is the window's first
+/// cell.
+template <typename T>
+struct Grid {
+    std::int32_t rows = 0;
+    std::int32_t cols = 0;
+    std::vector<T> values;
+
+    Grid() = default;
+    Grid(std::int32_t row_count, std::int32_t col_count, T value = T{})
+        : rows(row_count),
+          cols(col_count),
+          values(static_cast<std::size_t>(row_count) * static_cast<std::size_t>(col_count), value) {}
+
+    [[nodiscard]] std::size_t size() const { return values.size(); }
+    [[nodiscard]] bool holds(std::int32_t row, std::int32_t col) const {
+        return row >= 0 && col >= 0 && row < rows && col < cols;
+    }
+    [[nodiscard]] std::size_t index(std::int32_t row, std::int32_t col) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(cols) + static_cast<std::size_t>(col);
+    }
+    [[nodiscard]] T& at(std::int32_t row, std::int32_t col) { return values[index(row, col)]; }
+    [[nodiscard]] const T& at(std::int32_t row, std::int32_t col) const { return values[index(row, col)]; }
+    [[nodiscard]] std::span<T> row(std::int32_t i) {
+        return {values.data() + index(i, 0), static_cast<std::size_t>(cols)};
+    }
+    [[nodiscard]] std::span<const T> row(std::int32_t i) const {
+        return {values.data() + index(i, 0), static_cast<std::size_t>(cols)};
+    }
+};
+
+/// How far apart neighbouring points are, in metres: one step of a column and one of a row.
+struct CellSize {
+    double across = 1;
+    double down = 1;
+};
+
+/// Elevations or heights in metres, NaN where a point is not valid.
+using MetreGrid = Grid<float>;
+
+}  // namespace d2b

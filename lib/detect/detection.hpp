@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "core/band.hpp"
+#include "core/context.hpp"
+#include "core/options.hpp"
+#include "detect/scene.hpp"
+
+namespace d2b {
+
+/// What speaks most against an object being a building.
+enum class Doubt {
+    rough,    ///< its surface bends from cell to cell
+    no_step,  ///< it does not rise from its surroundings in a step
+    steep,    ///< its smooth pieces are steep
+    pieces,   ///< its smooth pieces are small
+    green     ///< its NDVI is that of plants
+};
+[[nodiscard]] std::string_view doubt_name(Doubt doubt);
+
+/// Something that stands on the ground and looks like a building, or nearly so.
+struct DetectedObject {
+    double confidence = 0;  ///< 0 to 1
+    Doubt doubt = Doubt::rough;
+    std::int64_t cells = 0;
+};
+
+/// Objects and where they are.
+struct Detection {
+    Grid<Label> labels;                   ///< 1 to buildings: buildings; above: what is doubtful
+    std::vector<DetectedObject> objects;  ///< by label - 1
+    Label buildings = 0;
+};
+
+/// Finds buildings by their form: elevated cells are joined to smooth segments, these grow over what roofs
+/// have between them, and each object that results is judged by its smoothness, the step along its border,
+/// and the tilt and size of its segments. Trees are rough, and crowns shatter into small, steep segments.
+/// Where options.split_height is set, buildings are then divided, see detect/split.hpp.
+/// Support: an object, the segments that it meets, and 11 m and five cells around them. Memory: 5 to 9 bytes
+/// a cell beside the scene, the result's four among them; 9 to 13 where buildings are divided.
+[[nodiscard]] Detection detect_buildings(const Scene& scene, const DetectOptions& options, Context& context);
+
+}  // namespace d2b

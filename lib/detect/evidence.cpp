@@ -1,0 +1,120 @@
+#include "detect/evidence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "detect/smoothness.hpp"
+
+namespace d2b {
+namespace {
+
+struct Sums {
+    double smooth = 0;
+    double step = 0;
+    double border = 0;
+    double log_tilt = 0;
+    double log_cells = 0;
+    double pieces = 0;
+    double green = 0;
+};
+
+/// The surface, and the ground where there is none: what a cell's neighbours fall to.
+float lowest_around(const Scene& scene, std::int32_t r, std::int32_t c) {
+    float lowest = scene.surface.at(r, c);
+    for (std::int32_t y = std::max(r - 1, 0); y <= std::min(r + 1, scene.surface.rows - 1); ++y)
+        for (std::int32_t x = std::max(c - 1, 0); x <= std::min(c + 1, scene.surface.cols - 1); ++x) {
+            const float z = scene.surface.at(y, x);
+            lowest = std::min(lowest, std::isnan(z) ? scene.terrain.at(y, x) : z);
+        }
+    return lowest;
+}
+
+/// Objects that share no edge are told apart by what lies between them: a cell is on a border where a
+/// neighbour is no object's.
+bool on_border(const Mask& cells, std::int32_t r, std::int32_t c) {
+    return r == 0 || c == 0 || r + 1 == cells.rows || c + 1 == cells.cols || cells.at(r - 1, c) == 0 ||
+           cells.at(r + 1, c) == 0 || cells.at(r, c - 1) == 0 || cells.at(r, c + 1) == 0;
+}
+
+void add_cells(const Scene& scene, const Grid<std::uint8_t>& flags, std::int32_t r, const RegionRun& run,
+               Sums& sums) {
+    const auto begin = static_cast<std::size_t>(run.begin);
+    const auto end = static_cast<std::size_t>(run.end);
+    int smooth = 0;
+    for (std::size_t c = begin; c < end; ++c)
+        smooth += (flags.row(r)[c] & smooth_enough) != 0 ? 1 : 0;
+    sums.smooth += smooth;
+    if (scene.greenness != nullptr)
+        for (std::size_t c = begin; c < end; ++c)
+            sums.green += scene.greenness->row(r)[c] > plants_ndvi ? 1 : 0;
+}
+
+void add_border(const Scene& scene, const Mask& cells, std::int32_t r, const RegionRun& run, Sums& sums) {
+    for (std::int32_t c = run.begin; c < run.end; ++c)
+        if (on_border(cells, r, c) && !std::isnan(scene.surface.at(r, c))) {
+            sums.border += 1;
+            sums.step += static_cast<double>(scene.surface.at(r, c) - lowest_around(scene, r, c));
+        }
+}
+
+/// What a segment adds for each of its cells.
+struct SegmentLogs {
+    double tilt;
+    double cells;
+};
+
+std::vector<SegmentLogs> logs_of(const SmoothSegments& segments) {
+    std::vector<SegmentLogs> result;
+    result.reserve(segments.pieces.size());
+    for (const SmoothSegment& piece : segments.pieces)
+        result.push_back({std::log(piece.tilt + 0.02), std::log(static_cast<double>(piece.cells))});
+    return result;
+}
+
+/// @param pieces the row's runs of segments, from the first on that may reach the run
+void add_segments(std::span<const RegionRun>& pieces, const std::vector<SegmentLogs>& logs,
+                  const RegionRun& run, Sums& sums) {
+    while (!pieces.empty() && pieces.front().end <= run.begin)
+        pieces = pieces.subspan(1);
+    for (const RegionRun& piece : pieces) {
+        if (piece.begin >= run.end)
+            break;
+        const SegmentLogs& add = logs[piece.label - 1];
+        for (std::int32_t c = std::max(piece.begin, run.begin); c < std::min(piece.end, run.end); ++c) {
+            sums.pieces += 1;
+            sums.log_tilt += add.tilt;
+            sums.log_cells += add.cells;
+        }
+    }
+}
+
+Evidence evidence_of(const Sums& sums, double cells) {
+    const double pieces = std::max(sums.pieces, 1.0);
+    return {sums.smooth / cells, sums.step / std::max(sums.border, 1.0), std::exp(sums.log_tilt / pieces),
+            std::exp(sums.log_cells / pieces), sums.green / cells};
+}
+
+}  // namespace
+
+std::vector<Evidence> collect_evidence(const Scene& scene, const Objects& objects,
+                                       const SmoothSegments& segments, const Grid<std::uint8_t>& flags) {
+    const std::vector<SegmentLogs> logs = logs_of(segments);
+    std::vector<Sums> sums(objects.regions.count());
+    for (std::int32_t r = 0; r < objects.regions.rows; ++r) {
+        std::span<const RegionRun> pieces = segments.regions.row(r);
+        for (const RegionRun& run : objects.regions.row(r)) {
+            Sums& sum = sums[run.label - 1];
+            add_cells(scene, flags, r, run, sum);
+            add_border(scene, objects.cells, r, run, sum);
+            add_segments(pieces, logs, run, sum);
+        }
+    }
+    std::vector<Evidence> result;
+    result.reserve(sums.size());
+    for (std::size_t i = 0; i < sums.size(); ++i)
+        result.push_back(evidence_of(sums[i], static_cast<double>(objects.regions.cells[i + 1])));
+    return result;
+}
+
+}  // namespace d2b

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "detect/detection.hpp"
+#include "detect/regions.hpp"
+#include "detect/segments.hpp"
+
+namespace d2b {
+
+/// What an object looks like.
+struct Evidence {
+    double smooth = 0;   ///< share of its cells that are smooth enough
+    double step_m = 0;   ///< mean fall of its border cells to the lowest cell beside them
+    double tilt = 0;     ///< of its segments: geometric mean by cells
+    double segment = 0;  ///< cells of its segments: geometric mean by cells
+    double green = 0;    ///< share of its cells with the NDVI of plants
+};
+
+/// What detection found so far.
+struct Objects {
+    Mask cells;
+    Regions regions;  ///< of these cells; they share edges
+};
+
+/// One a region, by label - 1. Support: objects, and a cell around them.
+[[nodiscard]] std::vector<Evidence> collect_evidence(const Scene& scene, const Objects& objects,
+                                                     const SmoothSegments& segments,
+                                                     const Grid<std::uint8_t>& flags);
+
+/// A logistic model of five terms. Its weights were fitted to cities of 0.5 to 5 m cells; each city was also
+/// left out in turn, see docs/accuracy.md.
+[[nodiscard]] DetectedObject judge(const Evidence& evidence);
+
+}  // namespace d2b

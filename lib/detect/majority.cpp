@@ -1,0 +1,132 @@
+#include "detect/majority.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace d2b {
+namespace {
+
+/// In hundredths: more than `gain` of the window makes a cell a building's, and a building's cell stays one
+/// above `keep`.
+struct Shares {
+    std::int64_t gain;
+    std::int64_t keep;
+};
+
+constexpr double growth_reach_m = 3.5;
+constexpr Shares growth{55, 10};
+constexpr int growth_rounds = 2;
+constexpr double border_reach_m = 1;
+constexpr Shares border{50, 50};
+
+std::int32_t reach(double reach_m, double step, std::int32_t cells) {
+    const double reached = std::round(reach_m / step);
+    return std::max(1, static_cast<std::int32_t>(std::min(reached, static_cast<double>(cells))));
+}
+
+/// Counts of two kinds of cells in a window that slides down: sums of columns, and along the row sums of
+/// these. Both are kept in one number, buildings' cells in its upper half: that is half the work.
+template <typename Pair>
+class WindowCounts {
+  public:
+    static constexpr int half = std::numeric_limits<Pair>::digits / 2;
+
+    WindowCounts(const Mask& buildings, const Mask& elevated, std::int32_t up, std::int32_t side)
+        : buildings_(buildings),
+          elevated_(elevated),
+          up_(up),
+          side_(static_cast<std::size_t>(side)),
+          // Zeros beyond both ends stand for what is not there.
+          columns_(static_cast<std::size_t>(elevated.cols) + 2 * side_ + 1, 0),
+          none_(static_cast<std::size_t>(elevated.cols), 0) {
+        for (std::int32_t r = 0; r < up; ++r)
+            slide(r, -1);
+    }
+    /// @param counts of row `r`, which must be the one after the last
+    void row(std::int32_t r, std::vector<Pair>& counts) {
+        slide(r + up_, r - up_ - 1);
+        Pair sum = 0;
+        for (std::size_t i = 0; i < 2 * side_; ++i)
+            sum += columns_[i + 1];
+        for (std::size_t c = 0; c < counts.size(); ++c) {
+            sum += columns_[c + 2 * side_ + 1] - columns_[c];
+            counts[c] = sum;
+        }
+    }
+
+  private:
+    [[nodiscard]] std::span<const std::uint8_t> row_of(const Mask& mask, std::int32_t r) const {
+        return r >= 0 && r < mask.rows ? mask.row(r) : none_;
+    }
+    /// Takes one row in and another one out.
+    void slide(std::int32_t in, std::int32_t out) {
+        const std::span<const std::uint8_t> buildings_in = row_of(buildings_, in);
+        const std::span<const std::uint8_t> buildings_out = row_of(buildings_, out);
+        const std::span<const std::uint8_t> elevated_in = row_of(elevated_, in);
+        const std::span<const std::uint8_t> elevated_out = row_of(elevated_, out);
+        Pair* const columns = columns_.data() + side_ + 1;
+        // Unsigned numbers wrap around and come back.
+        for (std::size_t c = 0; c < buildings_in.size(); ++c)
+            columns[c] +=
+                ((Pair{buildings_in[c]} - Pair{buildings_out[c]}) << half) + elevated_in[c] - elevated_out[c];
+    }
+
+    const Mask& buildings_;
+    const Mask& elevated_;
+    std::int32_t up_;
+    std::size_t side_;
+    std::vector<Pair> columns_;
+    std::vector<std::uint8_t> none_;
+};
+
+template <typename Pair>
+Mask one_round(const Mask& now, const Mask& elevated, std::int32_t up, std::int32_t side, Shares shares) {
+    Mask next(now.rows, now.cols);
+    WindowCounts<Pair> window(now, elevated, up, side);
+    std::vector<Pair> counts(static_cast<std::size_t>(now.cols));
+    for (std::int32_t r = 0; r < now.rows; ++r) {
+        window.row(r, counts);
+        const std::span<const std::uint8_t> is = now.row(r);
+        const std::span<const std::uint8_t> may = elevated.row(r);
+        const std::span<std::uint8_t> out = next.row(r);
+        for (std::size_t c = 0; c < out.size(); ++c) {
+            if (may[c] == 0)
+                continue;
+            const auto buildings = static_cast<std::int64_t>(counts[c] >> WindowCounts<Pair>::half);
+            const auto all = static_cast<std::int64_t>(
+                counts[c] & (std::numeric_limits<Pair>::max() >> WindowCounts<Pair>::half));
+            out[c] = 100 * buildings > (is[c] != 0 ? shares.keep : shares.gain) * all ? 1 : 0;
+        }
+    }
+    return next;
+}
+
+Mask voted(const Mask& now, const Mask& elevated, double reach_m, const CellSize& cell, Shares shares) {
+    const std::int32_t up = reach(reach_m, cell.down, now.rows);
+    const std::int32_t side = reach(reach_m, cell.across, now.cols);
+    const std::int64_t largest = (2 * std::int64_t{up} + 1) * (2 * std::int64_t{side} + 1);
+    return largest <= std::numeric_limits<std::uint16_t>::max()
+               ? one_round<std::uint32_t>(now, elevated, up, side, shares)
+               : one_round<std::uint64_t>(now, elevated, up, side, shares);
+}
+
+}  // namespace
+
+Mask grow_by_majority(Mask seeds, const Mask& elevated, const CellSize& cell) {
+    for (int i = 0; i < growth_rounds; ++i)
+        seeds = voted(seeds, elevated, growth_reach_m, cell, growth);
+    return seeds;
+}
+
+Mask smooth_border(const Mask& mask, const Mask& within, const CellSize& cell) {
+    Mask result = voted(mask, Mask(mask.rows, mask.cols, 1), border_reach_m, cell, border);
+    for (std::size_t i = 0; i < result.size(); ++i)
+        result.values[i] &= within.values[i];
+    return result;
+}
+
+}  // namespace d2b

@@ -1,0 +1,117 @@
+#include "detect/segments.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "detect/smoothness.hpp"
+
+namespace d2b {
+namespace {
+
+constexpr double least_area_m2 = 12;
+constexpr double least_cells = 5;
+
+/// Sums for the plane through a segment, from its first cell: small numbers keep their digits.
+struct PlaneSums {
+    std::int32_t row = 0;
+    std::int32_t col = 0;
+    float z = 0;
+    double n = 0;
+    double x = 0;
+    double y = 0;
+    double h = 0;
+    double xx = 0;
+    double xy = 0;
+    double yy = 0;
+    double xh = 0;
+    double yh = 0;
+
+    void add(double px, double py, double ph) {
+        n += 1;
+        x += px;
+        y += py;
+        h += ph;
+        xx += px * px;
+        xy += px * py;
+        yy += py * py;
+        xh += px * ph;
+        yh += py * ph;
+    }
+    [[nodiscard]] double tilt() const {
+        const double sxx = xx / n - x * x / n / n;
+        const double sxy = xy / n - x * y / n / n;
+        const double syy = yy / n - y * y / n / n;
+        const double sxh = xh / n - x * h / n / n;
+        const double syh = yh / n - y * h / n / n;
+        // A segment in one line has no plane of its own; the small number keeps it level across.
+        const double det = sxx * syy - sxy * sxy + 1e-6;
+        return std::hypot(sxh * syy - syh * sxy, syh * sxx - sxh * sxy) / det;
+    }
+};
+
+std::vector<PlaneSums> plane_sums(const Scene& scene, const Regions& regions) {
+    std::vector<PlaneSums> sums(regions.count());
+    for (std::int32_t r = 0; r < regions.rows; ++r) {
+        const std::span<const float> surface = scene.surface.row(r);
+        for (const RegionRun& run : regions.row(r)) {
+            PlaneSums sum = sums[run.label - 1];
+            if (sum.n == 0) {
+                sum.row = r;
+                sum.col = run.begin;
+                sum.z = surface[static_cast<std::size_t>(run.begin)];
+            }
+            const double y = (r - sum.row) * scene.cell.down;
+            for (std::int32_t c = run.begin; c < run.end; ++c)
+                sum.add((c - sum.col) * scene.cell.across, y,
+                        static_cast<double>(surface[static_cast<std::size_t>(c)] - sum.z));
+            sums[run.label - 1] = sum;
+        }
+    }
+    return sums;
+}
+
+/// Whether two neighbours' flags join them, 1 or 0: one of both is straight along the line that joins them,
+/// or each is straight some way.
+/// @param line place of the bit of the line's direction
+int joins(int a, int b, int line) {
+    constexpr int any_way = 2;
+    static_assert(smooth_along_row == 1 << 0 && smooth_along_column == 1 << 1 &&
+                  smooth_any_way == 1 << any_way);
+    return (((a | b) >> line) | ((a & b) >> any_way)) & 1;
+}
+
+/// Takes those links away across which the surface bends.
+void cut_bends(const Grid<std::uint8_t>& flags, std::int32_t r, std::vector<std::uint8_t>& links) {
+    const std::span<const std::uint8_t> here = flags.row(r);
+    const std::span<const std::uint8_t> up = flags.row(std::max(r - 1, 0));
+    for (std::size_t c = 1; c < links.size(); ++c) {
+        const int keep =
+            link_in + joins(here[c - 1], here[c], 0) * link_left + joins(up[c], here[c], 1) * link_up;
+        links[c] = static_cast<std::uint8_t>(links[c] & keep);
+    }
+    if (!links.empty())
+        links[0] = static_cast<std::uint8_t>(links[0] & (link_in + joins(up[0], here[0], 1) * link_up));
+}
+
+}  // namespace
+
+SmoothSegments smooth_segments(const Scene& scene, const Mask& elevated, const Grid<std::uint8_t>& flags) {
+    RegionBuilder builder(elevated.cols);
+    std::vector<std::uint8_t> links;
+    for (std::int32_t r = 0; r < elevated.rows; ++r) {
+        edge_links(elevated, r, 1, links);
+        cut_bends(flags, r, links);
+        builder.add_row(links);
+    }
+    SmoothSegments result{std::move(builder).finish(), {}};
+    drop_small(result.regions, static_cast<std::int64_t>(
+                                   std::ceil(std::max(least_cells, least_area_m2 / scene.cell_area()))));
+    for (const PlaneSums& sum : plane_sums(scene, result.regions))
+        result.pieces.push_back({static_cast<std::int64_t>(sum.n), sum.tilt()});
+    return result;
+}
+
+}  // namespace d2b

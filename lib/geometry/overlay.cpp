@@ -1,0 +1,168 @@
+#define GEOS_USE_ONLY_R_API
+#include "geometry/overlay.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "geometry/box_tree.hpp"
+#include "geometry/dissolve.hpp"
+#include "geometry/geos_polygons.hpp"
+
+namespace d2b {
+namespace {
+
+bool finite(const Position& p) {
+    return std::isfinite(p.x) && std::isfinite(p.y);
+}
+
+/// What GEOS can make a ring of.
+bool usable(const WorldRing& ring) {
+    return ring.size() >= 3 && std::ranges::all_of(ring, finite);
+}
+
+bool usable(const WorldPolygon& polygon) {
+    return usable(polygon.exterior) &&
+           std::ranges::all_of(polygon.interiors, [](const WorldRing& ring) { return usable(ring); });
+}
+
+/// The positions and rings of a feature that GEOS can work with.
+Polygons usable_parts(const Polygons& feature) {
+    Polygons result;
+    for (WorldPolygon polygon : feature) {
+        std::erase_if(polygon.exterior, [](const Position& p) { return !finite(p); });
+        for (WorldRing& ring : polygon.interiors)
+            std::erase_if(ring, [](const Position& p) { return !finite(p); });
+        std::erase_if(polygon.interiors, [](const WorldRing& ring) { return !usable(ring); });
+        if (usable(polygon.exterior))
+            result.push_back(std::move(polygon));
+    }
+    return result;
+}
+
+struct PreparedDeleter {
+    GEOSContextHandle_t context = nullptr;
+    void operator()(const GEOSPreparedGeometry* geometry) const {
+        GEOSPreparedGeom_destroy_r(context, geometry);
+    }
+};
+
+/// A geometry that many others are compared with.
+class Prepared {
+  public:
+    Prepared(const GeosPolygons& geos, std::span<const WorldPolygon> polygons)
+        : geos_(&geos),
+          geometry_(geos.multi_polygon(polygons)),
+          prepared_(GEOSPrepare_r(geos.context(), geometry_.get()), PreparedDeleter{geos.context()}) {}
+    [[nodiscard]] bool meets(const GEOSGeometry* other) const {
+        return geos_->answer(GEOSPreparedIntersects_r(geos_->context(), prepared_.get(), other));
+    }
+
+  private:
+    const GeosPolygons* geos_;
+    GeometryPtr geometry_;
+    std::unique_ptr<const GEOSPreparedGeometry, PreparedDeleter> prepared_;
+};
+
+}  // namespace
+
+struct Overlay::Impl {
+    GeosPolygons geos;
+};
+
+Overlay::Overlay() : impl_(std::make_unique<Impl>()) {}
+Overlay::Overlay(Overlay&&) noexcept = default;
+Overlay& Overlay::operator=(Overlay&&) noexcept = default;
+Overlay::~Overlay() = default;
+
+bool Overlay::valid(const Polygons& feature) {
+    if (!std::ranges::all_of(feature, [](const WorldPolygon& polygon) { return usable(polygon); }))
+        return false;
+    const GeosPolygons& geos = impl_->geos;
+    return geos.answer(GEOSisValid_r(geos.context(), geos.multi_polygon(feature).get()));
+}
+
+Polygons Overlay::made_valid(const Polygons& feature) {
+    const GeosPolygons& geos = impl_->geos;
+    const GeometryPtr geometry = geos.multi_polygon(usable_parts(feature));
+    return geos.polygons_of(geos.own(GEOSMakeValid_r(geos.context(), geometry.get())).get());
+}
+
+Dissolved Overlay::dissolve(std::span<const Polygons> features) {
+    Cover cover = cover_of(impl_->geos, features, CoverKind::once_and_twice);
+    return {std::move(cover.once), std::move(cover.twice)};
+}
+
+Polygons Overlay::union_of(std::span<const Polygons> features) {
+    return cover_of(impl_->geos, features, CoverKind::once).once;
+}
+
+Polygons Overlay::repaired_union(std::span<const WorldPolygon> polygons) {
+    std::vector<Polygons> parts;
+    for (const WorldPolygon& polygon : polygons) {
+        const Polygons part{polygon};
+        parts.push_back(valid(part) ? part : made_valid(part));
+    }
+    return union_of(parts);
+}
+
+Polygons Overlay::intersection(const Polygons& a, const Polygons& b) {
+    const GeosPolygons& geos = impl_->geos;
+    const GeometryPtr first = geos.multi_polygon(a);
+    const GeometryPtr second = geos.multi_polygon(b);
+    return geos.polygons_of(geos.own(GEOSIntersection_r(geos.context(), first.get(), second.get())).get());
+}
+
+std::vector<Line> Overlay::rings_within(const Polygons& area, const Polygons& other) {
+    const GeosPolygons& geos = impl_->geos;
+    const GeometryPtr rings = geos.multi_line(area);
+    const GeometryPtr within = geos.multi_polygon(other);
+    return geos.lines_of(geos.own(GEOSIntersection_r(geos.context(), rings.get(), within.get())).get());
+}
+
+std::vector<bool> Overlay::touching(std::span<const Polygons> features, const Polygons& area) {
+    const GeosPolygons& geos = impl_->geos;
+    const Prepared prepared(geos, area);
+    std::vector<bool> result;
+    result.reserve(features.size());
+    for (const Polygons& feature : features)
+        result.push_back(prepared.meets(geos.multi_polygon(feature).get()));
+    return result;
+}
+
+std::vector<std::optional<std::size_t>> Overlay::holders(std::span<const WorldPolygon> inners,
+                                                         std::span<const WorldPolygon> outers) {
+    const GeosPolygons& geos = impl_->geos;
+    std::vector<Box> boxes;
+    for (const WorldPolygon& outer : outers)
+        boxes.push_back(box_of(std::span(&outer, 1)));
+    const BoxTree tree(std::move(boxes));
+    std::vector<std::optional<Prepared>> prepared(outers.size());
+    std::vector<std::optional<std::size_t>> result;
+    for (const WorldPolygon& inner : inners) {
+        const GeometryPtr polygon = geos.multi_polygon(std::span(&inner, 1));
+        const GeometryPtr point = geos.own(GEOSPointOnSurface_r(geos.context(), polygon.get()));
+        std::optional<std::size_t>& holder = result.emplace_back();
+        Position p;
+        if (GEOSGeomGetX_r(geos.context(), point.get(), &p.x) != 1 ||
+            GEOSGeomGetY_r(geos.context(), point.get(), &p.y) != 1)
+            continue;  // no inside
+        tree.query(Box{p.x, p.y, p.x, p.y}, [&](std::size_t i) {
+            if (!prepared[i])
+                prepared[i].emplace(geos, outers.subspan(i, 1));
+            if (!holder && prepared[i]->meets(point.get()))
+                holder = i;
+        });
+    }
+    return result;
+}
+
+std::size_t Overlay::simplified_vertices(const Polygons& feature, double tolerance) {
+    const GeosPolygons& geos = impl_->geos;
+    const GeometryPtr geometry = geos.multi_polygon(feature);
+    const GeometryPtr simple =
+        geos.own(GEOSTopologyPreserveSimplify_r(geos.context(), geometry.get(), tolerance));
+    return static_cast<std::size_t>(std::max(0, GEOSGetNumCoordinates_r(geos.context(), simple.get())));
+}
+
+}  // namespace d2b

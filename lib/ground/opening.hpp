@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "core/grid.hpp"
+
+namespace d2b::ground {
+
+/// Half a window in cells.
+struct Radius {
+    std::int32_t down = 1;
+    std::int32_t across = 1;
+};
+
+/// Grids that openings work in; kept from one to the next, so that memory is asked for once.
+struct Workspace {
+    MetreGrid first;
+    std::array<MetreGrid, 4> lines;
+    MetreGrid roomy, roomy_opened;
+    bool gaps = true;  ///< whether the surface may have cells without a value
+};
+
+/// The morphological opening by a rectangle: at each cell the highest of the lowest values of all windows
+/// that hold the cell. Cells without a value are left out; they keep `no_value`. Windows reach out of the
+/// grid by at most `outside` cells.
+/// @param opened another grid than `surface`
+void opened_by_rectangle(const MetreGrid& surface, Radius radius, Radius outside, Workspace& workspace,
+                         MetreGrid& opened);
+
+/// The second highest of the openings by lines along the row, the column and both diagonals: what is as low
+/// in three directions of four is cut, while the edge of a terrace, a ridge or a dam stays.
+void opened_by_lines(const MetreGrid& surface, Radius radius, Radius outside, Workspace& workspace,
+                     MetreGrid& opened);
+
+/// The closing by a square: the lowest of the highest values.
+[[nodiscard]] MetreGrid closed_by_rectangle(const MetreGrid& surface, Radius radius);
+
+}  // namespace d2b::ground

@@ -1,0 +1,38 @@
+#pragma once
+
+namespace d2b::ground {
+
+/// What the estimate goes by, in metres and metres a metre. One set for all places: none of these is an
+/// option.
+struct Rules {
+    double work_cell = 1;     ///< cells of the grid on which small objects are looked for, about
+    double pit_depth = 5;     ///< a low outlier lies as far below the lowest ground around it
+    double pit_radius = 1;    ///< what a window of this radius closes may be an outlier
+    double pit_reach = 25;    ///< how far "around it" goes
+    double border_reach = 8;  ///< windows reach into the raster at least as far at its border
+
+    double small_growth = 1.2;  ///< from a window to the next, but at least by a cell
+    double small_radius = 8;    ///< of the widest window for small objects
+    double small_slope = 0.18;  ///< a small object rises above the opened surface by this times the radius
+
+    double block = 2;           ///< cells of the grid on which large objects are looked for, about
+    double large_growth = 1.4;  ///< from a window to the next, but at least by a block
+    double reach = 1.5;         ///< no window has a larger radius, in widths of the widest building
+    double large_rise = 0.7;    ///< a large object rises above the opened surface by this ...
+    double large_slope = 0.05;  ///< ... and this times the radius
+    double line_rise = 2;       ///< the same for windows that are lines
+    double line_slope = 0.12;
+    double link_slope = 0.3;  ///< ground goes on to a neighbour that is no steeper
+    double link_rise = 1;     ///< how far above the lowest point of its block ground may lie
+    int link_steps = 60;      ///< blocks
+    double wall_share = 0.8;  ///< what is walled on more of its border is a roof ...
+    double wall_rise = 1.5;   ///< ... where the surface steps by as much ...
+    double wall_length = 5;   ///< ... if it is not longer than this, in widths of the widest building
+
+    double tolerance = 0.4;      ///< ground lies as near the provisional terrain ...
+    double tolerance_slope = 1;  ///< ... and this times its slope nearer
+    int rounds = 1;              ///< of this test
+    int sweeps = 3;              ///< of smoothing a level when gaps are filled
+};
+
+}  // namespace d2b::ground

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/grid.hpp"
+
+namespace d2b::ground {
+
+enum class Extremum { lowest, highest };
+
+/// How a line of cells runs: along a row, down a column, or down a diagonal to the right or to the left.
+enum class Line { row, column, right_diagonal, left_diagonal };
+
+/// What cells without a value hold in the grids of this folder, so that no comparison has to look for them.
+inline constexpr float no_value = 3.402823466e+38F;
+
+/// The lowest or highest value within `radius` cells along a line, for every cell; lines are cut off at the
+/// grid's border. The cost a cell does not grow with the radius but for lines along a row, where it grows
+/// with its logarithm (and those are in the processor's nearest cache).
+/// @param into of the same size; another grid than `from`
+void window_pass(const MetreGrid& from, MetreGrid& into, Line line, Extremum which, std::int32_t radius);
+
+/// The lowest of each cell and its eight neighbours.
+[[nodiscard]] MetreGrid lowest_around(const MetreGrid& grid);
+
+}  // namespace d2b::ground

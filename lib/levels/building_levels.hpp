@@ -1,0 +1,41 @@
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "core/context.hpp"
+#include "core/options.hpp"
+#include "levels/level_plan.hpp"
+
+namespace d2b {
+
+/// What the thresholds of each building depend on: exact, so that the order of bands does not matter.
+class BuildingStatistics {
+  public:
+    /// @param labels highest label @param fixed for sums of elevations
+    BuildingStatistics(Label labels, const FixedPoint& fixed)
+        : fixed_(fixed), stats_(labels + std::size_t{1}) {}
+
+    void add(const ElevationBand& elevations, const LabelBand& labels);
+    [[nodiscard]] const PointStats& of(Label label) const { return stats_[label]; }
+    [[nodiscard]] const FixedPoint& fixed() const { return fixed_; }
+    [[nodiscard]] Label labels() const { return static_cast<Label>(stats_.size() - 1); }
+
+  private:
+    FixedPoint fixed_;
+    std::vector<PointStats> stats_;
+};
+
+/// A set of thresholds for each building: the filter of Chittineni (2003, 4.1) where it works. With mean m
+/// and sample standard deviation s of the building's elevations, t_i = m - s + 2 s i / (n + 1), i = 1..n; n
+/// is LOD, or less, so that thresholds are at least half a metre apart: a flat roof has no tiers. Explicit
+/// levels and intervals hold for every building. With LevelSource::global the slices are those of the whole
+/// DEM. Thresholds that no point or every point of the building exceeds are left out.
+/// @param ground elevation of each label's ground, recorded as the threshold of level 1; [0] is not used
+/// @param global of the whole DEM; its minimum is that of level 0
+/// @param metres in a vertical unit
+[[nodiscard]] LevelPlan plan_building_levels(const BuildingStatistics& statistics,
+                                             const std::vector<double>& ground, const LevelPlan& global,
+                                             const LevelOptions& options, double metres);
+
+}  // namespace d2b

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "core/int128.hpp"
+#include "core/lattice.hpp"
+
+namespace d2b {
+
+/// Twice the signed area of a triangle, positive where a, b, c run counter-clockwise with y up. Exact.
+[[nodiscard]] inline Int128 turn(FinePoint a, FinePoint b, FinePoint c) {
+    return static_cast<Int128>(b.row - a.row) * (c.col - a.col) -
+           static_cast<Int128>(b.col - a.col) * (c.row - a.row);
+}
+
+struct FineSegment {
+    FinePoint a;
+    FinePoint b;
+};
+
+[[nodiscard]] inline int sign(Int128 value) {
+    return value > 0 ? 1 : (value < 0 ? -1 : 0);
+}
+
+[[nodiscard]] inline bool boxes_meet(const FineSegment& s, const FineSegment& t) {
+    return std::max(s.a.row, s.b.row) >= std::min(t.a.row, t.b.row) &&
+           std::max(t.a.row, t.b.row) >= std::min(s.a.row, s.b.row) &&
+           std::max(s.a.col, s.b.col) >= std::min(t.a.col, t.b.col) &&
+           std::max(t.a.col, t.b.col) >= std::min(s.a.col, s.b.col);
+}
+
+/// Whether two segments have a point in common, ends included. Exact.
+[[nodiscard]] inline bool meet(const FineSegment& s, const FineSegment& t) {
+    if (!boxes_meet(s, t))
+        return false;
+    const int a = sign(turn(s.a, s.b, t.a));
+    const int b = sign(turn(s.a, s.b, t.b));
+    // On one line they meet where their boxes do.
+    if (a == 0 && b == 0)
+        return true;
+    return a * b <= 0 && sign(turn(t.a, t.b, s.a)) * sign(turn(t.a, t.b, s.b)) <= 0;
+}
+
+/// Whether two segments that begin in one point have another one in common. Exact.
+[[nodiscard]] inline bool overlap_from(FinePoint common, FinePoint s, FinePoint t) {
+    if (turn(common, s, t) != 0)
+        return false;
+    return static_cast<Int128>(s.row - common.row) * (t.row - common.row) +
+               static_cast<Int128>(s.col - common.col) * (t.col - common.col) >
+           0;
+}
+
+/// Whether direction `to` comes before direction `than` as one turns counter-clockwise (y up) from due west;
+/// both seen from one point. Exact.
+[[nodiscard]] inline bool earlier_from_west(FinePoint from, FinePoint to, FinePoint than) {
+    // West and all below it first: counter-clockwise from west one looks south, east, north.
+    const auto half = [&](FinePoint p) {
+        return p.row > from.row || (p.row == from.row && p.col < from.col) ? 0 : 1;
+    };
+    return half(to) != half(than) ? half(to) < half(than) : turn(from, to, than) > 0;
+}
+
+}  // namespace d2b

@@ -1,0 +1,85 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "outline/wall_plan.hpp"
+
+namespace d2b {
+namespace {
+
+constexpr double nearness = 0.8;           // cells
+constexpr std::size_t longest_look = 512;  // steps; bounds the time that a long chain takes
+
+void divide(const WallSamples& samples, std::size_t begin, std::size_t end,
+            std::vector<std::size_t>& points) {
+    std::vector<std::pair<std::size_t, std::size_t>> open{{begin, end}};
+    while (!open.empty()) {
+        const auto [first, last] = open.back();
+        open.pop_back();
+        double largest = nearness;
+        std::size_t farthest = first;
+        for (std::size_t i = first + 1; i < last; ++i) {
+            if (!samples.corner(i))
+                continue;
+            const double off = distance(samples.at(i), samples.at(first), samples.at(last));
+            if (off > largest) {
+                largest = off;
+                farthest = i;
+            }
+        }
+        if (farthest == first)
+            continue;
+        points.push_back(farthest);
+        open.emplace_back(first, farthest);
+        open.emplace_back(farthest, last);
+    }
+}
+
+}  // namespace
+
+std::vector<std::size_t> turning_points(const WallSamples& samples) {
+    const std::size_t n = samples.steps();
+    std::vector<std::size_t> points{0};
+    std::size_t begin = 0;
+    while (begin < n) {
+        std::size_t end = n;
+        // A closed chain begins and ends in one point, so it is divided at its farthest one first.
+        if (samples.closed() && begin == 0) {
+            double largest = 0;
+            for (std::size_t i = 1; i < n; ++i)
+                if (samples.corner(i) && length(samples.at(i)) > largest) {
+                    largest = length(samples.at(i));
+                    end = i;
+                }
+        }
+        end = std::min(end, begin + longest_look);
+        if (end < n || !samples.closed())
+            points.push_back(end);
+        divide(samples, begin, end, points);
+        begin = end;
+    }
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    return points;
+}
+
+double dominant_direction(const WallSamples& samples) {
+    const std::vector<std::size_t> points = turning_points(samples);
+    Vec sum;
+    for (std::size_t i = 0; i + (samples.closed() ? 0 : 1) < points.size(); ++i) {
+        const std::size_t first = points[i];
+        const std::size_t last = i + 1 < points.size() ? points[i + 1] : samples.steps();
+        const WallSamples::Sums sums = samples.sums(first, last);
+        if (sums.n < 3)
+            continue;
+        const Vec along = sums.direction();
+        const double angle = 4 * std::atan2(along.y, along.x);
+        // The direction of a longer stretch is known better by the power of three of its length.
+        const double weight = sums.xx + sums.yy;
+        sum = sum + weight * Vec{std::cos(angle), std::sin(angle)};
+    }
+    return sum == Vec{} ? 0 : std::atan2(sum.y, sum.x) / 4;
+}
+
+}  // namespace d2b

@@ -1,0 +1,228 @@
+#include "outline/wall_course.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace d2b {
+namespace {
+
+constexpr double room = 1.0 / 16;  // cells between nodes
+
+/// How far a node may go from where it was traced for its wall's sake, and from where on it stands on a
+/// vertex, in cells. Nodes on a staircase are a cell apart, and others may be where they were traced.
+constexpr double reach_on_wall = 1.0;
+constexpr double reach_on_staircase = 0.45;
+constexpr double pull_on_wall = 0.5;
+constexpr double pull_on_staircase = 0.05;
+
+}  // namespace
+
+Course::Course(DrawnChain drawn, const Chain& chain, const WallSamples& samples, const CellShape& shape)
+    : drawn_(std::move(drawn)), closed_(chain.closed), shape_(shape), origin_(chain.trace.front()) {
+    const std::size_t n = drawn_.vertices.size();
+    begins_.push_back(0);
+    for (std::size_t k = 0; k + (closed_ ? 0 : 1) < n; ++k)
+        begins_.push_back(begins_.back() + d2b::length(vertex(k + 1) - vertex(k)));
+    for (std::size_t k = 0; k < chain.nodes.size() - (closed_ ? 1 : 0); ++k) {
+        Standing& node = nodes_.emplace_back();
+        node.traced = fine(chain.trace[chain.begins[k]]);
+        node.step = samples.step_of(chain.begins[k]);
+        if (closed_ && node.step < drawn_.steps.front())
+            node.step += samples.steps();
+    }
+    if (!closed_) {
+        nodes_.front().point = drawn_.vertices.front();
+        nodes_.back().point = drawn_.vertices.back();
+        nodes_.back().at = begins_.back();
+        nodes_.back().edge = edges() - 1;
+    }
+}
+
+Vec Course::vertex(std::size_t k) const {
+    return shape_.from_fine(drawn_.vertices[k % drawn_.vertices.size()], origin_);
+}
+
+/// The edge that stands for a step of the trace.
+std::size_t Course::edge_of(std::size_t step) const {
+    const auto next = std::upper_bound(drawn_.steps.begin(), drawn_.steps.end(), step);
+    const auto edge = static_cast<std::size_t>(next - drawn_.steps.begin());
+    return std::min(edge > 0 ? edge - 1 : 0, edges() - 1);
+}
+
+double Course::wanted(const Standing& node, const std::optional<Line>& wall, double reach) const {
+    const Vec traced = shape_.from_fine(node.traced, origin_);
+    const std::size_t edge = edge_of(node.step);
+    const auto foot_on = [&](std::size_t e) {
+        const Vec from = vertex(e);
+        const Vec along = vertex(e + 1) - from;
+        const double square = dot(along, along);
+        const double share = square > 0 ? std::clamp(dot(traced - from, along) / square, 0.0, 1.0) : 0;
+        return begins_[e] + share * (begins_[e + 1] - begins_[e]);
+    };
+    if (!wall)
+        return foot_on(edge);
+    // A wall that goes on where one of the drawing turns away begins at that corner.
+    for (std::size_t v = edge > 0 ? edge - 1 : 0; v < std::min(edge + 3, edges()); ++v) {
+        const auto parallel = [&](std::size_t e) {
+            const Vec along = vertex(e + 1) - vertex(e);
+            return std::abs(cross(along, wall->along)) < 0.3 * d2b::length(along);
+        };
+        const bool inner = v > 0 && (parallel(v - 1) != parallel(v));
+        if (inner && reach >= 1 && d2b::length(vertex(v) - traced) < 1.25 * reach)
+            return begins_[v];
+    }
+    double best = foot_on(edge);
+    double nearest = reach;
+    for (std::size_t e = edge > 0 ? edge - 1 : 0; e < std::min(edge + 2, edges()); ++e) {
+        const Vec from = vertex(e);
+        const Vec along = vertex(e + 1) - from;
+        const double sine = cross(along, wall->along);
+        if (std::abs(sine) < 0.3 * d2b::length(along))
+            continue;
+        const double share = cross(wall->through - from, wall->along) / sine;
+        const double away = d2b::length(from + share * along - traced);
+        if (share >= 0 && share <= 1 && away < nearest) {
+            nearest = away;
+            best = begins_[e] + share * (begins_[e + 1] - begins_[e]);
+        }
+    }
+    return best;
+}
+
+/// Between which lengths a node may stand.
+void Course::bound(std::size_t k, double& low, double& high) const {
+    const std::size_t n = nodes_.size();
+    const double whole = begins_.back();
+    // Nodes in the order of their steps; those of a closed chain begin anywhere.
+    for (std::size_t i = 1; i < n; ++i) {
+        if (!closed_ && i > k)
+            break;
+        const Standing& other = nodes_[(k + n - i) % n];
+        if (!other.point)
+            continue;
+        low = other.at + (other.step > nodes_[k].step ? -whole : 0) + room * static_cast<double>(i);
+        break;
+    }
+    for (std::size_t i = 1; i < n; ++i) {
+        if (!closed_ && k + i >= n)
+            break;
+        const Standing& other = nodes_[(k + i) % n];
+        if (!other.point)
+            continue;
+        high = other.at + (other.step < nodes_[k].step ? whole : 0) - room * static_cast<double>(i);
+        break;
+    }
+}
+
+void Course::stand(Standing& node, double at) {
+    const double whole = begins_.back();
+    node.at = at;
+    const double round = closed_ ? at - std::floor(at / whole) * whole : at;
+    const auto next = std::upper_bound(begins_.begin(), begins_.end(), round);
+    node.edge = std::min(static_cast<std::size_t>(std::max<std::ptrdiff_t>(next - begins_.begin(), 1)) - 1,
+                         edges() - 1);
+    const double edge_length = begins_[node.edge + 1] - begins_[node.edge];
+    const double share = edge_length > 0 ? (round - begins_[node.edge]) / edge_length : 0;
+    const Vec from = vertex(node.edge);
+    node.point = shape_.to_fine(from + share * (vertex(node.edge + 1) - from), origin_);
+}
+
+void Course::place(std::size_t k, const std::optional<Line>& wall, bool straight) {
+    Standing& node = nodes_[k];
+    if (node.point)
+        return;
+    double low = -1e300;
+    double high = 1e300;
+    bound(k, low, high);
+    if (!closed_) {
+        low = std::max(low, 0.0);
+        high = std::min(high, begins_.back());
+    }
+    double at = wanted(node, wall, straight ? reach_on_wall : reach_on_staircase);
+    const auto vertex_at = std::min_element(begins_.begin(), begins_.end(), [&](double a, double b) {
+        return std::abs(a - at) < std::abs(b - at);
+    });
+    if (std::abs(*vertex_at - at) < (straight ? pull_on_wall : pull_on_staircase))
+        at = *vertex_at;
+    stand(node, std::max(low, std::min(high, at)));
+}
+
+DrawnChain Course::arc(std::size_t k) const {
+    const std::size_t count = drawn_.vertices.size();
+    const Standing& from = nodes_[k];
+    const Standing& to = nodes_[(k + 1) % nodes_.size()];
+    DrawnChain result;
+    const auto add = [&](FinePoint point, std::size_t step) {
+        result.vertices.push_back(point);
+        result.steps.push_back(step);
+    };
+    add(*from.point, from.step);
+    // From a node round to itself, or to one before it on the same edge.
+    double left = to.at - from.at;
+    if (closed_ && left <= 0)
+        left += begins_.back();
+    std::size_t edge = from.edge;
+    const bool around = closed_ && edge == to.edge && left > begins_[edge + 1] - begins_[edge];
+    for (bool first = true; edge != to.edge || (first && around); first = false) {
+        edge = (edge + 1) % edges();
+        const FinePoint next = drawn_.vertices[edge % count];
+        if (next != result.vertices.back() && next != *to.point)
+            add(next, drawn_.steps[edge % count]);
+    }
+    add(*to.point, to.step);
+    return result;
+}
+
+/// Brings the steps of an arc into ascending order between those of its nodes.
+void Course::match(DrawnChain& arc, std::size_t first, std::size_t last, std::size_t steps) const {
+    if (closed_ && last <= first)
+        last += steps;
+    std::size_t before = first;
+    for (std::size_t& step : arc.steps) {
+        const auto away = [&](std::size_t s) { return s < first ? first - s : (s > last ? s - last : 0); };
+        if (closed_ && away(step + steps) < away(step))
+            step += steps;
+        else if (closed_ && step >= steps && away(step - steps) < away(step))
+            step -= steps;
+        step = std::clamp(step, before, last);
+        before = step;
+    }
+    arc.steps.front() = first;
+    arc.steps.back() = last;
+}
+
+void Course::add_circles(DrawnChain& arc) const {
+    const std::size_t count = drawn_.vertices.size();
+    const std::vector<FinePoint>& points = arc.vertices;
+    for (const ArcSpan& span : drawn_.arcs) {
+        const auto first = std::find(points.begin(), points.end(), drawn_.vertices[span.first]);
+        if (points.end() - first <= static_cast<std::ptrdiff_t>(span.edges))
+            continue;
+        bool whole = true;
+        for (std::size_t i = 1; i <= span.edges && whole; ++i)
+            whole = first[static_cast<std::ptrdiff_t>(i)] == drawn_.vertices[(span.first + i) % count];
+        if (whole)
+            arc.arcs.push_back({0, static_cast<std::uint32_t>(first - points.begin()), span.edges});
+    }
+}
+
+std::vector<DrawnChain> Course::arcs(const WallSamples& samples) const {
+    const std::size_t n = nodes_.size();
+    std::vector<DrawnChain> result;
+    if (closed_ && n == 1 && !nodes_.front().point) {
+        // A ring on which nothing stands.
+        result.push_back(drawn_);
+        result.back().vertices.push_back(drawn_.vertices.front());
+        result.back().steps.push_back(drawn_.steps.front() + samples.steps());
+        return result;
+    }
+    for (std::size_t k = 0; k + (closed_ ? 0 : 1) < n; ++k) {
+        DrawnChain& drawn = result.emplace_back(arc(k));
+        match(drawn, nodes_[k].step, nodes_[(k + 1) % n].step, samples.steps());
+        drawn.deviation = deviation(samples, shape_, origin_, drawn, false);
+        add_circles(drawn);
+    }
+    return result;
+}
+
+}  // namespace d2b

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "outline/arc_graph.hpp"
+
+namespace d2b {
+
+/// A run of arcs that is fitted in one go: a ring, or a stretch between two points where others stand.
+struct Chain {
+    int rank = 0;
+    bool closed = false;
+    std::vector<ArcUse> arcs;
+    std::vector<std::uint32_t> nodes;  ///< at which its arcs begin, and the last one's end
+    std::vector<std::uint32_t>
+        begins;                       ///< point of the trace at which each arc begins, and the last one ends
+    std::vector<LatticePoint> trace;  ///< a closed one does not repeat its first point
+};
+
+/// The arcs of all outlines, in the order in which walls are drawn. An arc's rank says when: outlines of a
+/// low level come before those of a high one, and within a level what bounds a group of touching contours
+/// comes before what divides it. Chains of one rank go straight through a node where only arcs of higher rank
+/// join: a wall knows nothing of what stands on it.
+struct WallGraph {
+    static constexpr std::uint32_t nobody = 0xffffffff;
+
+    /// The highest contours on both sides of an arc, -1 where there is none.
+    struct Sides {
+        std::int64_t left = -1;
+        std::int64_t right = -1;
+    };
+    struct Node {
+        LatticePoint at;
+        std::uint32_t owner = nobody;  ///< the chain that goes through it; nobody: it is where it was traced
+        std::uint32_t place = 0;       ///< among the owner's nodes
+    };
+
+    ArcGraph graph;
+    std::vector<Sides> sides;                        ///< of an arc
+    std::vector<int> ranks;                          ///< of an arc
+    std::vector<std::array<std::uint32_t, 2>> ends;  ///< nodes of an arc
+    std::vector<Node> nodes;                         ///< sorted by place
+    std::vector<Chain> chains;                       ///< sorted by rank
+    std::vector<std::uint32_t> chain_of;             ///< an arc
+    std::vector<std::uint32_t> part_of;  ///< a chain: number of the connected part that it belongs to
+    std::uint32_t parts = 0;
+
+    /// Arc ends at each node, as 2 * arc, and + 1 where it ends there; those of node n stand from
+    /// first_end[n] on.
+    std::vector<std::uint32_t> arc_ends;
+    std::vector<std::uint32_t> first_end;
+};
+
+/// O(n log n) in corners.
+[[nodiscard]] WallGraph build_wall_graph(const std::vector<Contour>& contours);
+
+}  // namespace d2b

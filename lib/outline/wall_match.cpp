@@ -1,0 +1,108 @@
+#include <algorithm>
+#include <cmath>
+
+#include "outline/wall_shape.hpp"
+
+namespace d2b {
+namespace {
+
+/// The step from `low` to `high` that is nearest to a place.
+std::size_t nearest_step(const WallSamples& samples, Vec place, std::size_t low, std::size_t high) {
+    std::size_t best = low;
+    double least = length(samples.at(low) - place);
+    for (std::size_t i = low + 1; i <= high; ++i) {
+        const double away = length(samples.at(i) - place);
+        if (away < least) {
+            least = away;
+            best = i;
+        }
+    }
+    return best;
+}
+
+}  // namespace
+
+void match_trace(const WallSamples& samples, const CellShape& shape, LatticePoint origin, DrawnChain& chain) {
+    constexpr std::size_t reach = 8;
+    const std::size_t n = chain.vertices.size();
+    std::vector<Vec> vertices;
+    vertices.reserve(n + 1);
+    for (const FinePoint vertex : chain.vertices)
+        vertices.push_back(shape.from_fine(vertex, origin));
+    const std::size_t end = samples.closed() ? 2 * samples.steps() - 1 : samples.steps();
+    for (std::size_t k = samples.closed() ? 0 : 1; k + (samples.closed() ? 0 : 1) < n; ++k) {
+        const std::size_t hint = chain.steps[k];
+        const std::size_t low = std::max(hint > reach ? hint - reach : 0, k > 0 ? chain.steps[k - 1] : 0);
+        std::size_t high = std::min(hint + reach, end);
+        if (k > 0 && samples.closed())
+            high = std::min(high, chain.steps.front() + samples.steps());
+        chain.steps[k] = nearest_step(samples, vertices[k], std::min(low, high), high);
+    }
+    chain.deviation = deviation(samples, shape, origin, chain, samples.closed());
+}
+
+double deviation(const WallSamples& samples, const CellShape& shape, LatticePoint origin,
+                 const DrawnChain& chain, bool closed) {
+    const std::size_t n = chain.vertices.size();
+    double largest = 0;
+    Vec from = shape.from_fine(chain.vertices.front(), origin);
+    for (std::size_t k = 0; k + (closed ? 0 : 1) < n; ++k) {
+        const Vec to = shape.from_fine(chain.vertices[(k + 1) % n], origin);
+        const std::size_t first = chain.steps[k];
+        const std::size_t last = k + 1 < n ? chain.steps[k + 1] : chain.steps.front() + samples.steps();
+        largest = std::max({largest, length(from - samples.at(first)), length(to - samples.at(last))});
+        for (std::size_t i = first; i <= last; ++i)
+            if (samples.corner(i))
+                largest = std::max(largest, distance(samples.at(i), from, to));
+        from = to;
+    }
+    return largest;
+}
+
+void keep_near(const WallSamples& samples, const WallStyle& style, const CellShape& shape,
+               LatticePoint origin, DrawnChain& chain) {
+    const std::size_t n = chain.vertices.size();
+    DrawnChain kept;
+    const auto place = [&](std::size_t k) { return shape.from_fine(chain.vertices[k % n], origin); };
+    for (std::size_t k = 0; k < n; ++k) {
+        const std::size_t first = chain.steps[k];
+        const bool end = !samples.closed() && (k == 0 || k + 1 == n);
+        const bool far = length(place(k) - samples.at(first)) > style.tolerance && !end;
+        kept.vertices.push_back(far ? shape.to_fine(samples.at(first), origin) : chain.vertices[k]);
+        kept.steps.push_back(first);
+        if (!samples.closed() && k + 1 == n)
+            break;
+        const std::size_t last = k + 1 < n ? chain.steps[k + 1] : chain.steps.front() + samples.steps();
+        double largest = 0;
+        for (std::size_t i = first; i <= last; ++i)
+            if (samples.corner(i))
+                largest = std::max(largest, distance(samples.at(i), place(k), place(k + 1)));
+        for (std::size_t i = first + 1; i < last && largest > style.tolerance; ++i)
+            if (samples.corner(i)) {
+                kept.vertices.push_back(shape.to_fine(samples.at(i), origin));
+                kept.steps.push_back(i);
+            }
+    }
+    chain = std::move(kept);
+    match_trace(samples, shape, origin, chain);
+}
+
+double twice_area(const WallSamples& samples) {
+    double sum = 0;
+    for (std::size_t i = 0; i < samples.steps(); ++i)
+        sum += cross(samples.at(i), samples.at(i + 1));
+    return sum;
+}
+
+double twice_area(const std::vector<FinePoint>& ring, const CellShape& shape, LatticePoint origin) {
+    double sum = 0;
+    Vec from = shape.from_fine(ring.back(), origin);
+    for (const FinePoint vertex : ring) {
+        const Vec to = shape.from_fine(vertex, origin);
+        sum += cross(from, to);
+        from = to;
+    }
+    return sum;
+}
+
+}  // namespace d2b

@@ -1,0 +1,196 @@
+#include "outline/wall_plan.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace d2b {
+namespace {
+
+constexpr double variance = WallStyle::variance;
+constexpr std::size_t window = 64;  // turning points that a wall may reach over
+constexpr std::size_t families = WallPiece::free + 1;
+constexpr std::array<double, families> prices{6, 6, 9, 9, 11};
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+class Planner {
+  public:
+    Planner(const WallSamples& samples, const WallStyle& style, double direction)
+        : samples_(samples), style_(style) {
+        for (std::size_t f = 0; f < WallPiece::free; ++f) {
+            const double angle = direction + std::array{0.0, 0.5, 0.25, 0.75}[f] * std::numbers::pi;
+            directions_[f] = {std::cos(angle), std::sin(angle)};
+        }
+    }
+    /// @param points steps in ascending order; walls begin and end at the first and the last
+    std::optional<std::vector<WallPiece>> plan(const std::vector<std::size_t>& points);
+
+  private:
+    struct State {
+        double cost = infinite;
+        std::size_t from = 0;
+        std::size_t family = 0;  // of the wall before
+    };
+    using States = std::array<State, families>;
+
+    [[nodiscard]] bool allowed(std::size_t family) const {
+        const bool fixed = family < WallPiece::free;
+        switch (style_.walls) {
+            case Walls::right:
+                return family < 2;
+            case Walls::free:
+                return !fixed;
+            default:
+                return true;
+        }
+    }
+    [[nodiscard]] Line line(std::size_t family, const WallSamples::Sums& sums) const {
+        return {sums.mean, family < WallPiece::free ? directions_[family] : sums.direction()};
+    }
+    [[nodiscard]] static std::size_t best_before(const States& states, std::size_t family);
+    void extend(std::size_t from, std::size_t to, const WallSamples::Sums& sums);
+    [[nodiscard]] std::vector<WallPiece> trace_back(const std::vector<std::size_t>& points) const;
+
+    const WallSamples& samples_;
+    WallStyle style_;
+    std::array<Vec, WallPiece::free> directions_{};
+    const std::vector<std::size_t>* points_ = nullptr;
+    std::vector<States> states_;
+};
+
+/// The cheapest wall before one of a family: neighbours are not parallel.
+std::size_t Planner::best_before(const States& states, std::size_t family) {
+    std::size_t best = family == 0 ? 1 : 0;
+    for (std::size_t f = 0; f < families; ++f)
+        if ((f != family || f == WallPiece::free) && states[f].cost < states[best].cost)
+            best = f;
+    return best;
+}
+
+void Planner::extend(std::size_t from, std::size_t to, const WallSamples::Sums& sums) {
+    for (std::size_t f = 0; f < families; ++f) {
+        if (!allowed(f))
+            continue;
+        const std::size_t before = from == 0 ? 0 : best_before(states_[from], f);
+        const double spent = from == 0 ? 0 : states_[from][before].cost;
+        const double squares = f < WallPiece::free ? sums.squares(directions_[f]) : sums.least_squares();
+        const double cost = spent + style_.price * prices[f] + squares / variance;
+        if (!(cost < states_[to][f].cost))
+            continue;
+        const double limit = style_.tolerance - 0.05;
+        if (samples_.largest_off((*points_)[from], (*points_)[to], line(f, sums), limit) <= limit)
+            states_[to][f] = {cost, from, before};
+    }
+}
+
+std::vector<WallPiece> Planner::trace_back(const std::vector<std::size_t>& points) const {
+    std::vector<WallPiece> pieces;
+    std::size_t to = points.size() - 1;
+    std::size_t family = 0;
+    for (std::size_t f = 1; f < families; ++f)
+        if (states_[to][f].cost < states_[to][family].cost)
+            family = f;
+    while (to > 0) {
+        const State& state = states_[to][family];
+        const WallSamples::Sums sums = samples_.sums(points[state.from], points[to]);
+        const double squares =
+            family < WallPiece::free ? sums.squares(directions_[family]) : sums.least_squares();
+        pieces.push_back({points[state.from],
+                          points[to],
+                          static_cast<int>(family),
+                          line(family, sums),
+                          {},
+                          style_.price * prices[family] + squares / variance});
+        to = state.from;
+        family = state.family;
+    }
+    std::reverse(pieces.begin(), pieces.end());
+    return pieces;
+}
+
+std::optional<std::vector<WallPiece>> Planner::plan(const std::vector<std::size_t>& points) {
+    points_ = &points;
+    states_.assign(points.size(), {});
+    for (std::size_t to = 1; to < points.size(); ++to)
+        for (std::size_t from = to; from-- > 0 && to - from <= window;) {
+            if (points[to] - points[from] > samples_.steps())
+                break;
+            const WallSamples::Sums sums = samples_.sums(points[from], points[to]);
+            // Walls between all points in between would be cheaper, and even more so from farther off.
+            if (sums.least_squares() / variance > 12.0 * static_cast<double>(to - from) + 60)
+                break;
+            extend(from, to, sums);
+        }
+    const States& last = states_.back();
+    if (std::ranges::all_of(last, [](const State& state) { return state.cost == infinite; }))
+        return {};
+    return trace_back(points);
+}
+
+/// The direction that walls of the four families agree on.
+double adjusted(double direction, const std::vector<WallPiece>& pieces, const WallSamples& samples) {
+    constexpr double quarter = std::numbers::pi / 4;
+    double sum = 0;
+    double weights = 0;
+    for (const WallPiece& piece : pieces) {
+        const WallSamples::Sums sums = samples.sums(piece.first, piece.last);
+        if (piece.family >= 2 || sums.n < 4)
+            continue;
+        const Vec along = sums.direction();
+        const double off = std::atan2(along.y, along.x) - direction;
+        const double rest = off - std::round(off / (2 * quarter)) * 2 * quarter;
+        if (std::abs(rest) > 0.2)
+            continue;
+        const double weight = std::pow(sums.n, 3);
+        sum += weight * rest;
+        weights += weight;
+    }
+    return weights > 0 ? direction + sum / weights : direction;
+}
+
+/// Begins the turning points of a closed chain anew, where two walls meet at the largest angle.
+std::vector<std::size_t> restarted(const std::vector<std::size_t>& points,
+                                   const std::vector<WallPiece>& pieces, std::size_t steps) {
+    std::size_t start = pieces.front().first;
+    double largest = -1;
+    for (std::size_t i = 1; i < pieces.size(); ++i) {
+        const auto shorter = static_cast<double>(std::min(
+            {pieces[i - 1].last - pieces[i - 1].first, pieces[i].last - pieces[i].first, std::size_t{20}}));
+        const double turn = std::abs(cross(pieces[i - 1].line.along, pieces[i].line.along)) * shorter;
+        if (turn > largest) {
+            largest = turn;
+            start = pieces[i].first;
+        }
+    }
+    start %= steps;
+    std::vector<std::size_t> result;
+    for (const std::size_t point : points)
+        if (point % steps >= start && point < steps)
+            result.push_back(point);
+    for (const std::size_t point : points)
+        if (point % steps < start && point < steps)
+            result.push_back(point + steps);
+    result.push_back(start + steps);
+    return result;
+}
+
+}  // namespace
+
+std::optional<std::vector<WallPiece>> plan_walls(const WallSamples& samples, const WallStyle& style,
+                                                 double& direction) {
+    std::vector<std::size_t> points = turning_points(samples);
+    if (samples.closed())
+        points.push_back(samples.steps());
+    std::optional<std::vector<WallPiece>> pieces = Planner(samples, style, direction).plan(points);
+    if (!pieces || pieces->size() < 2)
+        return pieces;
+    direction = adjusted(direction, *pieces, samples);
+    if (samples.closed())
+        points = restarted(points, *pieces, samples.steps());
+    std::optional<std::vector<WallPiece>> again = Planner(samples, style, direction).plan(points);
+    return again ? again : pieces;
+}
+
+}  // namespace d2b

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "core/lattice.hpp"
+
+namespace d2b {
+
+/// A point or a direction in cells of one area that keep the angles of the ground: x and y from columns and
+/// rows.
+struct Vec {
+    double x = 0;
+    double y = 0;
+
+    friend Vec operator+(Vec a, Vec b) { return {a.x + b.x, a.y + b.y}; }
+    friend Vec operator-(Vec a, Vec b) { return {a.x - b.x, a.y - b.y}; }
+    friend Vec operator*(double f, Vec a) { return {f * a.x, f * a.y}; }
+    friend bool operator==(const Vec&, const Vec&) = default;
+};
+[[nodiscard]] inline double dot(Vec a, Vec b) {
+    return a.x * b.x + a.y * b.y;
+}
+[[nodiscard]] inline double cross(Vec a, Vec b) {
+    return a.x * b.y - a.y * b.x;
+}
+[[nodiscard]] double length(Vec a);
+/// From a point to a segment.
+[[nodiscard]] double distance(Vec p, Vec a, Vec b);
+
+/// What a cell looks like on the ground: a column's and a row's step, scaled so that the cell has an area
+/// of 1. Right angles are right in these coordinates, whether cells are square or not, and distances are in
+/// cells.
+struct CellShape {
+    Vec col{1, 0};
+    Vec row{0, 1};
+
+    [[nodiscard]] Vec from_cells(double rows, double cols) const { return cols * col + rows * row; }
+    /// The nearest fine point to a place that is seen from `origin`.
+    [[nodiscard]] FinePoint to_fine(Vec place, LatticePoint origin) const;
+    [[nodiscard]] Vec from_fine(FinePoint point, LatticePoint origin) const;
+};
+
+/// A straight line: a point and a unit direction.
+struct Line {
+    Vec through;
+    Vec along;
+
+    [[nodiscard]] double off(Vec p) const { return cross(along, p - through); }
+    [[nodiscard]] Vec foot(Vec p) const { return through + dot(p - through, along) * along; }
+};
+
+/// A traced chain taken apart into its unit steps, seen from its first point. Lines are fitted to the middles
+/// of the steps, which lie evenly on both sides of the wall that the staircase stands for. Any stretch of
+/// steps is fitted in O(1), from running sums.
+class WallSamples {
+  public:
+    /// @param trace corners and junctions of a chain; a closed one does not repeat its first point
+    WallSamples(const std::vector<LatticePoint>& trace, bool closed, const CellShape& shape);
+
+    [[nodiscard]] bool closed() const { return closed_; }
+    [[nodiscard]] std::size_t steps() const { return steps_; }
+    /// The lattice point at which a step begins; in a closed chain steps go round.
+    [[nodiscard]] Vec at(std::size_t step) const { return points_[wrap(step)]; }
+    [[nodiscard]] bool corner(std::size_t step) const { return corner_[wrap(step)]; }
+    /// Where a point of the trace stands among the steps.
+    [[nodiscard]] std::size_t step_of(std::size_t trace_point) const { return step_of_[trace_point]; }
+
+    struct Sums {
+        double n = 0;
+        Vec mean;
+        double xx = 0;  ///< about the mean
+        double xy = 0;
+        double yy = 0;
+        /// Sum of squared distances from the line through the mean.
+        [[nodiscard]] double squares(Vec along) const {
+            return along.y * along.y * xx - 2 * along.x * along.y * xy + along.x * along.x * yy;
+        }
+        [[nodiscard]] double least_squares() const;
+        /// The direction with the least sum of squares.
+        [[nodiscard]] Vec direction() const;
+    };
+    /// Of the middles of steps first .. last - 1; last <= first + steps().
+    [[nodiscard]] Sums sums(std::size_t first, std::size_t last) const;
+    /// The largest distance of the trace from a line between two steps; stops above `limit`.
+    [[nodiscard]] double largest_off(std::size_t first, std::size_t last, const Line& line,
+                                     double limit) const;
+
+  private:
+    using Moments = std::array<double, 5>;  // x, y, xx, xy, yy
+    [[nodiscard]] std::size_t wrap(std::size_t step) const {
+        return closed_ && step >= steps_ ? step % steps_ : step;
+    }
+
+    bool closed_;
+    std::size_t steps_ = 0;
+    std::vector<Vec> points_;
+    std::vector<bool> corner_;
+    std::vector<std::size_t> step_of_;
+    std::vector<Moments> running_;  // of the steps before each
+};
+
+}  // namespace d2b

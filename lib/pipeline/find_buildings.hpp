@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "attributes/records.hpp"
+#include "core/grid.hpp"
+#include "pipeline/elevation_reader.hpp"
+#include "pipeline/pipeline.hpp"
+
+namespace d2b {
+
+/// What ground and detection know of a DEM.
+struct FoundBuildings {
+    Grid<Label> labels;                 ///< of the window; what is doubtful only where it is to be written
+    Label buildings = 0;                ///< labels above are doubtful
+    std::vector<Footprint> footprints;  ///< by label; [0] is not used
+    std::vector<double> ground;         ///< elevations in the vertical unit, by label
+
+    [[nodiscard]] Label count() const { return static_cast<Label>(footprints.size() - 1); }
+    /// The labels of a band of the window.
+    [[nodiscard]] LabelBand band(const BandShape& shape, std::int32_t window_row) const;
+};
+
+/// Estimates or reads the terrain, detects buildings above it, and writes the rasters that are asked for.
+/// @param metres in one vertical unit
+[[nodiscard]] FoundBuildings find_buildings(const Options& options, const Sources& sources,
+                                            const Sinks& sinks, ElevationReader& reader, const CellSize& cell,
+                                            double metres, Context& context);
+
+}  // namespace d2b

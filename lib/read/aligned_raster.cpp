@@ -1,0 +1,139 @@
+#include "read/aligned_raster.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include "core/error.hpp"
+#include "read/gdal_messages.hpp"
+#include "read/georeference.hpp"
+#include "read/window.hpp"
+
+namespace d2b {
+
+namespace {
+
+std::unique_ptr<SpooledInput> spool(const std::string& path) {
+    return is_standard_input(path) ? std::make_unique<SpooledInput>(path) : nullptr;
+}
+
+DemInfo describe(const OpenRaster& file, const std::string& path, Context& context) {
+    const GdalMessages messages;
+    DemInfo info;
+    info.name = path;
+    info.rows = GDALGetRasterYSize(file.dataset.get());
+    info.cols = GDALGetRasterXSize(file.dataset.get());
+    info.window = {0, 0, info.rows, info.cols};
+    if (const GDALDriverH driver = GDALGetDatasetDriver(file.dataset.get()))
+        info.driver = GDALGetDriverShortName(driver);
+    if (const char* unit = GDALGetRasterUnitType(file.band))
+        info.band_unit = unit;
+    Context own;  // what is said of a missing CRS or georeference is true of the DEM alone
+    read_transform(file.dataset.get(), info, own);
+    read_crs(file.dataset.get(), "", info, own);
+    messages.pass_all(context);
+    return info;
+}
+
+DemInfo on_grid(DemInfo grid, const DemInfo& raster) {
+    grid.name = raster.name;
+    grid.driver = raster.driver;
+    return grid;
+}
+
+std::string percent_text(double share) {
+    if (share < 0.01)
+        return "Less than 1 %";
+    if (share > 0.99)
+        return "More than 99 %";
+    return "About " + std::to_string(static_cast<int>(std::lround(share * 100))) + " %";
+}
+
+}  // namespace
+
+AlignedRaster::AlignedRaster(const std::string& role, const std::string& path, const DemInfo& grid,
+                             Resampling resampling, Context& context)
+    : context_(context),
+      name_(role + " '" + path + "'"),
+      dem_("'" + grid.name + "'"),
+      spooled_(spool(path)),
+      file_(open_first_band(path, spooled_ ? spooled_->path() : path, context)),
+      raster_(describe(file_, path, context)),
+      info_(on_grid(grid, raster_)),
+      reader_(file_.band, {}, raster_, context) {
+    if (raster_.georeferenced != grid.georeferenced) {
+        const std::string is = "The " + name_ + " has " + (raster_.georeferenced ? "a" : "no");
+        throw InputError(is + " georeference and " + dem_ + " has " +
+                         (raster_.georeferenced ? "none" : "one") +
+                         "; give both of them one, for example with gdal_edit.py -a_ullr.");
+    }
+    place(grid, resampling);
+}
+
+void AlignedRaster::place(const DemInfo& grid, Resampling resampling) {
+    GridTransform transform(name_, raster_, grid);
+    const Coverage found = coverage(transform, raster_, info_);
+    if (!found.meets)
+        refuse_elsewhere();
+    covered_ = found.share;
+    if (raster_.crs_wkt.empty() && !info_.crs_wkt.empty())
+        context_.warn("The " + name_ + " has no coordinate reference system; its coordinates are taken as " +
+                      "those of " + dem_ + ".");
+    if (!raster_.crs_wkt.empty() && info_.crs_wkt.empty())
+        context_.warn("The " + name_ + " has a coordinate reference system and " + dem_ +
+                      " has none; coordinates of both are taken as the same.");
+    offset_ = whole_cell_offset(transform, info_);
+    if (!offset_)
+        warper_ = std::make_unique<ValueWarper>(reader_, raster_, info_, std::move(transform), resampling,
+                                                context_);
+}
+
+void AlignedRaster::refuse_elsewhere() const {
+    std::string advice =
+        "; give one of the same area, or correct a coordinate reference system that is wrong.";
+    if (raster_.crs_wkt.empty() && !info_.crs_wkt.empty())
+        advice =
+            " in the coordinates of the latter, and it has no coordinate reference system; give it its own " +
+            std::string("with gdal_edit.py -a_srs.");
+    if (!raster_.crs_wkt.empty() && info_.crs_wkt.empty())
+        advice =
+            " in the coordinates of the former, and the DEM has no coordinate reference system; give it " +
+            std::string("with -a_srs.");
+    throw InputError("The " + name_ + " has no cell in the part of " + dem_ + " that is used" + advice);
+}
+
+void AlignedRaster::warn_of_gaps(const std::string& consequence) const {
+    if (covered_ < 1)
+        context_.warn(percent_text(1 - covered_) + " of " + dem_ + " lies outside of the " + name_ + "; " +
+                      consequence + " there.");
+}
+
+void AlignedRaster::read(std::int32_t first_row, std::int32_t rows, std::span<double> values) {
+    require_rows(info_, first_row, rows, values.size());
+    if (offset_)
+        copy(first_row, rows, values);
+    else
+        warper_->read(first_row, rows, values);
+}
+
+void AlignedRaster::copy(std::int32_t first_row, std::int32_t rows, std::span<double> values) {
+    std::fill(values.begin(), values.end(), std::numeric_limits<double>::quiet_NaN());
+    const Window& w = info_.window;
+    // Where the rows lie in the raster, and what of them is in it.
+    const std::int32_t top = first_row + offset_->rows;
+    const std::int32_t left = w.col + offset_->cols;
+    Window part{std::max(top, 0), std::max(left, 0), 0, 0};
+    part.rows = std::min(top + rows, raster_.rows) - part.row;
+    part.cols = std::min(left + w.cols, raster_.cols) - part.col;
+    if (part.rows <= 0 || part.cols <= 0)
+        return;
+    part_.resize(static_cast<std::size_t>(part.rows) * static_cast<std::size_t>(part.cols));
+    reader_.read_part(part, part_, context_);
+    for (std::int32_t i = 0; i < part.rows; ++i)
+        std::copy_n(part_.data() + std::ptrdiff_t{i} * part.cols, part.cols,
+                    values.data() + std::ptrdiff_t{part.row - top + i} * w.cols + (part.col - left));
+}
+
+}  // namespace d2b

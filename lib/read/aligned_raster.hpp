@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "core/context.hpp"
+#include "core/dem_info.hpp"
+#include "read/band_reader.hpp"
+#include "read/grid_fit.hpp"
+#include "read/open_raster.hpp"
+#include "read/spool.hpp"
+#include "read/value_warper.hpp"
+
+namespace d2b {
+
+/// The first band of any raster, on the grid and in the window of a DEM. Where the cells of both coincide,
+/// values are those of the raster, bit by bit; else they are resampled. Half a cell of the raster inside its
+/// edge values go on level.
+class AlignedRaster {
+  public:
+    /// @param role what messages call the raster: "terrain"
+    /// @throws InputError: cannot be opened, of no use as a raster, nothing in the window, only one of the
+    /// two is georeferenced, no operation between the CRSs
+    AlignedRaster(const std::string& role, const std::string& path, const DemInfo& grid,
+                  Resampling resampling, Context& context);
+
+    /// "terrain 'dtm.tif'"
+    [[nodiscard]] const std::string& name() const { return name_; }
+    /// Of the raster itself.
+    [[nodiscard]] const DemInfo& raster() const { return raster_; }
+    /// Of the DEM, by the name of the raster.
+    [[nodiscard]] const DemInfo& info() const { return info_; }
+    /// Warns where a part of the window lies outside of the raster. @param consequence "there is no ground"
+    void warn_of_gaps(const std::string& consequence) const;
+
+    /// As DemSource::read(), in the band's unit, scale and offset applied. @throws InputError
+    void read(std::int32_t first_row, std::int32_t rows, std::span<double> values);
+
+  private:
+    void place(const DemInfo& grid, Resampling resampling);
+    [[noreturn]] void refuse_elsewhere() const;
+    void copy(std::int32_t first_row, std::int32_t rows, std::span<double> values);
+
+    Context& context_;
+    std::string name_;
+    std::string dem_;                        ///< its name
+    std::unique_ptr<SpooledInput> spooled_;  // before the dataset, which must be closed first
+    OpenRaster file_;
+    DemInfo raster_;
+    DemInfo info_;
+    BandReader reader_;
+    double covered_ = 0;
+    std::optional<CellOffset> offset_;
+    std::unique_ptr<ValueWarper> warper_;  ///< where there is no offset
+    std::vector<double> part_;
+};
+
+}  // namespace d2b

@@ -1,0 +1,78 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "read/aligned_raster.hpp"
+#include "read/cutline_mask.hpp"
+#include "read/gdal_messages.hpp"
+#include "read/side_rasters.hpp"
+#include "read/window.hpp"
+
+namespace d2b {
+
+namespace {
+
+class RasterMask final : public DemSource {
+  public:
+    RasterMask(const std::string& path, const DemInfo& grid, Context& context)
+        : raster_("mask", path, grid, Resampling::nearest, context) {}
+
+    [[nodiscard]] const DemInfo& info() const override { return raster_.info(); }
+
+    void read(std::int32_t first_row, std::int32_t rows, std::span<double> inside) override {
+        raster_.read(first_row, rows, inside);
+        for (double& value : inside)
+            value = std::isnan(value) || value == 0 ? 0 : 1;
+    }
+
+  private:
+    AlignedRaster raster_;
+};
+
+class PolygonMask final : public DemSource {
+  public:
+    PolygonMask(const std::string& path, const DemInfo& grid, Context& context)
+        : info_(grid), mask_(read_cutline(path, grid, context, "mask"), grid.window) {
+        info_.name = path;
+        if (!mask_.meets_window())
+            throw InputError("The mask '" + path + "' has no polygon in the part of '" + grid.name +
+                             "' that is used; give one of the same area.");
+    }
+
+    [[nodiscard]] const DemInfo& info() const override { return info_; }
+
+    void read(std::int32_t first_row, std::int32_t rows, std::span<double> inside) override {
+        require_rows(info_, first_row, rows, inside.size());
+        std::fill(inside.begin(), inside.end(), 1.0);
+        mask_.apply(first_row, rows, inside);
+        for (double& value : inside)
+            value = std::isnan(value) ? 0 : 1;
+    }
+
+  private:
+    DemInfo info_;
+    CutlineMask mask_;
+};
+
+/// Whether a dataset has layers and no bands.
+bool is_vector(const std::string& path) {
+    const GdalMessages messages;
+    const DatasetOwner dataset(
+        GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
+                   nullptr, nullptr, nullptr));
+    if (!dataset)
+        throw InputError("The mask '" + path +
+                         "' cannot be opened as a raster or as polygons: " + messages.reason_for(path) + ".");
+    return GDALGetRasterCount(dataset.get()) == 0 && GDALDatasetGetLayerCount(dataset.get()) > 0;
+}
+
+}  // namespace
+
+std::unique_ptr<DemSource> open_mask(const std::string& path, const DemInfo& grid, Context& context) {
+    // What comes in on the standard input can be opened once; GDAL reads no rasters from there by itself.
+    if (!is_standard_input(path) && is_vector(path))
+        return std::make_unique<PolygonMask>(path, grid, context);
+    return std::make_unique<RasterMask>(path, grid, context);
+}
+
+}  // namespace d2b

@@ -1,0 +1,50 @@
+#include <algorithm>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "read/aligned_raster.hpp"
+#include "read/side_rasters.hpp"
+
+namespace d2b {
+
+namespace {
+
+constexpr double rounding = 1e-6;  // single precision, and scales such as 1/10000
+
+class NdviSource final : public DemSource {
+  public:
+    NdviSource(const std::string& path, const DemInfo& grid, Context& context)
+        : raster_("NDVI", path, grid, Resampling::bilinear, context) {
+        raster_.warn_of_gaps("nothing is known of vegetation");
+        // Of another product every row tells, and a run should not fail at its end.
+        std::vector<double> row(static_cast<std::size_t>(grid.window.cols));
+        read(grid.window.row + grid.window.rows / 2, 1, row);
+    }
+
+    [[nodiscard]] const DemInfo& info() const override { return raster_.info(); }
+
+    void read(std::int32_t first_row, std::int32_t rows, std::span<double> values) override {
+        raster_.read(first_row, rows, values);
+        for (double& value : values) {
+            if (value < -1 - rounding || value > 1 + rounding)
+                throw InputError(
+                    "The " + raster_.name() + " has the value " + number_text(value) +
+                    ", and an NDVI lies between -1 and 1; set the scale of a scaled product, for "
+                    "example with gdal_edit.py -scale 0.0001, or compute it as (NIR - red) / (NIR "
+                    "+ red) and clamp it.");
+            value = value < -1 ? -1 : value > 1 ? 1 : value;  // NaN stays
+        }
+    }
+
+  private:
+    AlignedRaster raster_;
+};
+
+}  // namespace
+
+std::unique_ptr<DemSource> open_ndvi(const std::string& path, const DemInfo& grid, Context& context) {
+    return std::make_unique<NdviSource>(path, grid, context);
+}
+
+}  // namespace d2b

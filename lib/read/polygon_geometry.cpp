@@ -1,0 +1,58 @@
+#include "read/polygon_geometry.hpp"
+
+#include <cstddef>
+#include <utility>
+
+#include "read/gdal_handles.hpp"
+
+namespace d2b {
+namespace {
+
+WorldRing ring_of(OGRGeometryH line, bool& open) {
+    const int count = OGR_G_GetPointCount(line);
+    WorldRing ring(static_cast<std::size_t>(count));
+    constexpr int stride = sizeof(Position);
+    if (count > 0)
+        OGR_G_GetPoints(line, &ring[0].x, stride, &ring[0].y, stride, nullptr, 0);
+    if (ring.size() > 1 && ring.front() == ring.back())
+        ring.pop_back();
+    else if (!ring.empty())
+        open = true;
+    return ring;
+}
+
+void add_polygon(OGRGeometryH polygon, Footprint& footprint) {
+    WorldPolygon result;
+    for (int i = 0; i < OGR_G_GetGeometryCount(polygon); ++i) {
+        WorldRing ring = ring_of(OGR_G_GetGeometryRef(polygon, i), footprint.open_ring);
+        if (i == 0)
+            result.exterior = std::move(ring);
+        else if (!ring.empty())
+            result.interiors.push_back(std::move(ring));
+    }
+    if (!result.exterior.empty())
+        footprint.polygons.push_back(std::move(result));
+}
+
+/// Polygons, and those within multipolygons and collections.
+// NOLINTNEXTLINE(misc-no-recursion): as deep as collections are nested
+void add_polygons(OGRGeometryH geometry, Footprint& footprint) {
+    const OGRwkbGeometryType type = OGR_GT_Flatten(OGR_G_GetGeometryType(geometry));
+    if (type == wkbPolygon || type == wkbTriangle)
+        return add_polygon(geometry, footprint);
+    if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection) != FALSE)
+        for (int i = 0; i < OGR_G_GetGeometryCount(geometry); ++i)
+            add_polygons(OGR_G_GetGeometryRef(geometry, i), footprint);
+}
+
+}  // namespace
+
+Footprint footprint_of(OGRGeometryH geometry) {
+    Footprint footprint;
+    const GeometryOwner straight(OGR_G_GetLinearGeometry(geometry, 0, nullptr));
+    if (straight)
+        add_polygons(straight.get(), footprint);
+    return footprint;
+}
+
+}  // namespace d2b

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/context.hpp"
+#include "core/dem_source.hpp"
+
+namespace d2b {
+
+/// What accompanies a DEM, on its grid: sources with the rows, columns, window, transform and CRS of `grid`,
+/// NaN where they know nothing. Of rasters the first band is taken, brought over by GDAL's warper where the
+/// cells are not the same, a few rows at a time and with one thread; the same cells keep their values bit by
+/// bit. A raster or DEM without a CRS is taken in the coordinates of the other, with a warning. The context
+/// must outlive the sources, which warn while they read.
+/// @throws InputError (all of them): cannot be opened or read, nothing in the window, a transform that is
+/// singular or missing, no operation between the CRSs
+
+/// A terrain model. Elevations are in the vertical unit of the DEM, so that equal files give equal numbers:
+/// those of another unit (the band's, else the vertical CRS's, else the DEM's own) are converted, vertical
+/// datums are not, with a warning. Between centres of cells, values are interpolated linearly; finer terrain
+/// models are averaged. Warns of the share of the window that lies outside.
+/// @param dem_vertical_metres metres in one vertical unit of the DEM
+[[nodiscard]] std::unique_ptr<DemSource> open_terrain(const std::string& path, const DemInfo& grid,
+                                                      double dem_vertical_metres, Context& context);
+
+/// Where to look: 1 inside, 0 outside, never NaN. Polygons, the centres of cells inside of any of which are
+/// inside; or a raster, where all that is neither 0 nor invalid is inside, with the value of the cell in
+/// which a centre lies. What is not covered is outside.
+[[nodiscard]] std::unique_ptr<DemSource> open_mask(const std::string& path, const DemInfo& grid,
+                                                   Context& context);
+
+/// The normalised difference vegetation index, resampled as terrain is. Scaled products (bytes, 16-bit
+/// integers) are understood by scale and offset of the band. A value outside of [-1, 1] is refused when it is
+/// read, and at once where one is in the middle row of the window.
+[[nodiscard]] std::unique_ptr<DemSource> open_ndvi(const std::string& path, const DemInfo& grid,
+                                                   Context& context);
+
+}  // namespace d2b

@@ -1,0 +1,112 @@
+#include "read/valid_cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <utility>
+
+#include <gdal_alg.h>
+
+#include "core/error.hpp"
+#include "read/gdal_dem_source.hpp"
+#include "read/gdal_handles.hpp"
+#include "read/gdal_messages.hpp"
+#include "read/polygon_geometry.hpp"
+
+namespace d2b {
+namespace {
+
+struct CellMask {
+    std::int32_t rows = 0;
+    std::int32_t cols = 0;
+    std::vector<std::uint8_t> valid;  ///< 1 or 0
+};
+
+CellMask mask_of(DemSource& dem) {
+    constexpr std::int32_t values_at_once = 1 << 20;
+    const DemInfo& info = dem.info();
+    CellMask mask{info.rows, info.cols, {}};
+    mask.valid.reserve(static_cast<std::size_t>(info.rows) * static_cast<std::size_t>(info.cols));
+    const std::int32_t rows_at_once = std::max(1, values_at_once / info.cols);
+    std::vector<double> values;
+    for (std::int32_t row = 0; row < info.rows; row += rows_at_once) {
+        const std::int32_t rows = std::min(rows_at_once, info.rows - row);
+        values.resize(static_cast<std::size_t>(rows) * static_cast<std::size_t>(info.cols));
+        dem.read(row, rows, values);
+        for (const double value : values)
+            mask.valid.push_back(std::isnan(value) ? 0 : 1);
+    }
+    return mask;
+}
+
+/// GDAL 3.11 takes vectors into the driver MEM.
+GDALDriverH memory_driver() {
+    const GDALDriverH driver = GDALGetDriverByName("Memory");
+    return driver != nullptr ? driver : GDALGetDriverByName("MEM");
+}
+
+/// In columns and, downwards, rows.
+std::vector<WorldPolygon> polygons_of(CellMask& mask, const std::string& name) {
+    const GdalMessages messages;
+    const DatasetOwner raster(
+        GDALCreate(GDALGetDriverByName("MEM"), "", mask.cols, mask.rows, 1, GDT_Byte, nullptr));
+    const DatasetOwner vectors(GDALCreate(memory_driver(), "", 0, 0, 0, GDT_Unknown, nullptr));
+    const OGRLayerH layer =
+        vectors ? GDALDatasetCreateLayer(vectors.get(), "valid", nullptr, wkbPolygon, nullptr) : nullptr;
+    const GDALRasterBandH band = raster ? GDALGetRasterBand(raster.get(), 1) : nullptr;
+    if (band == nullptr || layer == nullptr ||
+        GDALRasterIO(band, GF_Write, 0, 0, mask.cols, mask.rows, mask.valid.data(), mask.cols, mask.rows,
+                     GDT_Byte, 0, 0) != CE_None ||
+        GDALPolygonize(band, band, layer, -1, nullptr, nullptr, nullptr) != CE_None)
+        throw InputError("The cells of '" + name +
+                         "' that have data cannot be outlined: " + messages.reason() + ".");
+    std::vector<WorldPolygon> polygons;
+    OGR_L_ResetReading(layer);
+    while (const FeatureOwner feature{OGR_L_GetNextFeature(layer)})
+        for (WorldPolygon& polygon : footprint_of(OGR_F_GetGeometryRef(feature.get())).polygons)
+            polygons.push_back(std::move(polygon));
+    return polygons;
+}
+
+void place(WorldRing& ring, const AffineTransform& g) {
+    for (Position& p : ring)
+        p = {g[0] + p.x * g[1] + p.y * g[2], g[3] + p.x * g[4] + p.y * g[5]};
+}
+
+}  // namespace
+
+ValidCells valid_cells(const std::string& path, Context& context) {
+    ReadOptions options;
+    options.source = path;
+    Context own;  // what is said of a missing CRS gives advice for another tool
+    const std::unique_ptr<DemSource> dem = open_dem(options, own);
+    CellMask mask = mask_of(*dem);
+    const auto count = std::ranges::count(mask.valid, std::uint8_t{1});
+    if (count == 0)
+        throw InputError("No cell of '" + path +
+                         "' has data; give the raster that the footprints come from.");
+    const DemInfo& info = dem->info();
+    if (info.crs_wkt.empty())
+        context.warn("'" + path +
+                     "' has no coordinate reference system; its coordinates are taken as the reference's.");
+    else
+        for (const std::string& text : own.report.warnings)
+            context.warn(text);
+    const double cols = info.cols;
+    const double rows = info.rows;
+    ValidCells result{{}, info.crs_wkt};
+    if (static_cast<std::size_t>(count) == mask.valid.size())
+        result.polygons = {{{{0, 0}, {cols, 0}, {cols, rows}, {0, rows}}, {}}};
+    else
+        result.polygons = polygons_of(mask, path);
+    for (WorldPolygon& polygon : result.polygons) {
+        place(polygon.exterior, info.transform);
+        for (WorldRing& ring : polygon.interiors)
+            place(ring, info.transform);
+    }
+    return result;
+}
+
+}  // namespace d2b

@@ -1,0 +1,181 @@
+#include "score/score.hpp"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+#include "score/measure.hpp"
+#include "score/objects.hpp"
+#include "score/outline_distance.hpp"
+#include "score/polis.hpp"
+
+namespace d2b {
+namespace {
+
+double share(double part, double whole) {
+    return whole > 0 ? part / whole : 0;
+}
+double share(std::size_t part, std::size_t whole) {
+    return share(static_cast<double>(part), static_cast<double>(whole));
+}
+
+/// Far below what is measured, far above what coordinates are rounded to.
+constexpr double border_m = 0.001;
+
+void shift(Position& p, double right, double up) {
+    p = {p.x + right, p.y + up};
+}
+
+/// The rings in a region whose left and upper border belong to it and whose right and lower border do not, as
+/// with the cells of a raster: where footprints end with the data, half of such outlines count.
+std::vector<Line> rings_in_region(Polygons area, const Polygons& region, double border, Overlay& overlay) {
+    const auto shift_ring = [border](WorldRing& ring) {
+        for (Position& p : ring)
+            shift(p, border, -border);
+    };
+    for (WorldPolygon& polygon : area) {
+        shift_ring(polygon.exterior);
+        std::ranges::for_each(polygon.interiors, shift_ring);
+    }
+    std::vector<Line> rings = overlay.rings_within(area, region);
+    for (Line& ring : rings)
+        for (Position& p : ring)
+            shift(p, -border, border);
+    return rings;
+}
+
+/// Valid areas may have lost that on the way from one CRS to another.
+void repair(std::vector<Polygons>& areas, Overlay& overlay) {
+    for (Polygons& area : areas)
+        if (!overlay.valid(area))
+            area = overlay.made_valid(area);
+}
+
+class Scorer {
+  public:
+    Scorer(ScoreSide found, ScoreSide reference, ScoreOptions options)
+        : options_(std::move(options)), found_(std::move(found)), reference_(std::move(reference)) {
+        repair(found_.areas, overlay_);
+        repair(reference_.areas, overlay_);
+    }
+
+    Score run() {
+        const Dissolved found = overlay_.dissolve(found_.areas);
+        const Polygons reference = overlay_.union_of(reference_.areas);
+        score_.overlap = share(area_of(found.twice), area_of(found.once));
+        measure_outline(found.once, reference);
+        count_vertices();
+        const Comparison comparison = compare(in_region(found.once), in_region(reference), overlay_);
+        measure_areas(comparison);
+        measure_pairs(comparison);
+        return score_;
+    }
+
+  private:
+    [[nodiscard]] Polygons in_region(const Polygons& area) {
+        return options_.region ? overlay_.intersection(area, *options_.region) : area;
+    }
+
+    void measure_outline(const Polygons& found, const Polygons& reference) {
+        const double metres = options_.metres;
+        const std::vector<Line> outline =
+            options_.region ? rings_in_region(found, *options_.region, border_m / metres, overlay_)
+                            : rings_of(found);
+        const OutlineDistance distance =
+            outline_distance(outline, rings_of(reference), options_.outline_limit_m / metres,
+                             options_.outline_step_m / metres);
+        score_.outline_m = distance.length * metres;
+        score_.outline_near_m = distance.near * metres;
+        if (distance.rms)
+            score_.outline_rms_m = *distance.rms * metres;
+    }
+
+    [[nodiscard]] std::vector<bool> counted(const ScoreSide& side) {
+        return options_.region ? overlay_.touching(side.areas, *options_.region)
+                               : std::vector<bool>(side.areas.size(), true);
+    }
+
+    void count_vertices() {
+        const std::vector<bool> found = counted(found_);
+        for (std::size_t i = 0; i < found.size(); ++i)
+            if (found[i])
+                score_.found.vertices += found_.vertices[i];
+        const std::vector<bool> reference = counted(reference_);
+        for (std::size_t i = 0; i < reference.size(); ++i)
+            if (reference[i])
+                score_.reference.vertices +=
+                    overlay_.simplified_vertices(reference_.areas[i], options_.simplify_m / options_.metres);
+        score_.vertex_ratio = share(score_.found.vertices, score_.reference.vertices);
+    }
+
+    void measure_areas(const Comparison& comparison) {
+        const double square_metres = options_.metres * options_.metres;
+        const double both = comparison.found_area + comparison.reference_area - comparison.shared_area;
+        score_.shared_m2 = comparison.shared_area * square_metres;
+        score_.completeness = share(comparison.shared_area, comparison.reference_area);
+        score_.correctness = share(comparison.shared_area, comparison.found_area);
+        score_.iou = share(comparison.shared_area, both);
+        describe(score_.found, found_, comparison.found, comparison.found_area * square_metres);
+        describe(score_.reference, reference_, comparison.reference,
+                 comparison.reference_area * square_metres);
+        score_.object_completeness = share(score_.reference.objects_covered, score_.reference.objects);
+        score_.object_correctness = share(score_.found.objects_covered, score_.found.objects);
+    }
+
+    void describe(SideScore& score, const ScoreSide& side, const Objects& objects, double area_m2) const {
+        const ObjectCount count =
+            count_objects(objects, options_.min_object_m2 / (options_.metres * options_.metres));
+        score.features = side.areas.size();
+        score.invalid = side.invalid;
+        score.area_m2 = area_m2;
+        score.objects = count.large;
+        score.objects_covered = count.covered;
+    }
+
+    void measure_pairs(const Comparison& comparison) {
+        const auto found = object_heights(found_.heights, found_.areas, comparison.found.pieces, overlay_);
+        const auto reference =
+            object_heights(reference_.heights, reference_.areas, comparison.reference.pieces, overlay_);
+        double polis = 0;
+        std::vector<double> errors;
+        for (const ObjectPair& pair : comparison.pairs) {
+            if (!reaches(pair.iou, options_.match_iou))
+                continue;
+            ++score_.pairs;
+            polis += polis_distance(comparison.found.pieces[pair.found],
+                                    comparison.reference.pieces[pair.reference]);
+            if (found[pair.found] && reference[pair.reference])
+                errors.push_back(*found[pair.found] - *reference[pair.reference]);
+        }
+        if (score_.pairs > 0)
+            score_.polis_m = polis / static_cast<double>(score_.pairs) * options_.metres;
+        score_.heights = height_errors(errors);
+    }
+
+    Overlay overlay_;
+    ScoreOptions options_;
+    ScoreSide found_;
+    ScoreSide reference_;
+    Score score_;
+};
+
+}  // namespace
+
+ScoreSide score_side(const std::vector<Footprint>& footprints, Overlay& overlay) {
+    ScoreSide side;
+    for (const Footprint& footprint : footprints) {
+        const bool valid = !footprint.open_ring && overlay.valid(footprint.polygons);
+        if (!valid)
+            ++side.invalid;
+        side.areas.push_back(valid ? footprint.polygons : overlay.made_valid(footprint.polygons));
+        side.heights.push_back(footprint.height);
+        side.vertices.push_back(vertex_count(footprint.polygons, true));
+    }
+    return side;
+}
+
+Score score(ScoreSide found, ScoreSide reference, const ScoreOptions& options) {
+    return Scorer(std::move(found), std::move(reference), options).run();
+}
+
+}  // namespace d2b

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+
+#include "core/dem_info.hpp"
+#include "write/ogr_call.hpp"
+#include "write/ogr_handles.hpp"
+#include "write/raster_target.hpp"
+
+namespace d2b {
+
+/// A GeoTIFF of 32-bit floats on the window of a DEM: tiles of 256 x 256, DEFLATE with the floating point
+/// predictor, BigTIFF where it might grow above 4 GB. NoData is -9999, which other programs know, too.
+class GeoTiffFile {
+  public:
+    static constexpr std::int32_t tile = 256;
+    static constexpr float nodata = -9999;
+
+    /// @param target must outlive this @param path where it is written @throws OutputError
+    GeoTiffFile(const WriteTarget& target, const std::string& path, const DemInfo& grid,
+                const RasterMeta& meta);
+
+    /// @param first_row of the window, at a border of tiles @param values whole rows @throws OutputError
+    void write(std::int32_t first_row, std::int32_t rows, std::span<float> values);
+    /// @throws OutputError: also where only closing fails
+    void close();
+
+  private:
+    void place(const DemInfo& grid, const RasterMeta& meta);
+    void describe(const RasterMeta& meta);
+
+    const WriteTarget& target_;
+    std::int32_t cols_;
+    DatasetHandle dataset_;
+};
+
+}  // namespace d2b

@@ -1,0 +1,127 @@
+#include "write/raster_target.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <system_error>
+
+#include <cpl_vsi.h>
+
+#include "core/error.hpp"
+#include "read/gdal_messages.hpp"
+#include "write/existing_dataset.hpp"
+#include "write/local_path.hpp"
+#include "write/ogr_handles.hpp"
+
+namespace d2b {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What GDAL reads along with a GeoTIFF and would take for a part of the new one.
+constexpr std::array sidecars{".aux.xml", ".msk", ".ovr"};
+
+std::string quoted(const std::string& text) {
+    return "\"" + text + "\"";
+}
+
+void require_name(const std::string& name) {
+    std::string extension = fs::path(name).extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (extension != ".tif" && extension != ".tiff")
+        throw OptionError("Rasters are written as GeoTIFF; give " + quoted(name) +
+                          " a name that ends in .tif.");
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+    std::error_code error;
+    return a == b || fs::equivalent(a, b, error) ||
+           fs::weakly_canonical(fs::absolute(a, error), error) ==
+               fs::weakly_canonical(fs::absolute(b, error), error);
+}
+
+/// Whether a file is among those that a dataset consists of: the tiles of a mosaic.
+bool part_of(const std::string& path, const std::string& dataset_name) {
+    std::error_code error;
+    if (!fs::exists(dataset_name, error))  // neither pipes nor connections are opened
+        return false;
+    const GdalMessages quiet;
+    const DatasetHandle dataset(
+        GDALOpenEx(dataset_name.c_str(), GDAL_OF_READONLY, nullptr, nullptr, nullptr));
+    const CPLStringList files(dataset ? GDALGetFileList(dataset.get()) : nullptr);
+    for (int i = 0; i < files.Count(); ++i)
+        if (same_file(path, files[i]))
+            return true;
+    return false;
+}
+
+void refuse_in_use(const RasterTarget& target, const std::string& path, bool exists) {
+    for (const std::string& other : target.in_use)
+        if (!other.empty() && (same_file(path, other) || (exists && part_of(path, other))))
+            throw OptionError(quoted(target.destination) +
+                              " is read or written by this run already; choose another name.");
+}
+
+bool is_geotiff(const std::string& path) {
+    const GdalMessages quiet;
+    constexpr std::array<const char*, 2> drivers{"GTiff", nullptr};
+    return DatasetHandle(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers.data(), nullptr,
+                                    nullptr)) != nullptr;
+}
+
+void check_local(const RasterPlace& place) {
+    std::error_code error;
+    const fs::file_status status = fs::status(place.path, error);
+    if (fs::exists(status) && !fs::is_regular_file(status))
+        throw OptionError(quoted(place.name) + " is " +
+                          (fs::is_directory(status) ? "a folder" : "not a regular file") +
+                          ", and GeoTIFF writes a file; choose another name.");
+    check_parent_folder(place.name, place.path);
+    if (fs::exists(status))
+        return;
+    for (const char* suffix : sidecars)
+        if (fs::exists(place.path + suffix, error))
+            throw OptionError(quoted(place.path + suffix) + " would be read as a part of " +
+                              quoted(place.name) + "; remove that file first or choose another name.");
+}
+
+bool exists(const RasterPlace& place) {
+    std::error_code error;
+    VSIStatBufL status{};
+    return place.local ? fs::exists(place.path, error)
+                       : VSIStatExL(place.path.c_str(), &status, VSI_STAT_EXISTS_FLAG) == 0;
+}
+
+}  // namespace
+
+RasterPlace locate_raster(const RasterTarget& target) {
+    const std::string& name = target.destination;
+    require_name(name);
+    RasterPlace place;
+    place.name = place.path = name;
+    place.local = !name.starts_with("/vsi");
+    if (place.local)
+        place.path = resolved_path(name).string();
+    const bool there = exists(place);
+    refuse_in_use(target, place.path, there);
+    if (place.local)
+        check_local(place);
+    if (!there)
+        return place;
+    if (!target.overwrite)
+        throw OptionError(quoted(name) + " exists; say -overwrite to replace it.");
+    if (!is_geotiff(place.path))
+        throw OptionError(quoted(name) + " exists and is not a dataset of format GTiff; remove it first.");
+    place.old_files = {place.path};
+    std::error_code error;
+    for (const char* suffix : sidecars)
+        if (place.local && fs::exists(place.path + suffix, error))
+            place.old_files.push_back(place.path + suffix);
+    place.stamp = stamp_of(place.old_files);
+    return place;
+}
+
+}  // namespace d2b

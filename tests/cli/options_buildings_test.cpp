@@ -1,0 +1,194 @@
+#include <cmath>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/option_effect.hpp"
+#include "cli/town_files.hpp"
+#include "support/vector_file.hpp"
+
+namespace d2b::test {
+namespace {
+
+/// The building at the middle of a box.
+const Record& at(const Layer& layer, const Box& box) {
+    const Position middle = town_middle(box);
+    for (const Record& record : layer.records) {
+        const OGREnvelope around = record.box();
+        if (around.MinX < middle.x && around.MaxX > middle.x && around.MinY < middle.y &&
+            around.MaxY > middle.y)
+            return record;
+    }
+    throw std::runtime_error("no building at row " + std::to_string(box.row));
+}
+
+/// A square degree or so around the town, where the terrain lies at 97.5.
+RasterSpec terrain_in_degrees() {
+    RasterSpec spec;
+    spec.cols = spec.rows = 40;
+    spec.values.assign(1600, 97.5);
+    spec.transform = std::array<double, 6>{13.3, 0.005, 0, 52.6, 0, -0.005};
+    spec.crs = "EPSG:4326";
+    return spec;
+}
+
+}  // namespace
+
+std::string OptionEffect::find(Arguments arguments) const {
+    if (!std::filesystem::exists(path("town.tif")))
+        write(path("town.tif"), town_raster(MadeTown::surface()));
+    std::filesystem::remove(path("out.gpkg"));
+    arguments.insert(arguments.begin(), {"-preset", "buildings", "-q", "-overwrite"});
+    arguments.insert(arguments.end(), {"--", "town.tif", "out.gpkg"});
+    return run_well(arguments);
+}
+
+TEST_F(OptionEffect, preset) {
+    write(path("town.tif"), town_raster(MadeTown::surface()));
+    preset_ = "";  // the program's default
+    run_well({"-q", "town.tif", "standard.gpkg"});
+    find({});
+    EXPECT_EQ(layer("standard.gpkg", "buildings").metadata.at("D2B_PRESET"), "buildings");
+    ASSERT_EQ(buildings().records.size(), 3U);  // and no tree
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_EQ(layer("standard.gpkg", "buildings").records[i].wkt(), buildings().records[i].wkt());
+    EXPECT_EQ(contours().count(0), 0);
+    run_well({"-preset", "thesis", "-q", "-nf", "4", "-fl", "112", "--", "town.tif", "thesis.gpkg"});
+    const Layer thesis = layer("thesis.gpkg", "buildings");
+    EXPECT_EQ(thesis.metadata.at("D2B_PRESET"), "thesis");
+    EXPECT_GT(thesis.records.size(), 20U);  // trees too
+    EXPECT_EQ(layer("thesis.gpkg", "contours").count(0), 1);
+    EXPECT_TRUE(thesis.records[0].is_null("confidence"));
+}
+
+TEST_F(OptionEffect, ground) {
+    find({});
+    const double standard = at(buildings(), MadeTown::flat).number("ground");
+    find({"-ground", "auto"});
+    EXPECT_EQ(at(buildings(), MadeTown::flat).number("ground"), standard);
+    EXPECT_EQ(buildings().metadata.at("D2B_GROUND"), "auto");
+    write(path("heights.tif"), town_raster(MadeTown::heights()));
+    run_well({"-preset", "buildings", "-q", "-ground", "none", "heights.tif", "heights.gpkg"});
+    const Layer heights = layer("heights.gpkg", "buildings");
+    EXPECT_EQ(heights.records.size(), 3U);
+    EXPECT_EQ(heights.sum("ground"), 0);
+    EXPECT_EQ(heights.metadata.at("D2B_GROUND"), "none");
+    EXPECT_NEAR(at(heights, MadeTown::flat).number("p50"), MadeTown::flat_height, 0.1);
+}
+
+TEST_F(OptionEffect, ground__ofATerrainModel) {
+    write(path("dtm.tif"), town_raster(MadeTown::terrain()));
+    find({"-ground", "dtm.tif"});
+    EXPECT_EQ(buildings().records.size(), 3U);
+    EXPECT_EQ(buildings().metadata.at("D2B_GROUND"), "dtm.tif");
+    const Layer found = buildings();
+    const Record& flat = at(found, MadeTown::flat);
+    EXPECT_GT(flat.number("ground"), MadeTown::ground(MadeTown::flat.row - 1, MadeTown::flat.col - 1) - 0.04);
+    EXPECT_LT(flat.number("ground"), MadeTown::middle(MadeTown::flat));
+    EXPECT_NEAR(flat.number("p50"),
+                MadeTown::middle(MadeTown::flat) + MadeTown::flat_height - flat.number("ground"), 0.1);
+}
+
+TEST_F(OptionEffect, ground__ofATerrainModelInAnotherCrs) {
+    write(path("degrees.tif"), terrain_in_degrees());
+    find({"-ground", "degrees.tif", "-min_height", "10"});  // the lawn is up to 9 m above it
+    for (const Record& record : buildings().records)
+        EXPECT_EQ(record.number("ground"), 97.5);
+    EXPECT_NEAR(at(buildings(), MadeTown::podium).number("roof"),
+                MadeTown::middle(MadeTown::podium) + MadeTown::tower_height, 0.1);
+}
+
+TEST_F(OptionEffect, max_building_width) {
+    find({});
+    const double standard = at(buildings(), MadeTown::podium).number("ground");
+    EXPECT_NEAR(standard, MadeTown::middle(MadeTown::podium), 1);
+    // Where ground is looked for no farther than 8 m away, the roof of the podium is ground; towers are not.
+    find({"-max_building_width", "8"});
+    double highest = 0;
+    for (const Record& record : buildings().records)
+        highest = std::max(highest, record.number("ground"));
+    EXPECT_GT(highest, standard + 5);
+}
+
+TEST_F(OptionEffect, min_height) {
+    find({"-min_height", "12"});  // the podium is 9 m high, the tower 25
+    ASSERT_EQ(buildings().records.size(), 1U);
+    EXPECT_NEAR(buildings().records[0].area(), MadeTown::tower.area(), 0.05 * MadeTown::tower.area());
+}
+
+TEST_F(OptionEffect, min_confidence) {
+    find({});
+    std::set<double> confidences;
+    for (const Record& record : buildings().records)
+        confidences.insert(record.number("confidence"));
+    ASSERT_EQ(confidences.size(), 3U);
+    const double middle = *std::next(confidences.begin());
+    find({"-min_confidence", std::to_string(std::floor(middle * 1e6) / 1e6)});
+    EXPECT_EQ(buildings().records.size(), 2U);
+    run_warned({"-preset", "buildings", "-q", "-min_confidence", "1", "--", "town.tif", "none.gpkg"},
+               {"No building was found; -min_height, -min_area or -min_confidence may hide some."});
+    EXPECT_EQ(layer("none.gpkg", "buildings").records.size(), 0U);
+}
+
+TEST_F(OptionEffect, mask) {
+    write(path("mask.tif"), town_raster(MadeTown::in({MadeTown::gabled}, 1, 0)));
+    find({"-mask", "mask.tif"});
+    ASSERT_EQ(buildings().records.size(), 1U);
+    EXPECT_NEAR(at(buildings(), MadeTown::gabled).area(), MadeTown::gabled.area(), 8);
+    // Polygons, in degrees, around the flat house and the podium.
+    VectorLayer polygons;
+    polygons.epsg = 4326;
+    polygons.features = {{"POLYGON ((13.393 52.5,13.39463 52.5,13.39463 52.55,13.393 52.55,13.393 52.5))"}};
+    write_layer(path("mask.gpkg"), polygons);
+    find({"-mask", "mask.gpkg"});
+    const Layer found = buildings();
+    for (const Record& record : found.records)
+        EXPECT_LT(record.box().MaxX, 391085);
+    EXPECT_EQ(found.metadata.at("D2B_MASK"), "mask.gpkg");
+}
+
+TEST_F(OptionEffect, ndvi) {
+    find({});
+    const double standard = at(buildings(), MadeTown::gabled).number("confidence");
+    const double other = at(buildings(), MadeTown::flat).number("confidence");
+    write(path("ndvi.tif"), town_raster(MadeTown::in({MadeTown::gabled}, 0.75, -0.125)));
+    find({"-ndvi", "ndvi.tif", "-min_confidence", "0"});
+    EXPECT_LT(at(buildings(), MadeTown::gabled).number("confidence"), standard);
+    EXPECT_EQ(at(buildings(), MadeTown::flat).number("confidence"), other);
+    EXPECT_EQ(buildings().metadata.at("D2B_NDVI"), "ndvi.tif");
+}
+
+TEST_F(OptionEffect, split_height) {
+    find({"-split_height", "5"});
+    ASSERT_EQ(buildings().records.size(), 4U);
+    double area = 0;
+    for (const Record& record : buildings().records)
+        area += record.area();
+    const double expected = MadeTown::flat.area() + MadeTown::gabled.area() + MadeTown::podium.area();
+    EXPECT_NEAR(area, expected, 0.03 * expected);
+    find({"-split_height", "20"});  // the tower rises by 16
+    EXPECT_EQ(buildings().records.size(), 3U);
+}
+
+TEST_F(OptionEffect, levels) {
+    const auto thresholds = [&] {
+        std::set<double> distinct;
+        for (const Record& record : contours().records)
+            if (record.number("level") > 1)
+                distinct.insert(record.number("threshold"));
+        return distinct;
+    };
+    // Around the podium; of four slices the highest lies between its roof and that of the tower.
+    const nlohmann::json report =
+        nlohmann::json::parse(find({"-levels", "global", "-srcwin", "25", "70", "46", "42", "-json"}));
+    ASSERT_EQ(thresholds().size(), 1U);
+    EXPECT_NEAR(
+        *thresholds().begin(),
+        report["input"]["mean"].get<double>() + 0.6 * report["input"]["standard_deviation"].get<double>(),
+        1e-9);
+    find({"-levels", "building", "-lod", "1"});
+    EXPECT_EQ(thresholds().size(), 2U);  // that of the gabled roof and that of the tower
+    EXPECT_EQ(contours().metadata.at("D2B_LEVELS"), "building");
+}
+
+}  // namespace d2b::test

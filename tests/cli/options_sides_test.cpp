@@ -1,0 +1,139 @@
+#include <algorithm>
+#include <cmath>
+
+#include "cli/option_effect.hpp"
+#include "cli/town_files.hpp"
+
+namespace d2b::test {
+namespace {
+
+using Names = std::vector<std::string>;
+
+/// A raster as it was written, with what it says of itself.
+struct WrittenRaster {
+    explicit WrittenRaster(const std::string& path) : dataset(GDALOpen(path.c_str(), GA_ReadOnly)) {
+        EXPECT_NE(dataset, nullptr) << path;
+        cols = GDALGetRasterXSize(dataset.get());
+        values.resize(static_cast<std::size_t>(cols * GDALGetRasterYSize(dataset.get())));
+        EXPECT_EQ(GDALRasterIO(GDALGetRasterBand(dataset.get(), 1), GF_Read, 0, 0, cols,
+                               GDALGetRasterYSize(dataset.get()), values.data(), cols,
+                               GDALGetRasterYSize(dataset.get()), GDT_Float64, 0, 0),
+                  CE_None);
+        EXPECT_EQ(GDALGetGeoTransform(dataset.get(), transform.data()), CE_None);
+        crs = crs_name(GDALGetProjectionRef(dataset.get()));
+        unit = GDALGetRasterUnitType(GDALGetRasterBand(dataset.get(), 1));
+    }
+    [[nodiscard]] double at(int row, int col) const {
+        return values[static_cast<std::size_t>(row * cols + col)];
+    }
+
+    OpenDataset dataset;
+    int cols = 0;
+    std::vector<double> values;
+    std::array<double, 6> transform{};
+    std::string crs;
+    std::string unit;
+};
+
+/// Where the outline of a building may leave a cell out.
+bool at_corner(int row, int col) {
+    return std::ranges::any_of(std::array{MadeTown::flat, MadeTown::gabled, MadeTown::podium},
+                               [&](const Box& box) {
+                                   return (row == box.row || row == box.row + box.rows - 1) &&
+                                          (col == box.col || col == box.col + box.cols - 1);
+                               });
+}
+
+void expect_town_grid(const WrittenRaster& raster) {
+    EXPECT_EQ(raster.values.size(), static_cast<std::size_t>(MadeTown::rows) * MadeTown::cols);
+    EXPECT_EQ(raster.transform, (std::array<double, 6>{391000, 1, 0, 5820000, 0, -1}));
+    EXPECT_EQ(raster.crs, "ETRS89 / UTM zone 33N");
+    EXPECT_EQ(raster.unit, "metre");
+}
+
+}  // namespace
+
+TEST_F(OptionEffect, write_ground) {
+    find({"-write_ground", "ground.tif"});
+    const WrittenRaster ground(path("ground.tif"));
+    expect_town_grid(ground);
+    for (const Box& box : {MadeTown::flat, MadeTown::gabled, MadeTown::podium, Box{120, 20, 10, 10}}) {
+        const int row = box.row + box.rows / 2;
+        const int col = box.col + box.cols / 2;
+        EXPECT_NEAR(ground.at(row, col), MadeTown::ground(row, col), 0.4);
+    }
+}
+
+TEST_F(OptionEffect, write_height) {
+    find({"-write_height", "height.tif", "-write_ground", "ground.tif"});
+    const WrittenRaster height(path("height.tif"));
+    const WrittenRaster ground(path("ground.tif"));
+    expect_town_grid(height);
+    const std::vector<double> surface = MadeTown::surface();
+    for (std::size_t i = 0; i < surface.size(); ++i)
+        ASSERT_NEAR(height.values[i], surface[i] - ground.values[i], 1e-4);
+    EXPECT_NEAR(height.at(27, 29), MadeTown::flat_height, 0.5);
+}
+
+TEST_F(OptionEffect, write_canopy) {
+    find({"-write_canopy", "canopy.tif"});
+    const WrittenRaster canopy(path("canopy.tif"));
+    expect_town_grid(canopy);
+    EXPECT_EQ(canopy.at(27, 29), 0);   // a roof
+    EXPECT_EQ(canopy.at(125, 20), 0);  // a lawn
+    int trees = 0;
+    for (int r = 0; r < MadeTown::rows; ++r)
+        for (int c = 0; c < MadeTown::cols; ++c) {
+            trees += canopy.at(r, c) > 4 ? 1 : 0;
+            ASSERT_TRUE(canopy.at(r, c) == 0 || MadeTown::wood.holds(r, c) || at_corner(r, c))
+                << r << " " << c;
+        }
+    EXPECT_GT(trees, 500);
+    find({"-write_canopy", "canopy.tif", "-min_height", "8"});  // replaced
+    const WrittenRaster higher(path("canopy.tif"));
+    EXPECT_TRUE(std::ranges::all_of(higher.values, [](double z) { return z == 0 || z > 8; }));
+}
+
+TEST_F(OptionEffect, write_doubtful) {
+    find({});
+    double most = 0;
+    for (const Record& record : buildings().records)
+        most = std::max(most, record.number("confidence"));
+    const std::string least = std::to_string(std::floor(most * 1e6) / 1e6);
+    std::filesystem::remove(path("out.gpkg"));
+    find({"-write_doubtful", "-min_confidence", least});
+    EXPECT_EQ(layer_names(path("out.gpkg")), (Names{"buildings", "contours", "doubtful"}));
+    EXPECT_EQ(buildings().records.size(), 1U);
+    const Layer doubtful = layer("out.gpkg", "doubtful");
+    ASSERT_GE(doubtful.records.size(), 2U);
+    EXPECT_EQ(doubtful.fields, buildings().fields);
+    for (const Record& record : doubtful.records) {
+        EXPECT_LT(record.number("confidence"), most);
+        EXPECT_TRUE(record.valid());
+    }
+    find({"-write_doubtful", "-min_confidence", least, "-nln", "roofs", "-layers", "buildings"});
+    EXPECT_EQ(layer("out.gpkg", "roofs_doubtful").records.size(), doubtful.records.size());
+}
+
+TEST_F(OptionEffect, fields) {
+    find({"-fields", "own"});
+    const Names own = buildings().fields;
+    const double height = buildings().records[0].number("height");
+    const auto changed = [&](const char* names) {
+        std::filesystem::remove(path("out.gpkg"));
+        find({"-fields", names});
+        Names others;
+        for (const std::string& field : buildings().fields)
+            if (std::ranges::count(own, field) == 0)
+                others.push_back(field);
+        EXPECT_EQ(buildings().fields.size(), own.size());
+        EXPECT_EQ(std::ranges::count(contours().fields, "bldg_id"), 1);  // contours have theirs
+        return others;
+    };
+    EXPECT_EQ(changed("urock"), (Names{"ID_BUILD", "ROOF_HEIGHT"}));
+    EXPECT_EQ(buildings().records[0].number("ROOF_HEIGHT"), height);
+    EXPECT_EQ(changed("city4cfd"), (Names{"unique_id", "base_height", "floors"}));
+    EXPECT_EQ(changed("osm"), (Names{"ele", "building:levels"}));
+}
+
+}  // namespace d2b::test

@@ -1,0 +1,99 @@
+#include <cmath>
+
+#include "cli/option_effect.hpp"
+
+namespace d2b::test {
+namespace {
+
+/// A round house with a radius of 15 m on level ground, cells of 0.5 m.
+RasterSpec round_house() {
+    RasterSpec spec;
+    spec.cols = spec.rows = 120;
+    spec.type = GDT_Float32;
+    spec.transform = std::array<double, 6>{391000, 0.5, 0, 5820000, 0, -0.5};
+    spec.crs = "EPSG:25833";
+    for (int r = 0; r < 120; ++r)
+        for (int c = 0; c < 120; ++c)
+            spec.values.push_back(std::hypot(r - 59.5, c - 59.5) < 30 ? 12 : 0);
+    return spec;
+}
+
+}  // namespace
+
+TEST_F(OptionEffect, regularize) {
+    preset_ = "buildings";
+    const auto found = [&](Arguments arguments) {
+        std::filesystem::remove(path("out.gpkg"));
+        arguments.insert(arguments.end(), {"-q", "--", sample("courtyard_utm.tif"), "out.gpkg"});
+        run_well(arguments);
+        EXPECT_EQ(buildings().records.size(), 1U);
+        EXPECT_TRUE(buildings().records[0].valid());
+        return buildings();
+    };
+    const Layer traced = found({"-regularize", "off"});
+    EXPECT_EQ(traced.records[0].text("status"), "traced");
+    EXPECT_GT(traced.records[0].vertices(), 150);  // the steps of a turned house
+    EXPECT_EQ(traced.records[0].number("moved_m"), 0);
+    EXPECT_EQ(traced.metadata.at("D2B_REGULARIZE"), "off");
+    const Layer standard = found({});
+    for (const char* walls : {"auto", "right", "free"}) {
+        const Layer straight = found({"-regularize", walls});
+        EXPECT_EQ(straight.records[0].text("status"), "regularized") << walls;
+        EXPECT_LT(straight.records[0].vertices(), 30) << walls;
+        EXPECT_GT(straight.records[0].number("moved_m"), 0);
+        EXPECT_LE(straight.records[0].number("moved_m"), 0.75 + 1e-6);
+        EXPECT_NEAR(straight.records[0].area(), traced.records[0].area(), 0.02 * traced.records[0].area());
+        EXPECT_NEAR(straight.records[0].number("area_chg"),
+                    straight.records[0].area() / traced.records[0].area() - 1, 1e-6);
+        EXPECT_EQ(straight.metadata.at("D2B_REGULARIZE"), walls);
+        if (std::string(walls) == "auto") {
+            EXPECT_EQ(straight.records[0].wkt(), standard.records[0].wkt());
+        }
+    }
+}
+
+TEST_F(OptionEffect, regularize__worksOnContoursOfThePresetThesis) {
+    const Arguments rest{"-q",      "-trace", "cells", "-fl", "520", "--", sample("courtyard_utm.tif"),
+                         "out.gpkg"};
+    Arguments arguments{"-preset", "thesis", "-regularize", "right"};
+    arguments.insert(arguments.end(), rest.begin(), rest.end());
+    run_well(arguments);
+    EXPECT_EQ(buildings().records[0].text("status"), "regularized");
+    EXPECT_LT(buildings().records[0].vertices(), 30);
+}
+
+TEST_F(OptionEffect, regularize_tolerance) {
+    preset_ = "buildings";
+    const auto moved = [&](const char* cells) {
+        run_well({"-q", "-overwrite", "-regularize_tolerance", cells, "--", sample("courtyard_utm.tif"),
+                  "out.gpkg"});
+        return buildings().records[0].number("moved_m");
+    };
+    for (const char* cells : {"0.8", "1", "3"})
+        EXPECT_LE(moved(cells), std::stod(cells) * 0.5 + 1e-6) << cells;
+    moved("0.01");  // no straight wall is that near to steps
+    EXPECT_GT(buildings().records[0].vertices(), 100);
+}
+
+TEST_F(OptionEffect, arcs) {
+    preset_ = "buildings";
+    write(path("round.tif"), round_house());
+    const auto found = [&](Arguments arguments) {
+        std::filesystem::remove(path("out.gpkg"));
+        arguments.insert(arguments.end(), {"-q", "--", "round.tif", "out.gpkg"});
+        run_well(arguments);
+        return buildings();
+    };
+    const Layer pieces = found({});
+    ASSERT_EQ(pieces.records.size(), 1U);
+    EXPECT_EQ(OGR_GT_IsNonLinear(pieces.type), 0);
+    EXPECT_GT(pieces.records[0].vertices(), 16);
+    const Layer curved = found({"-arcs"});
+    ASSERT_EQ(curved.records.size(), 1U);
+    EXPECT_NE(OGR_GT_IsNonLinear(curved.type), 0);
+    EXPECT_NE(curved.records[0].wkt().find("CIRCULARSTRING"), std::string::npos);
+    EXPECT_NEAR(curved.records[0].area(), M_PI * 15 * 15, 0.02 * M_PI * 15 * 15);
+    EXPECT_NEAR(pieces.records[0].area(), M_PI * 15 * 15, 0.02 * M_PI * 15 * 15);
+}
+
+}  // namespace d2b::test

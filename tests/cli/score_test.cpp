@@ -1,0 +1,239 @@
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/cli_test_case.hpp"
+#include "support/vector_file.hpp"
+
+namespace d2b::test {
+namespace {
+
+using nlohmann::json;
+
+std::string box(double left, double low, double right, double high) {
+    const auto x0 = std::to_string(left);
+    const auto y0 = std::to_string(low);
+    const auto x1 = std::to_string(right);
+    const auto y1 = std::to_string(high);
+    return "POLYGON((" + x0 + " " + y0 + "," + x1 + " " + y0 + "," + x1 + " " + y1 + "," + x0 + " " + y1 +
+           "," + x0 + " " + y0 + "))";
+}
+
+/// Runs dem2buildings_score in an empty folder of its own.
+class ScoreTool : public CliTest {
+  protected:
+    [[nodiscard]] ToolResult score(const Arguments& arguments) const {
+        Arguments command{D2B_SCORE_TOOL};
+        command.insert(command.end(), arguments.begin(), arguments.end());
+        ToolSetup setup;
+        setup.working_directory = folder_.string();
+        return run_tool(command, setup);
+    }
+    /// @param warnings each a whole line
+    json score_json(Arguments arguments, const std::string& warnings = "") const {
+        arguments.emplace_back("-json");
+        const ToolResult result = score(arguments);
+        EXPECT_EQ(result.status, 0);
+        EXPECT_EQ(result.err, warnings);
+        return json::parse(result.out);
+    }
+    void expect_refused(int status, const std::string& message, const Arguments& arguments) const {
+        const ToolResult result = score(arguments);
+        EXPECT_EQ(result.status, status);
+        EXPECT_EQ(result.err, "ERROR: " + message + "\n");
+        EXPECT_EQ(result.out, "");
+    }
+    void layer_of(const std::string& file, const VectorLayer& layer) const { write_layer(path(file), layer); }
+    /// 100 m2 in both, 20 m2 of them shared by nobody: as Score.ofAShiftedSquare.
+    void write_shifted() const {
+        layer_of("found.gpkg", {"buildings", {{box(500002, 5800000, 500012, 5800010), 12}}});
+        layer_of("reference.gpkg", {"buildings", {{box(500000, 5800000, 500010, 5800010), 10}}});
+    }
+    const Arguments both_{"found.gpkg", "reference.gpkg"};
+};
+
+TEST_F(ScoreTool, measuresAShiftedSquare) {
+    write_shifted();
+    const json result = score_json(both_);
+    EXPECT_NEAR(result["iou"], 80.0 / 120, 1e-9);
+    EXPECT_NEAR(result["completeness"], 0.8, 1e-9);
+    EXPECT_NEAR(result["correctness"], 0.8, 1e-9);
+    EXPECT_NEAR(result["shared_m2"], 80, 1e-6);
+    EXPECT_NEAR(result["polis_m"], 1, 1e-9);
+    EXPECT_NEAR(result["outline_rms_m"], std::sqrt((40 + 24 + 4 * 8.0 / 3) / 40), 1e-3);
+    EXPECT_EQ(result["object_completeness"], 1);
+    EXPECT_EQ(result["object_correctness"], 1);
+    EXPECT_EQ(result["overlap"], 0);
+    EXPECT_EQ(result["invalid"], 0);
+    EXPECT_EQ(result["vertex_ratio"], 1);
+    EXPECT_EQ(result["pairs"], 1);
+    EXPECT_EQ(result["height_field"], "height");
+    EXPECT_EQ(result["height_error"]["mean_m"], 2);
+    EXPECT_EQ(result["metres"], 1);
+    EXPECT_EQ(result["crs"], "ETRS89 / UTM zone 32N");
+    EXPECT_EQ(result["found"]["layer"], "buildings");
+    EXPECT_EQ(result["found"]["vertices"], 5);
+}
+
+TEST_F(ScoreTool, hasTheSameKeysAlways) {
+    write_shifted();
+    const auto report = nlohmann::ordered_json::parse(score({"-json", both_[0], both_[1]}).out);
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : report.items())
+        keys.push_back(key);
+    EXPECT_EQ(keys, (std::vector<std::string>{"version",
+                                              "found",
+                                              "reference",
+                                              "crs",
+                                              "metres",
+                                              "limited",
+                                              "min_object_m2",
+                                              "shared_m2",
+                                              "completeness",
+                                              "correctness",
+                                              "iou",
+                                              "object_completeness",
+                                              "object_correctness",
+                                              "outline_m",
+                                              "outline_near_m",
+                                              "outline_rms_m",
+                                              "overlap",
+                                              "invalid",
+                                              "vertex_ratio",
+                                              "pairs",
+                                              "polis_m",
+                                              "height_field",
+                                              "height_error",
+                                              "warnings"}));
+}
+
+TEST_F(ScoreTool, reprojectsTheFound) {
+    // A ninth of a second of arc is some 3.4 m to the north: 9 degrees east is the middle of zone 32.
+    layer_of("found.gpkg", {.features = {{box(9, 50, 9.001, 50.001)}}, .epsg = 4326});
+    layer_of("reference.gpkg", {.features = {{box(500000, 5538630, 500071.7, 5538741.2)}}});
+    const json result = score_json(both_);
+    EXPECT_GT(result["iou"], 0.98);
+    // Degrees on both sides are measured in metres, too: 71.7 by 111.2.
+    const json local = score_json({"found.gpkg", "found.gpkg"});
+    EXPECT_EQ(local["crs"], "local transverse Mercator projection");
+    EXPECT_NEAR(local["found"]["area_m2"], 71.6956 * 111.2295, 2);
+    EXPECT_NEAR(local["iou"], 1, 1e-9);
+}
+
+TEST_F(ScoreTool, measuresFeetInMetres) {
+    layer_of("found.gpkg", {.features = {{box(13290000, 280000, 13290100, 280100)}}, .epsg = 2253});
+    const json result = score_json({"found.gpkg", "found.gpkg"});
+    EXPECT_EQ(result["metres"], 0.3048);
+    EXPECT_NEAR(result["found"]["area_m2"], 929.0304, 1e-4);
+}
+
+TEST_F(ScoreTool, keepsToTheAreaOfInterest) {
+    write_shifted();
+    EXPECT_EQ(score_json(both_)["limited"], false);
+    layer_of("reference.gpkg", {"aoi", {{box(500002, 5800000, 500010, 5800010)}}});
+    const json by_default = score_json(both_);
+    EXPECT_EQ(by_default["limited"], true);
+    EXPECT_NEAR(by_default["iou"], 1, 1e-9);
+    layer_of("reference.gpkg", {"left", {{box(500000, 5800000, 500004, 5800010)}}});
+    EXPECT_NEAR(score_json({"-aoi", "left", both_[0], both_[1]})["iou"], 0.5, 1e-9);
+    layer_of("right.gpkg", {"x", {{box(500008, 5800000, 500012, 5800010)}}});
+    EXPECT_NEAR(score_json({"-aoi", "right.gpkg", both_[0], both_[1]})["iou"], 0.5, 1e-9);
+}
+
+TEST_F(ScoreTool, keepsToTheRasterAndItsData) {
+    write_shifted();
+    // Cells of 2 m from (500000, 5800010) on, 4 by 5: they end at x = 500008; the first column has no data.
+    RasterSpec dem;
+    dem.cols = 4;
+    dem.rows = 5;
+    dem.values.assign(20, 7);
+    for (std::size_t row = 0; row < 5; ++row)
+        dem.values[row * 4] = -1;
+    dem.nodata = -1;
+    dem.transform = std::array<double, 6>{500000, 2, 0, 5800010, 0, -2};
+    write(path("dem.tif"), dem);
+    const json result = score_json({"-dem", "dem.tif", both_[0], both_[1]});
+    EXPECT_NEAR(result["found"]["area_m2"], 60, 1e-6);
+    EXPECT_NEAR(result["iou"], 1, 1e-9);
+}
+
+TEST_F(ScoreTool, bearsEmptyLayers) {
+    layer_of("found.gpkg", {"buildings"});
+    layer_of("reference.gpkg", {"buildings", {{box(0, 0, 10, 10)}}});
+    const json result =
+        score_json(both_, "Warning: The layer 'buildings' of 'found.gpkg' has no polygons.\n");
+    EXPECT_EQ(result["completeness"], 0);
+    EXPECT_EQ(result["outline_rms_m"], nullptr);
+    EXPECT_EQ(result["polis_m"], nullptr);
+    EXPECT_EQ(result["height_error"], nullptr);
+    EXPECT_EQ(result["warnings"].size(), 1U);
+}
+
+TEST_F(ScoreTool, countsInvalidPolygons) {
+    layer_of("found.gpkg", {"buildings", {{"POLYGON((0 0,10 10,10 0,0 10,0 0))"}}});
+    layer_of("reference.gpkg", {"buildings", {{box(0, 0, 10, 10)}}});
+    const json result = score_json(both_);
+    EXPECT_EQ(result["invalid"], 1);
+    EXPECT_NEAR(result["completeness"], 0.5, 1e-9);
+}
+
+TEST_F(ScoreTool, refusesPlacesThatDoNotMeet) {
+    layer_of("found.gpkg", {"buildings", {{box(0, 0, 10, 10)}}});
+    layer_of("reference.gpkg", {"buildings", {{box(50, 0, 60, 10)}}});
+    expect_refused(
+        1,
+        "'found.gpkg' (0 0 to 10 10) and 'reference.gpkg' (50 0 to 60 10) do not meet; check the files "
+        "and their coordinate reference systems.",
+        both_);
+    layer_of("reference.gpkg", {"here", {{box(5, 0, 60, 10)}}});
+    layer_of("reference.gpkg", {"aoi", {{box(30, 0, 60, 10)}}});
+    expect_refused(
+        1,
+        "'found.gpkg' (0 0 to 10 10) and the area of interest, layer 'aoi' of 'reference.gpkg', (30 0 to "
+        "60 10) do not meet; check the files and their coordinate reference systems.",
+        {"-reference_layer", "here", both_[0], both_[1]});
+}
+
+TEST_F(ScoreTool, refusesAnAreaOfInterestWithoutData) {
+    layer_of("found.gpkg", {"buildings", {{box(0, 0, 100, 10)}}});
+    layer_of("reference.gpkg", {"buildings", {{box(0, 0, 100, 10)}}});
+    layer_of("reference.gpkg", {"aoi", {{box(0, 0, 10, 10)}}});
+    RasterSpec dem;
+    dem.values = {1};
+    dem.transform = std::array<double, 6>{50, 10, 0, 10, 0, -10};
+    write(path("dem.tif"), dem);
+    expect_refused(1, "The area of interest has no cell of 'dem.tif' with data; check both files.",
+                   {"-dem", "dem.tif", both_[0], both_[1]});
+    layer_of("empty.gpkg", {"e"});
+    expect_refused(
+        1, "The area of interest, layer 'e' of 'empty.gpkg', has no polygons; give another one with -aoi.",
+        {"-aoi", "empty.gpkg", both_[0], both_[1]});
+}
+
+TEST_F(ScoreTool, refusesMissingLayersAndFields) {
+    write_shifted();
+    expect_refused(2, "'found.gpkg' has no layer 'houses'; it has 'buildings'.",
+                   {"-layer", "houses", both_[0], both_[1]});
+    expect_refused(2,
+                   "The layer 'buildings' of 'reference.gpkg' has no field 'tall'; its fields are 'height'.",
+                   {"-height_field", "tall", both_[0], both_[1]});
+    expect_refused(2, "-min_object must be a number of at least 0, not '-3'.",
+                   {"-min_object", "-3", both_[0], both_[1]});
+    const ToolResult missing = score({"nothing.gpkg", both_[1]});
+    EXPECT_EQ(missing.status, 1);
+    expect_has(missing.err, "'nothing.gpkg' cannot be opened as a vector dataset: ");
+}
+
+TEST_F(ScoreTool, saysWhatItIs) {
+    EXPECT_EQ(score({}).status, 2);
+    expect_has(score({}).err, "Usage: dem2buildings_score [options] <found> <reference>");
+    expect_has(score({"--help"}).out, "Exit status: 0 done, 1 failed, 2 wrong usage.");
+    expect_has(score({"--version"}).out, "dem2buildings_score 0.");
+    expect_has(score({"-man"}).out, ".TH DEM2BUILDINGS_SCORE 1");
+    write_shifted();
+    expect_has(score(both_).out, "IoU                   66.67 %\n");
+    EXPECT_EQ(score({"-q", both_[0], both_[1]}).out.find("found.gpkg"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace d2b::test

@@ -1,0 +1,155 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "detect/detection.hpp"
+#include "detect/scene.hpp"
+
+namespace d2b::test {
+
+inline constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
+
+/// A mask drawn in rows: # is 1.
+inline Mask drawn(const std::vector<std::string>& rows) {
+    Mask mask(static_cast<std::int32_t>(rows.size()), static_cast<std::int32_t>(rows.at(0).size()));
+    for (std::size_t i = 0; i < mask.size(); ++i)
+        mask.values[i] = rows[i / rows[0].size()].at(i % rows[0].size()) == '#' ? 1 : 0;
+    return mask;
+}
+
+/// The inverse of drawn(), which shows where masks differ.
+inline std::vector<std::string> drawing(const Mask& mask) {
+    std::vector<std::string> rows;
+    for (std::int32_t r = 0; r < mask.rows; ++r) {
+        rows.emplace_back();
+        for (const std::uint8_t value : mask.row(r))
+            rows.back() += value == 0 ? '.' : value == 1 ? '#' : '?';
+    }
+    return rows;
+}
+
+inline Mask random_mask(std::int32_t rows, std::int32_t cols, unsigned percent, std::mt19937& random) {
+    Mask mask(rows, cols);
+    for (std::uint8_t& value : mask.values)
+        value = random() % 100 < percent ? 1 : 0;
+    return mask;
+}
+
+/// Masks with large regions and holes in them, as roofs make them.
+inline Mask random_blocks(std::int32_t rows, std::int32_t cols, int blocks, std::mt19937& random) {
+    Mask mask(rows, cols);
+    const auto below = [&](std::int32_t n) {
+        return static_cast<std::int32_t>(random() % static_cast<unsigned>(n));
+    };
+    for (int i = 0; i < blocks; ++i) {
+        const std::int32_t top = below(rows);
+        const std::int32_t left = below(cols);
+        const std::int32_t bottom = std::min(rows, top + 1 + below(8));
+        const std::int32_t right = std::min(cols, left + 1 + below(8));
+        const std::uint8_t value = i % 4 == 3 ? 0 : 1;
+        for (std::int32_t r = top; r < bottom; ++r)
+            for (std::int32_t c = left; c < right; ++c)
+                mask.at(r, c) = value;
+    }
+    return mask;
+}
+
+template <typename T>
+Grid<T> transposed(const Grid<T>& grid) {
+    Grid<T> result(grid.cols, grid.rows);
+    for (std::int32_t r = 0; r < grid.rows; ++r)
+        for (std::int32_t c = 0; c < grid.cols; ++c)
+            result.at(c, r) = grid.at(r, c);
+    return result;
+}
+
+template <typename T>
+Grid<T> flipped(const Grid<T>& grid) {
+    Grid<T> result(grid.rows, grid.cols);
+    for (std::int32_t r = 0; r < grid.rows; ++r)
+        for (std::int32_t c = 0; c < grid.cols; ++c)
+            result.at(r, grid.cols - 1 - c) = grid.at(r, c);
+    return result;
+}
+
+/// Where something stands, and its elevation above the terrain there, by row and column.
+using Shape = std::function<float(std::int32_t, std::int32_t)>;
+
+/// Ground with things on it.
+struct Town {
+    MetreGrid surface;
+    MetreGrid terrain;
+    CellSize cell;
+
+    Town(std::int32_t rows, std::int32_t cols, CellSize size = {}, const Shape& ground = {})
+        : surface(rows, cols, 100.0F), terrain(rows, cols, 100.0F), cell(size) {
+        if (ground)
+            set(terrain, ground);
+        surface = terrain;
+    }
+    /// Elevations wherever the shape is not NaN.
+    void build(const Shape& elevation) { set(surface, elevation); }
+    /// A block from one cell to before another.
+    void block(std::int32_t top, std::int32_t left, std::int32_t bottom, std::int32_t right,
+               float elevation) {
+        build([=](std::int32_t r, std::int32_t c) {
+            return r >= top && r < bottom && c >= left && c < right ? elevation : unknown;
+        });
+    }
+    [[nodiscard]] Scene scene() const { return {surface, terrain, cell}; }
+
+  private:
+    static void set(MetreGrid& grid, const Shape& value) {
+        for (std::int32_t r = 0; r < grid.rows; ++r)
+            for (std::int32_t c = 0; c < grid.cols; ++c)
+                if (const float z = value(r, c); z == z)
+                    grid.at(r, c) = z;
+    }
+};
+
+inline Detection detect(const Town& town, const DetectOptions& options = {}) {
+    Context context;
+    return detect_buildings(town.scene(), options, context);
+}
+
+inline Mask cells_with(const Grid<Label>& labels, const std::function<bool(Label)>& chosen) {
+    Mask mask(labels.rows, labels.cols);
+    for (std::size_t i = 0; i < mask.size(); ++i)
+        mask.values[i] = chosen(labels.values[i]) ? 1 : 0;
+    return mask;
+}
+
+inline Mask building_mask(const Detection& detection) {
+    return cells_with(detection.labels,
+                      [&](Label label) { return label != 0 && label <= detection.buildings; });
+}
+
+/// A block's cells from `top`, `left` to before `bottom`, `right`.
+struct Block {
+    std::int32_t top, left, bottom, right;
+};
+
+/// What a vote of the nine cells around each leaves of blocks: the cell at a corner sees but three others of
+/// its block, four of nine, and goes; the cells beside it see five others, six of nine, and stay.
+inline Mask without_corners(Mask mask, const std::vector<Block>& blocks) {
+    for (const Block& block : blocks)
+        for (const std::int32_t r : {block.top, block.bottom - 1})
+            for (const std::int32_t c : {block.left, block.right - 1})
+                mask.at(r, c) = 0;
+    return mask;
+}
+
+/// Cells that rise above the terrain.
+inline Mask raised(const Town& town) {
+    Mask mask(town.surface.rows, town.surface.cols);
+    for (std::size_t i = 0; i < mask.size(); ++i)
+        mask.values[i] = town.surface.values[i] > town.terrain.values[i] ? 1 : 0;
+    return mask;
+}
+
+}  // namespace d2b::test

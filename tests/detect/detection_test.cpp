@@ -1,0 +1,278 @@
+#include "detect/detection.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "detect_case.hpp"
+
+namespace d2b {
+namespace {
+
+using test::building_mask;
+using test::detect;
+using test::drawing;
+using test::raised;
+using test::Town;
+using test::unknown;
+using test::without_corners;
+
+constexpr test::Block house_block{10, 12, 24, 32};
+
+float slope(std::int32_t r, std::int32_t c) {
+    return 100 + 0.12F * static_cast<float>(r) - 0.08F * static_cast<float>(c);
+}
+
+bool in_house(std::int32_t r, std::int32_t c) {
+    return r >= house_block.top && r < house_block.bottom && c >= house_block.left && c < house_block.right;
+}
+
+/// A house, and its corners if it has some.
+struct House {
+    test::Shape shape;
+    std::vector<test::Block> blocks;
+};
+
+/// Level, gabled and round houses. The round one is an octagon of cells, its border's steps go up by a cell
+/// and are five to nine cells wide or a cell each: all its cells see at least five of nine.
+std::vector<House> houses() {
+    return {
+        {[](auto r, auto c) { return in_house(r, c) ? 109.0F : unknown; }, {house_block}},
+        {[](auto r, auto c) {
+             return in_house(r, c) ? 112 - 0.6F * std::abs(static_cast<float>(r) - 16.5F) : unknown;
+         },
+         {house_block}},
+        {[](auto r, auto c) { return std::hypot(r - 17, c - 20) < 9 ? 115.0F : unknown; }, {}},
+    };
+}
+
+/// Crowns as a laser sees them: each cell another leaf.
+void plant(Town& town, std::int32_t top, std::int32_t left, std::int32_t rows, std::int32_t cols,
+           unsigned seed) {
+    std::mt19937 random(seed);
+    for (std::int32_t r = top; r < top + rows; ++r)
+        for (std::int32_t c = left; c < left + cols; ++c)
+            town.surface.at(r, c) = town.terrain.at(r, c) + 3 + static_cast<float>(random() % 900) / 100;
+}
+
+/// Houses and trees of all kinds.
+Town mixed_town() {
+    Town town(90, 70);
+    town.block(5, 5, 20, 30, 108);
+    town.block(20, 5, 32, 15, 106);
+    town.build([](auto r, auto c) { return std::hypot(r - 60, c - 20) < 10 ? 118.0F : unknown; });
+    town.build([](auto r, auto c) {
+        return r >= 30 && r < 50 && c >= 40 && c < 60 ? 112 - 0.4F * std::abs(static_cast<float>(c) - 49.5F)
+                                                      : unknown;
+    });
+    plant(town, 10, 35, 15, 20, 1);
+    plant(town, 48, 44, 12, 22, 2);
+    return town;
+}
+
+TEST(Detection, HousesAreFoundCellByCellButForTheirCorners) {
+    for (const test::Shape& ground : {test::Shape(), test::Shape(slope)})
+        for (const House& house : houses()) {
+            Town town(36, 44, {}, ground);
+            town.build(house.shape);
+            const Mask expected = without_corners(raised(town), house.blocks);
+            const Detection found = detect(town);
+            EXPECT_EQ(found.buildings, 1U);
+            ASSERT_EQ(found.objects.size(), 1U);
+            EXPECT_EQ(drawing(building_mask(found)), drawing(expected));
+            EXPECT_EQ(found.objects[0].cells, std::count(expected.values.begin(), expected.values.end(), 1));
+            EXPECT_GT(found.objects[0].confidence, 0.9);
+        }
+}
+
+TEST(Detection, SmallCellsLoseThreeACorner) {
+    // 25 cells of 0.5 m vote. The corner sees 3 x 3 of them, those beside it 3 x 4: both less than half. The
+    // next see 3 x 5 along the border and 4 x 4 inwards: more.
+    Town town(60, 70, {0.5, 0.5});
+    town.block(15, 12, 43, 52, 109);
+    Mask expected = without_corners(raised(town), {{15, 12, 43, 52}});
+    expected = without_corners(std::move(expected), {{16, 12, 42, 52}, {15, 13, 43, 51}});
+    EXPECT_EQ(drawing(building_mask(detect(town))), drawing(expected));
+}
+
+TEST(Detection, RoughTreesAreNone) {
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        Town town(60, 60);
+        plant(town, 5, 5, 50, 50, seed);
+        EXPECT_EQ(detect(town).buildings, 0U) << seed;
+    }
+}
+
+TEST(Detection, TreesBesideAHouseStayOutside) {
+    Town town(40, 60);
+    town.block(10, 10, 25, 30, 109);
+    const Mask house = without_corners(raised(town), {{10, 10, 25, 30}});
+    plant(town, 8, 34, 20, 20, 1);
+    EXPECT_EQ(drawing(building_mask(detect(town))), drawing(house));
+}
+
+TEST(Detection, SmallAndLowOnesAreNone) {
+    Town town(20, 40);
+    town.block(5, 5, 10, 11, 108);   // 26 m² without its corners
+    town.block(5, 15, 11, 21, 108);  // 32 m²
+    town.block(5, 26, 15, 36, 102);  // 96 m², as high as the least height, not higher
+    const Detection found = detect(town);
+    ASSERT_EQ(found.buildings, 1U);
+    EXPECT_EQ(found.objects[0].cells, 32);
+    EXPECT_EQ(found.labels.at(7, 17), 1U);
+    DetectOptions options;
+    options.min_area_m2 = 26;
+    options.min_height = 1.5;
+    const Detection more = detect(town, options);
+    ASSERT_EQ(more.buildings, 3U);
+    EXPECT_EQ(more.objects[0].cells, 26) << "numbered in scan order";
+    EXPECT_EQ(more.objects[2].cells, 96);
+    options.min_area_m2 = 26.5;
+    EXPECT_EQ(detect(town, options).objects.size(), 2U);
+    options.min_area_m2 = 97;
+    EXPECT_EQ(detect(town, options).objects.size(), 0U);
+}
+
+TEST(Detection, LooksOnlyWhereItIsAllowedTo) {
+    Town town(36, 44);
+    town.build(houses()[0].shape);
+    for (const std::uint8_t yes : std::vector<std::uint8_t>{1, 2, 255}) {
+        Mask allowed(36, 44);
+        for (std::int32_t r = 0; r < 36; ++r)
+            for (std::int32_t c = 0; c < 20; ++c)
+                allowed.at(r, c) = yes;
+        Scene scene = town.scene();
+        scene.allowed = &allowed;
+        Context context;
+        Mask expected = raised(town);
+        for (std::size_t i = 0; i < expected.size(); ++i)
+            if (allowed.values[i] == 0)
+                expected.values[i] = 0;
+        test::Block part = house_block;
+        part.right = 20;
+        expected = without_corners(std::move(expected), {part});
+        EXPECT_EQ(drawing(building_mask(detect_buildings(scene, {}, context))), drawing(expected));
+    }
+}
+
+TEST(Detection, GreenIsLessLikelyAndRoughGreenLeftOut) {
+    Town town(36, 60);
+    town.build(houses()[0].shape);
+    const Mask house = without_corners(raised(town), {house_block});
+    plant(town, 12, 32, 4, 4, 7);  // shrubs on the terrace behind
+    const Detection without = detect(town);
+    MetreGrid greenness(36, 60, unknown);
+    Scene scene = town.scene();
+    scene.greenness = &greenness;
+    Context context;
+    const Detection not_known = detect_buildings(scene, {}, context);
+    EXPECT_EQ(not_known.labels.values, without.labels.values);
+    EXPECT_EQ(not_known.objects[0].confidence, without.objects[0].confidence);
+    EXPECT_EQ(without.labels.at(13, 33), 1U) << "joined to the house as dormers would be";
+    for (std::int32_t r = 0; r < 36; ++r)
+        for (std::int32_t c = 32; c < 60; ++c)
+            greenness.at(r, c) = 0.6F;
+    EXPECT_EQ(drawing(building_mask(detect_buildings(scene, {}, context))), drawing(house));
+    std::fill(greenness.values.begin(), greenness.values.end(), 0.6F);
+    const Detection green = detect_buildings(scene, {}, context);
+    // Corners bend every way and are plants: their neighbours see five of nine and stay.
+    EXPECT_EQ(drawing(building_mask(green)), drawing(house)) << "smooth: a green roof";
+    EXPECT_LT(green.objects[0].confidence, without.objects[0].confidence);
+    EXPECT_EQ(green.objects[0].doubt, Doubt::green);
+}
+
+TEST(Detection, DoubtfulObjectsFollowBuildings) {
+    Town town(30, 60);
+    town.block(5, 5, 11, 11, 103);   // small and low
+    town.block(5, 20, 25, 50, 115);  // large and high
+    town.block(15, 5, 21, 11, 103);
+    DetectOptions options;
+    const Detection all = detect(town, options);
+    ASSERT_EQ(all.buildings, 3U);
+    const double small = all.objects[0].confidence;
+    ASSERT_GT(all.objects[1].confidence, small);
+    options.min_confidence = (small + all.objects[1].confidence) / 2;
+    const Detection found = detect(town, options);
+    EXPECT_EQ(found.buildings, 1U);
+    ASSERT_EQ(found.objects.size(), 3U);
+    EXPECT_EQ(found.labels.at(10, 30), 1U);
+    EXPECT_EQ(found.labels.at(7, 7), 2U);
+    EXPECT_EQ(found.labels.at(17, 7), 3U);
+    EXPECT_EQ(found.objects[0].cells, 596);
+    EXPECT_EQ(found.objects[1].cells, 32);
+    EXPECT_EQ(found.objects[1].confidence, small);
+}
+
+TEST(Detection, CourtyardsStayAndSmallHolesGo) {
+    Town town(60, 60);
+    town.block(10, 10, 50, 50, 110);
+    town.block(15, 15, 25, 25, 100);                                    // a courtyard of 100 m²
+    town.block(40, 40, 43, 43, 100);                                    // a shaft of 9 m²
+    Mask expected = without_corners(raised(town), {{10, 10, 50, 50}});  // those of the courtyard stay
+    for (std::int32_t r = 40; r < 43; ++r)
+        for (std::int32_t c = 40; c < 43; ++c)
+            expected.at(r, c) = 1;
+    EXPECT_EQ(drawing(building_mask(detect(town))), drawing(expected));
+}
+
+TEST(Detection, NothingThere) {
+    EXPECT_EQ(detect(Town(20, 30)).objects.size(), 0U);
+    EXPECT_EQ(detect(Town(20, 30)).labels.values, std::vector<Label>(600, 0));
+    Town void_town(20, 30);
+    void_town.build([](auto, auto) { return 0.0F; });
+    std::fill(void_town.surface.values.begin(), void_town.surface.values.end(), unknown);
+    EXPECT_EQ(detect(void_town).objects.size(), 0U);
+    EXPECT_EQ(detect(Town(1, 1)).buildings, 0U);
+    EXPECT_EQ(detect(Town(0, 0)).labels.size(), 0U);
+}
+
+TEST(Detection, EveryCellRaisedIsOneBuilding) {
+    Town town(20, 30);
+    town.block(0, 0, 20, 30, 110);
+    const Detection found = detect(town);
+    EXPECT_EQ(found.objects.size(), 1U);
+    EXPECT_EQ(found.objects[0].cells, 600);
+    EXPECT_EQ(found.objects[0].doubt, Doubt::no_step);
+}
+
+TEST(Detection, DoesNotDependOnTheOrientation) {
+    const Town town = mixed_town();
+    const Detection found = detect(town);
+    EXPECT_EQ(found.buildings, 3U);
+    const auto turned = [&](const auto& turn) {
+        Town other(1, 1);
+        other.surface = turn(town.surface);
+        other.terrain = turn(town.terrain);
+        return detect(other);
+    };
+    const auto flip = [](const auto& grid) { return test::flipped(grid); };
+    const auto transpose = [](const auto& grid) { return test::transposed(grid); };
+    EXPECT_EQ(drawing(building_mask(turned(flip))), drawing(test::flipped(building_mask(found))));
+    EXPECT_EQ(drawing(building_mask(turned(transpose))), drawing(test::transposed(building_mask(found))));
+}
+
+TEST(Detection, ObjectsCountTheirCells) {
+    const Detection found = detect(mixed_town());
+    std::vector<std::int64_t> cells(found.objects.size() + 1, 0);
+    for (const Label label : found.labels.values)
+        ++cells.at(label);
+    for (std::size_t i = 0; i < found.objects.size(); ++i)
+        EXPECT_EQ(found.objects[i].cells, cells[i + 1]);
+}
+
+TEST(Scene, ElevatedCellsRiseAboveTheHeight) {
+    Town town(1, 5);
+    town.surface.values = {102, 102.5F, unknown, 99, 104};
+    EXPECT_EQ(elevated_cells(town.scene(), 2).values, (std::vector<std::uint8_t>{0, 1, 0, 0, 1}));
+    const Mask allowed = test::drawn({"#.###"});
+    Scene scene = town.scene();
+    scene.allowed = &allowed;
+    EXPECT_EQ(elevated_cells(scene, 2).values, (std::vector<std::uint8_t>{0, 0, 0, 0, 1}));
+    scene.cell = {0.5, 2};
+    EXPECT_EQ(scene.side(), 1);
+    EXPECT_EQ(scene.cell_area(), 1);
+    EXPECT_EQ(scene.height(1), 2.5F);
+}
+
+}  // namespace
+}  // namespace d2b

@@ -1,0 +1,153 @@
+#include "detect/evidence.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "detect/smoothness.hpp"
+#include "detect_case.hpp"
+
+namespace d2b {
+namespace {
+
+using test::drawn;
+
+/// Where the logarithm of the segments' cells says nothing.
+constexpr double even_cells = 48;
+constexpr Evidence as_well_a_tree{0.4, 2.2, 0.4, even_cells, 0};
+
+TEST(Evidence, SumsOfAHandMadeObject) {
+    // A house of 3 by 4 cells, 5 m high, and one beside it of 2 by 2 that has nothing in common with it.
+    const Mask cells = drawn({".........",  //
+                              ".####....",  //
+                              ".####.##.",  //
+                              ".####.##.",  //
+                              "........."});
+    test::Town town(5, 9);
+    town.block(1, 1, 4, 5, 105);
+    town.block(2, 6, 4, 8, 103);
+    // Where nothing is known, the step goes down to the terrain.
+    town.surface.at(0, 2) = test::unknown;
+    town.terrain.at(0, 2) = 90;
+    Grid<std::uint8_t> flags(5, 9, smooth_along_row | smooth_along_column | smooth_any_way);
+    for (const std::int32_t c : {1, 2, 3})
+        flags.at(2, c) = smooth_enough;
+    MetreGrid greenness(5, 9, 0.3F);  // not more than the threshold
+    greenness.at(1, 1) = greenness.at(3, 4) = greenness.at(0, 0) = 0.31F;
+    greenness.at(2, 2) = test::unknown;
+    // Two pieces: one of four cells on the house and more beside it, one of two cells.
+    SmoothSegments segments{connected_regions(drawn({"#........",  //
+                                                     "####.....",  //
+                                                     "#........",  //
+                                                     ".##......",  //
+                                                     "........."})),
+                            {{100, 0.48}, {20, 0.08}}};
+    Scene scene = town.scene();
+    scene.greenness = &greenness;
+    const Objects objects{cells, connected_regions(cells)};
+    const std::vector<Evidence> evidence = collect_evidence(scene, objects, segments, flags);
+    ASSERT_EQ(evidence.size(), 2U);
+    EXPECT_NEAR(evidence[0].smooth, 3 / 12.0, 1e-12);
+    EXPECT_NEAR(evidence[0].green, 2 / 12.0, 1e-12);
+    // Ten of the twelve cells are on the border. Three of them meet the cell that is not known.
+    EXPECT_NEAR(evidence[0].step_m, (7 * 5 + 3 * 15) / 10.0, 1e-6);
+    // Three cells on the first piece, two on the second.
+    EXPECT_NEAR(evidence[0].tilt, std::pow(std::pow(0.5, 3) * std::pow(0.1, 2), 0.2), 1e-12);
+    EXPECT_NEAR(evidence[0].segment, std::pow(std::pow(100.0, 3) * std::pow(20.0, 2), 0.2), 1e-9);
+    EXPECT_NEAR(evidence[1].smooth, 0, 1e-12);
+    EXPECT_NEAR(evidence[1].green, 0, 1e-12);
+    EXPECT_NEAR(evidence[1].step_m, 3, 1e-6);
+    EXPECT_NEAR(evidence[1].tilt, 1, 1e-12) << "no pieces";
+    EXPECT_NEAR(evidence[1].segment, 1, 1e-12);
+}
+
+TEST(Evidence, CellsAtTheRastersBorderAndUnknownCells) {
+    test::Town town(3, 3);
+    town.block(0, 0, 3, 3, 110);
+    town.surface.at(1, 1) = test::unknown;
+    const Mask cells(3, 3, 1);
+    const std::vector<Evidence> evidence =
+        collect_evidence(town.scene(), {cells, connected_regions(cells)}, {connected_regions(Mask(3, 3)), {}},
+                         Grid<std::uint8_t>(3, 3, smooth_enough));
+    ASSERT_EQ(evidence.size(), 1U);
+    // All eight other cells are on the border, and the ground in the middle is below all of them.
+    EXPECT_NEAR(evidence[0].step_m, 10, 1e-6);
+    EXPECT_NEAR(evidence[0].smooth, 1, 1e-12);
+    EXPECT_NEAR(evidence[0].green, 0, 1e-12) << "no NDVI";
+}
+
+TEST(Judge, NoTermNoOpinion) {
+    EXPECT_NEAR(judge(as_well_a_tree).confidence, 0.5, 1e-12);
+}
+
+TEST(Judge, EachTermCounts) {
+    const auto log_odds = [](const Evidence& evidence) {
+        const double p = judge(evidence).confidence;
+        return std::log(p / (1 - p));
+    };
+    Evidence evidence = as_well_a_tree;
+    evidence.smooth = 0.9;
+    EXPECT_NEAR(log_odds(evidence), 4.3 * 0.5, 1e-9);
+    evidence = as_well_a_tree;
+    evidence.green = 0.25;
+    EXPECT_NEAR(log_odds(evidence), -1, 1e-9);
+    evidence = as_well_a_tree;
+    evidence.step_m = 2.2 * std::exp(1);
+    EXPECT_NEAR(log_odds(evidence), 1.3, 1e-9);
+    evidence.step_m = -3;
+    EXPECT_NEAR(log_odds(evidence), 1.3 * std::log(0.1 / 2.2), 1e-9) << "no less than at 0.1 m";
+    evidence = as_well_a_tree;
+    evidence.tilt = 0.4 * std::exp(-1);
+    EXPECT_NEAR(log_odds(evidence), 0.4, 1e-9);
+    evidence = as_well_a_tree;
+    evidence.segment = even_cells * std::exp(2);
+    EXPECT_NEAR(log_odds(evidence), 2, 1e-9);
+    evidence.segment = 0;
+    EXPECT_NEAR(log_odds(evidence), -std::log(even_cells), 1e-9) << "no less than with one cell";
+}
+
+TEST(Judge, Monotone) {
+    double smooth = 0;
+    double step = 0;
+    double segment = 0;
+    double tilt = 1;
+    double green = 1;
+    for (int i = 1; i <= 20; ++i) {
+        const auto next = [](double& before, const Evidence& evidence, bool rises) {
+            const double now = judge(evidence).confidence;
+            EXPECT_GT(now, 0);
+            EXPECT_LT(now, 1);
+            EXPECT_EQ(now > before, rises);
+            EXPECT_NE(now, before);
+            before = now;
+        };
+        Evidence evidence = as_well_a_tree;
+        evidence.smooth = i / 20.0;
+        next(smooth, evidence, true);
+        evidence = as_well_a_tree;
+        evidence.step_m = i;
+        next(step, evidence, true);
+        evidence = as_well_a_tree;
+        evidence.segment = 10.0 * i;
+        next(segment, evidence, true);
+        evidence = as_well_a_tree;
+        evidence.tilt = i / 10.0;
+        next(tilt, evidence, false);
+        evidence = as_well_a_tree;
+        evidence.green = i / 20.0;
+        next(green, evidence, false);
+    }
+}
+
+TEST(Judge, NamesTheWorstTerm) {
+    const auto doubt = [](const Evidence& evidence) { return doubt_name(judge(evidence).doubt); };
+    EXPECT_EQ(doubt({0.1, 2.2, 0.4, even_cells, 0}), "rough surface");
+    EXPECT_EQ(doubt({0.4, 0.2, 0.4, even_cells, 0}), "no step at its border");
+    EXPECT_EQ(doubt({0.4, 2.2, 3.0, even_cells, 0}), "steep");
+    EXPECT_EQ(doubt({0.4, 2.2, 0.4, 9, 0}), "small pieces");
+    EXPECT_EQ(doubt({0.4, 2.2, 0.4, even_cells, 1}), "green");
+    EXPECT_EQ(judge({0.4, 2.2, 0.4, even_cells, 1}).doubt, Doubt::green);
+}
+
+}  // namespace
+}  // namespace d2b

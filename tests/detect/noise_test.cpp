@@ -1,0 +1,61 @@
+#include "detect/noise.hpp"
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace d2b {
+namespace {
+
+MetreGrid noisy_plane(float deviation) {
+    std::mt19937 random(7);  // NOLINT: the same noise in every run
+    std::normal_distribution<float> noise(0, deviation);
+    MetreGrid surface(200, 200);
+    for (std::int32_t r = 0; r < surface.rows; ++r)
+        for (std::int32_t c = 0; c < surface.cols; ++c)
+            surface.at(r, c) = 100 + 0.1F * static_cast<float>(c) + noise(random);
+    return surface;
+}
+
+}  // namespace
+
+TEST(Noise, IsTheStandardDeviationOnOpenGround) {
+    for (const float deviation : {0.02F, 0.1F, 0.4F})
+        EXPECT_NEAR(estimate_noise(noisy_plane(deviation), Mask(200, 200)), static_cast<double>(deviation),
+                    0.03 * static_cast<double>(deviation));
+}
+
+TEST(Noise, WhatIsElevatedOrNotValidDoesNotCount) {
+    MetreGrid surface = noisy_plane(0.05F);
+    Mask elevated(200, 200);
+    for (std::int32_t r = 0; r < 200; ++r)
+        for (std::int32_t c = 0; c < 120; ++c) {
+            surface.at(r, c) += (r + c) % 2 == 0 ? 5.0F : 0.0F;
+            elevated.at(r, c) = 1;
+        }
+    for (std::int32_t r = 0; r < 200; r += 3)
+        surface.at(r, 150) = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_NEAR(estimate_noise(surface, elevated), 0.05, 0.003);
+}
+
+TEST(Noise, AFewRoughCellsDoNotMoveIt) {
+    MetreGrid surface = noisy_plane(0.05F);
+    for (std::int32_t r = 0; r < 200; r += 10)
+        for (std::int32_t c = 0; c < 200; c += 10)
+            surface.at(r, c) += 1.5F;
+    EXPECT_NEAR(estimate_noise(surface, Mask(200, 200)), 0.05, 0.004);
+}
+
+TEST(Noise, ZeroWhereValuesAreRoundedOrThereIsNoGround) {
+    MetreGrid rounded = noisy_plane(0.05F);
+    for (float& z : rounded.values)
+        z = std::round(z);
+    EXPECT_EQ(estimate_noise(rounded, Mask(200, 200)), 0.0);
+    EXPECT_EQ(estimate_noise(noisy_plane(0.05F), Mask(200, 200, 1)), 0.0);
+    EXPECT_EQ(estimate_noise(MetreGrid(20, 20), Mask(20, 20)), 0.0);
+    EXPECT_EQ(estimate_noise(MetreGrid(), Mask()), 0.0);
+}
+
+}  // namespace d2b

@@ -1,0 +1,89 @@
+#include "ground/fill.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "ground/random_surface.hpp"
+
+namespace d2b::ground {
+namespace {
+
+AlignedGrid plane(std::int32_t rows, std::int32_t cols, float down, float across) {
+    AlignedGrid surface;
+    surface.grid = MetreGrid(rows, cols);
+    for (std::int32_t i = 0; i < rows; ++i)
+        for (std::int32_t j = 0; j < cols; ++j)
+            surface.grid.at(i, j) = down * static_cast<float>(i) + across * static_cast<float>(j);
+    return surface;
+}
+
+TEST(Fill, KeepsWhatIsKnownAndStaysBetweenItsValues) {
+    for (unsigned seed = 0; seed < 30; ++seed) {
+        AlignedGrid surface;
+        surface.first_row = static_cast<std::int32_t>(seed) - 15;
+        surface.first_col = 7 - static_cast<std::int32_t>(seed);
+        surface.grid = test::random_surface(seed, static_cast<std::int32_t>(2 + seed % 9),
+                                            static_cast<std::int32_t>(3 + seed), 2);
+        const MetreGrid before = surface.grid;
+        fill_gaps(surface, 3);
+        for (std::size_t k = 0; k < before.size(); ++k) {
+            if (before.values[k] != no_value) {
+                EXPECT_EQ(surface.grid.values[k], before.values[k]);
+            }
+            EXPECT_GE(surface.grid.values[k], 0);
+            EXPECT_LT(surface.grid.values[k], 50);
+        }
+    }
+}
+
+TEST(Fill, OneKnownCellFillsEverything) {
+    AlignedGrid surface;
+    surface.grid = MetreGrid(37, 21, no_value);
+    surface.grid.at(30, 2) = 12.5F;
+    fill_gaps(surface, 2);
+    for (const float z : surface.grid.values)
+        EXPECT_EQ(z, 12.5F);
+}
+
+TEST(Fill, AGapInAPlaneIsFilledWithThePlane) {
+    AlignedGrid surface = plane(64, 64, 0.25F, -0.125F);
+    const MetreGrid whole = surface.grid;
+    for (std::int32_t i = 24; i < 40; ++i)
+        for (std::int32_t j = 24; j < 40; ++j)
+            surface.grid.at(i, j) = no_value;
+    fill_gaps(surface, 3);
+    for (std::size_t k = 0; k < whole.size(); ++k)
+        EXPECT_NEAR(surface.grid.values[k], whole.values[k], 0.6) << k;
+}
+
+TEST(Fill, FarCellsChangeNothing) {
+    AlignedGrid surface;
+    surface.grid = test::random_surface(9, 96, 96, 2);
+    AlignedGrid part;
+    part.first_row = 24;
+    part.first_col = 31;
+    part.grid = MetreGrid(72, 65);
+    for (std::int32_t i = 0; i < 72; ++i)
+        for (std::int32_t j = 0; j < 65; ++j)
+            part.grid.at(i, j) = surface.grid.at(24 + i, 31 + j);
+    fill_gaps(surface, 2);
+    fill_gaps(part, 2);
+    for (std::int32_t i = 32; i < 72; ++i)
+        for (std::int32_t j = 32; j < 65; ++j)
+            ASSERT_EQ(part.grid.at(i, j), surface.grid.at(24 + i, 31 + j));
+}
+
+TEST(Between, FindsTheCentresOfCoarseCells) {
+    // Fine cells -1 to 4 in coarse cells of three, -1, 0 and 1; centres of coarse cells: -2, 1, 4.
+    const Between places(-1, 6, -1, 3, 3);
+    const float expected[] = {1.0F / 3, 2.0F / 3, 0, 1.0F / 3, 2.0F / 3, 0};
+    const std::int32_t near[] = {0, 0, 1, 1, 1, 2};
+    for (std::int32_t j = 0; j < 6; ++j) {
+        EXPECT_EQ(places[j].near, near[j]) << j;
+        EXPECT_NEAR(places[j].share, expected[j], 1e-6) << j;
+    }
+}
+
+}  // namespace
+}  // namespace d2b::ground

@@ -1,0 +1,76 @@
+#include "ground/window_pass.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include <gtest/gtest.h>
+
+#include "ground/random_surface.hpp"
+
+namespace d2b::ground {
+namespace {
+
+/// Cell by cell and window by window.
+float extremum_of_window(const MetreGrid& grid, std::int32_t row, std::int32_t col, Line line, Extremum which,
+                         std::int32_t radius) {
+    const bool lowest = which == Extremum::lowest;
+    float found = lowest ? no_value : -no_value;
+    for (std::int32_t k = -radius; k <= radius; ++k) {
+        const std::int32_t down = line == Line::row ? 0 : k;
+        const std::int32_t across = line == Line::column ? 0 : (line == Line::left_diagonal ? -k : k);
+        if (!grid.holds(row + down, col + across))
+            continue;
+        const float z = grid.at(row + down, col + across);
+        found = lowest ? std::min(found, z) : std::max(found, z);
+    }
+    return found;
+}
+
+void expect_every_window(const MetreGrid& grid, Line line, Extremum which, std::int32_t radius) {
+    MetreGrid found(grid.rows, grid.cols);
+    window_pass(grid, found, line, which, radius);
+    for (std::int32_t i = 0; i < grid.rows; ++i)
+        for (std::int32_t j = 0; j < grid.cols; ++j)
+            ASSERT_EQ(found.at(i, j), extremum_of_window(grid, i, j, line, which, radius))
+                << "row " << i << " column " << j << " radius " << radius;
+}
+
+class WindowPass : public testing::TestWithParam<std::tuple<Line, Extremum>> {};
+
+TEST_P(WindowPass, FindsWhatEveryWindowHolds) {
+    const auto [line, which] = GetParam();
+    for (unsigned seed = 0; seed < 40; ++seed) {
+        const auto rows = static_cast<std::int32_t>(1 + seed * 7 % 23);
+        const auto cols = static_cast<std::int32_t>(1 + seed * 5 % 19);
+        expect_every_window(test::random_surface(seed, rows, cols), line, which,
+                            static_cast<std::int32_t>(seed % 9));
+    }
+}
+
+TEST_P(WindowPass, FindsItAcrossTheStripsOfAWideGrid) {
+    const auto [line, which] = GetParam();
+    expect_every_window(test::random_surface(3, 9, 4200), line, which, 5);
+}
+
+TEST_P(WindowPass, WindowsMayBeWiderThanTheGrid) {
+    const auto [line, which] = GetParam();
+    expect_every_window(test::random_surface(4, 3, 4), line, which, 30);
+}
+
+INSTANTIATE_TEST_SUITE_P(AllLines, WindowPass,
+                         testing::Combine(testing::Values(Line::row, Line::column, Line::right_diagonal,
+                                                          Line::left_diagonal),
+                                          testing::Values(Extremum::lowest, Extremum::highest)));
+
+TEST(LowestAround, IsTheLowestOfNineCells) {
+    MetreGrid grid(4, 4, 7.0F);
+    grid.at(1, 1) = 2;
+    const MetreGrid around = lowest_around(grid);
+    EXPECT_EQ(around.at(0, 0), 2);
+    EXPECT_EQ(around.at(2, 2), 2);
+    EXPECT_EQ(around.at(3, 3), 7);
+    EXPECT_EQ(around.at(0, 3), 7);
+}
+
+}  // namespace
+}  // namespace d2b::ground

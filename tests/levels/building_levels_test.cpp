@@ -1,0 +1,188 @@
+#include "levels/building_levels.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "levels/quantise.hpp"
+
+namespace d2b {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using Thresholds = std::vector<double>;
+
+/// A row of elevations with their labels.
+BuildingStatistics statistics_of(const std::vector<double>& values, const std::vector<Label>& labels,
+                                 Label highest, double largest = 100) {
+    const BandShape shape{0, 1, static_cast<std::int32_t>(values.size())};
+    BuildingStatistics statistics(highest, FixedPoint(largest));
+    statistics.add({shape, values}, {shape, labels});
+    return statistics;
+}
+
+/// The thresholds of a building with these elevations, which stands at 0.
+Thresholds thresholds_of(const std::vector<double>& values, const LevelOptions& options, double metres = 1,
+                         const Thresholds& global = {}, double ground = 0) {
+    const std::vector<Label> labels(values.size(), 1);
+    return plan_building_levels(statistics_of(values, labels, 1, 1000), {0, ground}, {-5, {{}, global}},
+                                options, metres)
+        .thresholds[1];
+}
+
+LevelOptions each(int lod) {
+    LevelOptions options;
+    options.source = LevelSource::building;
+    options.lod = lod;
+    return options;
+}
+
+void expect_near(const Thresholds& found, const Thresholds& expected) {
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i)
+        EXPECT_NEAR(found[i], expected[i], 1e-6) << i;
+}
+
+TEST(BuildingStatistics, CountsEachLabelsValidPoints) {
+    const BuildingStatistics statistics = statistics_of({3, nan, 5, 7, 100, nan}, {1, 1, 1, 2, 0, 3}, 3);
+    EXPECT_EQ(statistics.labels(), 3U);
+    EXPECT_EQ(statistics.of(1).n, 2);
+    EXPECT_EQ(statistics.of(1).lowest, 3);
+    EXPECT_EQ(statistics.of(1).highest, 5);
+    EXPECT_EQ(statistics.fixed().mean(statistics.of(1).sum, 2), 4);
+    EXPECT_EQ(statistics.of(2).n, 1);
+    EXPECT_EQ(statistics.of(3).n, 0);
+}
+
+TEST(BuildingStatistics, DoNotDependOnTheBands) {
+    const std::vector<double> values{3.25, 9.125, 5, 7, 0.1, 12};
+    const std::vector<Label> labels{1, 2, 1, 2, 1, 2};
+    const BuildingStatistics whole = statistics_of(values, labels, 2);
+    BuildingStatistics parts(2, FixedPoint(100));
+    for (const std::int32_t row : {2, 0, 1}) {
+        const BandShape shape{row, 1, 2};
+        const auto at = static_cast<std::ptrdiff_t>(2 * row);
+        parts.add({shape, {values.begin() + at, values.begin() + at + 2}},
+                  {shape, {labels.begin() + at, labels.begin() + at + 2}});
+    }
+    for (const Label label : {Label{1}, Label{2}}) {
+        EXPECT_EQ(parts.of(label).sum, whole.of(label).sum);
+        EXPECT_EQ(parts.of(label).coarse_squares, whole.of(label).coarse_squares);
+        EXPECT_EQ(parts.of(label).n, whole.of(label).n);
+    }
+}
+
+TEST(BuildingLevels, SliceMeanPlusMinusDeviation) {
+    // Mean 15, s = sqrt(8 * 25 / 7). Four thresholds cut 2 s into fifths; the ground is recorded as level 1.
+    const double s = std::sqrt(200.0 / 7);
+    expect_near(thresholds_of({10, 10, 10, 10, 20, 20, 20, 20}, each(4)),
+                {0, 15 - 0.6 * s, 15 - 0.2 * s, 15 + 0.2 * s, 15 + 0.6 * s});
+    expect_near(thresholds_of({10, 10, 10, 10, 20, 20, 20, 20}, each(1)), {0, 15});
+}
+
+TEST(BuildingLevels, AreAtLeastHalfAMetreApart) {
+    // Two points 2 a apart have s = a sqrt(2).
+    const auto pair = [](double range_m, double metres) {
+        const double a = range_m / 2 / std::sqrt(2.0) / metres;
+        return thresholds_of({20 - a, 20 + a}, each(4), metres);
+    };
+    EXPECT_EQ(pair(0.99, 1), Thresholds{0});  // half of it is less than half a metre
+    expect_near(pair(1.01, 1), {0, 20});      // two slices
+    expect_near(pair(1.49, 1), {0, 20});      //
+    expect_near(pair(1.6, 1), {0, 20 - 1.6 / 6, 20 + 1.6 / 6});
+    EXPECT_EQ(pair(2.49, 1).size(), 1U + 3);
+    EXPECT_EQ(pair(2.51, 1).size(), 1U + 4);
+    EXPECT_EQ(pair(30, 1).size(), 1U + 4);         // as many as -lod says
+    EXPECT_EQ(pair(0.99, 0.3048), Thresholds{0});  // metres, whatever the unit
+    expect_near(pair(1.6, 0.3048), {0, 20 - 1.6 / 6 / 0.3048, 20 + 1.6 / 6 / 0.3048});
+    EXPECT_EQ(pair(2.49, 0.3048).size(), 1U + 3);
+}
+
+TEST(BuildingLevels, OfFlatRoofsAndSinglePointsAreNone) {
+    EXPECT_EQ(thresholds_of({12, 12, 12, 12}, each(4)), Thresholds{0});
+    EXPECT_EQ(thresholds_of({12}, each(4)), Thresholds{0});
+    EXPECT_EQ(thresholds_of({nan, nan}, each(4)), Thresholds{0});
+}
+
+TEST(BuildingLevels, ThatCutNothingAreLeftOut) {
+    // 19 at 10 and one at 30: mean 11, s = 4.47; the lower slices lie below all points.
+    std::vector<double> values(19, 10);
+    values.push_back(30);
+    const double s = std::sqrt((19 + 361) / 19.0);
+    expect_near(thresholds_of(values, each(4)), {0, 11 - 0.2 * s, 11 + 0.2 * s, 11 + 0.6 * s});
+    // Mirrored, the highest lies above all.
+    for (double& z : values)
+        z = 40 - z;
+    expect_near(thresholds_of(values, each(4)), {0, 29 - 0.6 * s, 29 - 0.2 * s, 29 + 0.2 * s});
+}
+
+TEST(BuildingLevels, ExplicitOnesHoldWithinEachBuilding) {
+    LevelOptions options = each(4);
+    options.fixed = {5, 10, 12, 20, 25};
+    const Thresholds usable{5, 10, 12, 20, 25};  // as plan_global_levels gives them
+    const LevelPlan global{1, {{}, usable}};
+    const BuildingStatistics statistics = statistics_of({10, 11, 20, 3, 6, 30, 30}, {1, 1, 1, 2, 2, 3, 3}, 3);
+    const LevelPlan plan = plan_building_levels(statistics, {0, 2, 2.5, 8}, global, options, 1);
+    EXPECT_TRUE(plan.footprints);
+    EXPECT_EQ(plan.minimum, 1);
+    ASSERT_EQ(plan.thresholds.size(), 4U);
+    EXPECT_EQ(plan.thresholds[0], Thresholds{});
+    // 10 is the lowest: not all points exceed it. None exceeds 20.
+    EXPECT_EQ(plan.thresholds[1], (Thresholds{2, 10, 12}));
+    EXPECT_EQ(plan.thresholds[2], (Thresholds{2.5, 5}));
+    EXPECT_EQ(plan.thresholds[3], Thresholds{8});
+    EXPECT_EQ(plan.level_count(), 4);
+}
+
+TEST(BuildingLevels, IntervalsHoldWithinEachBuilding) {
+    LevelOptions options = each(4);
+    options.interval = 5;
+    EXPECT_EQ(thresholds_of({11, 19}, options, 1, {5, 10, 15, 20, 25}), (Thresholds{0, 15}));
+}
+
+TEST(BuildingLevels, GlobalSlicesAreThoseOfTheDem) {
+    LevelOptions options = each(4);
+    options.source = LevelSource::global;
+    EXPECT_EQ(thresholds_of({10, 20}, options, 1, {5, 12, 19, 26}), (Thresholds{0, 12, 19}));
+}
+
+TEST(BuildingLevels, BelowTheGroundAreLeftOut) {
+    LevelOptions options = each(4);
+    options.fixed = {12, 14, 16};
+    EXPECT_EQ(thresholds_of({10, 20}, options, 1, {12, 14, 16}, 14), (Thresholds{14, 16}));
+}
+
+TEST(BuildingLevels, WithoutBuildingsThereAreNone) {
+    const LevelPlan plan =
+        plan_building_levels(statistics_of({1, 2}, {0, 0}, 0), {0}, {1, {{}, {}}}, each(4), 1);
+    EXPECT_EQ(plan.level_count(), 1);
+    EXPECT_TRUE(plan.footprints);
+}
+
+TEST(GlobalLevels, HaveNoSlicesWhereEachBuildingHasItsOwn) {
+    ElevationStatistics statistics;
+    statistics.add({{0, 1, 4}, {1, 5, 9, 14}});
+    Context context;
+    EXPECT_EQ(plan_global_levels(statistics, each(4), context).thresholds[1], Thresholds{});
+    EXPECT_EQ(context.report.valid_points, 4);
+    EXPECT_EQ(context.report.maximum, 14);
+    LevelOptions options = each(4);
+    options.interval = 5;
+    EXPECT_EQ(plan_global_levels(statistics, options, context).thresholds[1], (Thresholds{5, 10}));
+}
+
+TEST(QuantiseFootprints, AllTheirPointsAreOfLevelOne) {
+    const LevelPlan plan{0, {{}, {10, 20}, {30}}, true};
+    const BandShape shape{0, 1, 8};
+    // Label 1: below its ground, not valid, above it, on and above its threshold; label 2; no label.
+    const ElevationBand band{shape, {5, nan, 15, 20, 25, nan, 100, nan}};
+    const LabelBand labels{shape, {1, 1, 1, 1, 1, 2, 0, 0}};
+    EXPECT_EQ(quantise<std::uint8_t>(band, labels, plan).counts,
+              (std::vector<std::uint8_t>{2, 2, 2, 2, 3, 2, 1, 0}));
+    EXPECT_EQ(quantise<std::uint16_t>(band, labels, plan).counts,
+              (std::vector<std::uint16_t>{2, 2, 2, 2, 3, 2, 1, 0}));
+}
+
+}  // namespace
+}  // namespace d2b

@@ -1,0 +1,167 @@
+#include <array>
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "geometry/geos.hpp"
+#include "outline/noding.hpp"
+#include "outline/outline.hpp"
+#include "outline/outline_checks.hpp"
+#include "support/random_grid.hpp"
+
+namespace d2b {
+namespace {
+
+using test::Grid;
+using test::one_sided;
+using test::planar_area;
+using test::unit_grid;
+
+/// Turned houses of several labels that touch, with towers, courtyards and ragged edges.
+Grid random_town(unsigned seed) {
+    std::mt19937 random(seed);
+    const auto below = [&](unsigned n) { return static_cast<int>(random() % n); };
+    const auto from_to = [&](double low, double high) { return low + (high - low) * below(1000) / 1000.0; };
+    const std::int32_t size = 70;
+    Grid grid{size, size, std::vector<double>(static_cast<std::size_t>(size) * size, 0.0),
+              std::vector<Label>(static_cast<std::size_t>(size) * size, 0)};
+    const double common = from_to(0, 1.5);
+    for (Label house = 1; house <= 6; ++house) {
+        const double x = from_to(10, 60);
+        const double y = from_to(10, 60);
+        const double angle = below(3) == 0 ? from_to(0, 1.5) : common;
+        const double length = from_to(4, 16);
+        const double width = from_to(3, 12);
+        const int floors = 1 + below(3);
+        const bool yard = below(3) == 0;
+        for (std::int32_t row = 0; row < size; ++row)
+            for (std::int32_t col = 0; col < size; ++col) {
+                const double u = (col - x) * std::cos(angle) + (row - y) * std::sin(angle);
+                const double v = (row - y) * std::cos(angle) - (col - x) * std::sin(angle);
+                const double ragged = seed % 2 == 0 ? 0 : below(3) * 0.5;
+                if (std::abs(u) > length + ragged || std::abs(v) > width + ragged ||
+                    (yard && std::abs(u) < length / 3 && std::abs(v) < width / 3))
+                    continue;
+                const auto at = static_cast<std::size_t>(row * size + col);
+                grid.labels[at] = house;
+                grid.z[at] = 10 + (u > 0 ? 10 * (floors - 1) : 0) + (v > ragged && floors > 2 ? 10 : 0);
+            }
+    }
+    return grid;
+}
+
+struct WallCase {
+    Grid grid;
+    std::vector<double> thresholds;
+    TraceMode mode = TraceMode::cells;
+    OutlineOptions options;
+};
+
+WallCase wall_case(unsigned seed) {
+    WallCase c;
+    c.options.walls = std::array{Walls::automatic, Walls::free, Walls::right, Walls::automatic}[seed % 4];
+    c.options.wall_tolerance = std::array{1.5, 1.0, 2.0}[seed % 3];
+    if (seed % 5 == 0) {
+        test::RandomGridCase noise = test::random_grid(seed, 26);
+        c.grid = noise.grid;
+        c.thresholds = noise.thresholds;
+        c.mode = noise.mode;
+    } else {
+        c.grid = random_town(seed);
+        c.thresholds = {5, 15, 25};
+        c.mode = seed % 7 == 0 ? TraceMode::points : TraceMode::cells;
+    }
+    return c;
+}
+
+std::vector<const FineRing*> rings_of(const FinePolygon& polygon) {
+    std::vector<const FineRing*> rings{&polygon.exterior};
+    for (const FineRing& ring : polygon.interiors)
+        rings.push_back(&ring);
+    return rings;
+}
+
+double area_of(const FineRing& ring) {
+    return planar_area({ring, {}});
+}
+
+class RandomWalls : public testing::TestWithParam<unsigned> {
+  protected:
+    void SetUp() override {
+        case_ = wall_case(GetParam());
+        set_ = test::trace_grid(case_.grid, case_.thresholds, {case_.mode}, context_);
+    }
+    [[nodiscard]] Outliner draw() const {
+        return Outliner(set_.contours, Drawing::regularized, case_.options, unit_grid);
+    }
+    Context context_;
+    WallCase case_;
+    ContourSet set_;
+};
+
+TEST_P(RandomWalls, AreValidNestedAndDisjoint) {
+    const Outliner outliner = draw();
+    Geos geos;
+    std::vector<std::vector<FinePolygon>> children(set_.contours.size());
+    std::vector<double> children_area(set_.contours.size(), 0);
+    for (std::size_t i = 0; i < set_.contours.size(); ++i) {
+        const FinePolygon polygon = outliner.outline(i);
+        EXPECT_EQ(geos.invalidity({unit_grid.polygon(polygon)}), "") << i;
+        if (set_.contours[i].key.level <= 1) {
+            EXPECT_EQ(geos.invalidity({unit_grid.polygon(outliner.footprint(i))}), "") << i;
+        }
+        if (set_.contours[i].parent >= 0) {
+            children[static_cast<std::size_t>(set_.contours[i].parent)].push_back(polygon);
+            children_area[static_cast<std::size_t>(set_.contours[i].parent)] += planar_area(polygon);
+        }
+    }
+    for (std::size_t i = 0; i < set_.contours.size(); ++i) {
+        // What is left of a parent is its area less its children's: they lie in it and do not overlap. GEOS
+        // finds no point that is not a vertex of both where they share a wall.
+        double left = 0;
+        const FinePolygon parent = outliner.outline(i);
+        for (const FinePolygon& piece : geos.difference(parent, children[i]))
+            left += planar_area(piece);
+        EXPECT_NEAR(left + children_area[i], planar_area(parent), 1e-9);
+    }
+}
+
+TEST_P(RandomWalls, StayNearTheirTraceAndKeepTheirAreas) {
+    const Outliner outliner = draw();
+    for (std::size_t i = 0; i < set_.contours.size(); ++i) {
+        const FinePolygon drawn = outliner.outline(i);
+        const FinePolygon traced = fine(traced_polygon(set_.contours[i]));
+        const OutlineQuality quality = outliner.quality(i);
+        ASSERT_EQ(drawn.interiors.size(), traced.interiors.size());
+        EXPECT_LE(quality.deviation_cells, *case_.options.wall_tolerance);
+        EXPECT_NEAR(quality.area_change, planar_area(drawn) / planar_area(traced) - 1, 1e-9);
+        const auto after = rings_of(drawn);
+        const auto before = rings_of(traced);
+        for (std::size_t r = 0; r < before.size(); ++r) {
+            EXPECT_NEAR(area_of(*after[r]) / area_of(*before[r]), 1, 0.02 + 1e-9);
+            EXPECT_LE(one_sided(*after[r], *before[r]), quality.deviation_cells + 1e-9);
+            EXPECT_LE(one_sided(*before[r], *after[r]), quality.deviation_cells + 1e-9);
+        }
+    }
+}
+
+TEST_P(RandomWalls, ComeOutTheSameWhereverTheWindowIs) {
+    const Outliner outliner = draw();
+    test::TraceSettings settings(case_.mode);
+    settings.origin = {1234, 56789};
+    const ContourSet moved = test::trace_grid(case_.grid, case_.thresholds, settings, context_);
+    const Outliner other(moved.contours, Drawing::regularized, case_.options, unit_grid);
+    ASSERT_EQ(moved.contours.size(), set_.contours.size());
+    for (std::size_t i = 0; i < moved.contours.size(); ++i) {
+        FineRing ring = outliner.outline(i).exterior;
+        for (FinePoint& p : ring)
+            p = {p.row + 1234 * FinePoint::steps, p.col + 56789 * FinePoint::steps};
+        EXPECT_EQ(other.outline(i).exterior, ring);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomWalls, testing::Range(0U, 90U));
+
+}  // namespace
+}  // namespace d2b

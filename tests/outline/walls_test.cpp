@@ -1,0 +1,232 @@
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "geometry/geos.hpp"
+#include "outline/outline.hpp"
+#include "outline/outline_checks.hpp"
+#include "support/trace_grid.hpp"
+
+namespace d2b {
+namespace {
+
+using test::Grid;
+using test::planar_area;
+using test::trace_grid;
+using test::unit_grid;
+
+struct Place {
+    double x;
+    double y;
+};
+using Shape = std::function<int(Place)>;
+
+/// A grid of labels: what a shape says of the centre of a cell; 0 is outside.
+Grid paint(std::int32_t size, const Shape& shape) {
+    Grid grid{size, size, {}, {}};
+    for (std::int32_t row = 0; row < size; ++row)
+        for (std::int32_t col = 0; col < size; ++col) {
+            const int label = shape({col + 0.5, -(row + 0.5)});
+            grid.z.push_back(label > 0 ? 20 : 0);
+            grid.labels.push_back(static_cast<Label>(label));
+        }
+    return grid;
+}
+
+/// Whether a place lies in a rectangle about a centre that is turned counter-clockwise.
+bool in_box(Place p, Place centre, double angle, double length, double width) {
+    const double u = (p.x - centre.x) * std::cos(angle) + (p.y - centre.y) * std::sin(angle);
+    const double v = (p.y - centre.y) * std::cos(angle) - (p.x - centre.x) * std::sin(angle);
+    return std::abs(u) <= length / 2 && std::abs(v) <= width / 2;
+}
+
+OutlineOptions walls(Walls style = Walls::automatic, double tolerance = 1.5) {
+    OutlineOptions options;
+    options.walls = style;
+    options.wall_tolerance = tolerance;
+    return options;
+}
+
+struct Drawn {
+    explicit Drawn(const Grid& grid, const OutlineOptions& options = walls(),
+                   const std::vector<double>& levels = {10})
+        : set(trace_grid(grid, levels, {}, context)),
+          outliner(set.contours, Drawing::regularized, options, unit_grid) {}
+    Context context;
+    ContourSet set;
+    Outliner outliner;
+
+    [[nodiscard]] std::vector<Position> exterior(std::size_t contour) const {
+        return unit_grid.polygon(outliner.footprint(contour)).exterior;
+    }
+};
+
+class TurnedRectangle : public testing::TestWithParam<int> {};
+
+TEST_P(TurnedRectangle, RecoversItsFourCorners) {
+    const double angle = GetParam() * std::numbers::pi / 180;
+    const Place centre{40.3, -39.6};
+    const Drawn drawn(paint(80, [&](Place p) { return in_box(p, centre, angle, 44, 24) ? 1 : 0; }));
+    const auto ring = drawn.exterior(1);
+    ASSERT_EQ(ring.size(), 4U);
+    for (const Position corner : ring) {
+        double nearest = 1e9;
+        for (const double u : {-22.0, 22.0})
+            for (const double v : {-12.0, 12.0})
+                nearest = std::min(
+                    nearest, std::hypot(corner.x - centre.x - u * std::cos(angle) + v * std::sin(angle),
+                                        corner.y - centre.y - u * std::sin(angle) - v * std::cos(angle)));
+        EXPECT_LT(nearest, 1);
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Position a = ring[i];
+        const Position b = ring[(i + 1) % 4];
+        const double off = (std::atan2(b.y - a.y, b.x - a.x) - angle) / (std::numbers::pi / 2);
+        EXPECT_LT(std::abs(off - std::round(off)) * 90, 1) << "degrees";
+    }
+    EXPECT_NEAR(planar_area(drawn.outliner.outline(1)), 44 * 24, 0.02 * 44 * 24);
+    EXPECT_EQ(drawn.outliner.quality(1).status, OutlineStatus::regularized);
+    EXPECT_LE(drawn.outliner.quality(1).deviation_cells, 1.5);
+    EXPECT_LE(std::abs(drawn.outliner.quality(1).area_change), 0.02);
+}
+
+INSTANTIATE_TEST_SUITE_P(Degrees, TurnedRectangle, testing::Values(0, 3, 11, 20, 30, 37, 45, 58, 71, 85));
+
+TEST(Walls, LAndHKeepTheirCorners) {
+    const double angle = 0.35;
+    const Drawn l(paint(90, [&](Place p) {
+        const double u = (p.x - 45) * std::cos(angle) + (p.y + 45) * std::sin(angle);
+        const double v = (p.y + 45) * std::cos(angle) - (p.x - 45) * std::sin(angle);
+        return std::abs(u) < 24 && std::abs(v) < 20 && (u < -6 || v < 2) ? 1 : 0;
+    }));
+    EXPECT_EQ(l.exterior(1).size(), 6U);
+    EXPECT_NEAR(planar_area(l.outliner.outline(1)), 48 * 40 - 30 * 18, 15);
+    const Drawn h(paint(60, [](Place p) {
+        return in_box(p, {15, -30}, 0, 10, 40) || in_box(p, {45, -30}, 0, 10, 40) ||
+                       in_box(p, {30, -30}, 0, 24, 10)
+                   ? 1
+                   : 0;
+    }));
+    EXPECT_EQ(h.exterior(1).size(), 12U);
+    EXPECT_DOUBLE_EQ(planar_area(h.outliner.outline(1)), 2 * 400 + 200);  // nothing to straighten
+    EXPECT_DOUBLE_EQ(h.outliner.quality(1).deviation_cells, 0);
+}
+
+TEST(Walls, ADiscBecomesACircle) {
+    const Drawn drawn(paint(60, [](Place p) { return std::hypot(p.x - 30.2, p.y + 29.7) < 18 ? 1 : 0; }));
+    const FinePolygon polygon = drawn.outliner.outline(1);
+    ASSERT_EQ(polygon.arcs.size(), 2U);
+    EXPECT_EQ(polygon.arcs[0].edges + polygon.arcs[1].edges, polygon.exterior.size());
+    for (const Position p : drawn.exterior(1))
+        EXPECT_NEAR(std::hypot(p.x - 30.2, p.y + 29.7), 18, 0.4);
+}
+
+TEST(Walls, WhatIsSmallerThanTheToleranceStaysAsItWasTraced) {
+    const Drawn drawn(paint(12, [](Place p) { return p.x > 5 && p.x < 6 && p.y < -5 && p.y > -6 ? 1 : 0; }),
+                      walls(Walls::free));
+    EXPECT_EQ(drawn.outliner.outline(1).exterior, fine(drawn.set.contours[1].exterior.corners()));
+    EXPECT_NEAR(planar_area(drawn.outliner.outline(1)), 1, 1e-12);
+}
+
+TEST(Walls, RightAnglesAloneWhereTheyAreAskedFor) {
+    const double angle = 0.3;
+    // A house with a corner that is cut off.
+    const Drawn drawn(paint(80,
+                            [&](Place p) {
+                                const double u = (p.x - 40) * std::cos(angle) + (p.y + 40) * std::sin(angle);
+                                const double v = (p.y + 40) * std::cos(angle) - (p.x - 40) * std::sin(angle);
+                                return std::abs(u) < 22 && std::abs(v) < 14 && u + v < 29 ? 1 : 0;
+                            }),
+                      walls(Walls::right));
+    const auto ring = drawn.exterior(1);
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Position a = ring[i];
+        const Position b = ring[(i + 1) % ring.size()];
+        const Position c = ring[(i + 2) % ring.size()];
+        const double turn = std::atan2((b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x),
+                                       (b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y));
+        EXPECT_NEAR(std::abs(turn), std::numbers::pi / 2, 0.01);
+    }
+}
+
+TEST(Walls, TouchingLabelsShareTheirWall) {
+    const double angle = 0.4;
+    const Drawn drawn(paint(90, [&](Place p) {
+        if (!in_box(p, {45, -45}, angle, 60, 20))
+            return 0;
+        return (p.x - 45) * std::cos(angle) + (p.y + 45) * std::sin(angle) < 3 ? 1 : 2;
+    }));
+    ASSERT_EQ(drawn.set.contours.size(), 3U);
+    EXPECT_LE(drawn.exterior(1).size(), 6U);
+    EXPECT_LE(drawn.exterior(2).size(), 6U);
+    const FineRing a = drawn.outliner.footprint(1).exterior;
+    const FineRing b = drawn.outliner.footprint(2).exterior;
+    const std::set<FinePoint> of_a(a.begin(), a.end());
+    EXPECT_EQ(std::count_if(b.begin(), b.end(), [&](FinePoint p) { return of_a.contains(p); }), 2);
+    Geos geos;
+    EXPECT_EQ(geos.area_outside(unit_grid.polygon(drawn.outliner.footprint(1)),
+                                unit_grid.polygon(drawn.outliner.footprint(2))),
+              planar_area(drawn.outliner.footprint(1)));
+}
+
+TEST(Walls, ATowerOnThreeWallsFollowsTheFootprint) {
+    const double angle = 0.25;
+    Grid grid = paint(90, [&](Place p) { return in_box(p, {45, -45}, angle, 60, 24) ? 1 : 0; });
+    for (std::int32_t row = 0; row < 90; ++row)
+        for (std::int32_t col = 0; col < 90; ++col)
+            if (grid.label(row, col) == 1 &&
+                (col + 0.5 - 45) * std::cos(angle) + (45 - (row + 0.5)) * std::sin(angle) > 8)
+                grid.z[static_cast<std::size_t>(row * 90 + col)] = 30;
+    const Drawn drawn(grid, walls(), {10, 25});
+    ASSERT_EQ(drawn.set.contours.size(), 3U);
+    // The building has its four corners alone; the outline that the tower shares has the ends of the tower's
+    // wall as well.
+    EXPECT_EQ(drawn.outliner.footprint(1).exterior.size(), 4U);
+    const FineRing plate = drawn.outliner.outline(1).exterior;
+    const FineRing tower = drawn.outliner.outline(2).exterior;
+    EXPECT_EQ(plate.size(), 6U);
+    EXPECT_EQ(tower.size(), 4U);
+    const std::set<FinePoint> of_plate(plate.begin(), plate.end());
+    for (const FinePoint p : tower)
+        EXPECT_TRUE(of_plate.contains(p));
+}
+
+TEST(Walls, ACourtyardIsDrawnInside) {
+    const double angle = 0.5;
+    const Drawn drawn(paint(90, [&](Place p) {
+        return in_box(p, {45, -45}, angle, 56, 40) && !in_box(p, {45, -45}, angle, 30, 16) ? 1 : 0;
+    }));
+    const FinePolygon polygon = drawn.outliner.outline(1);
+    EXPECT_EQ(polygon.exterior.size(), 4U);
+    ASSERT_EQ(polygon.interiors.size(), 1U);
+    EXPECT_EQ(polygon.interiors[0].size(), 4U);
+    EXPECT_NEAR(planar_area(polygon), 56 * 40 - 30 * 16, 20);
+    EXPECT_EQ(Geos().invalidity({unit_grid.polygon(polygon)}), "");
+}
+
+TEST(Walls, RightAnglesAreThoseOfTheGround) {
+    // Cells twice as wide as high: what is square on the ground is not in rows and columns.
+    const double angle = 0.4;
+    Grid grid{120, 60, {}, {}};
+    for (std::int32_t row = 0; row < 120; ++row)
+        for (std::int32_t col = 0; col < 60; ++col)
+            grid.z.push_back(in_box({2 * (col + 0.5), -(row + 0.5)}, {60, -60}, angle, 70, 40) ? 20 : 0);
+    Context context;
+    const ContourSet set = trace_grid(grid, {10}, {}, context);
+    const Georeference wide({0, 2, 0, 0, 0, -1}, TraceMode::cells);
+    const Outliner outliner(set.contours, Drawing::regularized, walls(), wide);
+    const WorldRing ring = wide.polygon(outliner.outline(1)).exterior;
+    ASSERT_EQ(ring.size(), 4U);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Position u{ring[(i + 1) % 4].x - ring[i].x, ring[(i + 1) % 4].y - ring[i].y};
+        const Position v{ring[(i + 2) % 4].x - ring[(i + 1) % 4].x,
+                         ring[(i + 2) % 4].y - ring[(i + 1) % 4].y};
+        EXPECT_NEAR((u.x * v.x + u.y * v.y) / std::hypot(u.x, u.y) / std::hypot(v.x, v.y), 0, 0.005);
+    }
+}
+
+}  // namespace
+}  // namespace d2b

@@ -1,0 +1,148 @@
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/made_town.hpp"
+
+namespace d2b {
+namespace {
+
+using test::buildings;
+using test::contours;
+using test::MadeTown;
+using test::MemorySink;
+using test::MemorySource;
+using test::TownRun;
+
+constexpr std::size_t doubtful = 2;
+
+/// The confidences of what is found where nothing is refused.
+std::vector<double> confidences() {
+    TownRun town;
+    town.options.detect.min_confidence = 0;
+    town.run();
+    std::vector<double> result;
+    for (std::size_t i = 0; i < town.count(); ++i)
+        result.push_back(town.sink.number(buildings, i, "confidence"));
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+TEST(Doubtful, GoToALayerOfTheirOwn) {
+    const std::vector<double> all = confidences();
+    ASSERT_GE(all.size(), 3U);
+    TownRun town;
+    town.options.write.doubtful = true;
+    town.options.detect.min_confidence = all.back();  // what is as sure as this is no doubt
+    town.run();
+    ASSERT_EQ(town.sink.layers.size(), 3U);
+    EXPECT_EQ(town.sink.layers[doubtful].name, "doubtful");
+    EXPECT_EQ(town.sink.layers[doubtful].fields.size(), town.sink.layers[buildings].fields.size());
+    EXPECT_GE(town.count(), 1U);
+    EXPECT_EQ(town.count() + town.count(doubtful), all.size());
+    for (std::size_t i = 0; i < town.count(); ++i)
+        EXPECT_EQ(town.sink.number(buildings, i, "confidence"), all.back());
+    for (std::size_t i = 0; i < town.count(doubtful); ++i) {
+        EXPECT_LT(town.sink.number(doubtful, i, "confidence"), all.back());
+        EXPECT_GT(town.sink.number(doubtful, i, "height"), 2);
+        EXPECT_GE(town.sink.number(doubtful, i, "area_m2"), 25);
+    }
+    EXPECT_EQ(town.context.report.doubtful, static_cast<std::int64_t>(town.count(doubtful)));
+    EXPECT_EQ(town.context.report.counted(Reason::building_doubtful),
+              static_cast<std::int64_t>(town.count(doubtful)));
+}
+
+TEST(Doubtful, HaveNoContours) {
+    TownRun town;
+    town.options.write.doubtful = true;
+    town.options.detect.min_confidence = confidences().back();
+    town.run();
+    std::set<std::int64_t> ids;
+    for (std::size_t i = 0; i < town.count(); ++i)
+        ids.insert(town.sink.whole(buildings, i, "id"));
+    for (std::size_t i = 0; i < town.count(contours); ++i)
+        EXPECT_EQ(ids.count(town.sink.whole(contours, i, "bldg_id")), 1U);
+    EXPECT_EQ(town.context.report.contours, static_cast<std::int64_t>(town.count(contours)));
+}
+
+TEST(Doubtful, DoNotChangeWhatIsReportedOfBuildings) {
+    TownRun with;
+    TownRun without;
+    for (TownRun* town : {&with, &without}) {
+        town->options.detect.min_confidence = confidences().back();
+        town->options.write.doubtful = town == &with;
+        town->run();
+    }
+    EXPECT_GT(with.context.report.doubtful, 0);
+    EXPECT_EQ(with.context.report.stack_rmse_m, without.context.report.stack_rmse_m);
+    EXPECT_EQ(with.context.report.buildings, without.context.report.buildings);
+    const auto& levels = without.context.report.levels;
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        EXPECT_EQ(with.context.report.levels[i].contours, levels[i].contours);
+        EXPECT_EQ(with.context.report.levels[i].points, levels[i].points);
+    }
+}
+
+TEST(Doubtful, AreCountedWhereTheyAreNotWritten) {
+    const std::vector<double> all = confidences();
+    TownRun town;
+    town.options.detect.min_confidence = 1;
+    town.run();
+    EXPECT_EQ(town.sink.layers.size(), 2U);
+    EXPECT_EQ(town.count(), 0U);
+    EXPECT_EQ(town.count(contours), 0U);
+    EXPECT_EQ(town.context.report.counted(Reason::building_doubtful), static_cast<std::int64_t>(all.size()));
+    EXPECT_EQ(town.context.report.doubtful, 0);
+    ASSERT_EQ(town.context.report.warnings.size(), 1U);
+    EXPECT_EQ(town.context.report.warnings[0],
+              "No building was found; -min_height, -min_area or -min_confidence may hide some.");
+}
+
+TEST(Doubtful, AreNoBuildingsInTheCanopy) {
+    TownRun town;
+    town.options.detect.min_confidence = 1;
+    town.options.write.doubtful = true;
+    town.run();
+    EXPECT_EQ(town.count(), 0U);
+    const std::size_t roof = MadeTown::index(26, 26);
+    EXPECT_EQ(town.canopy.values[roof], town.height.values[roof]);
+}
+
+std::string only_warning(const MemorySink& sink, const Context& context) {
+    EXPECT_TRUE(sink.finished);
+    EXPECT_EQ(context.report.buildings, 0);
+    EXPECT_EQ(context.report.contours, 0);
+    EXPECT_EQ(context.report.warnings.size(), 1U);
+    return context.report.warnings.empty() ? "" : context.report.warnings[0];
+}
+
+TEST(Nothing, ToFindIsAWarning) {
+    const auto warning = [](std::int32_t rows, std::int32_t cols, const std::vector<double>& z) {
+        MemorySource dem(rows, cols, z);
+        MemorySink sink;
+        test::MemoryRaster ground;
+        Context context;
+        run({}, {dem}, {sink, &ground}, context);
+        EXPECT_TRUE(ground.finished);
+        EXPECT_EQ(ground.values.size(), z.size());
+        return only_warning(sink, context);
+    };
+    const double nan = std::nan("");
+    EXPECT_EQ(warning(9, 9, std::vector<double>(81, nan)),
+              "'memory' has no valid point; the layers are empty.");
+    EXPECT_EQ(warning(1, 1, {nan}), "'memory' has no valid point; the layers are empty.");
+    EXPECT_EQ(warning(1, 1, {7}),
+              "All valid points of 'memory' have the same elevation; no building was found.");
+    EXPECT_EQ(warning(30, 30, std::vector<double>(900, 7.0)),
+              "All valid points of 'memory' have the same elevation; no building was found.");
+    const std::string none =
+        "No building was found; -min_height, -min_area or -min_confidence may hide some.";
+    EXPECT_EQ(warning(1, 5, {0, 9, 9, 9, 0}), none);
+    EXPECT_EQ(warning(5, 1, {0, 9, nan, 9, 0}), none);
+    EXPECT_EQ(warning(2, 2, {0, 1, 0, 1}), none);
+}
+
+}  // namespace
+}  // namespace d2b

@@ -1,0 +1,184 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/made_town.hpp"
+
+namespace d2b {
+namespace {
+
+using test::Box;
+using test::buildings;
+using test::MadeTown;
+using test::MemorySource;
+using test::TownRun;
+
+TEST(SideRasters, GroundHeightAndCanopy) {
+    TownRun town;
+    town.run();
+    const std::vector<double> z = MadeTown::surface();
+    for (const auto* raster : {&town.ground, &town.height, &town.canopy}) {
+        EXPECT_TRUE(raster->finished);
+        EXPECT_EQ(raster->row_count, MadeTown::rows);
+        ASSERT_EQ(raster->values.size(), z.size());
+    }
+    int trees = 0;
+    for (int r = 0; r < MadeTown::rows; ++r)
+        for (int c = 0; c < MadeTown::cols; ++c) {
+            const std::size_t i = MadeTown::index(r, c);
+            const double ground = static_cast<double>(town.ground.values[i]);
+            const double height = static_cast<double>(town.height.values[i]);
+            const double canopy = static_cast<double>(town.canopy.values[i]);
+            const bool wood = MadeTown::wood.holds(r, c);
+            const bool corner = std::ranges::any_of(
+                std::array{MadeTown::flat, MadeTown::gabled, MadeTown::podium}, [&](const Box& box) {
+                    return (r == box.row || r == box.row + box.rows - 1) &&
+                           (c == box.col || c == box.col + box.cols - 1);
+                });
+            ASSERT_NEAR(ground, MadeTown::ground(r, c), wood ? 2.0 : 0.4) << r << " " << c;
+            ASSERT_NEAR(height, z[i] - ground, 1e-4);
+            ASSERT_GE(height, 0);
+            if (wood && z[i] - MadeTown::ground(r, c) > 4) {
+                ++trees;
+                ASSERT_EQ(canopy, height);
+            } else if (!wood && !corner) {
+                ASSERT_EQ(canopy, 0) << r << " " << c;  // roofs and lawns
+            }
+        }
+    EXPECT_GT(trees, 500);
+}
+
+TEST(SideRasters, ThatNobodyWantsAreNotNeeded) {
+    TownRun town;
+    d2b::run(town.options, {town.dem}, {town.sink}, town.context);
+    EXPECT_EQ(town.count(), 3U);
+    EXPECT_FALSE(town.ground.finished);
+}
+
+TEST(SideRasters, AreNotFinishedWhereTheRunIsCancelled) {
+    TownRun town;
+    town.context.on_progress = [](double share) { return share < 0.7; };
+    EXPECT_THROW(town.run(), Cancelled);
+    EXPECT_FALSE(town.ground.finished);
+    EXPECT_FALSE(town.sink.finished);
+}
+
+TEST(SideRasters, HoldWhatIsNotKnown) {
+    std::vector<double> z = MadeTown::surface();
+    for (int r = 25; r < 28; ++r)
+        for (int c = 25; c < 28; ++c)
+            z[MadeTown::index(r, c)] = std::nan("");  // in the roof of the flat house
+    for (int c = 0; c < MadeTown::cols; ++c)
+        z[MadeTown::index(0, c)] = std::nan("");
+    TownRun town(std::move(z));
+    town.run();
+    const std::size_t roof = MadeTown::index(26, 26);
+    EXPECT_NEAR(static_cast<double>(town.ground.values[roof]), MadeTown::ground(26, 26), 0.4);
+    EXPECT_TRUE(std::isnan(town.height.values[roof]));
+    EXPECT_TRUE(std::isnan(town.canopy.values[roof]));
+    const std::size_t i = town.at(MadeTown::flat, buildings, 0.95);  // whole all the same
+    EXPECT_NEAR(town.sink.number(buildings, i, "nodata"), 9 / MadeTown::flat.area(), 0.003);
+    EXPECT_EQ(town.sink.whole(buildings, i, "n_cells") - town.sink.whole(buildings, i, "n_points"), 9);
+}
+
+TEST(GivenTerrain, IsTheGround) {
+    MemorySource terrain = MadeTown::source(MadeTown::terrain());
+    TownRun town;
+    town.options.ground.mode = GroundMode::given;
+    town.terrain = &terrain;
+    town.run();
+    EXPECT_EQ(town.count(), 3U);
+    for (int r = 0; r < MadeTown::rows; ++r)
+        for (int c = 0; c < MadeTown::cols; ++c) {
+            const double ground = static_cast<double>(town.ground.values[MadeTown::index(r, c)]);
+            ASSERT_LE(ground, MadeTown::ground(r, c) + 1e-4);  // never above the surface,
+            ASSERT_GE(ground, MadeTown::ground(r, c) - 0.04);  // which is off by 3 cm at most
+        }
+    // Along the border of the flat house, the tenth percentile of the slope.
+    std::vector<double> border;
+    const Box& box = MadeTown::flat;
+    const auto edge = [&](int r, int c, int out_r, int out_c) {
+        border.push_back(MadeTown::ground(r, c));
+        border.push_back(MadeTown::ground(r + out_r, c + out_c));
+    };
+    for (int r = box.row; r < box.row + box.rows; ++r) {
+        edge(r, box.col, 0, -1);
+        edge(r, box.col + box.cols - 1, 0, 1);
+    }
+    for (int c = box.col; c < box.col + box.cols; ++c) {
+        edge(box.row, c, -1, 0);
+        edge(box.row + box.rows - 1, c, 1, 0);
+    }
+    std::ranges::sort(border);
+    EXPECT_NEAR(town.sink.number(buildings, town.at(box), "ground"), border[border.size() / 10], 0.05);
+}
+
+TEST(GivenTerrain, WhereItKnowsNothingThereIsNothing) {
+    std::vector<double> z = MadeTown::terrain();
+    for (int r = 0; r < MadeTown::rows; ++r)
+        for (int c = 0; c < 60; ++c)
+            z[MadeTown::index(r, c)] = std::nan("");
+    MemorySource terrain = MadeTown::source(std::move(z));
+    TownRun town;
+    town.options.ground.mode = GroundMode::given;
+    town.terrain = &terrain;
+    town.run();
+    town.at(MadeTown::gabled);
+    for (std::size_t i = 0; i < town.count(); ++i)
+        EXPECT_EQ(overlap(town.sink.features[buildings][i], MadeTown::flat, town.dem.info().transform), 0);
+    EXPECT_TRUE(std::isnan(town.height.values[0]));
+}
+
+TEST(NoGround, HeightsAreTakenAsTheyAre) {
+    TownRun town(MadeTown::heights());
+    town.options.ground.mode = GroundMode::none;
+    town.run();
+    EXPECT_EQ(town.count(), 3U);
+    for (std::size_t i = 0; i < town.count(); ++i)
+        EXPECT_EQ(town.sink.number(buildings, i, "ground"), 0);
+    EXPECT_NEAR(town.sink.number(buildings, town.at(MadeTown::flat), "p50"), MadeTown::flat_height, 0.1);
+    EXPECT_TRUE(std::ranges::all_of(town.ground.values, [](float z) { return z == 0; }));
+}
+
+TEST(BuildingMask, BoundsWhereBuildingsAreLookedFor) {
+    MemorySource mask = MadeTown::source(MadeTown::in({MadeTown::gabled}, 1, 0));
+    TownRun town;
+    town.mask = &mask;
+    town.run();
+    EXPECT_EQ(town.count(), 1U);
+    EXPECT_NEAR(town.sink.number(buildings, town.at(MadeTown::gabled), "area_m2"), MadeTown::gabled.area(),
+                8);
+    // The ground is that of the whole: the podium is no ground.
+    EXPECT_NEAR(static_cast<double>(town.ground.values[MadeTown::index(90, 45)]), MadeTown::ground(90, 45),
+                0.4);
+}
+
+TEST(BuildingMask, WhatIsNotKnownIsOutside) {
+    MemorySource mask = MadeTown::source(MadeTown::in({MadeTown::gabled}, 7, std::nan("")));
+    TownRun town;
+    town.mask = &mask;
+    town.run();
+    EXPECT_EQ(town.count(), 1U);
+}
+
+TEST(Ndvi, SpeaksAgainstWhatIsGreen) {
+    const auto confidence = [](double ndvi) {
+        MemorySource index = MadeTown::source(MadeTown::in({MadeTown::gabled}, ndvi, -0.1));
+        TownRun town;
+        town.ndvi = &index;
+        town.options.detect.min_confidence = 0;
+        town.run();
+        const std::size_t i = town.at(MadeTown::gabled);
+        return std::pair{town.sink.number(buildings, i, "confidence"),
+                         town.sink.number(buildings, town.at(MadeTown::flat), "confidence")};
+    };
+    const auto grey = confidence(0.1);
+    const auto green = confidence(0.8);
+    EXPECT_LT(green.first, grey.first);
+    EXPECT_EQ(green.second, grey.second);
+}
+
+}  // namespace
+}  // namespace d2b

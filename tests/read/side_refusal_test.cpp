@@ -1,0 +1,178 @@
+#include <cpl_string.h>
+#include <cpl_vsi.h>
+
+#include "core/error.hpp"
+#include "read/side_fixture.hpp"
+
+namespace d2b::test {
+namespace {
+
+class SideRefusal : public SideTest {
+  protected:
+    void SetUp() override {
+        SideTest::SetUp();
+        dem({.cols = 4, .rows = 4, .transform = {{500000, 1, 0, 5538650, 0, -1}}});
+    }
+    std::string refusal() {
+        return refused<InputError>([this] { terrain(); });
+    }
+    void one_cell(double x, double y, const std::string& crs = "EPSG:25832") {
+        write(path("side.tif"), {.values = {100}, .transform = {{x, 1, 0, y, 0, -1}}, .crs = crs});
+    }
+};
+
+TEST_F(SideRefusal, noSuchFile) {
+    EXPECT_EQ(refusal(), quoted("side.tif") + " cannot be opened as a raster: No such file or directory.");
+    EXPECT_EQ(refused<InputError>([this] { mask(); }),
+              "The mask " + quoted("side.tif") +
+                  " cannot be opened as a raster or as polygons: No such file or directory.");
+    EXPECT_EQ(refused<InputError>([this] { ndvi(); }),
+              quoted("side.tif") + " cannot be opened as a raster: No such file or directory.");
+}
+
+TEST_F(SideRefusal, complexNumbers) {
+    write(path("side.tif"), {.type = GDT_CFloat32, .values = {1}});
+    EXPECT_EQ(refusal(),
+              "Band 1 of " + quoted("side.tif") + " holds complex numbers; give a raster of real numbers.");
+}
+
+TEST_F(SideRefusal, anotherPlace) {
+    const std::string start = "The terrain " + quoted("side.tif") + " has no cell in the part of " +
+                              quoted("dem.tif") + " that is used";
+    one_cell(600000, 5538650);
+    EXPECT_EQ(refusal(),
+              start + "; give one of the same area, or correct a coordinate reference system that is wrong.");
+    one_cell(500000, 5538650, "EPSG:25833");
+    EXPECT_EQ(refusal(),
+              start + "; give one of the same area, or correct a coordinate reference system that is wrong.");
+    one_cell(9, 50, "");
+    EXPECT_EQ(refusal(), start +
+                             " in the coordinates of the latter, and it has no coordinate reference system; "
+                             "give it its own with gdal_edit.py -a_srs.");
+    dem({.transform = {{9, 1e-5, 0, 50, 0, -1e-5}}, .crs = ""});
+    one_cell(500000, 5538650);
+    EXPECT_EQ(refusal(), start +
+                             " in the coordinates of the former, and the DEM has no coordinate reference "
+                             "system; give it with -a_srs.");
+}
+
+TEST_F(SideRefusal, onlyTheWindowCounts) {
+    options_.source_window = {0, 0, 2, 4};
+    dem({.cols = 4, .rows = 4, .transform = {{500000, 1, 0, 5538650, 0, -1}}});
+    one_cell(500003, 5538650);
+    expect_has(refusal(), "has no cell in the part of");
+}
+
+TEST_F(SideRefusal, aSpeckOfARasterIsFound) {
+    dem({.cols = 5000, .rows = 5000, .type = GDT_Byte, .transform = {{500000, 1, 0, 5538650, 0, -1}}});
+    one_cell(500012, 5538650 - 4321);
+    const auto source = open_terrain(path("side.tif"), grid_, 1, context_);
+    std::vector<double> row(5000);
+    source->read(4321, 1, row);
+    EXPECT_EQ(row[12], 100);
+    EXPECT_EQ(warnings().at(0), "More than 99 % of " + quoted("dem.tif") + " lies outside of the terrain " +
+                                    quoted("side.tif") + "; there is no ground there.");
+}
+
+TEST_F(SideRefusal, aMissingCrsIsAnAssumption) {
+    one_cell(500000, 5538650, "");
+    EXPECT_EQ(terrain().at(0), 100);
+    ASSERT_EQ(warnings().size(), 2U);
+    EXPECT_EQ(warnings()[0],
+              "The terrain " + quoted("side.tif") +
+                  " has no coordinate reference system; its coordinates are taken as those of " +
+                  quoted("dem.tif") + ".");
+    dem({.transform = {{500000, 1, 0, 5538650, 0, -1}}, .crs = ""});
+    one_cell(500000, 5538650);
+    EXPECT_EQ(terrain().at(0), 100);
+    ASSERT_EQ(warnings().size(), 1U);
+    EXPECT_EQ(warnings()[0], "The terrain " + quoted("side.tif") + " has a coordinate reference system and " +
+                                 quoted("dem.tif") + " has none; coordinates of both are taken as the same.");
+    context_.report.warnings.clear();
+    one_cell(500000, 5538650, "");
+    EXPECT_EQ(terrain().at(0), 100);
+    EXPECT_TRUE(warnings().empty());
+}
+
+TEST_F(SideRefusal, georeferencesThatAreMissing) {
+    write(path("side.tif"), {.values = {100}, .transform = {}});
+    EXPECT_EQ(refusal(), "The terrain " + quoted("side.tif") + " has no georeference and " +
+                             quoted("dem.tif") +
+                             " has one; give both of them one, for example with gdal_edit.py -a_ullr.");
+    dem({.cols = 2, .transform = {}, .crs = ""});
+    one_cell(0, 0);
+    EXPECT_EQ(refusal(), "The terrain " + quoted("side.tif") + " has a georeference and " +
+                             quoted("dem.tif") +
+                             " has none; give both of them one, for example with gdal_edit.py -a_ullr.");
+    write(path("side.tif"), {.cols = 2, .values = {3, 4}, .transform = {}, .crs = ""});
+    expect_values(terrain(), {3, 4});
+    EXPECT_TRUE(warnings().empty());
+}
+
+TEST_F(SideRefusal, transformsOfNoUse) {
+    write(path("side.tif"), {.values = {100}, .transform = {{0, 1, 1, 0, 1, 1}}});
+    EXPECT_EQ(refusal(), "The transform of " + quoted("side.tif") +
+                             " (0, 1, 1, 0, 1, 1) gives its cells no area; correct it, for example with "
+                             "gdal_edit.py -a_ullr.");
+    const GDALDatasetH dataset = create(path("side.tif"), {.values = {100}, .transform = {}, .crs = ""});
+    const std::array<GDAL_GCP, 1> points{
+        {{const_cast<char*>("1"), const_cast<char*>(""), 0, 0, 500000, 5538650, 0}}};
+    ASSERT_EQ(GDALSetGCPs(dataset, 1, points.data(), ""), CE_None);
+    GDALClose(dataset);
+    EXPECT_EQ(refusal(), quoted("side.tif") +
+                             " is placed by ground control points only; turn it into a regular grid with "
+                             "gdalwarp first.");
+}
+
+TEST_F(SideRefusal, crssWithoutAnOperation) {
+    one_cell(0, 0, "LOCAL_CS[\"site\",UNIT[\"metre\",1]]");
+    const std::string text = refusal();
+    EXPECT_EQ(text.rfind("The terrain " + quoted("side.tif") +
+                             " cannot be brought into the coordinate reference system of " +
+                             quoted("dem.tif") + ": ",
+                         0),
+              0U)
+        << text;
+    expect_has(text, "; reproject it with gdalwarp first.");
+}
+
+/// A file that ends in the middle of its cells.
+void truncate(const std::string& path) {
+    const std::string bytes = read_bytes(path);
+    write_text(path, bytes.substr(0, bytes.size() / 2));
+}
+
+TEST_F(SideRefusal, damageIsToldInBothWays) {
+    for (const double cell : {1.0, 0.9}) {
+        write(path("side.tif"), {.cols = 64,
+                                 .rows = 64,
+                                 .values = counting(64 * 64),
+                                 .transform = {{500000 - 32 * cell, cell, 0, 5538650 + 56 * cell, 0, -cell}},
+                                 .creation = {"COMPRESS=DEFLATE", "BLOCKYSIZE=8"}});
+        truncate(path("side.tif"));
+        const std::string text = refusal();
+        EXPECT_EQ(text.rfind("Rows ", 0), 0U) << text;
+        expect_has(text, " of " + quoted("side.tif") + " cannot be read: ");
+        expect_has(text, "; the file may be truncated or damaged.");
+        EXPECT_EQ(text.find("cannot be read", text.find("cannot be read") + 1), std::string::npos) << text;
+    }
+}
+
+TEST_F(SideRefusal, rowsOutsideOfTheWindow) {
+    options_.source_window = {0, 1, 4, 2};
+    dem({.cols = 4, .rows = 4, .transform = {{500000, 1, 0, 5538650, 0, -1}}});
+    std::vector<double> row(4);
+    for (const double x : {500000.0, 499999.7}) {
+        write(path("side.tif"),
+              {.cols = 6, .rows = 6, .values = counting(36), .transform = {{x, 1, 0, 5538650, 0, -1}}});
+        const auto source = open_terrain(path("side.tif"), grid_, 1, context_);
+        for (const int first : {0, 3, 9})
+            EXPECT_EQ(refused<InputError>([&] { source->read(first, 1, row); }),
+                      "Rows from " + std::to_string(first) + " on, 1 of them, were asked for outside the " +
+                          "window of " + quoted("side.tif") +
+                          " or for a buffer of another size; ask for rows of the window.");
+    }
+}
+
+}  // namespace
+}  // namespace d2b::test

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "read/polygon_layer.hpp"
+#include "score/score.hpp"
+
+namespace d2b::test {
+
+inline WorldPolygon box(double left, double low, double right, double high) {
+    return {{{left, low}, {right, low}, {right, high}, {left, high}}, {}};
+}
+
+/// Each polygon a feature.
+inline ScoreSide side(const std::vector<WorldPolygon>& polygons,
+                      std::vector<std::optional<double>> heights = {}) {
+    heights.resize(polygons.size());
+    std::vector<Footprint> footprints;
+    for (std::size_t i = 0; i < polygons.size(); ++i)
+        footprints.push_back({{polygons[i]}, heights[i], false});
+    Overlay overlay;
+    return score_side(footprints, overlay);
+}
+
+}  // namespace d2b::test

@@ -1,0 +1,46 @@
+#include "common/run_guarded.hpp"
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <new>
+
+#include "common/exit_codes.hpp"
+#include "core/error.hpp"
+
+namespace d2b {
+
+void print_line(const char* kind, std::string text) {
+    std::ranges::replace_if(
+        text, [](char letter) { return static_cast<unsigned char>(letter) < ' '; }, ' ');
+    std::cerr << kind << text << '\n';
+}
+
+int run_guarded(const std::vector<std::string>& arguments, const std::string& memory_advice,
+                const std::function<int(const std::vector<std::string>&)>& run) {
+    // At a limit of the size of files writing then fails, with a message, and cleans up.
+    static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
+    try {
+        const int status = run(arguments);
+        // What cannot be written, a report say, must not look as if it had been.
+        // The second condition holds where GDAL could not write to /vsistdout/, of which it says nothing.
+        if (!std::cout.flush() || std::ferror(stdout) != 0)
+            throw OutputError("Cannot write to stdout; see whether the disk is full or the reader has gone.");
+        return status;
+    } catch (const OptionError& error) {
+        print_line("ERROR: ", error.what());
+        return exit_code::wrong_usage;
+    } catch (const Cancelled& error) {
+        print_line("ERROR: ", error.what());
+        return exit_code::cancelled;
+    } catch (const std::bad_alloc&) {
+        print_line("ERROR: ", "There is not enough memory; " + memory_advice + ".");
+    } catch (const std::exception& error) {
+        print_line("ERROR: ", error.what());
+    }
+    return exit_code::failed;
+}
+
+}  // namespace d2b

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace d2b {
+
+/// A line on stderr, whatever a file name in the text may hold.
+void print_line(const char* kind, std::string text);
+
+/// Runs a tool with every exception as a line on stderr and an exit status; what cannot be written to stdout
+/// is an error, too.
+/// @param memory_advice what to do where memory is short, e.g. "use a part of the input"
+/// @return the exit status, of exit_codes.hpp
+[[nodiscard]] int run_guarded(const std::vector<std::string>& arguments, const std::string& memory_advice,
+                              const std::function<int(const std::vector<std::string>&)>& run);
+
+}  // namespace d2b

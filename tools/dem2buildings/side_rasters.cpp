@@ -1,0 +1,64 @@
+#include "dem2buildings/side_rasters.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/crs.hpp"
+#include "core/units.hpp"
+#include "core/version.hpp"
+#include "read/side_rasters.hpp"
+#include "write/geotiff_sink.hpp"
+
+namespace d2b {
+namespace {
+
+/// The grid in the CRS that -a_srs gives.
+DemInfo in_its_crs(DemInfo dem, const Options& options) {
+    if (!options.read.crs.empty())
+        dem.crs_wkt = Crs(options.read.crs).wkt();
+    return dem;
+}
+
+}  // namespace
+
+SideSources open_side_sources(const Options& options, const DemInfo& dem, Context& context) {
+    const DemInfo grid = in_its_crs(dem, options);
+    SideSources sources;
+    if (options.ground.mode == GroundMode::given) {
+        const UnitReport units = resolve_units(grid, Crs(grid.crs_wkt), options.read.vertical_unit);
+        sources.terrain = open_terrain(options.ground.terrain, grid, units.vertical_metres, context);
+    }
+    if (!options.detect.mask.empty())
+        sources.mask = open_mask(options.detect.mask, grid, context);
+    if (!options.detect.ndvi.empty())
+        sources.ndvi = open_ndvi(options.detect.ndvi, grid, context);
+    return sources;
+}
+
+SideSinks open_side_sinks(const Options& options, const DemInfo& dem, Context& context) {
+    const DemInfo grid = in_its_crs(dem, options);
+    const WriteOptions& write = options.write;
+    std::vector<std::string> in_use{options.read.source, write.destination};
+    for (const std::string& name : {options.ground.terrain, options.detect.mask, options.detect.ndvi})
+        if (!name.empty())
+            in_use.push_back(name);
+    const auto open = [&](const std::string& destination, const char* what, bool elevations) {
+        if (destination.empty())
+            return std::unique_ptr<RasterSink>();
+        RasterMeta meta;
+        meta.description = what;
+        meta.elevations = elevations;
+        meta.metadata = {{"D2B_VERSION", std::string(version)}, {"D2B_SOURCE", dem.name}};
+        auto sink = open_geotiff_sink({destination, write.overwrite, in_use}, grid, meta, context);
+        in_use.push_back(destination);
+        return sink;
+    };
+    SideSinks sinks;
+    sinks.ground = open(write.ground, "elevation of the ground", true);
+    sinks.height = open(write.height, "height above the ground", false);
+    sinks.canopy = open(write.canopy, "height of what is no building", false);
+    return sinks;
+}
+
+}  // namespace d2b

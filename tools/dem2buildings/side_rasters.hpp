@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+
+#include "core/context.hpp"
+#include "core/dem_source.hpp"
+#include "core/options.hpp"
+#include "core/raster_sink.hpp"
+
+namespace d2b {
+
+/// What the options name beside the DEM; empty where they name nothing.
+struct SideSources {
+    std::unique_ptr<DemSource> terrain;
+    std::unique_ptr<DemSource> mask;
+    std::unique_ptr<DemSource> ndvi;
+};
+struct SideSinks {
+    std::unique_ptr<RasterSink> ground;
+    std::unique_ptr<RasterSink> height;
+    std::unique_ptr<RasterSink> canopy;
+};
+
+/// @param dem the grid that they are brought to @throws InputError
+[[nodiscard]] SideSources open_side_sources(const Options& options, const DemInfo& dem, Context& context);
+/// @throws OptionError, OutputError
+[[nodiscard]] SideSinks open_side_sinks(const Options& options, const DemInfo& dem, Context& context);
+
+}  // namespace d2b

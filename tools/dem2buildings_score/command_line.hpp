@@ -1,0 +1,43 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace d2b {
+
+/// All that the command line can set.
+struct ScoreRequest {
+    std::string found;
+    std::string reference;
+    std::string layer;  ///< of found; "" for the default, as below
+    std::string reference_layer;
+    std::string height_field;      ///< of the reference
+    std::string area_of_interest;  ///< a layer of the reference, or a dataset
+    std::string dem;
+    double min_object_m2 = 50;
+    bool json = false;
+    bool quiet = false;
+    bool help = false;
+    bool version = false;
+    bool man_page = false;
+};
+
+/// One option. Parser, help and man page are all made from these rows.
+struct ScoreOption {
+    std::string name;   ///< without dash
+    std::string value;  ///< "<name>"; "" for a switch
+    std::string help;
+    std::function<void(ScoreRequest&, const std::string&)> apply;  ///< @throws OptionError
+};
+
+/// In the order in which help lists them.
+[[nodiscard]] const std::vector<ScoreOption>& score_options();
+
+/// Reads a command line; opens no file. Options may stand anywhere, with one dash or two, their values behind
+/// a blank or an equals sign; "--" ends the options. Where help, the version or the man page is asked for,
+/// file names are not looked at.
+/// @param arguments without the program's name and without GDAL's own switches @throws OptionError
+[[nodiscard]] ScoreRequest parse_score_command_line(const std::vector<std::string>& arguments);
+
+}  // namespace d2b

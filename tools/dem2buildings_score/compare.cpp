@@ -1,0 +1,157 @@
+#include "dem2buildings_score/compare.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/crs.hpp"
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "geometry/box_tree.hpp"
+#include "read/polygon_layer.hpp"
+#include "read/valid_cells.hpp"
+#include "score/measure_plane.hpp"
+
+namespace d2b {
+namespace {
+
+/// Polygons that bound what is measured.
+struct Limit {
+    std::string name;  ///< of the dataset
+    std::string what;  ///< for messages
+    Crs crs;
+    Polygons area;
+};
+
+Polygons all_polygons(std::vector<Footprint> footprints) {
+    Polygons polygons;
+    for (Footprint& footprint : footprints)
+        std::ranges::move(footprint.polygons, std::back_inserter(polygons));
+    return polygons;
+}
+
+std::optional<Limit> area_of_interest(const ScoreRequest& request, Context& context) {
+    LayerChoice choice{request.reference, "aoi", {}, {}, {}};
+    const std::vector<std::string> layers = layer_names(request.reference, context);
+    const auto has = [&](const std::string& name) { return std::ranges::find(layers, name) != layers.end(); };
+    if (!request.area_of_interest.empty()) {
+        choice.layer = request.area_of_interest;
+        if (!has(choice.layer))
+            choice = {request.area_of_interest, {}, {}, {}, {}};
+    } else if (!has("aoi")) {
+        return std::nullopt;
+    }
+    PolygonLayer layer = read_polygon_layer(choice, context);
+    const std::string what = "the area of interest, layer '" + layer.name + "' of '" + layer.dataset + "',";
+    if (layer.features.empty())
+        throw InputError("The" + what.substr(3) + " has no polygons; give another one with -aoi.");
+    return Limit{layer.dataset, what, Crs(layer.crs_wkt), all_polygons(std::move(layer.features))};
+}
+
+std::optional<Limit> raster_with_data(const ScoreRequest& request, Context& context) {
+    if (request.dem.empty())
+        return std::nullopt;
+    ValidCells cells = valid_cells(request.dem, context);
+    return Limit{request.dem, "the part of '" + request.dem + "' that has data", Crs(cells.crs_wkt),
+                 std::move(cells.polygons)};
+}
+
+/// One side on its way into the plane.
+struct Side {
+    std::string name;
+    Crs crs;
+    ScoreSide score;
+};
+
+Side side_of(const PolygonLayer& layer, Overlay& overlay, Context& context) {
+    if (layer.features.empty())
+        context.warn("The layer '" + layer.name + "' of '" + layer.dataset + "' has no polygons.");
+    return {layer.dataset, Crs(layer.crs_wkt), score_side(layer.features, overlay)};
+}
+
+std::string extent(const Box& box) {
+    return number_text(box.left) + " " + number_text(box.low) + " to " + number_text(box.right) + " " +
+           number_text(box.high);
+}
+
+/// What lies elsewhere was hardly meant to be compared: a wrong file or a wrong CRS.
+void check_meets(const std::string& a, const Box& box_a, const std::string& b, const Box& box_b) {
+    if (box_a.empty() || box_b.empty() || box_a.meets(box_b))
+        return;
+    throw InputError(a + " (" + extent(box_a) + ") and " + b + " (" + extent(box_b) +
+                     ") do not meet; check the files and their coordinate reference systems.");
+}
+
+/// The area that lies in all limits.
+std::optional<Polygons> region_of(std::vector<Limit>& limits, const MeasurePlane& plane, const Side& found,
+                                  const Side& reference, Overlay& overlay, Context& context) {
+    std::optional<Polygons> region;
+    for (Limit& limit : limits) {
+        bring_to(plane, limit.crs, limit.name, std::span(&limit.area, 1), LongEdges::divide, context);
+        for (const Side* side : {&found, &reference})
+            check_meets("'" + side->name + "'", box_of_all(side->score.areas), limit.what,
+                        box_of(limit.area));
+        const Polygons area = overlay.repaired_union(limit.area);
+        region = region ? overlay.intersection(*region, area) : area;
+    }
+    if (region && region->empty())
+        throw InputError("The area of interest has no cell of '" + limits.back().name +
+                         "' with data; check both files.");
+    return region;
+}
+
+LayerChoice found_choice(const ScoreRequest& request) {
+    return {request.found, request.layer, {"buildings"}, {}, {"height"}};
+}
+
+LayerChoice reference_choice(const ScoreRequest& request) {
+    return {request.reference,
+            request.reference_layer,
+            {"blocks_dissolved", "buildings"},
+            request.height_field,
+            {"height", "Height", "roof_h"}};
+}
+
+}  // namespace
+
+ScoreRun compare_datasets(const ScoreRequest& request, Context& context) {
+    Overlay overlay;
+    const PolygonLayer found_layer = read_polygon_layer(found_choice(request), context);
+    const PolygonLayer reference_layer = read_polygon_layer(reference_choice(request), context);
+    std::vector<Limit> limits;
+    for (auto& limit : {area_of_interest(request, context), raster_with_data(request, context)})
+        if (limit)
+            limits.push_back(*limit);
+    Side found = side_of(found_layer, overlay, context);
+    Side reference = side_of(reference_layer, overlay, context);
+
+    const bool by_raster = !request.dem.empty() && limits.back().crs.kind() != Crs::Kind::none;
+    const bool by_found = reference.crs.kind() == Crs::Kind::none && !by_raster;
+    const Crs& crs = by_raster ? limits.back().crs : by_found ? found.crs : reference.crs;
+    const Box box = by_raster ? box_of(limits.back().area)
+                              : box_of_all(by_found ? found.score.areas : reference.score.areas);
+    const MeasurePlane plane = measure_plane(crs, box, context);
+    for (Side* side : {&found, &reference})
+        bring_to(plane, side->crs, side->name, side->score.areas, LongEdges::keep, context);
+    check_meets("'" + found.name + "'", box_of_all(found.score.areas), "'" + reference.name + "'",
+                box_of_all(reference.score.areas));
+
+    ScoreOptions options;
+    options.region = region_of(limits, plane, found, reference, overlay, context);
+    options.metres = plane.metres;
+    options.min_object_m2 = request.min_object_m2;
+    ScoreRun run{found_layer.name,
+                 reference_layer.name,
+                 reference_layer.height_field,
+                 plane.local ? "local transverse Mercator projection" : plane.crs.name(),
+                 plane.metres,
+                 options.region.has_value(),
+                 {}};
+    run.score = score(std::move(found.score), std::move(reference.score), options);
+    return run;
+}
+
+}  // namespace d2b

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+namespace d2b {
+
+// All texts about the options are made from score_options(). They are ASCII and end with a line feed.
+
+/// Two lines, for a command line without arguments.
+[[nodiscard]] std::string score_short_usage();
+/// What --help prints, in lines of at most 80 characters.
+[[nodiscard]] std::string score_help();
+/// The man page, as roff.
+[[nodiscard]] std::string score_man_page();
+
+}  // namespace d2b

@@ -1,0 +1,57 @@
+#include <algorithm>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "common/exit_codes.hpp"
+#include "common/run_guarded.hpp"
+#include "core/context.hpp"
+#include "core/crs.hpp"
+#include "core/version.hpp"
+#include "dem2buildings_score/command_line.hpp"
+#include "dem2buildings_score/compare.hpp"
+#include "dem2buildings_score/help.hpp"
+#include "dem2buildings_score/report.hpp"
+#include "geometry/geos.hpp"
+#include "read/gdal_command_line.hpp"
+#include "read/gdal_dem_source.hpp"
+
+namespace d2b {
+namespace {
+
+void measure(const ScoreRequest& request) {
+    Context context;
+    context.on_warning = [](const std::string& text) { print_line("Warning: ", text); };
+    start_gdal();
+    const ScoreRun run = compare_datasets(request, context);
+    std::cout << (request.json ? score_json(request, run, context) : score_text(request, run, request.quiet));
+}
+
+int run_tool(const std::vector<std::string>& arguments) {
+    if (arguments.empty()) {
+        std::cerr << score_short_usage();
+        return exit_code::wrong_usage;
+    }
+    const auto left = apply_gdal_switches(arguments);
+    if (!left)
+        return exit_code::done;
+    const ScoreRequest request = parse_score_command_line(*left);
+    if (request.help)
+        std::cout << score_help();
+    else if (request.version)
+        std::cout << "dem2buildings_score " << version << ", GDAL " << gdal_version() << ", GEOS "
+                  << geos_version() << ", PROJ " << proj_version() << '\n';
+    else if (request.man_page)
+        std::cout << score_man_page();
+    else
+        measure(request);
+    return exit_code::done;
+}
+
+}  // namespace
+}  // namespace d2b
+
+int main(int argc, char* argv[]) {
+    return d2b::run_guarded({argv + std::min(argc, 1), argv + argc},
+                            "clip the footprints and the reference to a part of the city", d2b::run_tool);
+}

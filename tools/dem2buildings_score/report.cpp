@@ -1,0 +1,153 @@
+#include "dem2buildings_score/report.hpp"
+
+#include <array>
+#include <charconv>
+#include <optional>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+#include "core/version.hpp"
+
+namespace d2b {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// With a point, whatever the locale.
+std::string fixed(double value, int digits) {
+    std::array<char, 400> buffer{};  // the longest double has some 310 digits before the point
+    const auto [end, error] =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, digits);
+    return {buffer.data(), end};
+}
+
+std::string percent(double share) {
+    return fixed(100 * share, 2) + " %";
+}
+
+std::string metres(const std::optional<double>& value) {
+    return value ? fixed(*value, 3) + " m" : "-";
+}
+
+class Lines {
+  public:
+    explicit Lines(bool quiet) : quiet_(quiet) {}
+    void add(std::string_view name, const std::string& figure, const std::string& behind = "") {
+        constexpr std::size_t width_of_names = 22;
+        constexpr std::size_t width_of_figures = 12;
+        const std::string padding(width_of_names - name.size(), ' ');
+        text_ += std::string(name) + padding + figure;
+        if (!quiet_ && !behind.empty()) {
+            text_ +=
+                std::string(figure.size() < width_of_figures ? width_of_figures - figure.size() : 0, ' ');
+            text_ += "  " + behind;
+        }
+        text_ += "\n";
+    }
+    [[nodiscard]] const std::string& text() const { return text_; }
+
+  private:
+    bool quiet_;
+    std::string text_;
+};
+
+std::string of(std::size_t part, std::size_t whole) {
+    return std::to_string(part) + " of " + std::to_string(whole);
+}
+
+std::string square_metres(double area) {
+    return fixed(area, 1) + " m2";
+}
+
+void add_heights(Lines& lines, const Score& score) {
+    if (!score.heights)
+        return lines.add("height error", "-");
+    const HeightErrors& errors = *score.heights;
+    lines.add("height error, mean", metres(errors.mean),
+              std::to_string(errors.pairs) + " pairs with heights");
+    lines.add("height error, RMS", metres(errors.rms));
+    lines.add("height error, median", metres(errors.median_absolute), "of absolute values");
+}
+
+Json json_of(const SideScore& side, const std::string& dataset, const std::string& layer) {
+    return {{"dataset", dataset},        {"layer", layer},
+            {"features", side.features}, {"invalid", side.invalid},
+            {"vertices", side.vertices}, {"area_m2", side.area_m2},
+            {"objects", side.objects},   {"objects_covered", side.objects_covered}};
+}
+
+Json number_or_null(const std::optional<double>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
+Json json_of(const std::optional<HeightErrors>& heights) {
+    if (!heights)
+        return nullptr;
+    return {{"pairs", heights->pairs},
+            {"mean_m", heights->mean},
+            {"rms_m", heights->rms},
+            {"median_absolute_m", heights->median_absolute}};
+}
+
+}  // namespace
+
+std::string score_text(const ScoreRequest& request, const ScoreRun& run, bool quiet) {
+    const Score& score = run.score;
+    Lines lines(quiet);
+    if (!quiet) {
+        lines.add("found", request.found + ", layer " + run.found_layer);
+        lines.add("reference", request.reference + ", layer " + run.reference_layer);
+        lines.add("measured in", run.crs.empty() ? "plain units" : run.crs);
+    }
+    lines.add("completeness", percent(score.completeness),
+              square_metres(score.shared_m2) + " of " + square_metres(score.reference.area_m2));
+    lines.add("correctness", percent(score.correctness),
+              square_metres(score.shared_m2) + " of " + square_metres(score.found.area_m2));
+    lines.add("IoU", percent(score.iou));
+    lines.add("object completeness", percent(score.object_completeness),
+              of(score.reference.objects_covered, score.reference.objects));
+    lines.add("object correctness", percent(score.object_correctness),
+              of(score.found.objects_covered, score.found.objects));
+    lines.add("outline RMS", metres(score.outline_rms_m),
+              "over " + fixed(score.outline_near_m, 1) + " of " + fixed(score.outline_m, 1) + " m");
+    lines.add("overlap", percent(score.overlap));
+    lines.add("invalid", std::to_string(score.found.invalid), "of " + std::to_string(score.found.features));
+    lines.add("vertex ratio", fixed(score.vertex_ratio, 3),
+              std::to_string(score.found.vertices) + " to " + std::to_string(score.reference.vertices));
+    lines.add("PoLiS", metres(score.polis_m), std::to_string(score.pairs) + " pairs");
+    add_heights(lines, score);
+    return lines.text();
+}
+
+std::string score_json(const ScoreRequest& request, const ScoreRun& run, const Context& context) {
+    const Score& score = run.score;
+    Json json{{"version", version},
+              {"found", json_of(score.found, request.found, run.found_layer)},
+              {"reference", json_of(score.reference, request.reference, run.reference_layer)},
+              {"crs", run.crs},
+              {"metres", run.metres},
+              {"limited", run.limited},
+              {"min_object_m2", request.min_object_m2},
+              {"shared_m2", score.shared_m2},
+              {"completeness", score.completeness},
+              {"correctness", score.correctness},
+              {"iou", score.iou},
+              {"object_completeness", score.object_completeness},
+              {"object_correctness", score.object_correctness},
+              {"outline_m", score.outline_m},
+              {"outline_near_m", score.outline_near_m},
+              {"outline_rms_m", number_or_null(score.outline_rms_m)},
+              {"overlap", score.overlap},
+              {"invalid", score.found.invalid},
+              {"vertex_ratio", score.vertex_ratio},
+              {"pairs", score.pairs},
+              {"polis_m", number_or_null(score.polis_m)},
+              {"height_field",
+               run.reference_height_field.empty() ? Json(nullptr) : Json(run.reference_height_field)},
+              {"height_error", json_of(score.heights)},
+              {"warnings", context.report.warnings}};
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace d2b

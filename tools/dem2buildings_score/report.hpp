@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "dem2buildings_score/compare.hpp"
+
+namespace d2b {
+
+/// A figure a line. @param quiet without what was compared and the numbers behind the figures
+[[nodiscard]] std::string score_text(const ScoreRequest& request, const ScoreRun& run, bool quiet);
+
+/// A JSON object with a line feed at its end; keys always in the same order, null for what cannot be told.
+[[nodiscard]] std::string score_json(const ScoreRequest& request, const ScoreRun& run,
+                                     const Context& context);
+
+}  // namespace d2b
