@@ -5,6 +5,7 @@
 
 #include "cli/option_effect.hpp"
 #include "cli/town_files.hpp"
+#include "core/number_text.hpp"
 #include "support/vector_file.hpp"
 
 namespace d2b::test {
@@ -123,7 +124,7 @@ TEST_F(OptionEffect, min_confidence) {
         confidences.insert(record.number("confidence"));
     ASSERT_EQ(confidences.size(), 3U);
     const double middle = *std::next(confidences.begin());
-    find({"-min_confidence", std::to_string(std::floor(middle * 1e6) / 1e6)});
+    find({"-min_confidence", number_text(std::floor(middle * 1e6) / 1e6)});
     EXPECT_EQ(buildings().records.size(), 2U);
     run_warned({"-preset", "buildings", "-q", "-min_confidence", "1", "--", "town.tif", "none.gpkg"},
                {"No building was found; -min_height, -min_area or -min_confidence may hide some."});

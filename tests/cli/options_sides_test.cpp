@@ -3,6 +3,7 @@
 
 #include "cli/option_effect.hpp"
 #include "cli/town_files.hpp"
+#include "core/number_text.hpp"
 
 namespace d2b::test {
 namespace {
@@ -99,7 +100,7 @@ TEST_F(OptionEffect, write_doubtful) {
     double most = 0;
     for (const Record& record : buildings().records)
         most = std::max(most, record.number("confidence"));
-    const std::string least = std::to_string(std::floor(most * 1e6) / 1e6);
+    const std::string least = number_text(std::floor(most * 1e6) / 1e6);
     std::filesystem::remove(path("out.gpkg"));
     find({"-write_doubtful", "-min_confidence", least});
     EXPECT_EQ(layer_names(path("out.gpkg")), (Names{"buildings", "contours", "doubtful"}));

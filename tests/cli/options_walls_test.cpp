@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "cli/option_effect.hpp"
+#include "core/number_text.hpp"
 
 namespace d2b::test {
 namespace {
@@ -64,14 +65,14 @@ TEST_F(OptionEffect, regularize__worksOnContoursOfThePresetThesis) {
 
 TEST_F(OptionEffect, regularize_tolerance) {
     preset_ = "buildings";
-    const auto moved = [&](const char* cells) {
-        run_well({"-q", "-overwrite", "-regularize_tolerance", cells, "--", sample("courtyard_utm.tif"),
+    const auto moved = [&](double cells) {
+        run_well({"-q", "-overwrite", "-regularize_tolerance", number_text(cells), "--", sample("courtyard_utm.tif"),
                   "out.gpkg"});
         return buildings().records[0].number("moved_m");
     };
-    for (const char* cells : {"0.8", "1", "3"})
-        EXPECT_LE(moved(cells), std::stod(cells) * 0.5 + 1e-6) << cells;
-    moved("0.01");  // no straight wall is that near to steps
+    for (const double cells : {0.8, 1.0, 3.0})
+        EXPECT_LE(moved(cells), cells * 0.5 + 1e-6) << cells;
+    moved(0.01);  // no straight wall is that near to steps
     EXPECT_GT(buildings().records[0].vertices(), 100);
 }
 

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/cli_test_case.hpp"
+#include "core/number_text.hpp"
 #include "support/vector_file.hpp"
 
 namespace d2b::test {
@@ -11,10 +12,10 @@ namespace {
 using nlohmann::json;
 
 std::string box(double left, double low, double right, double high) {
-    const auto x0 = std::to_string(left);
-    const auto y0 = std::to_string(low);
-    const auto x1 = std::to_string(right);
-    const auto y1 = std::to_string(high);
+    const auto x0 = number_text(left);
+    const auto y0 = number_text(low);
+    const auto x1 = number_text(right);
+    const auto y1 = number_text(high);
     return "POLYGON((" + x0 + " " + y0 + "," + x1 + " " + y0 + "," + x1 + " " + y1 + "," + x0 + " " + y1 +
            "," + x0 + " " + y0 + "))";
 }
