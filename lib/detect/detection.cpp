@@ -33,8 +33,8 @@ void leave_plants_out(const Scene& scene, const Grid<std::uint8_t>& flags, Mask&
             elevated.values[i] = 0;
 }
 
-Objects find_objects(const Scene& scene, const Mask& elevated, const SmoothSegments& segments,
-                     std::int64_t least_cells) {
+DetectedObjects find_objects(const Scene& scene, const Mask& elevated, const SmoothSegments& segments,
+                             std::int64_t least_cells) {
     Mask cells = grow_by_majority(mask_of(segments.regions), elevated, scene.cell);
     cells = grown(opened(std::move(cells), opening_m, scene.cell), elevated, border_cells);
     cells = smooth_border(cells, elevated, scene.cell);
@@ -58,7 +58,7 @@ Judged judged_objects(const Scene& scene, const DetectOptions& options) {
         smoothness(scene.surface, scene.side(), estimate_noise(scene.surface, elevated));
     leave_plants_out(scene, flags, elevated);
     const SmoothSegments segments = smooth_segments(scene, elevated, flags);
-    Objects found = find_objects(scene, elevated, segments, cells_of(options.min_area_m2, scene));
+    DetectedObjects found = find_objects(scene, elevated, segments, cells_of(options.min_area_m2, scene));
     Judged result;
     for (const Evidence& evidence : collect_evidence(scene, found, segments, flags)) {
         result.objects.push_back(judge(evidence));

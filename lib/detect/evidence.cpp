@@ -97,7 +97,7 @@ Evidence evidence_of(const Sums& sums, double cells) {
 
 }  // namespace
 
-std::vector<Evidence> collect_evidence(const Scene& scene, const Objects& objects,
+std::vector<Evidence> collect_evidence(const Scene& scene, const DetectedObjects& objects,
                                        const SmoothSegments& segments, const Grid<std::uint8_t>& flags) {
     const std::vector<SegmentLogs> logs = logs_of(segments);
     std::vector<Sums> sums(objects.regions.count());

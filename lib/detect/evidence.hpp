@@ -18,13 +18,13 @@ struct Evidence {
 };
 
 /// What detection found so far.
-struct Objects {
+struct DetectedObjects {
     Mask cells;
     Regions regions;  ///< of these cells; they share edges
 };
 
 /// One a region, by label - 1. Support: objects, and a cell around them.
-[[nodiscard]] std::vector<Evidence> collect_evidence(const Scene& scene, const Objects& objects,
+[[nodiscard]] std::vector<Evidence> collect_evidence(const Scene& scene, const DetectedObjects& objects,
                                                      const SmoothSegments& segments,
                                                      const Grid<std::uint8_t>& flags);
 

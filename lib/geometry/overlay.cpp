@@ -113,7 +113,7 @@ Polygons Overlay::intersection(const Polygons& a, const Polygons& b) {
     return geos.polygons_of(geos.own(GEOSIntersection_r(geos.context(), first.get(), second.get())).get());
 }
 
-std::vector<Line> Overlay::rings_within(const Polygons& area, const Polygons& other) {
+std::vector<Polyline> Overlay::rings_within(const Polygons& area, const Polygons& other) {
     const GeosPolygons& geos = impl_->geos;
     const GeometryPtr rings = geos.multi_line(area);
     const GeometryPtr within = geos.multi_polygon(other);

@@ -13,7 +13,7 @@ namespace d2b {
 /// The polygons of one feature or one area. Where a function takes an area, they must be valid and must not
 /// overlap; what functions return is so.
 using Polygons = std::vector<WorldPolygon>;
-using Line = std::vector<Position>;
+using Polyline = std::vector<Position>;
 
 /// What several features cover.
 struct Dissolved {
@@ -42,7 +42,7 @@ class Overlay {
     [[nodiscard]] Polygons repaired_union(std::span<const WorldPolygon> polygons);
     [[nodiscard]] Polygons intersection(const Polygons& a, const Polygons& b);
     /// The rings of an area, closed, as far as they lie in or on the border of another.
-    [[nodiscard]] std::vector<Line> rings_within(const Polygons& area, const Polygons& other);
+    [[nodiscard]] std::vector<Polyline> rings_within(const Polygons& area, const Polygons& other);
     /// Which features share a point with an area. @param features each valid
     [[nodiscard]] std::vector<bool> touching(std::span<const Polygons> features, const Polygons& area);
     /// For each inner polygon the one of `outers` that holds a point of its inside; nothing where none does.

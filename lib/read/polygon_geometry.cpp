@@ -21,38 +21,38 @@ WorldRing ring_of(OGRGeometryH line, bool& open) {
     return ring;
 }
 
-void add_polygon(OGRGeometryH polygon, Footprint& footprint) {
+void add_polygon(OGRGeometryH polygon, PolygonFeature& feature) {
     WorldPolygon result;
     for (int i = 0; i < OGR_G_GetGeometryCount(polygon); ++i) {
-        WorldRing ring = ring_of(OGR_G_GetGeometryRef(polygon, i), footprint.open_ring);
+        WorldRing ring = ring_of(OGR_G_GetGeometryRef(polygon, i), feature.open_ring);
         if (i == 0)
             result.exterior = std::move(ring);
         else if (!ring.empty())
             result.interiors.push_back(std::move(ring));
     }
     if (!result.exterior.empty())
-        footprint.polygons.push_back(std::move(result));
+        feature.polygons.push_back(std::move(result));
 }
 
 /// Polygons, and those within multipolygons and collections.
 // NOLINTNEXTLINE(misc-no-recursion): as deep as collections are nested
-void add_polygons(OGRGeometryH geometry, Footprint& footprint) {
+void add_polygons(OGRGeometryH geometry, PolygonFeature& feature) {
     const OGRwkbGeometryType type = OGR_GT_Flatten(OGR_G_GetGeometryType(geometry));
     if (type == wkbPolygon || type == wkbTriangle)
-        return add_polygon(geometry, footprint);
+        return add_polygon(geometry, feature);
     if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection) != FALSE)
         for (int i = 0; i < OGR_G_GetGeometryCount(geometry); ++i)
-            add_polygons(OGR_G_GetGeometryRef(geometry, i), footprint);
+            add_polygons(OGR_G_GetGeometryRef(geometry, i), feature);
 }
 
 }  // namespace
 
-Footprint footprint_of(OGRGeometryH geometry) {
-    Footprint footprint;
+PolygonFeature polygon_feature_of(OGRGeometryH geometry) {
+    PolygonFeature feature;
     const GeometryOwner straight(OGR_G_GetLinearGeometry(geometry, 0, nullptr));
     if (straight)
-        add_polygons(straight.get(), footprint);
-    return footprint;
+        add_polygons(straight.get(), feature);
+    return feature;
 }
 
 }  // namespace d2b

@@ -8,6 +8,6 @@ namespace d2b {
 
 /// The polygons of a geometry of any type, curves as lines, without heights of vertices; none where it has
 /// none.
-[[nodiscard]] Footprint footprint_of(OGRGeometryH geometry);
+[[nodiscard]] PolygonFeature polygon_feature_of(OGRGeometryH geometry);
 
 }  // namespace d2b

@@ -89,12 +89,12 @@ PolygonLayer read_polygon_layer(const LayerChoice& choice, Context& context) {
         const OGRGeometryH geometry = OGR_F_GetGeometryRef(feature.get());
         if (geometry == nullptr || OGR_G_IsEmpty(geometry) != FALSE)
             continue;
-        Footprint footprint = footprint_of(geometry);
-        footprint.height = height_of(feature.get(), height);
-        if (footprint.polygons.empty())
+        PolygonFeature found = polygon_feature_of(geometry);
+        found.height = height_of(feature.get(), height);
+        if (found.polygons.empty())
             ++others;
         else
-            result.features.push_back(std::move(footprint));
+            result.features.push_back(std::move(found));
     }
     if (messages.failed())
         throw InputError("The layer '" + result.name + "' of '" + choice.dataset +

@@ -10,7 +10,7 @@
 namespace d2b {
 
 /// A feature with polygons.
-struct Footprint {
+struct PolygonFeature {
     std::vector<WorldPolygon> polygons;  ///< rings run as they ran in the file
     std::optional<double> height;        ///< of the field that was asked for; nothing where it is NULL
     bool open_ring = false;              ///< a ring did not end where it began; it is closed here
@@ -22,7 +22,7 @@ struct PolygonLayer {
     std::string name;
     std::string crs_wkt;       ///< WKT2:2019, empty where there is none
     std::string height_field;  ///< that was found; "" where there is none
-    std::vector<Footprint> features;
+    std::vector<PolygonFeature> features;
 };
 
 /// Which layer, and which field of heights.

@@ -65,7 +65,7 @@ std::vector<WorldPolygon> polygons_of(CellMask& mask, const std::string& name) {
     std::vector<WorldPolygon> polygons;
     OGR_L_ResetReading(layer);
     while (const FeatureOwner feature{OGR_L_GetNextFeature(layer)})
-        for (WorldPolygon& polygon : footprint_of(OGR_F_GetGeometryRef(feature.get())).polygons)
+        for (WorldPolygon& polygon : polygon_feature_of(OGR_F_GetGeometryRef(feature.get())).polygons)
             polygons.push_back(std::move(polygon));
     return polygons;
 }

@@ -14,8 +14,8 @@ double ring_area(const WorldRing& ring) {
     return std::abs(twice) / 2;
 }
 
-Line closed(const WorldRing& ring) {
-    Line line = ring;
+Polyline closed(const WorldRing& ring) {
+    Polyline line = ring;
     if (!line.empty())
         line.push_back(ring.front());
     return line;
@@ -48,8 +48,8 @@ std::size_t vertex_count(std::span<const WorldPolygon> polygons, bool closing) {
     return count;
 }
 
-std::vector<Line> rings_of(std::span<const WorldPolygon> polygons) {
-    std::vector<Line> lines;
+std::vector<Polyline> rings_of(std::span<const WorldPolygon> polygons) {
+    std::vector<Polyline> lines;
     for (const WorldPolygon& polygon : polygons) {
         lines.push_back(closed(polygon.exterior));
         for (const WorldRing& interior : polygon.interiors)

@@ -17,6 +17,6 @@ namespace d2b {
 [[nodiscard]] std::size_t vertex_count(std::span<const WorldPolygon> polygons, bool closing);
 
 /// The rings as closed lines.
-[[nodiscard]] std::vector<Line> rings_of(std::span<const WorldPolygon> polygons);
+[[nodiscard]] std::vector<Polyline> rings_of(std::span<const WorldPolygon> polygons);
 
 }  // namespace d2b

@@ -10,8 +10,8 @@
 namespace d2b {
 namespace {
 
-Objects objects_of(Polygons pieces) {
-    Objects objects{std::move(pieces), {}, {}};
+ScoredObjects objects_of(Polygons pieces) {
+    ScoredObjects objects{std::move(pieces), {}, {}};
     for (const WorldPolygon& piece : objects.pieces)
         objects.areas.push_back(area_of(piece));
     objects.shared.assign(objects.pieces.size(), 0.0);
@@ -55,7 +55,7 @@ bool reaches(double value, double least) {
     return value >= least * (1 - rounding);
 }
 
-ObjectCount count_objects(const Objects& objects, double min_area) {
+ObjectCount count_objects(const ScoredObjects& objects, double min_area) {
     ObjectCount count;
     for (std::size_t i = 0; i < objects.pieces.size(); ++i) {
         if (!reaches(objects.areas[i], min_area))

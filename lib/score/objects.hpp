@@ -9,7 +9,7 @@
 namespace d2b {
 
 /// The connected pieces of a dissolved area; those that only touch in points are separate.
-struct Objects {
+struct ScoredObjects {
     Polygons pieces;
     std::vector<double> areas;   ///< one a piece, in square units of the coordinates
     std::vector<double> shared;  ///< what the other side covers of each
@@ -24,8 +24,8 @@ struct ObjectPair {
 
 /// Two sides of a comparison, and what they share.
 struct Comparison {
-    Objects found;
-    Objects reference;
+    ScoredObjects found;
+    ScoredObjects reference;
     double found_area = 0;
     double reference_area = 0;
     double shared_area = 0;
@@ -44,6 +44,6 @@ struct ObjectCount {
     std::size_t large = 0;
     std::size_t covered = 0;
 };
-[[nodiscard]] ObjectCount count_objects(const Objects& objects, double min_area);
+[[nodiscard]] ObjectCount count_objects(const ScoredObjects& objects, double min_area);
 
 }  // namespace d2b

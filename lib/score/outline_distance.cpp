@@ -21,7 +21,7 @@ Position between(Position from, Position to, double share) {
 class Neighbours {
   public:
     /// @param limit distances from it on are all the same
-    Neighbours(std::span<const Line> lines, double limit) : segments_(lines), limit_(limit) {}
+    Neighbours(std::span<const Polyline> lines, double limit) : segments_(lines), limit_(limit) {}
 
     void move_to(Position middle, double length) {
         found_.clear();
@@ -49,7 +49,7 @@ class Neighbours {
 
 class Sampler {
   public:
-    Sampler(std::span<const Line> reference, double limit, double step)
+    Sampler(std::span<const Polyline> reference, double limit, double step)
         : reference_(reference, limit), step_(step) {}
 
     void add(Position from, Position to) {
@@ -95,10 +95,10 @@ class Sampler {
 
 }  // namespace
 
-OutlineDistance outline_distance(std::span<const Line> outline, std::span<const Line> reference, double limit,
-                                 double step) {
+OutlineDistance outline_distance(std::span<const Polyline> outline, std::span<const Polyline> reference,
+                                 double limit, double step) {
     Sampler sampler(reference, limit, step);
-    for (const Line& line : outline)
+    for (const Polyline& line : outline)
         for (std::size_t i = 1; i < line.size(); ++i)
             sampler.add(line[i - 1], line[i]);
     return sampler.result();

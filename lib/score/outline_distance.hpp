@@ -16,7 +16,8 @@ struct OutlineDistance {
 
 /// Distances from points of `outline`, at most `step` apart, to the nearest point of `reference`.
 /// @param limit points farther than this from the reference do not count
-[[nodiscard]] OutlineDistance outline_distance(std::span<const Line> outline, std::span<const Line> reference,
-                                               double limit, double step);
+[[nodiscard]] OutlineDistance outline_distance(std::span<const Polyline> outline,
+                                               std::span<const Polyline> reference, double limit,
+                                               double step);
 
 }  // namespace d2b

@@ -12,11 +12,11 @@ namespace d2b {
 namespace {
 
 /// Of the vertices of one outline to the nearest points of another.
-double mean_distance(std::span<const Line> from, std::span<const Line> to) {
+double mean_distance(std::span<const Polyline> from, std::span<const Polyline> to) {
     const Segments outline(to);
     double sum = 0;
     std::size_t count = 0;
-    for (const Line& line : from) {
+    for (const Polyline& line : from) {
         for (std::size_t i = 1; i < line.size(); ++i)  // the first position comes again as the last
             sum += outline.distance(line[i], std::numeric_limits<double>::infinity());
         count += line.size() - 1;
@@ -27,8 +27,8 @@ double mean_distance(std::span<const Line> from, std::span<const Line> to) {
 }  // namespace
 
 double polis_distance(const WorldPolygon& a, const WorldPolygon& b) {
-    const std::vector<Line> of_a = rings_of(std::span(&a, 1));
-    const std::vector<Line> of_b = rings_of(std::span(&b, 1));
+    const std::vector<Polyline> of_a = rings_of(std::span(&a, 1));
+    const std::vector<Polyline> of_b = rings_of(std::span(&b, 1));
     return (mean_distance(of_a, of_b) + mean_distance(of_b, of_a)) / 2;
 }
 

@@ -28,7 +28,8 @@ void shift(Position& p, double right, double up) {
 
 /// The rings in a region whose left and upper border belong to it and whose right and lower border do not, as
 /// with the cells of a raster: where footprints end with the data, half of such outlines count.
-std::vector<Line> rings_in_region(Polygons area, const Polygons& region, double border, Overlay& overlay) {
+std::vector<Polyline> rings_in_region(Polygons area, const Polygons& region, double border,
+                                      Overlay& overlay) {
     const auto shift_ring = [border](WorldRing& ring) {
         for (Position& p : ring)
             shift(p, border, -border);
@@ -37,8 +38,8 @@ std::vector<Line> rings_in_region(Polygons area, const Polygons& region, double 
         shift_ring(polygon.exterior);
         std::ranges::for_each(polygon.interiors, shift_ring);
     }
-    std::vector<Line> rings = overlay.rings_within(area, region);
-    for (Line& ring : rings)
+    std::vector<Polyline> rings = overlay.rings_within(area, region);
+    for (Polyline& ring : rings)
         for (Position& p : ring)
             shift(p, -border, border);
     return rings;
@@ -78,7 +79,7 @@ class Scorer {
 
     void measure_outline(const Polygons& found, const Polygons& reference) {
         const double metres = options_.metres;
-        const std::vector<Line> outline =
+        const std::vector<Polyline> outline =
             options_.region ? rings_in_region(found, *options_.region, border_m / metres, overlay_)
                             : rings_of(found);
         const OutlineDistance distance =
@@ -122,7 +123,8 @@ class Scorer {
         score_.object_correctness = share(score_.found.objects_covered, score_.found.objects);
     }
 
-    void describe(SideScore& score, const ScoreSide& side, const Objects& objects, double area_m2) const {
+    void describe(SideScore& score, const ScoreSide& side, const ScoredObjects& objects,
+                  double area_m2) const {
         const ObjectCount count =
             count_objects(objects, options_.min_object_m2 / (options_.metres * options_.metres));
         score.features = side.areas.size();
@@ -161,15 +163,15 @@ class Scorer {
 
 }  // namespace
 
-ScoreSide score_side(const std::vector<Footprint>& footprints, Overlay& overlay) {
+ScoreSide score_side(const std::vector<PolygonFeature>& footprints, Overlay& overlay) {
     ScoreSide side;
-    for (const Footprint& footprint : footprints) {
-        const bool valid = !footprint.open_ring && overlay.valid(footprint.polygons);
+    for (const PolygonFeature& feature : footprints) {
+        const bool valid = !feature.open_ring && overlay.valid(feature.polygons);
         if (!valid)
             ++side.invalid;
-        side.areas.push_back(valid ? footprint.polygons : overlay.made_valid(footprint.polygons));
-        side.heights.push_back(footprint.height);
-        side.vertices.push_back(vertex_count(footprint.polygons, true));
+        side.areas.push_back(valid ? feature.polygons : overlay.made_valid(feature.polygons));
+        side.heights.push_back(feature.height);
+        side.vertices.push_back(vertex_count(feature.polygons, true));
     }
     return side;
 }

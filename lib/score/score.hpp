@@ -19,7 +19,7 @@ struct ScoreSide {
 };
 
 /// Counts and repairs what is not valid; before a transformation, which could hide it.
-[[nodiscard]] ScoreSide score_side(const std::vector<Footprint>& footprints, Overlay& overlay);
+[[nodiscard]] ScoreSide score_side(const std::vector<PolygonFeature>& footprints, Overlay& overlay);
 
 struct ScoreOptions {
     std::optional<Polygons> region;  ///< what is outside of it is left out

@@ -7,9 +7,9 @@
 namespace d2b {
 namespace {
 
-std::vector<OutlineSegment> segments_of(std::span<const Line> lines) {
+std::vector<OutlineSegment> segments_of(std::span<const Polyline> lines) {
     std::vector<OutlineSegment> segments;
-    for (const Line& line : lines)
+    for (const Polyline& line : lines)
         for (std::size_t i = 1; i < line.size(); ++i)
             segments.push_back({line[i - 1], line[i]});
     return segments;
@@ -38,7 +38,8 @@ double squared_distance(Position p, const OutlineSegment& segment) {
     return x * x + y * y;
 }
 
-Segments::Segments(std::span<const Line> lines) : segments_(segments_of(lines)), tree_(boxes_of(segments_)) {}
+Segments::Segments(std::span<const Polyline> lines)
+    : segments_(segments_of(lines)), tree_(boxes_of(segments_)) {}
 
 double Segments::distance(Position p, double limit) const {
     return std::sqrt(

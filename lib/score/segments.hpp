@@ -22,7 +22,7 @@ struct OutlineSegment {
 /// The segments of lines, found by their place.
 class Segments {
   public:
-    explicit Segments(std::span<const Line> lines);
+    explicit Segments(std::span<const Polyline> lines);
 
     /// To the nearest segment; `limit` where all are farther. Lengths, not squares.
     [[nodiscard]] double distance(Position p, double limit) const;

@@ -44,7 +44,7 @@ TEST(Evidence, SumsOfAHandMadeObject) {
                             {{100, 0.48}, {20, 0.08}}};
     Scene scene = town.scene();
     scene.greenness = &greenness;
-    const Objects objects{cells, connected_regions(cells)};
+    const DetectedObjects objects{cells, connected_regions(cells)};
     const std::vector<Evidence> evidence = collect_evidence(scene, objects, segments, flags);
     ASSERT_EQ(evidence.size(), 2U);
     EXPECT_NEAR(evidence[0].smooth, 3 / 12.0, 1e-12);

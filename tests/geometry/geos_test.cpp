@@ -6,13 +6,12 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
+#include "support/box.hpp"
 
 namespace d2b {
 namespace {
 
-WorldPolygon box(double x0, double y0, double x1, double y1) {
-    return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}};
-}
+using test::box;
 
 FinePolygon lattice_box(std::int64_t row0, std::int64_t col0, std::int64_t row1, std::int64_t col1) {
     return {{{row0, col0}, {row1, col0}, {row1, col1}, {row0, col1}}, {}};

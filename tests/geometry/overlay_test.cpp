@@ -7,17 +7,16 @@
 #include <gtest/gtest.h>
 
 #include "score/measure.hpp"
+#include "support/box.hpp"
 
 namespace d2b {
 namespace {
 
-WorldPolygon box(double left, double low, double right, double high) {
-    return {{{left, low}, {right, low}, {right, high}, {left, high}}, {}};
-}
+using test::box;
 
-double length(const std::vector<Line>& lines) {
+double length(const std::vector<Polyline>& lines) {
     double sum = 0;
-    for (const Line& line : lines)
+    for (const Polyline& line : lines)
         for (std::size_t i = 1; i < line.size(); ++i)
             sum += std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y);
     return sum;

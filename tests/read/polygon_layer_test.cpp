@@ -45,7 +45,7 @@ TEST_F(PolygonLayerTest, readsPolygonsWithHolesAndHeights) {
     EXPECT_EQ(layer.height_field, "height");
     EXPECT_NE(layer.crs_wkt.find("UTM zone 32N"), std::string::npos);
     ASSERT_EQ(layer.features.size(), 2U);
-    const Footprint& first = layer.features[0];
+    const PolygonFeature& first = layer.features[0];
     ASSERT_EQ(first.polygons.size(), 2U);
     EXPECT_EQ(first.polygons[0].exterior, (WorldRing{{0, 0}, {10, 0}, {10, 10}, {0, 10}}));
     ASSERT_EQ(first.polygons[0].interiors.size(), 1U);

@@ -26,9 +26,9 @@ TEST(Compare, sharesAreasOutToObjects) {
 }
 
 TEST(CountObjects, leavesSmallOnesOut) {
-    const Objects objects{{box(0, 0, 7, 7), box(10, 0, 20, 5), box(30, 0, 40, 10), box(50, 0, 60, 10)},
-                          {49, 50, 100, 100},
-                          {49, 25, 49.9, 80}};
+    const ScoredObjects objects{{box(0, 0, 7, 7), box(10, 0, 20, 5), box(30, 0, 40, 10), box(50, 0, 60, 10)},
+                                {49, 50, 100, 100},
+                                {49, 25, 49.9, 80}};
     const ObjectCount count = count_objects(objects, 50);
     EXPECT_EQ(count.large, 3U);    // 49 is too small, 50 is not
     EXPECT_EQ(count.covered, 2U);  // exactly half is enough

@@ -19,8 +19,8 @@ TEST(SquaredDistance, isToTheNearestPointOfASegment) {
 }
 
 TEST(OutlineDistance, ofParallelLines) {
-    const std::vector<Line> outline{{{0, 0}, {10, 0}}};
-    const std::vector<Line> reference{{{-5, 1}, {15, 1}}};
+    const std::vector<Polyline> outline{{{0, 0}, {10, 0}}};
+    const std::vector<Polyline> reference{{{-5, 1}, {15, 1}}};
     const OutlineDistance distance = outline_distance(outline, reference, 3, 0.05);
     EXPECT_NEAR(distance.length, 10, 1e-9);
     EXPECT_NEAR(distance.near, 10, 1e-9);
@@ -29,8 +29,8 @@ TEST(OutlineDistance, ofParallelLines) {
 
 TEST(OutlineDistance, ofALineThatLeavesTheReference) {
     // Distances grow from 0 to 10; those up to 3 count: the mean of their squares is 3.
-    const std::vector<Line> outline{{{0, 0}, {0, 10}}};
-    const std::vector<Line> reference{{{-5, 0}, {5, 0}}};
+    const std::vector<Polyline> outline{{{0, 0}, {0, 10}}};
+    const std::vector<Polyline> reference{{{-5, 0}, {5, 0}}};
     const OutlineDistance distance = outline_distance(outline, reference, 3, 0.05);
     EXPECT_NEAR(distance.near, 3, 0.05);
     EXPECT_NEAR(distance.rms.value(), std::sqrt(3.0), 0.02);
@@ -39,26 +39,28 @@ TEST(OutlineDistance, ofALineThatLeavesTheReference) {
 TEST(OutlineDistance, goesToTheNearestOfMany) {
     // Towards a comb of teeth 1 apart: distances along y = 0 run from 0 to 0.5 and back; their mean square is
     // 1/12.
-    std::vector<Line> comb;
+    std::vector<Polyline> comb;
     for (int i = 0; i <= 100; ++i)
         comb.push_back({{static_cast<double>(i), 0}, {static_cast<double>(i), 20}});
-    const std::vector<Line> outline{{{0, 0.5}, {100, 0.5}}};
+    const std::vector<Polyline> outline{{{0, 0.5}, {100, 0.5}}};
     EXPECT_NEAR(outline_distance(outline, comb, 3, 0.01).rms.value(), std::sqrt(1.0 / 12), 1e-4);
 }
 
 TEST(OutlineDistance, isTheSameWhateverTheEdgesAreDividedInto) {
-    const std::vector<Line> reference{{{0, 1}, {30, 2}, {60, 0.5}}};
-    Line divided;
+    const std::vector<Polyline> reference{{{0, 1}, {30, 2}, {60, 0.5}}};
+    Polyline divided;
     for (int i = 0; i <= 600; ++i)
         divided.push_back({i / 10.0, 0});
     const double whole =
-        outline_distance(std::vector<Line>{{{0, 0}, {60, 0}}}, reference, 3, 0.05).rms.value();
-    EXPECT_NEAR(outline_distance(std::vector<Line>{divided}, reference, 3, 0.05).rms.value(), whole, 1e-4);
+        outline_distance(std::vector<Polyline>{{{0, 0}, {60, 0}}}, reference, 3, 0.05).rms.value();
+    EXPECT_NEAR(outline_distance(std::vector<Polyline>{divided}, reference, 3, 0.05).rms.value(), whole,
+                1e-4);
 }
 
 TEST(OutlineDistance, hasNoRmsWhereNothingIsNear) {
-    const std::vector<Line> outline{{{0, 0}, {10, 0}}};
-    const OutlineDistance distance = outline_distance(outline, std::vector<Line>{{{0, 4}, {10, 4}}}, 3, 0.05);
+    const std::vector<Polyline> outline{{{0, 0}, {10, 0}}};
+    const OutlineDistance distance =
+        outline_distance(outline, std::vector<Polyline>{{{0, 4}, {10, 4}}}, 3, 0.05);
     EXPECT_NEAR(distance.length, 10, 1e-9);
     EXPECT_EQ(distance.near, 0);
     EXPECT_FALSE(distance.rms);
@@ -67,8 +69,8 @@ TEST(OutlineDistance, hasNoRmsWhereNothingIsNear) {
 }
 
 TEST(OutlineDistance, countsPointsAtTheLimit) {
-    const std::vector<Line> outline{{{0, 0}, {10, 0}}};
-    EXPECT_NEAR(outline_distance(outline, std::vector<Line>{{{-9, 3}, {19, 3}}}, 3, 0.05).rms.value(), 3,
+    const std::vector<Polyline> outline{{{0, 0}, {10, 0}}};
+    EXPECT_NEAR(outline_distance(outline, std::vector<Polyline>{{{-9, 3}, {19, 3}}}, 3, 0.05).rms.value(), 3,
                 1e-9);
 }
 

@@ -5,18 +5,15 @@
 
 #include "read/polygon_layer.hpp"
 #include "score/score.hpp"
+#include "support/box.hpp"
 
 namespace d2b::test {
-
-inline WorldPolygon box(double left, double low, double right, double high) {
-    return {{{left, low}, {right, low}, {right, high}, {left, high}}, {}};
-}
 
 /// Each polygon a feature.
 inline ScoreSide side(const std::vector<WorldPolygon>& polygons,
                       std::vector<std::optional<double>> heights = {}) {
     heights.resize(polygons.size());
-    std::vector<Footprint> footprints;
+    std::vector<PolygonFeature> footprints;
     for (std::size_t i = 0; i < polygons.size(); ++i)
         footprints.push_back({{polygons[i]}, heights[i], false});
     Overlay overlay;

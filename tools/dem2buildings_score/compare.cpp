@@ -26,10 +26,10 @@ struct Limit {
     Polygons area;
 };
 
-Polygons all_polygons(std::vector<Footprint> footprints) {
+Polygons all_polygons(std::vector<PolygonFeature> footprints) {
     Polygons polygons;
-    for (Footprint& footprint : footprints)
-        std::ranges::move(footprint.polygons, std::back_inserter(polygons));
+    for (PolygonFeature& feature : footprints)
+        std::ranges::move(feature.polygons, std::back_inserter(polygons));
     return polygons;
 }
 
