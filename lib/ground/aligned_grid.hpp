@@ -20,6 +20,7 @@ struct Factor {
     std::int32_t down = 1;
     std::int32_t across = 1;
 };
+inline constexpr Factor twice{2, 2};  ///< from a level of a pyramid to the next
 
 /// The block that holds a cell; cells before the raster's first have negative numbers.
 [[nodiscard]] constexpr std::int32_t block_of(std::int32_t cell, std::int32_t factor) {

@@ -9,8 +9,6 @@
 namespace d2b::ground {
 namespace {
 
-constexpr Factor twice{2, 2};
-
 /// 1 where a cell has no value; empty where all have one.
 std::vector<std::uint8_t> gaps_of(const MetreGrid& grid) {
     std::vector<std::uint8_t> gaps(grid.size());

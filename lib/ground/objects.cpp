@@ -12,7 +12,6 @@ namespace {
 
 constexpr double widest_in_cells = 30;
 constexpr double neighbour_slope = 0.5;
-constexpr Factor twice{2, 2};
 
 Radius in_cells(double metres, const CellSize& cell) {
     return {static_cast<std::int32_t>(std::lround(metres / cell.down)),

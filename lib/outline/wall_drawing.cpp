@@ -9,8 +9,8 @@
 namespace d2b {
 namespace {
 
-constexpr double snapping = 0.002;      // cells that a vertex may move onto the fine lattice
-constexpr std::array prices{1.0, 0.5};  // of walls, that are tried in turn
+constexpr double snapping = 0.002;            // cells that a vertex may move onto the fine lattice
+constexpr std::array tried_prices{1.0, 0.5};  // of walls, that are tried in turn
 
 /// Moves a wall to the left of the way that the chain runs.
 void shift_wall(WallPiece& piece, const WallSamples& samples, double cells) {
@@ -130,7 +130,7 @@ bool WallDrawing::join_walls(std::uint32_t c, const WallSamples& samples) {
             shift_wall(pieces[i], samples, state.shift[i]);
     DrawnChain drawn = draw_walls(samples, {options_.walls, options_.tolerance, 1}, options_.shape,
                                   chain.trace.front(), pieces, land_ends(chain, pieces));
-    if (drawn.deviation > options_.tolerance - snapping && state.tried + 1 >= prices.size())
+    if (drawn.deviation > options_.tolerance - snapping && state.tried + 1 >= tried_prices.size())
         keep_near(samples, {options_.walls, options_.tolerance - snapping, 1}, options_.shape,
                   chain.trace.front(), drawn);
     if (drawn.vertices.size() < 2 || drawn.deviation > options_.tolerance - snapping ||
@@ -145,8 +145,8 @@ bool WallDrawing::fit(std::uint32_t c, const WallSamples& samples) {
     State& state = states_[c];
     if (!state.pieces.empty() && join_walls(c, samples))
         return true;
-    for (; state.tried < prices.size(); ++state.tried)
-        if (plan(c, samples, prices[state.tried]) && join_walls(c, samples))
+    for (; state.tried < tried_prices.size(); ++state.tried)
+        if (plan(c, samples, tried_prices[state.tried]) && join_walls(c, samples))
             return true;
     return false;
 }

@@ -24,7 +24,7 @@ namespace d2b {
 namespace {
 
 constexpr double coarsest_cell_m = 3.0;
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_threshold = std::numeric_limits<double>::quiet_NaN();
 
 Crs dem_crs(const Options& options, const DemInfo& info) {
     return Crs(options.read.crs.empty() ? info.crs_wkt : options.read.crs);
@@ -133,7 +133,7 @@ void report_result(const Records& records, const LevelPlan& plan, const ContourS
                    RunReport& report) {
     for (int level = 0; level < plan.level_count(); ++level)
         report.levels.push_back(
-            {level, plan.footprints && level > 0 ? unknown : plan.threshold(1, level), 0, 0});
+            {level, plan.footprints && level > 0 ? no_threshold : plan.threshold(1, level), 0, 0});
     for (std::size_t i = 0; i < records.contours.size(); ++i) {
         if (set.contours[i].label > buildings)
             continue;

@@ -34,14 +34,14 @@ void set_config(const std::vector<std::string>& arguments) {
             CPLSetConfigOption(arguments[i + 1].c_str(), arguments[i + 2].c_str());
 }
 
-struct FreeList {
+struct FreeArguments {
     void operator()(char** list) const { CSLDestroy(list); }
 };
-using StringList = std::unique_ptr<char*, FreeList>;
+using Arguments = std::unique_ptr<char*, FreeArguments>;
 
-StringList list_of(const std::vector<std::string>& arguments) {
+Arguments list_of(const std::vector<std::string>& arguments) {
     // In place of the program's name; --optfile uses it in messages alone.
-    StringList list(CSLAddString(nullptr, "dem2buildings"));
+    Arguments list(CSLAddString(nullptr, "dem2buildings"));
     for (const std::string& argument : arguments)
         list.reset(CSLAddString(list.release(), argument.c_str()));
     return list;
@@ -59,7 +59,7 @@ std::optional<std::vector<std::string>> apply_gdal_switches(std::vector<std::str
 
     const GdalMessages messages;
     GDALAllRegister();
-    const StringList given = list_of(arguments);
+    const Arguments given = list_of(arguments);
     char** left = given.get();
     const int count = GDALGeneralCmdLineProcessor(static_cast<int>(arguments.size()) + 1, &left,
                                                   GDAL_OF_RASTER | GDAL_OF_VECTOR);
@@ -67,7 +67,7 @@ std::optional<std::vector<std::string>> apply_gdal_switches(std::vector<std::str
         throw OptionError(messages.reason() + ".");
     if (count == 0)
         return std::nullopt;
-    const StringList owner(left);  // a list of its own
+    const Arguments owner(left);  // a list of its own
     std::vector<std::string> rest(left + 1, left + count);
     rest.insert(rest.end(), file_names.begin(), file_names.end());
     return rest;

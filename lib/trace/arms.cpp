@@ -3,7 +3,7 @@
 namespace d2b {
 
 std::uint32_t Arms::add_node(const Corner& corner, std::uint32_t next) {
-    if (free_node_ == none) {
+    if (free_node_ == no_index) {
         nodes_.push_back({corner, next});
         return static_cast<std::uint32_t>(nodes_.size() - 1);
     }
@@ -14,13 +14,13 @@ std::uint32_t Arms::add_node(const Corner& corner, std::uint32_t next) {
 }
 
 std::uint32_t Arms::add_arm(std::uint32_t node) {
-    if (free_arm_ == none) {
-        arms_.push_back({node, none, nothing_outside});
+    if (free_arm_ == no_index) {
+        arms_.push_back({node, no_index, nothing_outside});
         return static_cast<std::uint32_t>(arms_.size() - 1);
     }
     const std::uint32_t arm = free_arm_;
     free_arm_ = arms_[arm].mate;
-    arms_[arm] = {node, none, nothing_outside};
+    arms_[arm] = {node, no_index, nothing_outside};
     return arm;
 }
 
@@ -30,7 +30,7 @@ void Arms::free_arm(std::uint32_t arm) {
 }
 
 Arms::Pair Arms::open(Corner tail, Corner head) {
-    const std::uint32_t last = add_node(head, none);
+    const std::uint32_t last = add_node(head, no_index);
     const std::uint32_t first = add_node(tail, last);
     const Pair pair{add_arm(first), add_arm(last)};
     arms_[pair.tail].mate = pair.head;
@@ -41,7 +41,7 @@ Arms::Pair Arms::open(Corner tail, Corner head) {
 void Arms::extend_head(std::uint32_t arm, Corner turn, Corner down) {
     Arm& head = arms_[arm];
     turn.outside = head.outside;
-    const std::uint32_t last = add_node(down, none);
+    const std::uint32_t last = add_node(down, no_index);
     const std::uint32_t before = add_node(turn, last);
     nodes_[head.node].next = before;
     head.node = last;
@@ -63,7 +63,7 @@ std::vector<Corner> Arms::join(std::uint32_t head, Corner turn, Corner up, std::
     const std::uint32_t first = arms_[tail].node;
     set_outside(first, arms_[tail].outside);
     const bool closes = arms_[head].mate == tail;
-    const std::uint32_t last = add_node(up, closes ? none : first);
+    const std::uint32_t last = add_node(up, closes ? no_index : first);
     nodes_[arms_[head].node].next = add_node(turn, last);
     const std::uint32_t other_tail = arms_[head].mate;
     const std::uint32_t other_head = arms_[tail].mate;
@@ -78,7 +78,7 @@ std::vector<Corner> Arms::join(std::uint32_t head, Corner turn, Corner up, std::
 
 std::vector<Corner> Arms::take_ring(std::uint32_t first, std::uint32_t last) {
     std::vector<Corner> ring;
-    for (std::uint32_t node = first; node != none; node = nodes_[node].next)
+    for (std::uint32_t node = first; node != no_index; node = nodes_[node].next)
         ring.push_back(nodes_[node].corner);
     nodes_[last].next = free_node_;
     free_node_ = first;

@@ -62,8 +62,8 @@ class Arms {
 
     std::vector<Node> nodes_;
     std::vector<Arm> arms_;
-    std::uint32_t free_node_ = none;
-    std::uint32_t free_arm_ = none;
+    std::uint32_t free_node_ = no_index;
+    std::uint32_t free_arm_ = no_index;
 };
 
 }  // namespace d2b

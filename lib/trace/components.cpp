@@ -7,7 +7,7 @@ namespace d2b {
 
 std::uint32_t Components::add(std::int32_t level, Label label, LatticePoint first, std::uint32_t below) {
     std::uint32_t number = free_;
-    if (number == none) {
+    if (number == no_index) {
         number = static_cast<std::uint32_t>(pool_.size());
         pool_.emplace_back();
     } else {
@@ -54,8 +54,8 @@ std::uint32_t Components::unite(std::uint32_t a, std::uint32_t b) {
     into.interiors.insert(into.interiors.end(), std::make_move_iterator(from.interiors.begin()),
                           std::make_move_iterator(from.interiors.end()));
     from.interiors = {};
-    if (from.first_child != none) {
-        (into.first_child == none ? into.first_child : nodes_[into.last_child].next) = from.first_child;
+    if (from.first_child != no_index) {
+        (into.first_child == no_index ? into.first_child : nodes_[into.last_child].next) = from.first_child;
         into.last_child = from.last_child;
     }
     if (into.sample)
@@ -88,16 +88,16 @@ ContourNode Components::finish(std::uint32_t root) {
 
 void Components::hang(ContourNode&& node, std::uint32_t below) {
     std::uint32_t number = free_node_;
-    if (number == none) {
+    if (number == no_index) {
         number = static_cast<std::uint32_t>(nodes_.size());
         nodes_.emplace_back();
     } else {
         free_node_ = nodes_[number].next;
     }
     nodes_[number] = std::move(node);
-    nodes_[number].next = none;
+    nodes_[number].next = no_index;
     Component& c = pool_[below];
-    (c.first_child == none ? c.first_child : nodes_[c.last_child].next) = number;
+    (c.first_child == no_index ? c.first_child : nodes_[c.last_child].next) = number;
     c.last_child = number;
 }
 
@@ -108,7 +108,7 @@ std::vector<Contour> Components::flatten(ContourNode&& top) {
     while (!todo.empty()) {
         auto [number, parent] = todo.back();
         todo.pop_back();
-        while (number != none) {
+        while (number != no_index) {
             ContourNode& node = nodes_[number];
             node.contour.parent = parent;
             todo.emplace_back(node.first_child, static_cast<std::int64_t>(contours.size()));

@@ -13,22 +13,22 @@ namespace d2b {
 /// so that a tower of thousands of levels costs no recursion.
 struct ContourNode {
     Contour contour;
-    std::uint32_t next = none;
-    std::uint32_t first_child = none;
+    std::uint32_t next = no_index;
+    std::uint32_t first_child = no_index;
 };
 
 /// A contour while it grows: the connected runs found so far.
 struct Component {
-    std::uint32_t up = none;  ///< union-find; itself where it is a root
+    std::uint32_t up = no_index;  ///< union-find; itself where it is a root
     std::uint32_t size = 1;
-    std::uint32_t next_member = none;  ///< ring of all numbers that were united
+    std::uint32_t next_member = no_index;  ///< ring of all numbers that were united
     std::int32_t level = 0;
     std::int32_t last_row = 0;
     Label label = 0;
     LatticePoint first;
-    std::uint32_t below = none;        ///< component one level down
-    std::uint32_t first_child = none;  ///< finished contours that stand on it
-    std::uint32_t last_child = none;
+    std::uint32_t below = no_index;        ///< component one level down
+    std::uint32_t first_child = no_index;  ///< finished contours that stand on it
+    std::uint32_t last_child = no_index;
     PointStats own;
     double lowest_outside = nothing_below;
     PackedRing exterior;
@@ -64,8 +64,8 @@ class Components {
     ElevationRange range_;
     std::vector<Component> pool_;
     std::vector<ContourNode> nodes_;
-    std::uint32_t free_ = none;
-    std::uint32_t free_node_ = none;
+    std::uint32_t free_ = no_index;
+    std::uint32_t free_node_ = no_index;
 };
 
 }  // namespace d2b

@@ -11,26 +11,26 @@
 
 namespace d2b {
 
-inline constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+inline constexpr std::uint32_t no_index = std::numeric_limits<std::uint32_t>::max();
 
 /// A longest stretch of squares of one row that belong to one level (and, above level 0, to one label).
 struct Run {
     std::int32_t begin = 0;  ///< column of its first square
     std::int32_t end = 0;    ///< one past its last
     Label label = 0;
-    std::uint32_t below = none;  ///< the run one level down that contains it, in the same row
-    std::uint32_t component = none;
-    std::uint32_t head = none;  ///< arm of the outline that comes down its left side
-    std::uint32_t tail = none;  ///< arm of the outline that goes up its right side
+    std::uint32_t below = no_index;  ///< the run one level down that contains it, in the same row
+    std::uint32_t component = no_index;
+    std::uint32_t head = no_index;  ///< arm of the outline that comes down its left side
+    std::uint32_t tail = no_index;  ///< arm of the outline that goes up its right side
 };
 
 /// A longest stretch of squares with the same levels: what statistics are added by.
 struct Segment {
     std::int32_t begin = 0;
     std::int32_t end = 0;
-    std::int32_t level = 0;         ///< the highest level that it belongs to
-    std::uint32_t run = none;       ///< there
-    std::uint32_t building = none;  ///< the run of level 1 that contains it
+    std::int32_t level = 0;             ///< the highest level that it belongs to
+    std::uint32_t run = no_index;       ///< there
+    std::uint32_t building = no_index;  ///< the run of level 1 that contains it
 };
 
 /// One row of squares, taken apart.
@@ -64,7 +64,7 @@ void cut_into_runs(std::span<const Count> counts, std::span<const Label> labels,
         for (; open < count; ++open) {
             const std::uint32_t below =
                 open == 0
-                    ? none
+                    ? no_index
                     : static_cast<std::uint32_t>(row.levels[static_cast<std::size_t>(open - 1)].size() - 1);
             row.levels[static_cast<std::size_t>(open)].push_back(
                 {col, cols, open == 0 ? 0 : next_label, below});
@@ -78,7 +78,7 @@ void cut_into_runs(std::span<const Count> counts, std::span<const Label> labels,
             const auto last = [&](std::int32_t level) {
                 return static_cast<std::uint32_t>(row.levels[static_cast<std::size_t>(level)].size() - 1);
             };
-            row.segments.push_back({col, end, count - 1, last(count - 1), count > 1 ? last(1) : none});
+            row.segments.push_back({col, end, count - 1, last(count - 1), count > 1 ? last(1) : no_index});
         }
         col = end;
     }

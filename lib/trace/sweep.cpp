@@ -70,7 +70,7 @@ void Sweep::link_level(std::size_t level, const OutsideRows& outside) {
             close_gap(upper[i], upper[i], upper[i].begin, upper[i].end, upper[i].component, outside.below);
     }
     for (Run& run : lower) {
-        if (run.component == none)
+        if (run.component == no_index)
             start(run, level, outside);
         if (with_outside_)
             pass_sides(run, outside);
@@ -131,7 +131,7 @@ void Sweep::right_sides_meet(Run& upper, Run& lower, const OutsideRows& outside)
 }
 
 void Sweep::start(Run& run, std::size_t level, const OutsideRows& outside) {
-    const std::uint32_t below = level == 0 ? none : current_.levels[level - 1][run.below].component;
+    const std::uint32_t below = level == 0 ? no_index : current_.levels[level - 1][run.below].component;
     run.component =
         components_.add(static_cast<std::int32_t>(level), run.label, {line_, run.begin + first_col_}, below);
     const Arms::Pair pair =

@@ -98,7 +98,7 @@ template <typename Count>
 void Tracer<Count>::add(const Owner& owner, double elevation) {
     Components& components = sweep_.components();
     components[components.find(owner.component)].own.add(elevation, frame_.fixed);
-    if (owner.building != none)
+    if (owner.building != no_index)
         components[components.find(owner.building)].sample->add(elevation, frame_.range);
 }
 
@@ -113,7 +113,7 @@ void Tracer<Count>::add_cells() {
         };
         PointStats& own = components[run_of(segment.level, segment.run)].own;
         ElevationSample* sample =
-            segment.building == none ? nullptr : components[run_of(1, segment.building)].sample.get();
+            segment.building == no_index ? nullptr : components[run_of(1, segment.building)].sample.get();
         for (auto c = static_cast<std::size_t>(segment.begin); c < static_cast<std::size_t>(segment.end);
              ++c) {
             const double z = rows_[0].elevations[c];
@@ -134,7 +134,7 @@ void Tracer<Count>::spread_owners(std::vector<Owner>& owners) {
         Owner owner;
         owner.level = segment.level;
         owner.component = row.levels[static_cast<std::size_t>(segment.level)][segment.run].component;
-        owner.building = segment.building == none ? none : row.levels[1][segment.building].component;
+        owner.building = segment.building == no_index ? no_index : row.levels[1][segment.building].component;
         std::fill(owners.begin() + segment.begin, owners.begin() + segment.end, owner);
     }
 }

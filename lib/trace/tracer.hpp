@@ -45,8 +45,8 @@ class Tracer {
     };
     /// The component that holds a square, and the one of level 1 under it.
     struct Owner {
-        std::uint32_t component = none;
-        std::uint32_t building = none;
+        std::uint32_t component = no_index;
+        std::uint32_t building = no_index;
         std::int32_t level = -1;
     };
 

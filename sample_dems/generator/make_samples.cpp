@@ -15,8 +15,10 @@ std::string tif(const std::string& folder, const std::string& name) {
 }
 
 void write_example(const std::string& folder) {
-    const RasterSpec spec{
-        {11, 7, 1, 1, {424800, 1, 0, 4513000, 0, -1}}, {"ft", 0.3048, 1}, "EPSG:26912", {}, false};
+    RasterSpec spec;
+    spec.grid = {11, 7, 1, 1, {424800, 1, 0, 4513000, 0, -1}};
+    spec.unit = {"ft", 0.3048, 1};
+    spec.crs = "EPSG:26912";
     write_raster(tif(folder, "thesis_11x7"), spec,
                  [&](std::int32_t first_row, std::int32_t rows, std::span<float> elevations) {
                      std::size_t i = 0;

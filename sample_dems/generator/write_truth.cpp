@@ -57,17 +57,17 @@ void set_values(OGRFeature& feature, const Building& building, const VerticalUni
     feature.SetField("length_m", building.length);
 }
 
-/// OGR_CURRENT_DATE for this thread while it lives.
-struct FixedDate {
-    FixedDate() { CPLSetThreadLocalConfigOption("OGR_CURRENT_DATE", written_at); }
-    FixedDate(const FixedDate&) = delete;
-    FixedDate& operator=(const FixedDate&) = delete;
-    ~FixedDate() { CPLSetThreadLocalConfigOption("OGR_CURRENT_DATE", nullptr); }
-};
-
 }  // namespace
 
 struct TruthWriter::Impl {
+    /// OGR_CURRENT_DATE for this thread while it lives.
+    struct FixedDate {
+        FixedDate() { CPLSetThreadLocalConfigOption("OGR_CURRENT_DATE", written_at); }
+        FixedDate(const FixedDate&) = delete;
+        FixedDate& operator=(const FixedDate&) = delete;
+        ~FixedDate() { CPLSetThreadLocalConfigOption("OGR_CURRENT_DATE", nullptr); }
+    };
+
     QuietGdal quiet;
     FixedDate date;
     std::string path;

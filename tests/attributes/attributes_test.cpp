@@ -10,11 +10,11 @@
 namespace d2b {
 namespace {
 
-using test::Grid;
+using test::TraceGrid;
 
 /// Ground of 1, a podium of 10 with a tower of 20 on it, and a point of 30 on the tower.
-Grid podium() {
-    Grid grid{8, 10, std::vector<double>(80, 1.0), {}};
+TraceGrid podium() {
+    TraceGrid grid{8, 10, std::vector<double>(80, 1.0), {}};
     for (int row = 2; row <= 5; ++row)
         for (int col = 2; col <= 7; ++col)
             grid.z[static_cast<std::size_t>(row * 10 + col)] =
@@ -23,7 +23,7 @@ Grid podium() {
     return grid;
 }
 
-Records records_of(const Grid& grid, const std::vector<double>& thresholds, double metres = 1,
+Records records_of(const TraceGrid& grid, const std::vector<double>& thresholds, double metres = 1,
                    std::int64_t first_id = 1) {
     Context context;
     const ContourSet set = test::trace_grid(grid, thresholds, {TraceMode::cells, 5}, context);
@@ -104,7 +104,7 @@ TEST(Records, IdsGoOnFromWhatIsThere) {
 }
 
 TEST(Records, AtTheEdgeAndWithoutGround) {
-    Grid grid{4, 4, std::vector<double>(16, 9.0), {}};
+    TraceGrid grid{4, 4, std::vector<double>(16, 9.0), {}};
     grid.z[15] = test::nodata;
     grid.z[0] = 1;  // the minimum; it lies diagonally across from the block's far corner
     for (const std::size_t i : {1U, 4U, 5U})

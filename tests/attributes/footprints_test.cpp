@@ -13,8 +13,8 @@ using test::nodata;
 
 /// 8 x 10 cells of ground at 50 with two labels: 4 x 6 cells at 60, of which 2 x 3 are at 70 and two are not
 /// known; and a cell at 55.
-test::Grid two_buildings() {
-    test::Grid grid{8, 10, std::vector<double>(80, 50.0), std::vector<Label>(80, 0)};
+test::TraceGrid two_buildings() {
+    test::TraceGrid grid{8, 10, std::vector<double>(80, 50.0), std::vector<Label>(80, 0)};
     for (int row = 2; row <= 5; ++row)
         for (int col = 2; col <= 7; ++col) {
             const auto i = static_cast<std::size_t>(row * 10 + col);
@@ -31,7 +31,7 @@ const std::vector<Footprint> footprints{{}, {48, 0.75, "steep"}, {50, 0.95, "rou
 
 /// Records of the grid, with thresholds of 65 in the large building.
 Records footprint_records(double metres = 1) {
-    const test::Grid grid = two_buildings();
+    const test::TraceGrid grid = two_buildings();
     const LevelPlan plan{50, {{}, {48, 65}, {50}}, true};
     Context context;
     ContourSet set = test::trace_plan(grid, plan, {TraceMode::cells, 5}, context);
@@ -120,7 +120,7 @@ TEST(FootprintRecords, WithoutDetectionNothingIsKnownOfIt) {
 }
 
 TEST(FootprintRecords, ABuildingWithoutAValidPoint) {
-    test::Grid grid = two_buildings();
+    test::TraceGrid grid = two_buildings();
     grid.z[9] = nodata;
     const LevelPlan plan{50, {{}, {48}, {50}}, true};
     Context context;

@@ -105,15 +105,15 @@ TEST_F(OptionEffect, write_doubtful) {
     find({"-write_doubtful", "-min_confidence", least});
     EXPECT_EQ(layer_names(path("out.gpkg")), (Names{"buildings", "contours", "doubtful"}));
     EXPECT_EQ(buildings().records.size(), 1U);
-    const Layer doubtful = layer("out.gpkg", "doubtful");
-    ASSERT_GE(doubtful.records.size(), 2U);
-    EXPECT_EQ(doubtful.fields, buildings().fields);
-    for (const Record& record : doubtful.records) {
+    const Layer unsure = layer("out.gpkg", "doubtful");
+    ASSERT_GE(unsure.records.size(), 2U);
+    EXPECT_EQ(unsure.fields, buildings().fields);
+    for (const Record& record : unsure.records) {
         EXPECT_LT(record.number("confidence"), most);
         EXPECT_TRUE(record.valid());
     }
     find({"-write_doubtful", "-min_confidence", least, "-nln", "roofs", "-layers", "buildings"});
-    EXPECT_EQ(layer("out.gpkg", "roofs_doubtful").records.size(), doubtful.records.size());
+    EXPECT_EQ(layer("out.gpkg", "roofs_doubtful").records.size(), unsure.records.size());
 }
 
 TEST_F(OptionEffect, fields) {

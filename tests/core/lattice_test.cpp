@@ -35,9 +35,9 @@ TEST(PackedRing, InteriorRingsRunTheOtherWay) {
 
 TEST(PackedRing, KeepsStepsOfEverySize) {
     for (const std::int32_t size : {1, 63, 64, 65, 8191, 8192, 1000000, 2000000000}) {
-        const LatticeRing square{{-5, -7}, {size - 5, -7}, {size - 5, size - 7}, {-5, size - 7}};
-        const PackedRing ring(square);
-        EXPECT_EQ(ring.corners(), square) << size;
+        const LatticeRing outline{{-5, -7}, {size - 5, -7}, {size - 5, size - 7}, {-5, size - 7}};
+        const PackedRing ring(outline);
+        EXPECT_EQ(ring.corners(), outline) << size;
         EXPECT_EQ(ring.area(), static_cast<std::int64_t>(size) * size) << size;
         EXPECT_EQ(ring.points(), 4LL * size) << size;
     }

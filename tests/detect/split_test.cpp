@@ -80,10 +80,10 @@ TEST(Split, TerraceOfThreeHeights) {
     town.block(5, 35, 20, 50, 104);
     const Detection found = detect(town, split_at(2));
     ASSERT_EQ(found.buildings, 3U);
-    const test::Block row{5, 5, 20, 50};
-    EXPECT_EQ(piece(found, 1), level(town, 112, row));
-    EXPECT_EQ(piece(found, 2), level(town, 108, row));
-    EXPECT_EQ(piece(found, 3), level(town, 104, row));
+    const test::Block terrace{5, 5, 20, 50};
+    EXPECT_EQ(piece(found, 1), level(town, 112, terrace));
+    EXPECT_EQ(piece(found, 2), level(town, 108, terrace));
+    EXPECT_EQ(piece(found, 3), level(town, 104, terrace));
 }
 
 TEST(Split, RoofsThatSlopeStayWhole) {

@@ -6,12 +6,12 @@
 namespace d2b {
 namespace {
 
-using test::Grid;
 using test::trace_plan;
+using test::TraceGrid;
 
 /// 10 x 12 cells with a label of 6 x 8 around a courtyard of two cells; a tower of a cell and one of 2 x 3.
-Grid court() {
-    Grid grid{10, 12, std::vector<double>(120, 0.0), std::vector<Label>(120, 0)};
+TraceGrid court() {
+    TraceGrid grid{10, 12, std::vector<double>(120, 0.0), std::vector<Label>(120, 0)};
     for (int row = 2; row <= 7; ++row)
         for (int col = 2; col <= 9; ++col) {
             const auto i = static_cast<std::size_t>(row * 12 + col);
@@ -28,7 +28,7 @@ Grid court() {
 const LevelPlan plan{0, {{}, {0, 15}}, true};
 
 TEST(KeptFootprints, AreNoNoiseWhateverTheirSize) {
-    Grid grid{3, 3, std::vector<double>(9, 0.0), std::vector<Label>(9, 0)};
+    TraceGrid grid{3, 3, std::vector<double>(9, 0.0), std::vector<Label>(9, 0)};
     grid.z[4] = 10;
     grid.labels[4] = 1;
     Context context;
@@ -59,7 +59,7 @@ TEST(KeptFootprints, HaveNoNoiseOnThem) {
 }
 
 TEST(KeptFootprints, HolesAboveThemAreFilled) {
-    Grid grid = court();
+    TraceGrid grid = court();
     grid.labels.assign(120, 0);
     for (int row = 2; row <= 7; ++row)
         for (int col = 2; col <= 9; ++col) {
@@ -75,7 +75,7 @@ TEST(KeptFootprints, HolesAboveThemAreFilled) {
 }
 
 TEST(KeptFootprints, HolesAroundTheirCourtyardsStay) {
-    Grid grid = court();
+    TraceGrid grid = court();
     for (std::size_t i = 0; i < 120; ++i)
         grid.z[i] = grid.labels[i] == 1 ? 20 : 0;
     Context context;
@@ -85,7 +85,7 @@ TEST(KeptFootprints, HolesAroundTheirCourtyardsStay) {
 }
 
 TEST(DropRoots, LeavesFootprintsAtTheBottom) {
-    Grid grid = court();
+    TraceGrid grid = court();
     grid.labels[0] = 2;
     grid.z[119] = test::nodata;
     for (int row = 0; row < 10; ++row)  // the root falls apart

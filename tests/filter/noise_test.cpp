@@ -8,12 +8,12 @@
 namespace d2b {
 namespace {
 
-using test::Grid;
 using test::trace_grid;
+using test::TraceGrid;
 
 /// A plate of 9 x 9 with rings of 20 around a pit, and whatever the test puts into it.
-Grid plate(double pit) {
-    Grid grid{11, 11, std::vector<double>(121, 0.0), {}};
+TraceGrid plate(double pit) {
+    TraceGrid grid{11, 11, std::vector<double>(121, 0.0), {}};
     for (int row = 1; row <= 9; ++row)
         for (int col = 1; col <= 9; ++col)
             grid.z[static_cast<std::size_t>(row * 11 + col)] = 20;
@@ -25,7 +25,7 @@ Grid plate(double pit) {
 
 TEST(NoiseFactor, DropsAContourWithAllAboveIt) {
     // A thin tower on a small block: both go, since the block does.
-    Grid grid{6, 6, std::vector<double>(36, 0.0), {}};
+    TraceGrid grid{6, 6, std::vector<double>(36, 0.0), {}};
     for (const std::size_t i : {14U, 15U, 20U, 21U})
         grid.z[i] = 20;
     grid.z[14] = 30;
@@ -51,7 +51,7 @@ TEST(NoiseFactor, NeverDropsTheRoot) {
 
 TEST(MinArea, KeepsARowOfTreesOutThatManyPointsWouldKeep) {
     // 1 x 20 cells pass 42 lattice points; 4 x 5 cells pass 18.
-    Grid grid{10, 24, std::vector<double>(240, 0.0), {}};
+    TraceGrid grid{10, 24, std::vector<double>(240, 0.0), {}};
     for (int col = 2; col < 22; ++col)
         grid.z[static_cast<std::size_t>(24 + col)] = 20;
     for (int row = 4; row < 8; ++row)
@@ -83,14 +83,14 @@ TEST(Holes, SmallOnesAreFilled) {
 }
 
 TEST(Holes, StayWhereAContourStandsInThem) {
-    Grid grid = plate(0);
+    TraceGrid grid = plate(0);
     grid.z[5 * 11 + 5] = 20;
     Context context;
     // The island passes 4 points, the pit 12: a factor of 13 drops the island, so the pit is filled ...
     EXPECT_EQ(trace_grid(grid, {10}, {TraceMode::cells, 13}, context).contours.size(), 2U);
     EXPECT_EQ(context.report.counted(Reason::hole_short), 1);
     // ... an island that is kept keeps its pit, though both are small by area.
-    Grid large{9, 9, std::vector<double>(81, 20.0), {}};
+    TraceGrid large{9, 9, std::vector<double>(81, 20.0), {}};
     for (int row = 1; row <= 7; ++row)
         for (int col = 1; col <= 7; ++col)
             large.z[static_cast<std::size_t>(row * 9 + col)] =
@@ -114,7 +114,7 @@ TEST(Holes, StayWhereAHoleOfTheLevelBelowRemains) {
 
 TEST(Holes, AZigzagHoleBelowKeepsASmootherOneAboveIt) {
     // Level 0 has a hole of an odd shape (long ring), level 1 the 3 x 3 pit around it (ring of 12).
-    Grid grid = plate(5);
+    TraceGrid grid = plate(5);
     for (const int at : {4 * 11 + 4, 4 * 11 + 6, 5 * 11 + 4, 5 * 11 + 5, 5 * 11 + 6, 6 * 11 + 4, 6 * 11 + 6})
         grid.z[static_cast<std::size_t>(at)] = test::nodata;  // an H: its ring passes 16 points
     Context context;

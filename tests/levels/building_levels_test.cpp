@@ -10,7 +10,7 @@
 namespace d2b {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_valid = std::numeric_limits<double>::quiet_NaN();
 using Thresholds = std::vector<double>;
 
 /// A row of elevations with their labels.
@@ -45,7 +45,8 @@ void expect_near(const Thresholds& found, const Thresholds& expected) {
 }
 
 TEST(BuildingStatistics, CountsEachLabelsValidPoints) {
-    const BuildingStatistics statistics = statistics_of({3, nan, 5, 7, 100, nan}, {1, 1, 1, 2, 0, 3}, 3);
+    const BuildingStatistics statistics =
+        statistics_of({3, not_valid, 5, 7, 100, not_valid}, {1, 1, 1, 2, 0, 3}, 3);
     EXPECT_EQ(statistics.labels(), 3U);
     EXPECT_EQ(statistics.of(1).n, 2);
     EXPECT_EQ(statistics.of(1).lowest, 3);
@@ -102,7 +103,7 @@ TEST(BuildingLevels, AreAtLeastHalfAMetreApart) {
 TEST(BuildingLevels, OfFlatRoofsAndSinglePointsAreNone) {
     EXPECT_EQ(thresholds_of({12, 12, 12, 12}, each(4)), Thresholds{0});
     EXPECT_EQ(thresholds_of({12}, each(4)), Thresholds{0});
-    EXPECT_EQ(thresholds_of({nan, nan}, each(4)), Thresholds{0});
+    EXPECT_EQ(thresholds_of({not_valid, not_valid}, each(4)), Thresholds{0});
 }
 
 TEST(BuildingLevels, ThatCutNothingAreLeftOut) {
@@ -176,7 +177,7 @@ TEST(QuantiseFootprints, AllTheirPointsAreOfLevelOne) {
     const LevelPlan plan{0, {{}, {10, 20}, {30}}, true};
     const BandShape shape{0, 1, 8};
     // Label 1: below its ground, not valid, above it, on and above its threshold; label 2; no label.
-    const ElevationBand band{shape, {5, nan, 15, 20, 25, nan, 100, nan}};
+    const ElevationBand band{shape, {5, not_valid, 15, 20, 25, not_valid, 100, not_valid}};
     const LabelBand labels{shape, {1, 1, 1, 1, 1, 2, 0, 0}};
     EXPECT_EQ(quantise<std::uint8_t>(band, labels, plan).counts,
               (std::vector<std::uint8_t>{2, 2, 2, 2, 3, 2, 1, 0}));

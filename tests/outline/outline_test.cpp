@@ -14,15 +14,15 @@
 namespace d2b {
 namespace {
 
-using test::Grid;
 using test::one_sided;
 using test::planar_area;
 using test::trace_grid;
+using test::TraceGrid;
 using test::unit_grid;
 
 /// A plate of 20 with a tower of 30 along the middle of its upper wall.
-Grid plate_with_tower() {
-    Grid grid{6, 9, std::vector<double>(54, 0.0), {}};
+TraceGrid plate_with_tower() {
+    TraceGrid grid{6, 9, std::vector<double>(54, 0.0), {}};
     for (int row = 1; row <= 4; ++row)
         for (int col = 1; col <= 7; ++col)
             grid.z[static_cast<std::size_t>(row * 9 + col)] = row <= 2 && col >= 3 && col <= 5 ? 30 : 20;

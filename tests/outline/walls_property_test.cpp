@@ -13,19 +13,19 @@
 namespace d2b {
 namespace {
 
-using test::Grid;
 using test::one_sided;
 using test::planar_area;
+using test::TraceGrid;
 using test::unit_grid;
 
 /// Turned houses of several labels that touch, with towers, courtyards and ragged edges.
-Grid random_town(unsigned seed) {
+TraceGrid random_town(unsigned seed) {
     std::mt19937 random(seed);
     const auto below = [&](unsigned n) { return static_cast<int>(random() % n); };
     const auto from_to = [&](double low, double high) { return low + (high - low) * below(1000) / 1000.0; };
     const std::int32_t size = 70;
-    Grid grid{size, size, std::vector<double>(static_cast<std::size_t>(size) * size, 0.0),
-              std::vector<Label>(static_cast<std::size_t>(size) * size, 0)};
+    TraceGrid grid{size, size, std::vector<double>(static_cast<std::size_t>(size) * size, 0.0),
+                   std::vector<Label>(static_cast<std::size_t>(size) * size, 0)};
     const double common = from_to(0, 1.5);
     for (Label house = 1; house <= 6; ++house) {
         const double x = from_to(10, 60);
@@ -52,7 +52,7 @@ Grid random_town(unsigned seed) {
 }
 
 struct WallCase {
-    Grid grid;
+    TraceGrid grid;
     std::vector<double> thresholds;
     TraceMode mode = TraceMode::cells;
     OutlineOptions options;

@@ -13,9 +13,9 @@
 namespace d2b {
 namespace {
 
-using test::Grid;
 using test::planar_area;
 using test::trace_grid;
+using test::TraceGrid;
 using test::unit_grid;
 
 struct Place {
@@ -25,8 +25,8 @@ struct Place {
 using Shape = std::function<int(Place)>;
 
 /// A grid of labels: what a shape says of the centre of a cell; 0 is outside.
-Grid paint(std::int32_t size, const Shape& shape) {
-    Grid grid{size, size, {}, {}};
+TraceGrid paint(std::int32_t size, const Shape& shape) {
+    TraceGrid grid{size, size, {}, {}};
     for (std::int32_t row = 0; row < size; ++row)
         for (std::int32_t col = 0; col < size; ++col) {
             const int label = shape({col + 0.5, -(row + 0.5)});
@@ -51,7 +51,7 @@ OutlineOptions walls(Walls style = Walls::automatic, double tolerance = 1.5) {
 }
 
 struct Drawn {
-    explicit Drawn(const Grid& grid, const OutlineOptions& options = walls(),
+    explicit Drawn(const TraceGrid& grid, const OutlineOptions& options = walls(),
                    const std::vector<double>& levels = {10})
         : set(trace_grid(grid, levels, {}, context)),
           outliner(set.contours, Drawing::regularized, options, unit_grid) {}
@@ -174,7 +174,7 @@ TEST(Walls, TouchingLabelsShareTheirWall) {
 
 TEST(Walls, ATowerOnThreeWallsFollowsTheFootprint) {
     const double angle = 0.25;
-    Grid grid = paint(90, [&](Place p) { return in_box(p, {45, -45}, angle, 60, 24) ? 1 : 0; });
+    TraceGrid grid = paint(90, [&](Place p) { return in_box(p, {45, -45}, angle, 60, 24) ? 1 : 0; });
     for (std::int32_t row = 0; row < 90; ++row)
         for (std::int32_t col = 0; col < 90; ++col)
             if (grid.label(row, col) == 1 &&
@@ -210,7 +210,7 @@ TEST(Walls, ACourtyardIsDrawnInside) {
 TEST(Walls, RightAnglesAreThoseOfTheGround) {
     // Cells twice as wide as high: what is square on the ground is not in rows and columns.
     const double angle = 0.4;
-    Grid grid{120, 60, {}, {}};
+    TraceGrid grid{120, 60, {}, {}};
     for (std::int32_t row = 0; row < 120; ++row)
         for (std::int32_t col = 0; col < 60; ++col)
             grid.z.push_back(in_box({2 * (col + 0.5), -(row + 0.5)}, {60, -60}, angle, 70, 40) ? 20 : 0);

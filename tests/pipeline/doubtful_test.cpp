@@ -11,12 +11,11 @@ namespace {
 
 using test::buildings;
 using test::contours;
+using test::doubtful;
 using test::MadeTown;
 using test::MemorySink;
 using test::MemorySource;
 using test::TownRun;
-
-constexpr std::size_t doubtful = 2;
 
 /// The confidences of what is found where nothing is refused.
 std::vector<double> confidences() {

@@ -2,13 +2,16 @@
 
 #include <vector>
 
+#include "core/crs.hpp"
 #include "pipeline/pipeline.hpp"
 #include "support/memory_io.hpp"
 
 namespace d2b::test {
 
+/// Layers, in the order in which they are written.
 inline constexpr std::size_t buildings = 0;
 inline constexpr std::size_t contours = 1;
+inline constexpr std::size_t doubtful = 2;
 
 /// 10 x 12 cells: a block of 4 x 6 cells of 20 on ground of 5.
 inline MemorySource block() {
@@ -32,6 +35,14 @@ struct Result {
     MemorySink sink;
     Context context;
 };
+
+inline double area_of(const std::vector<WorldPolygon>& parts) {
+    Geodesy planar{Crs()};
+    double area = 0;
+    for (const WorldPolygon& part : parts)
+        area += planar.polygon(part).area_m2;
+    return area;
+}
 
 inline void run_on(MemorySource& source, const Options& options, Result& result) {
     run(options, {source}, {result.sink}, result.context);

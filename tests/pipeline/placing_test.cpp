@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/crs.hpp"
+#include "core/crs.hpp"
 #include "geometry/geos.hpp"
 #include "pipeline/pipeline_case.hpp"
 #include "support/random_grid.hpp"
@@ -8,20 +9,13 @@
 namespace d2b {
 namespace {
 
+using test::area_of;
 using test::block;
 using test::cells;
 using test::contours;
 using test::MemorySource;
 using test::Result;
 using test::run_on;
-
-double area_of(const std::vector<WorldPolygon>& parts) {
-    Geodesy planar{Crs()};
-    double area = 0;
-    for (const WorldPolygon& part : parts)
-        area += planar.polygon(part).area_m2;
-    return area;
-}
 
 TEST(Pipeline, DisjointBandsAddUpToTheWhole) {
     for (unsigned seed = 0; seed < 40; ++seed) {

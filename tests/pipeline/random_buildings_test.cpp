@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/crs.hpp"
 #include "geometry/geos.hpp"
 #include "geometry/overlay.hpp"
 #include "pipeline/pipeline_case.hpp"
@@ -15,12 +14,12 @@
 namespace d2b {
 namespace {
 
+using test::area_of;
 using test::buildings;
 using test::contours;
+using test::doubtful;
 using test::MemorySink;
 using test::MemorySource;
-
-constexpr std::size_t doubtful = 2;
 
 /// Blocks of random sizes and heights on a slope, over and beside each other and cut by the edge, rough
 /// places, and points that are not valid.
@@ -61,14 +60,6 @@ Options random_options(unsigned seed) {
     options.outline.walls = std::array{Walls::automatic, Walls::off, Walls::right, Walls::free}[seed / 2 % 4];
     options.write.doubtful = true;
     return options;
-}
-
-double area_of(const std::vector<WorldPolygon>& parts) {
-    Geodesy planar{Crs()};
-    double area = 0;
-    for (const WorldPolygon& part : parts)
-        area += planar.polygon(part).area_m2;
-    return area;
 }
 
 void expect_sound_records(const MemorySink& sink, std::size_t layer) {

@@ -8,7 +8,7 @@
 namespace d2b::test {
 
 struct RandomGridCase {
-    Grid grid;
+    TraceGrid grid;
     std::vector<double> thresholds;
     TraceMode mode = TraceMode::cells;
 };
@@ -19,7 +19,7 @@ inline RandomGridCase random_grid(unsigned seed, unsigned largest = 14, bool wit
     const auto below = [&](unsigned n) { return static_cast<int>(random() % n); };
     RandomGridCase result;
     result.mode = seed % 2 == 0 ? TraceMode::cells : TraceMode::points;
-    Grid& grid = result.grid;
+    TraceGrid& grid = result.grid;
     grid.rows = 1 + below(largest);
     grid.cols = 1 + below(largest);
     const int values = 2 + below(5);

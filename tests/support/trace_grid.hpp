@@ -16,7 +16,7 @@ namespace d2b::test {
 inline constexpr double nodata = std::numeric_limits<double>::quiet_NaN();
 
 /// Elevations row by row, with what a run over them needs.
-struct Grid {
+struct TraceGrid {
     std::int32_t rows = 0;
     std::int32_t cols = 0;
     std::vector<double> z;
@@ -44,7 +44,7 @@ struct TraceSettings {
 };
 
 template <typename Count>
-ContourSet trace_levels(const Grid& grid, const LevelPlan& plan, const TraceSettings& settings,
+ContourSet trace_levels(const TraceGrid& grid, const LevelPlan& plan, const TraceSettings& settings,
                         Context& context) {
     ElevationStatistics statistics;
     statistics.add({{0, grid.rows, grid.cols}, grid.z});
@@ -73,7 +73,7 @@ ContourSet trace_levels(const Grid& grid, const LevelPlan& plan, const TraceSett
 }
 
 /// Traces a grid with thresholds a label.
-inline ContourSet trace_plan(const Grid& grid, const LevelPlan& plan, const TraceSettings& settings,
+inline ContourSet trace_plan(const TraceGrid& grid, const LevelPlan& plan, const TraceSettings& settings,
                              Context& context) {
     if (plan.level_count() <= 255)
         return trace_levels<std::uint8_t>(grid, plan, settings, context);
@@ -81,7 +81,7 @@ inline ContourSet trace_plan(const Grid& grid, const LevelPlan& plan, const Trac
 }
 
 /// Traces a grid with the same thresholds for every label.
-inline ContourSet trace_grid(const Grid& grid, const std::vector<double>& thresholds,
+inline ContourSet trace_grid(const TraceGrid& grid, const std::vector<double>& thresholds,
                              const TraceSettings& settings, Context& context) {
     ElevationStatistics statistics;
     statistics.add({{0, grid.rows, grid.cols}, grid.z});

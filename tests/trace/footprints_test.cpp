@@ -12,9 +12,9 @@ namespace {
 using test::nodata;
 
 /// Labels in blocks of random sizes, so that footprints have holes and touch each other.
-test::Grid labelled_noise(unsigned seed) {
+test::TraceGrid labelled_noise(unsigned seed) {
     std::mt19937 random(seed);
-    test::Grid grid = test::random_grid(2 * seed, 18, false).grid;
+    test::TraceGrid grid = test::random_grid(2 * seed, 18, false).grid;
     grid.labels.assign(grid.z.size(), 0);
     for (Label label = 1; label <= 3; ++label)
         for (std::size_t i = 0; i < grid.z.size(); ++i)
@@ -33,8 +33,8 @@ TEST(Footprints, AreWholeWherePointsAreNotValid) {
     std::int64_t missing = 0;
     for (unsigned seed = 0; seed < 150; ++seed) {
         SCOPED_TRACE(seed);
-        const test::Grid grid = labelled_noise(seed);
-        test::Grid filled = grid;
+        const test::TraceGrid grid = labelled_noise(seed);
+        test::TraceGrid filled = grid;
         for (std::size_t i = 0; i < filled.z.size(); ++i)
             if (std::isnan(filled.z[i]) && filled.labels[i] != 0)
                 filled.z[i] = -1;
@@ -59,7 +59,7 @@ TEST(Footprints, AreWholeWherePointsAreNotValid) {
 /// A footprint is a connected piece of its label, whatever its elevations.
 TEST(Footprints, AreThePiecesOfTheirLabel) {
     for (unsigned seed = 0; seed < 60; ++seed) {
-        const test::Grid grid = labelled_noise(seed);
+        const test::TraceGrid grid = labelled_noise(seed);
         Context context;
         const ContourSet set = test::trace_plan(grid, footprint_plan(1e9), {TraceMode::cells}, context);
         std::size_t covered = 0;
@@ -84,7 +84,7 @@ TEST(Footprints, AreThePiecesOfTheirLabel) {
 }
 
 TEST(Footprints, DoNotCountPointsThatAreNotValid) {
-    test::Grid grid{4, 5, std::vector<double>(20, 3.0), std::vector<Label>(20, 0)};
+    test::TraceGrid grid{4, 5, std::vector<double>(20, 3.0), std::vector<Label>(20, 0)};
     for (const std::size_t i : {6U, 7U, 8U, 11U, 12U, 13U})
         grid.labels[i] = 1;
     grid.z[6] = 8;

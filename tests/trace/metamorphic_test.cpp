@@ -9,7 +9,7 @@
 namespace d2b {
 namespace {
 
-using test::Grid;
+using test::TraceGrid;
 using test::TraceSettings;
 
 /// A contour by what it covers: level, squares, and the squares of its parent.
@@ -35,8 +35,8 @@ LatticePoint unmoved(LatticePoint square) {
     return square;
 }
 
-Grid rotated(const Grid& grid) {
-    Grid result{grid.cols, grid.rows, {}, {}};
+TraceGrid rotated(const TraceGrid& grid) {
+    TraceGrid result{grid.cols, grid.rows, {}, {}};
     for (int row = 0; row < result.rows; ++row)
         for (int col = 0; col < result.cols; ++col) {
             result.z.push_back(grid.at(grid.rows - 1 - col, row));
@@ -46,8 +46,8 @@ Grid rotated(const Grid& grid) {
     return result;
 }
 
-Grid flipped(const Grid& grid) {
-    Grid result{grid.rows, grid.cols, {}, {}};
+TraceGrid flipped(const TraceGrid& grid) {
+    TraceGrid result{grid.rows, grid.cols, {}, {}};
     for (int row = 0; row < grid.rows; ++row)
         for (int col = 0; col < grid.cols; ++col) {
             result.z.push_back(grid.at(row, grid.cols - 1 - col));
@@ -57,8 +57,8 @@ Grid flipped(const Grid& grid) {
     return result;
 }
 
-Grid padded(const Grid& grid, int top, int left, int bottom, int right) {
-    Grid result{grid.rows + top + bottom, grid.cols + left + right, {}, {}};
+TraceGrid padded(const TraceGrid& grid, int top, int left, int bottom, int right) {
+    TraceGrid result{grid.rows + top + bottom, grid.cols + left + right, {}, {}};
     for (int row = 0; row < result.rows; ++row)
         for (int col = 0; col < result.cols; ++col) {
             const int r = row - top;
@@ -78,8 +78,8 @@ class Metamorphic : public testing::TestWithParam<unsigned> {
         settings_.mode = case_.mode;
         settings_.noise_factor = static_cast<int>(GetParam() % 7 * 2);
     }
-    ContourSet traced(const Grid& grid) { return traced(grid, settings_); }
-    ContourSet traced(const Grid& grid, const TraceSettings& settings) {
+    ContourSet traced(const TraceGrid& grid) { return traced(grid, settings_); }
+    ContourSet traced(const TraceGrid& grid, const TraceSettings& settings) {
         return test::trace_grid(grid, case_.thresholds, settings, context_);
     }
     /// Squares have one row and column less where they lie between points.

@@ -9,7 +9,7 @@ namespace {
 using Squares = std::set<LatticePoint>;
 
 /// Whether a unit square qualifies at a level.
-bool qualifies(const Grid& grid, const std::vector<double>& thresholds, TraceMode mode, int level,
+bool qualifies(const TraceGrid& grid, const std::vector<double>& thresholds, TraceMode mode, int level,
                LatticePoint s) {
     const int reach = mode == TraceMode::points ? 1 : 0;
     if (s.row < 0 || s.col < 0 || s.row + reach >= grid.rows || s.col + reach >= grid.cols)
@@ -31,7 +31,7 @@ std::array<LatticePoint, 4> neighbours(LatticePoint s) {
     return {{{s.row - 1, s.col}, {s.row + 1, s.col}, {s.row, s.col - 1}, {s.row, s.col + 1}}};
 }
 
-Squares flood(LatticePoint start, const Squares& all, const Grid& grid, int level) {
+Squares flood(LatticePoint start, const Squares& all, const TraceGrid& grid, int level) {
     Squares found{start};
     std::vector<LatticePoint> todo{start};
     while (!todo.empty()) {
@@ -87,7 +87,7 @@ std::int64_t shared_edges(const Squares& a, const Squares& b) {
 
 }  // namespace
 
-std::vector<ReferenceContour> reference_contours(const Grid& grid, const std::vector<double>& thresholds,
+std::vector<ReferenceContour> reference_contours(const TraceGrid& grid, const std::vector<double>& thresholds,
                                                  TraceMode mode) {
     std::vector<ReferenceContour> result;
     std::map<LatticePoint, LatticePoint> below;

@@ -17,7 +17,7 @@ struct ReferenceContour {
     std::size_t interiors = 0;
 };
 
-[[nodiscard]] std::vector<ReferenceContour> reference_contours(const Grid& grid,
+[[nodiscard]] std::vector<ReferenceContour> reference_contours(const TraceGrid& grid,
                                                                const std::vector<double>& thresholds,
                                                                TraceMode mode);
 

@@ -8,7 +8,7 @@
 namespace d2b {
 namespace {
 
-using test::Grid;
+using test::TraceGrid;
 
 /// Where the points of a contour lie, seen from its polygon: in -trace cells in its cells; in -trace points
 /// at the corners of its squares.
@@ -83,7 +83,7 @@ TEST_P(PointStatistics, EachPointIsCountedOnceAndInAContourAroundIt) {
 INSTANTIATE_TEST_SUITE_P(Seeds, PointStatistics, testing::Range(500U, 600U));
 
 TEST(Percentiles, AreThoseOfAllPointsOfTheBuilding) {
-    Grid grid{12, 12, std::vector<double>(144, 0.0), {}};
+    TraceGrid grid{12, 12, std::vector<double>(144, 0.0), {}};
     for (int i = 0; i < 100; ++i)
         grid.z[static_cast<std::size_t>((1 + i / 10) * 12 + 1 + i % 10)] = 100 + i;
     Context context;

@@ -5,12 +5,12 @@
 namespace d2b {
 namespace {
 
-using test::Grid;
 using test::trace_grid;
+using test::TraceGrid;
 
 /// The example of Chittineni 2003, figures 4.3 and 4.4: 11 x 7 points, a block of 9 x 5 points of 40 ft.
-Grid thesis_example() {
-    Grid grid{7, 11, std::vector<double>(77, 0.0), {}};
+TraceGrid thesis_example() {
+    TraceGrid grid{7, 11, std::vector<double>(77, 0.0), {}};
     for (int row = 1; row <= 5; ++row)
         for (int col = 1; col <= 9; ++col)
             grid.z[static_cast<std::size_t>(row * 11 + col)] = 40;
@@ -71,14 +71,14 @@ TEST(ThesisExample, AChildMayUseItsParentsPoints) {
 TEST(Tracer, WhatIsOnePointWideLeavesNoPolygon) {
     Context context;
     // A wall of one row of points, and a block with a spike of one point.
-    const Grid grid{5,
-                    6,
-                    {0, 0, 0, 0, 0, 0,  //
-                     9, 9, 9, 9, 9, 9,  //
-                     0, 0, 0, 0, 0, 0,  //
-                     9, 9, 9, 0, 0, 0,  //
-                     9, 9, 0, 0, 0, 0},
-                    {}};
+    const TraceGrid grid{5,
+                         6,
+                         {0, 0, 0, 0, 0, 0,  //
+                          9, 9, 9, 9, 9, 9,  //
+                          0, 0, 0, 0, 0, 0,  //
+                          9, 9, 9, 0, 0, 0,  //
+                          9, 9, 0, 0, 0, 0},
+                         {}};
     const ContourSet set = trace_grid(grid, {5}, {TraceMode::points}, context);
     ASSERT_EQ(set.contours.size(), 2U);
     EXPECT_EQ(set.contours[1].key.first, (LatticePoint{3, 0}));
@@ -88,12 +88,12 @@ TEST(Tracer, WhatIsOnePointWideLeavesNoPolygon) {
 
 TEST(Tracer, ACourtyardThatTouchesTheOutsideInACornerIsAnInteriorRing) {
     Context context;
-    const Grid grid{3,
-                    3,
-                    {9, 9, 0,  //
-                     9, 0, 9,  //
-                     9, 9, 9},
-                    {}};
+    const TraceGrid grid{3,
+                         3,
+                         {9, 9, 0,  //
+                          9, 0, 9,  //
+                          9, 9, 9},
+                         {}};
     const ContourSet set = trace_grid(grid, {5}, {TraceMode::cells}, context);
     ASSERT_EQ(set.contours.size(), 2U);
     EXPECT_EQ(set.contours[1].exterior.corners(),
@@ -104,7 +104,7 @@ TEST(Tracer, ACourtyardThatTouchesTheOutsideInACornerIsAnInteriorRing) {
 
 TEST(Tracer, CellsThatMeetInACornerAreTwoContours) {
     Context context;
-    const Grid grid{2, 2, {9, 0, 0, 9}, {}};
+    const TraceGrid grid{2, 2, {9, 0, 0, 9}, {}};
     const ContourSet set = trace_grid(grid, {5}, {TraceMode::cells}, context);
     EXPECT_EQ(set.contours.size(), 3U);
 }
@@ -112,37 +112,37 @@ TEST(Tracer, CellsThatMeetInACornerAreTwoContours) {
 TEST(Tracer, LowestOutsideIsWithinACellOfTheExteriorRing) {
     Context context;
     // The 1 lies diagonally beside the block, the -9 two cells away, the -5 in the courtyard; NaN is nothing.
-    const Grid grid{7,
-                    7,
-                    {-9, 7,
-                     7,  7,
-                     7,  7,
-                     7,  //
-                     7,  7,
-                     7,  7,
-                     7,  7,
-                     7,  //
-                     7,  7,
-                     20, 20,
-                     20, 7,
-                     7,  //
-                     7,  test::nodata,
-                     20, -5,
-                     20, 7,
-                     7,  //
-                     7,  7,
-                     20, 20,
-                     20, 7,
-                     7,  //
-                     7,  7,
-                     7,  7,
-                     7,  1,
-                     -9,  //
-                     7,  7,
-                     7,  7,
-                     7,  -9,
-                     7},
-                    {}};
+    const TraceGrid grid{7,
+                         7,
+                         {-9, 7,
+                          7,  7,
+                          7,  7,
+                          7,  //
+                          7,  7,
+                          7,  7,
+                          7,  7,
+                          7,  //
+                          7,  7,
+                          20, 20,
+                          20, 7,
+                          7,  //
+                          7,  test::nodata,
+                          20, -5,
+                          20, 7,
+                          7,  //
+                          7,  7,
+                          20, 20,
+                          20, 7,
+                          7,  //
+                          7,  7,
+                          7,  7,
+                          7,  1,
+                          -9,  //
+                          7,  7,
+                          7,  7,
+                          7,  -9,
+                          7},
+                         {}};
     const ContourSet cells = trace_grid(grid, {10}, {TraceMode::cells}, context);
     ASSERT_EQ(cells.buildings.size(), 1U);
     EXPECT_EQ(cells.contours[static_cast<std::size_t>(cells.buildings[0])].lowest_outside, 1);
@@ -150,14 +150,14 @@ TEST(Tracer, LowestOutsideIsWithinACellOfTheExteriorRing) {
 
 TEST(Tracer, LowestOutsideOfPoints) {
     Context context;
-    const Grid grid{5,
-                    6,
-                    {5, 5,  5,  5,  5, 5,  //
-                     5, 20, 20, 20, 5, 0,  //
-                     5, 20, 20, 20, 4, 0,  //
-                     3, 20, 20, 20, 5, 0,  //
-                     5, 5,  5,  5,  5, 0},
-                    {}};
+    const TraceGrid grid{5,
+                         6,
+                         {5, 5,  5,  5,  5, 5,  //
+                          5, 20, 20, 20, 5, 0,  //
+                          5, 20, 20, 20, 4, 0,  //
+                          3, 20, 20, 20, 5, 0,  //
+                          5, 5,  5,  5,  5, 0},
+                         {}};
     const ContourSet set = trace_grid(grid, {10}, {TraceMode::points}, context);
     ASSERT_EQ(set.buildings.size(), 1U);
     EXPECT_EQ(set.contours[static_cast<std::size_t>(set.buildings[0])].lowest_outside, 3);
