@@ -1,20 +1,23 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/executor.hpp"
 #include "core/report.hpp"
 
 namespace d2b {
 
-/// What every stage gets beside its input: the report it adds to, and the caller's ears. The library has no
-/// globals, prints nothing and ends no process.
+/// What every stage gets beside its input: the report it adds to, the threads it may use, and the caller's
+/// ears. The library has no globals, prints nothing and ends no process.
 struct Context {
     RunReport report;
     std::function<void(const std::string&)> on_warning;  ///< may be empty
     std::function<bool(double)> on_progress;  ///< share done, 0 to 1; false asks to stop; may be empty
+    std::unique_ptr<Executor> threads = std::make_unique<Executor>();  ///< never empty
 
     void warn(std::string text) {
         if (on_warning)

@@ -102,8 +102,13 @@ struct WriteOptions {
     std::string canopy;  ///< GeoTIFF of the heights of what is no building
 };
 
+struct RunOptions {
+    int threads = 0;  ///< 0: as many as there are cores
+};
+
 struct Options {
     std::string preset = "buildings";
+    RunOptions run;
     ReadOptions read;
     GroundOptions ground;
     DetectOptions detect;

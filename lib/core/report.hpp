@@ -83,6 +83,7 @@ struct RunReport {
                                 ///< holds it) against the points of all buildings
     std::int64_t vertices = 0;  ///< of the contours as written (of the buildings where these are alone),
                                 ///< closing ones not counted
+    int threads = 1;            ///< that worked on it
     std::array<std::int64_t, reason_names.size()> dropped{};
     std::array<double, stage_names.size()> seconds{};
     std::array<std::int64_t, stage_names.size()>

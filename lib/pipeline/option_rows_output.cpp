@@ -98,6 +98,10 @@ std::vector<OptionRow> output() {
 
 std::vector<OptionRow> report() {
     std::vector<OptionRow> rows;
+    rows.push_back(whole_row("threads", "<n>", {.lowest = 0, .highest = 1024},
+                             [](auto& r) -> auto& { return r.options.run.threads; },
+                             {.help = "Threads to work with; 0 takes as many as there are cores.",
+                              .details = "Their number changes nothing of the result."}));
     rows.push_back(switch_row("q", [](auto& r) -> auto& { return r.tool.quiet; },
                               {.help = "No progress and no summary.", .aliases = {"quiet"}}));
     rows.push_back(switch_row(
@@ -114,7 +118,7 @@ std::vector<OptionRow> report() {
                               {.help = "Print the man page and exit."}));
     rows.push_back(switch_row("options_md", [](auto& r) -> auto& { return r.tool.options_markdown; },
                               {.help = "Print the reference of the options in Markdown and exit."}));
-    rows[4].hidden = rows[5].hidden = true;
+    rows[rows.size() - 2].hidden = rows.back().hidden = true;
     return rows;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <thread>
 
 #include "core/number_text.hpp"
 #include "core/units.hpp"
@@ -25,6 +26,11 @@ namespace {
 
 constexpr double coarsest_cell_m = 3.0;
 constexpr double no_threshold = std::numeric_limits<double>::quiet_NaN();
+
+int thread_count(const RunOptions& options) {
+    return options.threads > 0 ? options.threads
+                               : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
 
 Crs dem_crs(const Options& options, const DemInfo& info) {
     return Crs(options.read.crs.empty() ? info.crs_wkt : options.read.crs);
@@ -179,10 +185,12 @@ void warn_of_nothing(const LevelPlan& plan, const Records& records, Context& con
 
 void run(const Options& user_options, const Sources& sources, const Sinks& sinks, Context& context) {
     Options options = with_preset(user_options);
+    context.threads = std::make_unique<Executor>(thread_count(options.run));
     const DemInfo& info = sources.dem.info();
     const Crs crs = dem_crs(options, info);
     const Crs target = target_crs(options, crs);
     RunReport& report = context.report;
+    report.threads = context.threads->threads();
     describe(info, crs, target, report);
     report.output = options.write.destination;
     report.units = resolve_units(info, crs, options.read.vertical_unit);

@@ -1,4 +1,5 @@
 #include <regex>
+#include <thread>
 
 #include <nlohmann/json.hpp>
 
@@ -39,6 +40,31 @@ TEST_F(OptionEffect, json) {
     EXPECT_EQ(report["dropped"]["contour_short"], 2);
     EXPECT_GT(report["stages"]["write"]["seconds"].get<double>(), 0);
     EXPECT_TRUE(report["warnings"].empty());
+}
+
+TEST_F(OptionEffect, threads) {
+    const std::string town = sample("town.tif");
+    const auto lines = [&](const char* threads, const char* name) {
+        const json report =
+            json::parse(run_well({"-json", "-threads", threads, "-split_height", "3", "--", town, name}));
+        EXPECT_EQ(report["threads"], std::stoi(threads));
+        std::string text;
+        for (const char* layer_name : {"buildings", "contours"}) {
+            const Layer found = layer(name, layer_name);
+            for (const Record& record : found.records) {
+                for (const std::string& field : found.fields)
+                    text += record.text(field) + " ";
+                text += record.wkt() + "\n";
+            }
+        }
+        return text;
+    };
+    const std::string alone = lines("1", "alone.gpkg");
+    EXPECT_GT(alone.size(), 100000U);
+    EXPECT_EQ(lines("2", "two.gpkg"), alone);
+    EXPECT_EQ(lines("7", "seven.gpkg"), alone);
+    const json report = json::parse(run_well({"-json", "--", town, "default.gpkg"}));
+    EXPECT_EQ(report["threads"], std::thread::hardware_concurrency());
 }
 
 TEST_F(OptionEffect, json__warnings) {

@@ -77,7 +77,7 @@ std::string json_report(const RunReport& report) {
     const Json json{
         {"version", version},          {"input", input_of(report)},   {"units", units_of(report.units)},
         {"levels", levels_of(report)}, {"output", output_of(report)}, {"dropped", dropped_of(report)},
-        {"stages", stages_of(report)}, {"warnings", report.warnings}};
+        {"threads", report.threads},   {"stages", stages_of(report)}, {"warnings", report.warnings}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

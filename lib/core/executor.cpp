@@ -1,0 +1,170 @@
+#include "core/executor.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <thread>
+
+namespace d2b {
+namespace {
+
+constexpr std::size_t values_a_thread = 8;
+
+/// The exception of the lowest index, as a loop would throw it.
+class FirstFailure {
+  public:
+    void keep(std::size_t i, std::exception_ptr failure) {
+        const std::lock_guard lock(mutex_);
+        if (i < limit_) {
+            limit_ = i;
+            failure_ = std::move(failure);
+        }
+    }
+    /// What is below still has to be done.
+    [[nodiscard]] std::size_t limit() const { return limit_; }
+    void rethrow() const {
+        if (failure_)
+            std::rethrow_exception(failure_);
+    }
+
+  private:
+    std::mutex mutex_;
+    std::atomic<std::size_t> limit_ = std::numeric_limits<std::size_t>::max();
+    std::exception_ptr failure_;
+};
+
+}  // namespace
+
+struct Executor::Pool {
+    std::mutex mutex;
+    std::condition_variable wake;
+    std::condition_variable idle;
+    const Body* body = nullptr;
+    std::size_t round = 0;
+    std::size_t at_work = 0;
+    bool ending = false;
+    std::vector<std::thread> threads;
+
+    void serve(std::size_t thread) {
+        std::unique_lock lock(mutex);
+        for (std::size_t done = 0;;) {
+            wake.wait(lock, [&] { return ending || round != done; });
+            if (ending)
+                return;
+            done = round;
+            const Body* work = body;
+            lock.unlock();
+            (*work)(thread);
+            lock.lock();
+            if (--at_work == 0)
+                idle.notify_all();
+        }
+    }
+};
+
+Executor::Executor(int threads) : pool_(std::make_unique<Pool>()) {
+    for (int thread = 1; thread < threads; ++thread)
+        pool_->threads.emplace_back(
+            [pool = pool_.get(), thread] { pool->serve(static_cast<std::size_t>(thread)); });
+}
+
+Executor::~Executor() {
+    {
+        const std::lock_guard lock(pool_->mutex);
+        pool_->ending = true;
+    }
+    pool_->wake.notify_all();
+    for (std::thread& thread : pool_->threads)
+        thread.join();
+}
+
+int Executor::threads() const {
+    return static_cast<int>(pool_->threads.size()) + 1;
+}
+
+std::size_t Executor::window() const {
+    return values_a_thread * static_cast<std::size_t>(threads());
+}
+
+void Executor::run(const Body& body) {
+    Pool& pool = *pool_;
+    std::unique_lock lock(pool.mutex);
+    const bool shared = pool.body == nullptr;  // else this is called from inside of other work
+    if (shared) {
+        pool.body = &body;
+        pool.at_work = pool.threads.size();
+        ++pool.round;
+    }
+    lock.unlock();
+    if (shared)
+        pool.wake.notify_all();
+    body(0);
+    if (!shared)
+        return;
+    lock.lock();
+    pool.idle.wait(lock, [&] { return pool.at_work == 0; });
+    pool.body = nullptr;
+}
+
+void Executor::indexed(std::size_t count, const Indexed& work) {
+    FirstFailure failure;
+    std::atomic<std::size_t> next = 0;
+    run([&](std::size_t thread) {
+        for (std::size_t i = next++; i < std::min(count, failure.limit()); i = next++)
+            try {
+                work(i, thread);
+            } catch (...) {
+                failure.keep(i, std::current_exception());
+            }
+    });
+    failure.rethrow();
+}
+
+void Executor::pipelined(std::size_t count, const Indexed& make,
+                         const std::function<void(std::size_t)>& take) {
+    FirstFailure failure;
+    std::mutex mutex;
+    std::condition_variable moved;
+    std::size_t next = 0;   // to be made
+    std::size_t taken = 0;  // so many; the slots after it may be filled
+    std::vector<bool> made(window());
+    const auto can_make = [&] { return next < count && next < taken + made.size(); };
+    const auto make_next = [&](std::unique_lock<std::mutex>& lock, std::size_t thread) {
+        const std::size_t i = next++;
+        lock.unlock();
+        try {
+            make(i, thread);
+        } catch (...) {
+            failure.keep(i, std::current_exception());
+        }
+        lock.lock();
+        made[i % made.size()] = true;
+        moved.notify_all();
+    };
+    run([&](std::size_t thread) {
+        std::unique_lock lock(mutex);
+        while (taken < std::min(count, failure.limit())) {
+            if (thread == 0 && made[taken % made.size()]) {
+                const std::size_t i = taken;
+                lock.unlock();
+                try {
+                    take(i);
+                } catch (...) {
+                    failure.keep(i, std::current_exception());
+                }
+                lock.lock();
+                made[i % made.size()] = false;
+                ++taken;
+                moved.notify_all();
+            } else if (can_make() && next < failure.limit()) {
+                make_next(lock, thread);
+            } else {
+                moved.wait(lock);
+            }
+        }
+        moved.notify_all();
+    });
+    failure.rethrow();
+}
+
+}  // namespace d2b

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace d2b {
+
+/// The threads of a run. Work is divided by index and results go by index, so that their number shows in the
+/// time alone. What is called from inside of such work runs on the thread that calls it.
+class Executor {
+  public:
+    /// @param threads the caller's included; 1 starts none
+    explicit Executor(int threads = 1);
+    Executor(const Executor&) = delete;
+    Executor& operator=(const Executor&) = delete;
+    ~Executor();
+
+    [[nodiscard]] int threads() const;
+
+    /// Calls work(i) for each i below `count`, on all threads, and comes back when all are done. Of several
+    /// exceptions that of the lowest i is thrown, as in a loop.
+    template <typename Work>
+    void for_each(std::size_t count, const Work& work) {
+        indexed(count, [&](std::size_t i, std::size_t) { work(i); });
+    }
+
+    /// Calls work(begin, end) for consecutive pieces of [0, count), of `piece` each but the last.
+    template <typename Work>
+    void for_pieces(std::size_t count, std::size_t piece, const Work& work) {
+        for_each((count + piece - 1) / piece, [&](std::size_t i) {
+            work(i * piece, i * piece + piece < count ? i * piece + piece : count);
+        });
+    }
+
+    /// Calls take(i, make(i, thread)) for each i below `count`: make on all threads, `thread` counts from 0
+    /// to threads() - 1; take on the caller's alone and in order. At most some values a thread wait for it.
+    /// Exceptions as from a loop.
+    template <typename Make, typename Take>
+    void in_order(std::size_t count, const Make& make, const Take& take) {
+        std::vector<std::optional<decltype(make(std::size_t{}, std::size_t{}))>> made(window());
+        pipelined(
+            count, [&](std::size_t i, std::size_t thread) { made[i % made.size()].emplace(make(i, thread)); },
+            [&](std::size_t i) {
+                auto value = std::move(*made[i % made.size()]);
+                made[i % made.size()].reset();
+                take(i, std::move(value));
+            });
+    }
+
+  private:
+    using Body = std::function<void(std::size_t thread)>;
+    using Indexed = std::function<void(std::size_t i, std::size_t thread)>;
+
+    [[nodiscard]] std::size_t window() const;
+    /// Runs body on all threads, the caller's is 0; on the caller's alone where the others are busy.
+    void run(const Body& body);
+    void indexed(std::size_t count, const Indexed& work);
+    void pipelined(std::size_t count, const Indexed& make, const std::function<void(std::size_t)>& take);
+
+    struct Pool;
+    std::unique_ptr<Pool> pool_;
+};
+
+}  // namespace d2b

@@ -1,0 +1,125 @@
+#include "core/executor.hpp"
+
+#include <atomic>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+namespace d2b {
+namespace {
+
+class Executors : public testing::TestWithParam<int> {
+  protected:
+    Executor threads{GetParam()};
+};
+
+TEST_P(Executors, HaveTheThreadsThatWereAskedFor) {
+    EXPECT_EQ(threads.threads(), GetParam());
+}
+
+TEST_P(Executors, DoEachPieceOfWorkOnce) {
+    std::vector<int> done(1000);
+    threads.for_each(done.size(), [&](std::size_t i) { ++done[i]; });
+    EXPECT_EQ(done, std::vector<int>(1000, 1));
+    threads.for_each(0, [](std::size_t) { FAIL(); });
+}
+
+TEST_P(Executors, WorkOnAllThreadsAtOnce) {
+    // Each waits for all others: one after the other they would wait for ever.
+    std::atomic<int> arrived = 0;
+    threads.for_each(static_cast<std::size_t>(GetParam()), [&](std::size_t) {
+        ++arrived;
+        while (arrived < GetParam())
+            std::this_thread::yield();
+    });
+    EXPECT_EQ(arrived, GetParam());
+}
+
+TEST_P(Executors, CutARangeIntoPieces) {
+    std::vector<int> done(10);
+    threads.for_pieces(done.size(), 4, [&](std::size_t begin, std::size_t end) {
+        EXPECT_EQ(begin % 4, 0U);
+        for (std::size_t i = begin; i < end; ++i)
+            ++done[i];
+    });
+    EXPECT_EQ(done, std::vector<int>(10, 1));
+}
+
+TEST_P(Executors, ThrowTheExceptionOfTheLowestIndex) {
+    for (int repeat = 0; repeat < 100; ++repeat) {
+        std::vector<int> done(100);
+        try {
+            threads.for_each(done.size(), [&](std::size_t i) {
+                if (i == 20 || i == 21 || i == 70)
+                    throw std::runtime_error(std::to_string(i));
+                ++done[i];
+            });
+            FAIL() << "nothing was thrown";
+        } catch (const std::runtime_error& error) {
+            EXPECT_STREQ(error.what(), "20");
+        }
+        EXPECT_EQ(std::accumulate(done.begin(), done.begin() + 20, 0), 20);
+    }
+}
+
+TEST_P(Executors, HandOverInOrder) {
+    std::vector<std::string> taken;
+    const std::thread::id caller = std::this_thread::get_id();
+    threads.in_order(
+        500,
+        [&](std::size_t i, std::size_t thread) {
+            EXPECT_LT(thread, static_cast<std::size_t>(GetParam()));
+            return std::to_string(i * i);
+        },
+        [&](std::size_t i, std::string value) {
+            EXPECT_EQ(std::this_thread::get_id(), caller);
+            EXPECT_EQ(i, taken.size());
+            taken.push_back(std::move(value));
+        });
+    ASSERT_EQ(taken.size(), 500U);
+    for (std::size_t i = 0; i < taken.size(); ++i)
+        EXPECT_EQ(taken[i], std::to_string(i * i));
+}
+
+TEST_P(Executors, HandOverWhatComesBeforeAFailure) {
+    for (int repeat = 0; repeat < 100; ++repeat) {
+        std::vector<std::size_t> taken;
+        EXPECT_THROW(threads.in_order(
+                         100,
+                         [](std::size_t i, std::size_t) {
+                             if (i == 30)
+                                 throw std::runtime_error("made");
+                             return i;
+                         },
+                         [&](std::size_t, std::size_t value) { taken.push_back(value); }),
+                     std::runtime_error);
+        EXPECT_EQ(taken.size(), 30U);
+        taken.clear();
+        EXPECT_THROW(threads.in_order(
+                         100, [](std::size_t i, std::size_t) { return i; },
+                         [&](std::size_t i, std::size_t) {
+                             if (i == 40)
+                                 throw std::runtime_error("taken");
+                             taken.push_back(i);
+                         }),
+                     std::runtime_error);
+        EXPECT_EQ(taken.size(), 40U);
+    }
+}
+
+TEST_P(Executors, MayBeCalledFromInside) {
+    std::vector<std::vector<int>> done(8, std::vector<int>(50));
+    threads.for_each(done.size(), [&](std::size_t i) {
+        threads.for_each(done[i].size(), [&](std::size_t k) { ++done[i][k]; });
+    });
+    EXPECT_EQ(done, std::vector<std::vector<int>>(8, std::vector<int>(50, 1)));
+}
+
+INSTANTIATE_TEST_SUITE_P(, Executors, testing::Values(1, 2, 3, 8));
+
+}  // namespace
+}  // namespace d2b
