@@ -43,6 +43,7 @@ TEST_F(OptionEffect, json) {
 }
 
 TEST_F(OptionEffect, threads) {
+    preset_ = "buildings";
     const std::string town = sample("town.tif");
     const auto lines = [&](const char* threads, const char* name) {
         const json report =

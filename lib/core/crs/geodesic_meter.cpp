@@ -102,6 +102,9 @@ void GeodesicMeter::cut(const Position& start, const Position& along, const Posi
 Geodesy::Measure GeodesicMeter::ring(std::span<const Position> ring) {
     constexpr double share = 0.8e-7;                     // promised is 1e-7
     const double finest_sag = 3e-15 * lon_lat_->radius;  // metres; below, it is rounding that is measured
+    if (!ring.empty())
+        if (const LocalMetric* metric = metrics_.around(ring, *lon_lat_))
+            return metric->ring(ring);
     corners_.assign(ring.begin(), ring.end());
     places_.resize(ring.size());
     locate(corners_, places_);

@@ -10,12 +10,14 @@
 #include "core/crs.hpp"
 #include "core/crs/edge_bends.hpp"
 #include "core/crs/geodesic_polygon.hpp"
+#include "core/crs/local_metric.hpp"
 #include "core/crs/lon_lat.hpp"
 #include "core/feature_sink.hpp"
 
 namespace d2b {
 
-/// Rings whose edges are straight in a CRS, from polygons of geodesics.
+/// Rings whose edges are straight in a CRS: those of a few kilometres from the metric of their place, others,
+/// and those near poles and the like, from polygons of geodesics.
 ///
 /// An edge and the geodesic between its ends enclose about 2/3 * length * sag, where sag is the distance of
 /// the edge's middle from the geodesic. With no sag above 3/2 * share * area / perimeter, what all edges
@@ -32,6 +34,7 @@ class GeodesicMeter {
           step_(step),
           turn_(turn),
           polygon_(lon_lat_->radius, lon_lat_->flattening),
+          metrics_(step / 8),
           bends_(step / 8) {}
 
     /// @throws InputError where a position has no longitude and latitude
@@ -52,6 +55,7 @@ class GeodesicMeter {
     double step_;
     double turn_;
     GeodesicPolygon polygon_;
+    LocalMetrics metrics_;
     EdgeBends bends_;
     // Of the ring at hand, kept for their memory.
     std::vector<Position> corners_;  ///< in the CRS

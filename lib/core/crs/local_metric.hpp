@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+
+#include "core/crs.hpp"
+#include "core/crs/lon_lat.hpp"
+#include "core/feature_sink.hpp"
+
+namespace d2b {
+
+/// a + b x + c y + d x^2 + e x y + f y^2.
+struct Quadratic {
+    std::array<double, 6> terms{};
+
+    [[nodiscard]] double at(double x, double y) const {
+        const auto& [a, b, c, d, e, f] = terms;
+        return a + x * (b + d * x + e * y) + y * (c + f * y);
+    }
+    /// The same function of x - x0 and y - y0.
+    [[nodiscard]] Quadratic about(double x0, double y0) const;
+};
+
+/// Lengths and areas on the ellipsoid near a place of a CRS, from the first fundamental form
+/// ds^2 = E dx^2 + 2 F dx dy + G dy^2, whose coefficients are quadratic functions there. Edges are straight
+/// in the CRS, whatever their length; no geodesic is needed.
+class LocalMetric {
+  public:
+    /// For places less than `reach` from the centre along either axis.
+    /// @returns nothing where the quadratics miss the form by more than 2e-8 of it, as they do near poles,
+    ///          the antimeridian, and where `reach` is too large
+    [[nodiscard]] static std::optional<LocalMetric> fit(const Position& centre, double reach,
+                                                        const LonLat& lon_lat);
+
+    [[nodiscard]] Geodesy::Measure ring(std::span<const Position> corners) const;
+
+  private:
+    Position centre_;
+    Quadratic along_x_;  ///< E
+    Quadratic mixed_;    ///< F
+    Quadratic along_y_;  ///< G
+    Quadratic area_;     ///< sqrt(E G - F^2)
+};
+
+/// The metrics of a CRS, each found once for a tile of a fixed grid over it, so that no result depends on
+/// earlier rings.
+class LocalMetrics {
+  public:
+    /// @param tile side of the smallest tiles, units of the CRS
+    explicit LocalMetrics(double tile) : tile_(tile) {}
+
+    /// That in the neighbourhood of a ring; null where the ring is too large, or the place has none.
+    /// @param corners at least one @param lon_lat of the CRS, the same in every call
+    [[nodiscard]] const LocalMetric* around(std::span<const Position> corners, const LonLat& lon_lat);
+
+  private:
+    /// Tiles double in size from level to level.
+    struct Tile {
+        int level = 0;
+        std::int64_t col = 0;
+        std::int64_t row = 0;
+        auto operator<=>(const Tile&) const = default;
+    };
+
+    double tile_;
+    std::map<Tile, std::optional<LocalMetric>> metrics_;
+};
+
+}  // namespace d2b
