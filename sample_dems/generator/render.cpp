@@ -36,7 +36,7 @@ struct Strip {
     const Grid& grid;
     std::int32_t first_row;
     std::int32_t rows;
-    std::vector<double>& metres;
+    std::span<double> metres;
 
     /// Raises the cells that a thing covers.
     template <typename Thing>
@@ -62,6 +62,17 @@ struct Strip {
 
 }  // namespace
 
+void raise(const Scene& scene, const Grid& grid, std::int32_t first_row, std::int32_t rows,
+           std::span<double> metres) {
+    const Strip strip{grid, first_row, rows, metres};
+    for (const Building& building : scene.buildings)
+        strip.raise(building);
+    for (const Tree& tree : scene.trees)
+        strip.raise(tree);
+    for (const Block& block : scene.blocks)
+        strip.raise(block);
+}
+
 void render(const Scene& scene, const Grid& grid, const VerticalUnit& unit, std::int32_t first_row,
             std::int32_t rows, std::span<float> elevations) {
     std::vector<double> metres(elevations.size());
@@ -70,13 +81,7 @@ void render(const Scene& scene, const Grid& grid, const VerticalUnit& unit, std:
         for (std::int32_t col = 0; col < grid.cols; ++col)
             metres[i++] = scene.ground.at(grid.centre(row, col));
     }
-    const Strip strip{grid, first_row, rows, metres};
-    for (const Building& building : scene.buildings)
-        strip.raise(building);
-    for (const Tree& tree : scene.trees)
-        strip.raise(tree);
-    for (const Block& block : scene.blocks)
-        strip.raise(block);
+    raise(scene, grid, first_row, rows, metres);
     i = 0;
     for (std::int32_t row = first_row; row < first_row + rows; ++row) {
         for (std::int32_t col = 0; col < grid.cols; ++col, ++i) {

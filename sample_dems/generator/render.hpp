@@ -36,4 +36,9 @@ struct VerticalUnit {
 void render(const Scene& scene, const Grid& grid, const VerticalUnit& unit, std::int32_t first_row,
             std::int32_t rows, std::span<float> elevations);
 
+/// Raises whole rows of elevations in metres to what stands on the ground of a scene.
+/// @param metres rows * grid.cols values
+void raise(const Scene& scene, const Grid& grid, std::int32_t first_row, std::int32_t rows,
+           std::span<double> metres);
+
 }  // namespace d2b::sample
