@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -59,8 +60,29 @@ struct UnitReport {
     std::string areas;  ///< "geodesic" or "planar"
 };
 
+/// What stages count. Threads that work at the same time have one each.
+struct Tally {
+    std::array<std::int64_t, reason_names.size()> dropped{};
+    std::array<double, stage_names.size()> seconds{};  ///< of all threads together
+    std::array<std::int64_t, stage_names.size()>
+        peak_memory_bytes{};  ///< of the process, when the stage ended
+
+    void count(Reason reason, std::int64_t n = 1) { dropped[static_cast<std::size_t>(reason)] += n; }
+    [[nodiscard]] std::int64_t counted(Reason reason) const {
+        return dropped[static_cast<std::size_t>(reason)];
+    }
+    void merge(const Tally& other) {
+        for (std::size_t i = 0; i < dropped.size(); ++i)
+            dropped[i] += other.dropped[i];
+        for (std::size_t i = 0; i < seconds.size(); ++i) {
+            seconds[i] += other.seconds[i];
+            peak_memory_bytes[i] = std::max(peak_memory_bytes[i], other.peak_memory_bytes[i]);
+        }
+    }
+};
+
 /// What a run did, as data: the tools print it, tests read it.
-struct RunReport {
+struct RunReport : Tally {
     std::string input;
     std::string driver;
     std::string output;
@@ -84,16 +106,7 @@ struct RunReport {
     std::int64_t vertices = 0;  ///< of the contours as written (of the buildings where these are alone),
                                 ///< closing ones not counted
     int threads = 1;            ///< that worked on it
-    std::array<std::int64_t, reason_names.size()> dropped{};
-    std::array<double, stage_names.size()> seconds{};
-    std::array<std::int64_t, stage_names.size()>
-        peak_memory_bytes{};  ///< of the process, when the stage ended
     std::vector<std::string> warnings;
-
-    void count(Reason reason, std::int64_t n = 1) { dropped[static_cast<std::size_t>(reason)] += n; }
-    [[nodiscard]] std::int64_t counted(Reason reason) const {
-        return dropped[static_cast<std::size_t>(reason)];
-    }
 };
 
 }  // namespace d2b

@@ -97,6 +97,10 @@ OutlineQuality Outliner::footprint_quality(std::size_t contour) const {
     return impl_->wall_options ? quality_of(impl_->footprints(), contour) : quality(contour);
 }
 
+bool Outliner::has_own_footprints() const {
+    return impl_->wall_options.has_value();
+}
+
 FinePolygon Outliner::outline(std::size_t contour) const {
     if (impl_->wall_options)
         return impl_->all_levels().polygon(contour);

@@ -47,6 +47,8 @@ class Outliner {
     /// need, and also where their outline keeps its traced form for the sake of what stands on it.
     [[nodiscard]] FinePolygon footprint(std::size_t contour) const;
     [[nodiscard]] OutlineQuality footprint_quality(std::size_t contour) const;
+    /// Whether footprints may differ from outlines at all.
+    [[nodiscard]] bool has_own_footprints() const;
     /// The outline without simplification: the way back where a polygon would be invalid.
     [[nodiscard]] FinePolygon traced(std::size_t contour) const;
 

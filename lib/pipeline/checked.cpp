@@ -4,21 +4,21 @@ namespace d2b {
 
 std::vector<WorldPolygon> checked(std::vector<WorldPolygon> drawn,
                                   const std::function<std::vector<WorldPolygon>()>& traced, Geos& geos,
-                                  OutlineStatus& status, RunReport& report) {
+                                  OutlineStatus& status, Tally& tally) {
     if (drawn.empty() || geos.invalidity(drawn).empty())
         return drawn;
     if (status == OutlineStatus::simplified || status == OutlineStatus::regularized) {
         status = OutlineStatus::kept_traced;
-        report.count(Reason::outline_kept_traced);
+        tally.count(Reason::outline_kept_traced);
         drawn = traced();
         if (geos.invalidity(drawn).empty())
             return drawn;
     }
     status = OutlineStatus::repaired;
-    report.count(Reason::polygon_repaired);
+    tally.count(Reason::polygon_repaired);
     drawn = geos.repaired(drawn);
     if (drawn.empty())
-        report.count(Reason::polygon_lost);
+        tally.count(Reason::polygon_lost);
     return drawn;
 }
 

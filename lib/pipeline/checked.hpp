@@ -14,6 +14,6 @@ namespace d2b {
 /// @param traced asked for only when it is needed
 [[nodiscard]] std::vector<WorldPolygon> checked(std::vector<WorldPolygon> drawn,
                                                 const std::function<std::vector<WorldPolygon>()>& traced,
-                                                Geos& geos, OutlineStatus& status, RunReport& report);
+                                                Geos& geos, OutlineStatus& status, Tally& tally);
 
 }  // namespace d2b

@@ -1,8 +1,10 @@
 #include "pipeline/emit.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "attributes/attribute_table.hpp"
 #include "pipeline/placer.hpp"
@@ -21,38 +23,82 @@ std::int64_t vertices_of(const std::vector<WorldPolygon>& parts) {
     return static_cast<std::int64_t>(sum);
 }
 
-/// Hands features to the layers that were asked for.
+/// What is drawn of a contour: nothing where its layer was not asked for.
+struct Drawn {
+    std::optional<Placed> building;
+    std::optional<Placed> contour;
+};
+
+/// Draws on all threads, and hands features to the layers that were asked for.
 class Emitter {
   public:
-    Emitter(const Emission& emission, FeatureSink& sink, Context& context)
-        : emission_(emission),
-          sink_(sink),
-          context_(context),
-          placer_({emission.set.contours, emission.options.outline, emission.georeference, emission.crs,
-                   emission.target_crs, emission.window},
-                  context) {}
+    Emitter(const Emission& emission, Records& records, FeatureSink& sink, Context& context);
 
     void begin();
-    void emit_building(std::size_t contour, BuildingRecord& record, double threshold);
-    /// @return whether it is in its layer
-    bool emit_contour(std::size_t contour, ContourRecord& record);
+    /// @param thread that this runs on
+    [[nodiscard]] Drawn draw(std::size_t contour, std::size_t thread);
+    void add(std::size_t contour, Drawn&& drawn);
+    void finish();
 
   private:
+    [[nodiscard]] std::optional<std::size_t> building_layer(std::size_t contour) const {
+        return is_doubtful(contour) ? doubtful_layer_ : buildings_layer_;
+    }
     [[nodiscard]] bool is_doubtful(std::size_t contour) const {
         return emission_.set.contours[contour].label > emission_.buildings;
     }
+    void add_building(std::size_t contour, Placed&& placed);
+    /// @return whether it is in its layer
+    bool add_contour(std::size_t contour, Placed&& placed);
     template <typename Record>
-    void add(std::size_t layer, std::span<const Attribute<Record>> attributes, Record& record,
-             Placed&& placed, double threshold);
+    void write(std::size_t layer, std::span<const Attribute<Record>> attributes, Record& record,
+               Placed&& placed, double threshold);
 
     const Emission& emission_;
+    Records& records_;
     FeatureSink& sink_;
     Context& context_;
-    Placer placer_;
+    Outliner outliner_;
+    std::vector<std::vector<std::size_t>> children_;
+    std::vector<Placer> placers_;           // one a thread
+    std::vector<std::int64_t> written_id_;  // what stands on a contour that is not written stands on this
     std::optional<std::size_t> buildings_layer_;
     std::optional<std::size_t> contours_layer_;
     std::optional<std::size_t> doubtful_layer_;
 };
+
+Outliner timed_outliner(const Emission& emission, Context& context) {
+    const StageClock clock(context.report, Stage::outline);
+    Outliner outliner = make_outliner(emission.set.contours, emission.options.outline, emission.georeference,
+                                      emission.crs, emission.window);
+    if (outliner.has_own_footprints() && !emission.set.contours.empty()) {
+        // Walls are fitted when they are first asked for, which is not for several threads at a time.
+        static_cast<void>(outliner.quality(0));
+        static_cast<void>(outliner.footprint_quality(0));
+    }
+    return outliner;
+}
+
+Emitter::Emitter(const Emission& emission, Records& records, FeatureSink& sink, Context& context)
+    : emission_(emission),
+      records_(records),
+      sink_(sink),
+      context_(context),
+      outliner_(timed_outliner(emission, context)),
+      children_(emission.options.outline.disjoint ? children_of(emission.set.contours)
+                                                  : std::vector<std::vector<std::size_t>>()),
+      written_id_(records.contours.size(), 0) {
+    const Placement placement{emission.set.contours,
+                              emission.options.outline,
+                              emission.georeference,
+                              emission.crs,
+                              emission.target_crs,
+                              emission.window,
+                              outliner_,
+                              children_};
+    for (int thread = 0; thread < context.threads->threads(); ++thread)
+        placers_.emplace_back(placement);
+}
 
 void Emitter::begin() {
     const WriteOptions& write = emission_.options.write;
@@ -86,9 +132,24 @@ void Emitter::begin() {
     sink_.begin(layers, emission_.provenance);
 }
 
+Drawn Emitter::draw(std::size_t contour, std::size_t thread) {
+    Placer& placer = placers_[thread];
+    Drawn drawn;
+    if (records_.contours[contour].level == 1 && building_layer(contour))
+        drawn.building = placer.footprint(contour);
+    if (!contours_layer_ || is_doubtful(contour))
+        return drawn;
+    if (emission_.options.outline.disjoint)
+        drawn.contour = placer.tier(contour);
+    else
+        drawn.contour =
+            drawn.building && !outliner_.has_own_footprints() ? *drawn.building : placer.whole(contour);
+    return drawn;
+}
+
 template <typename Record>
-void Emitter::add(std::size_t layer, std::span<const Attribute<Record>> attributes, Record& record,
-                  Placed&& placed, double threshold) {
+void Emitter::write(std::size_t layer, std::span<const Attribute<Record>> attributes, Record& record,
+                    Placed&& placed, double threshold) {
     record.area_m2 = placed.measure.area_m2;
     record.perimeter_m = placed.measure.perimeter_m;
     record.status = placed.status;
@@ -96,55 +157,67 @@ void Emitter::add(std::size_t layer, std::span<const Attribute<Record>> attribut
     sink_.add(layer, {field_values(attributes, record), std::move(placed.parts), threshold});
 }
 
-void Emitter::emit_building(std::size_t contour, BuildingRecord& record, double threshold) {
-    const bool doubtful = is_doubtful(contour);
-    const std::optional<std::size_t> layer = doubtful ? doubtful_layer_ : buildings_layer_;
-    if (!layer)
-        return;
-    Placed placed = placer_.footprint(contour);
+void Emitter::add_building(std::size_t contour, Placed&& placed) {
     if (placed.parts.empty())
         return;
-    ++(doubtful ? context_.report.doubtful : context_.report.buildings);
+    ++(is_doubtful(contour) ? context_.report.doubtful : context_.report.buildings);
     if (!contours_layer_)
         context_.report.vertices += vertices_of(placed.parts);
+    BuildingRecord& record = records_.buildings[static_cast<std::size_t>(emission_.set.building[contour])];
     record.deviation_m =
         placed.deviation / std::sqrt(emission_.georeference.cell_area()) * emission_.cell_size_m;
     record.area_change = placed.area_change;
-    add(*layer, building_attributes(), record, std::move(placed), threshold);
+    write(*building_layer(contour), building_attributes(), record, std::move(placed),
+          records_.contours[contour].threshold);
 }
 
-bool Emitter::emit_contour(std::size_t contour, ContourRecord& record) {
-    if (!contours_layer_ || is_doubtful(contour))
-        return false;
-    Placed placed = emission_.options.outline.disjoint ? placer_.tier(contour) : placer_.whole(contour);
+bool Emitter::add_contour(std::size_t contour, Placed&& placed) {
     // A contour that its children cover whole has no band of its own.
     if (placed.parts.empty())
         return false;
     ++context_.report.contours;
     context_.report.vertices += vertices_of(placed.parts);
-    add(*contours_layer_, contour_attributes(), record, std::move(placed), record.threshold);
+    ContourRecord& record = records_.contours[contour];
+    write(*contours_layer_, contour_attributes(), record, std::move(placed), record.threshold);
     return true;
+}
+
+void Emitter::add(std::size_t contour, Drawn&& drawn) {
+    ContourRecord& record = records_.contours[contour];
+    const std::int64_t parent = emission_.set.contours[contour].parent;
+    record.parent_id = parent < 0 ? 0 : written_id_[static_cast<std::size_t>(parent)];
+    if (drawn.building)
+        add_building(contour, std::move(*drawn.building));
+    const bool written = drawn.contour && add_contour(contour, std::move(*drawn.contour));
+    written_id_[contour] = written ? record.id : record.parent_id;
+}
+
+void Emitter::finish() {
+    for (const Placer& placer : placers_)
+        context_.report.merge(placer.tally());
 }
 
 }  // namespace
 
 void emit(const Emission& emission, Records& records, FeatureSink& sink, Context& context) {
-    Emitter emitter(emission, sink, context);
+    constexpr std::size_t piece = 64;  // contours that a thread draws at a time
+    Emitter emitter(emission, records, sink, context);
     emitter.begin();
-    // What stands on a contour that is not written stands on that contour's parent.
-    std::vector<std::int64_t> written_id(records.contours.size(), 0);
-    for (std::size_t i = 0; i < records.contours.size(); ++i) {
-        ContourRecord& record = records.contours[i];
-        const std::int64_t parent = emission.set.contours[i].parent;
-        record.parent_id = parent < 0 ? 0 : written_id[static_cast<std::size_t>(parent)];
-        if (record.level == 1)
-            emitter.emit_building(i, records.buildings[static_cast<std::size_t>(emission.set.building[i])],
-                                  record.threshold);
-        written_id[i] = emitter.emit_contour(i, record) ? record.id : record.parent_id;
-        if (i % 64 == 0)
-            context.progress(0.6 +
-                             0.35 * static_cast<double>(i) / static_cast<double>(records.contours.size()));
-    }
+    const std::size_t count = records.contours.size();
+    context.threads->in_order(
+        (count + piece - 1) / piece,
+        [&](std::size_t k, std::size_t thread) {
+            std::vector<Drawn> drawn;
+            for (std::size_t i = k * piece; i < std::min(count, (k + 1) * piece); ++i)
+                drawn.push_back(emitter.draw(i, thread));
+            return drawn;
+        },
+        [&](std::size_t k, std::vector<Drawn> drawn) {
+            for (std::size_t i = 0; i < drawn.size(); ++i)
+                emitter.add(k * piece + i, std::move(drawn[i]));
+            context.progress(0.6 + 0.35 * static_cast<double>(k * piece) / static_cast<double>(count));
+        });
+    emitter.finish();
 }
 
 }  // namespace d2b

@@ -109,7 +109,7 @@ std::vector<OptionRow> report() {
         {.help = "Print a report of the run to stdout as JSON; implies -q.",
          .details =
              "It holds the input, CRS and units with what decided them, thresholds, counts a level, what was "
-             "dropped and why, warnings, and seconds and peak memory a stage."}));
+             "dropped and why, warnings, and seconds (of all threads together) and peak memory a stage."}));
     rows.push_back(switch_row("help", [](auto& r) -> auto& { return r.tool.help; },
                               {.help = "Print this help and exit.", .aliases = {"h"}}));
     rows.push_back(switch_row("version", [](auto& r) -> auto& { return r.tool.version; },

@@ -55,48 +55,44 @@ Geodesy::Measure measure(Geodesy& geodesy, const std::vector<WorldPolygon>& part
 }
 
 /// Length on the ground of a unit of x over that of a unit of y.
-double x_stretch(const Placement& placement) {
+double x_stretch(const Georeference& georeference, const Crs& crs, const Window& window) {
     constexpr double steepest = 89;  // degrees: where the poles are near, nothing is a right angle
-    if (placement.crs.kind() != Crs::Kind::geographic)
+    if (crs.kind() != Crs::Kind::geographic)
         return 1;
-    const Window& window = placement.window;
-    const Position middle = placement.georeference.position(
-        LatticePoint{window.row + window.rows / 2, window.col + window.cols / 2});
+    const Position middle =
+        georeference.position(LatticePoint{window.row + window.rows / 2, window.col + window.cols / 2});
     return std::cos(std::clamp(middle.y, -steepest, steepest) * std::numbers::pi / 180);
-}
-
-Outliner make_outliner(const Placement& placement, Context& context) {
-    const StageClock clock(context.report, Stage::outline);
-    return {placement.contours, choose_drawing(placement.options, placement.georeference), placement.options,
-            placement.georeference, x_stretch(placement)};
 }
 
 }  // namespace
 
-Placer::Placer(const Placement& placement, Context& context)
-    : placement_(placement),
-      context_(context),
-      outliner_(make_outliner(placement, context)),
-      geodesy_(placement.crs) {
-    if (placement.target_crs.kind() != Crs::Kind::none)
-        transform_.emplace(placement.crs, placement.target_crs,
-                           corners_of(placement.window, placement.georeference));
+std::vector<std::vector<std::size_t>> children_of(const std::vector<Contour>& contours) {
+    std::vector<std::vector<std::size_t>> children(contours.size());
+    for (std::size_t i = 0; i < children.size(); ++i)
+        if (contours[i].parent >= 0)
+            children[static_cast<std::size_t>(contours[i].parent)].push_back(i);
+    return children;
 }
 
-void Placer::find_children() {
-    children_.resize(placement_.contours.size());
-    for (std::size_t i = 0; i < children_.size(); ++i)
-        if (placement_.contours[i].parent >= 0)
-            children_[static_cast<std::size_t>(placement_.contours[i].parent)].push_back(i);
+Outliner make_outliner(const std::vector<Contour>& contours, const OutlineOptions& options,
+                       const Georeference& georeference, const Crs& crs, const Window& window) {
+    return {contours, choose_drawing(options, georeference), options, georeference,
+            x_stretch(georeference, crs, window)};
+}
+
+Placer::Placer(const Placement& placement) : placement_(placement), geodesy_(placement.crs) {
+    if (placement.target_crs.kind() == Crs::Kind::none)
+        return;
+    transform_.emplace(placement.crs, placement.target_crs,
+                       corners_of(placement.window, placement.georeference));
+    target_geodesy_.emplace(placement.target_crs);
 }
 
 Placer::Parts Placer::shape(std::size_t contour, bool tier, const Draw& draw) {
     std::vector<FinePolygon> polygons{draw(contour)};
     if (tier) {
-        if (children_.empty())
-            find_children();
         std::vector<FinePolygon> children;
-        for (const std::size_t child : children_[contour])
+        for (const std::size_t child : placement_.children[contour])
             children.push_back(draw(child));
         polygons = geos_.difference(polygons.front(), children);
     }
@@ -127,36 +123,34 @@ Placer::Parts Placer::in_target_crs(Parts parts) {
 }
 
 Placed Placer::place(std::size_t contour, Form form) {
+    const Outliner& outliner = placement_.outliner;
     const OutlineQuality quality =
-        form == Form::footprint ? outliner_.footprint_quality(contour) : outliner_.quality(contour);
+        form == Form::footprint ? outliner.footprint_quality(contour) : outliner.quality(contour);
     Placed placed;
     placed.status = quality.status;
     if (quality.status == OutlineStatus::kept_traced)
-        context_.report.count(Reason::outline_kept_traced);
+        tally_.count(Reason::outline_kept_traced);
     placed.deviation = quality.deviation_cells * std::sqrt(placement_.georeference.cell_area());
     placed.area_change = quality.area_change;
     const bool tier = form == Form::tier;
     Parts parts;
     {
-        const StageClock clock(context_.report, Stage::outline);
+        const StageClock clock(tally_, Stage::outline);
         parts = shape(contour, tier, [&](std::size_t c) {
-            return form == Form::footprint ? outliner_.footprint(c) : outliner_.outline(c);
+            return form == Form::footprint ? outliner.footprint(c) : outliner.outline(c);
         });
         const auto traced = [&] {
-            parts = shape(contour, tier, [&](std::size_t c) { return outliner_.traced(c); });
+            parts = shape(contour, tier, [&](std::size_t c) { return outliner.traced(c); });
             return in_target_crs(parts);
         };
-        placed.parts = checked(in_target_crs(parts), traced, geos_, placed.status, context_.report);
+        placed.parts = checked(in_target_crs(parts), traced, geos_, placed.status, tally_);
     }
     // Measured in the CRS of the DEM, where edges are straight; a repaired polygon is known in that of the
     // output.
-    const StageClock clock(context_.report, Stage::attributes);
-    if (placed.status == OutlineStatus::repaired && transform_) {
-        Geodesy geodesy(placement_.target_crs);
-        placed.measure = measure(geodesy, placed.parts);
-    } else {
-        placed.measure = measure(geodesy_, placed.status == OutlineStatus::repaired ? placed.parts : parts);
-    }
+    const StageClock clock(tally_, Stage::attributes);
+    const bool repaired = placed.status == OutlineStatus::repaired;
+    placed.measure =
+        measure(repaired && target_geodesy_ ? *target_geodesy_ : geodesy_, repaired ? placed.parts : parts);
     return placed;
 }
 

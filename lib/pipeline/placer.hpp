@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "core/context.hpp"
 #include "core/crs.hpp"
 #include "core/georeference.hpp"
+#include "core/report.hpp"
 #include "geometry/geos.hpp"
 #include "outline/outline.hpp"
 
@@ -20,6 +20,9 @@ struct Placement {
     const Crs& crs;
     const Crs& target_crs;  ///< kind none: the DEM's
     Window window;
+    const Outliner& outliner;
+    /// of each contour: those that stand on it; may be empty where no tier is asked for
+    const std::vector<std::vector<std::size_t>>& children;
 };
 
 /// A polygon as it is written, with its measures and what became of its outline.
@@ -33,11 +36,11 @@ struct Placed {
 };
 
 /// Draws outlines, places them in the CRS of the output, has them checked and measures them; one object a
-/// run.
+/// thread.
 class Placer {
   public:
     /// @param placement its references must outlive this
-    Placer(const Placement& placement, Context& context);
+    explicit Placer(const Placement& placement);
 
     /// The polygon of a contour.
     [[nodiscard]] Placed whole(std::size_t contour) { return place(contour, Form::whole); }
@@ -45,6 +48,9 @@ class Placer {
     [[nodiscard]] Placed footprint(std::size_t contour) { return place(contour, Form::footprint); }
     /// What the contours that stand on it leave of it: no parts where they cover it whole.
     [[nodiscard]] Placed tier(std::size_t contour) { return place(contour, Form::tier); }
+
+    /// Seconds, and what became of outlines, since it began.
+    [[nodiscard]] const Tally& tally() const { return tally_; }
 
   private:
     using Parts = std::vector<WorldPolygon>;
@@ -54,16 +60,19 @@ class Placer {
     [[nodiscard]] Placed place(std::size_t contour, Form form);
     [[nodiscard]] Parts shape(std::size_t contour, bool tier, const Draw& draw);
     [[nodiscard]] Parts in_target_crs(Parts parts);
-    void find_children();
 
     Placement placement_;
-    Context& context_;
-    Outliner outliner_;
     Geos geos_;
     Geodesy geodesy_;
     std::optional<CoordinateTransform> transform_;
-    std::vector<std::vector<std::size_t>>
-        children_;  ///< of each contour; filled when the first tier is asked for
+    std::optional<Geodesy> target_geodesy_;
+    Tally tally_;
 };
+
+/// The contours that stand on each.
+[[nodiscard]] std::vector<std::vector<std::size_t>> children_of(const std::vector<Contour>& contours);
+/// The outlines of a run.
+[[nodiscard]] Outliner make_outliner(const std::vector<Contour>& contours, const OutlineOptions& options,
+                                     const Georeference& georeference, const Crs& crs, const Window& window);
 
 }  // namespace d2b
