@@ -18,10 +18,10 @@ struct Shares {
 };
 
 constexpr double growth_reach_m = 3.5;
-constexpr Shares growth{55, 10};
+constexpr Shares growth_shares{55, 10};
 constexpr int growth_rounds = 2;
 constexpr double border_reach_m = 1;
-constexpr Shares border{50, 50};
+constexpr Shares border_shares{50, 50};
 
 std::int32_t reach(double reach_m, double step, std::int32_t cells) {
     const double reached = std::round(reach_m / step);
@@ -118,12 +118,12 @@ Mask voted(const Mask& now, const Mask& elevated, double reach_m, const CellSize
 
 Mask grow_by_majority(Mask seeds, const Mask& elevated, const CellSize& cell) {
     for (int i = 0; i < growth_rounds; ++i)
-        seeds = voted(seeds, elevated, growth_reach_m, cell, growth);
+        seeds = voted(seeds, elevated, growth_reach_m, cell, growth_shares);
     return seeds;
 }
 
 Mask smooth_border(const Mask& mask, const Mask& within, const CellSize& cell) {
-    Mask result = voted(mask, Mask(mask.rows, mask.cols, 1), border_reach_m, cell, border);
+    Mask result = voted(mask, Mask(mask.rows, mask.cols, 1), border_reach_m, cell, border_shares);
     for (std::size_t i = 0; i < result.size(); ++i)
         result.values[i] &= within.values[i];
     return result;

@@ -12,7 +12,7 @@ namespace d2b {
 namespace {
 
 constexpr double least_area_m2 = 12;
-constexpr double least_cells = 5;
+constexpr double fewest_cells = 5;
 
 /// Sums for the plane through a segment, from its first cell: small numbers keep their digits.
 struct PlaneSums {
@@ -108,7 +108,7 @@ SmoothSegments smooth_segments(const Scene& scene, const Mask& elevated, const G
     }
     SmoothSegments result{std::move(builder).finish(), {}};
     drop_small(result.regions, static_cast<std::int64_t>(
-                                   std::ceil(std::max(least_cells, least_area_m2 / scene.cell_area()))));
+                                   std::ceil(std::max(fewest_cells, least_area_m2 / scene.cell_area()))));
     for (const PlaneSums& sum : plane_sums(scene, result.regions))
         result.pieces.push_back({static_cast<std::int64_t>(sum.n), sum.tilt()});
     return result;

@@ -17,13 +17,13 @@ struct Neighbour {
     std::int32_t down;
     std::int32_t across;
 };
-constexpr std::array<Neighbour, 8> neighbours{
+constexpr std::array<Neighbour, 8> all_neighbours{
     {{-1, -1}, {-1, 0}, {-1, 1}, {0, -1}, {0, 1}, {1, -1}, {1, 0}, {1, 1}}};
 
 class Growth {
   public:
     Growth(const AlignedGrid& blocks, const MetreGrid& limits, double slope) : grid_(blocks.grid) {
-        for (const Neighbour& n : neighbours)
+        for (const Neighbour& n : all_neighbours)
             steps_.push_back(static_cast<float>(
                 slope * std::hypot(n.down * blocks.cell.down, n.across * blocks.cell.across)));
         mask_ = Mask(grid_.rows, grid_.cols);
@@ -40,7 +40,7 @@ class Growth {
         std::vector<Place> joined;
         for (const Place& from : front_)
             for (std::size_t k = 0; k < steps_.size(); ++k) {
-                const Place to{from.row + neighbours[k].down, from.col + neighbours[k].across};
+                const Place to{from.row + all_neighbours[k].down, from.col + all_neighbours[k].across};
                 if (!grid_.holds(to.row, to.col) || mask_.at(to.row, to.col))
                     continue;
                 const float z = grid_.at(to.row, to.col);
