@@ -14,14 +14,15 @@ namespace {
 
 /// Height above the ground; 0 where nothing grows or the ground is seen through a gap.
 double height_at(std::uint64_t seed, const Position& p) {
-    constexpr double edge = 0.51;
+    constexpr double edge = 0.5;
     constexpr double twig = 0.75;  // metres
     const double density = sample::value_noise(seed, 40, p);
     if (density < edge - 0.05 || density + 0.1 * (sample::value_noise(seed + 1, 6, p) - 0.5) < edge)
         return 0;
     const double leaves = sample::uniform_at(seed + 2, std::llround(p.x / twig), std::llround(p.y / twig));
     const double crown = sample::value_noise(seed + 3, 8, p);
-    return leaves < 0.03 ? 0 : (2 + 13 * crown) * (0.75 + 0.5 * leaves);
+    const double twigs = sample::value_noise(seed + 4, 2.2, p);
+    return (2 + 13 * crown) * (0.55 + 0.35 * leaves + 0.55 * twigs);
 }
 
 sample::Rect extent(const sample::Building& building) {
