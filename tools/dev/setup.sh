@@ -33,12 +33,14 @@ install_packages() {
     as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing >/dev/null
 }
 
-# configure cmake-options...: build/, Release unless it was configured by hand
+# configure cmake-options...: build/, Release unless it was configured by hand. Up to 16 sources of a folder are
+# compiled as one, which takes a third of the time: most of it goes into the headers of the libraries.
 configure() {
     if [ -e build/CMakeCache.txt ]; then
         cmake -S . -B build "$@"
     else
-        cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release "$@"
+        cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON \
+            -DCMAKE_UNITY_BUILD_BATCH_SIZE=16 "$@"
     fi
 }
 
