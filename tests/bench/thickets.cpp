@@ -12,7 +12,7 @@ namespace d2b::bench {
 
 namespace {
 
-/// Height above the ground; 0 where nothing grows or the ground is seen through a gap.
+/// Height above the ground; 0 where nothing grows.
 double height_at(std::uint64_t seed, const Position& p) {
     constexpr double edge = 0.5;
     constexpr double twig = 0.75;  // metres

@@ -1,0 +1,79 @@
+"""What is asked, and whether it is met."""
+from dataclasses import dataclass
+from typing import Callable
+
+from contenders import SMALL
+
+
+@dataclass
+class Row:
+    """A figure that is asked for: ours beside one contender or the sum of several."""
+    what: str
+    ours: object
+    beside: list
+    asked: float
+    figure: Callable  # of the row
+    at_least: bool = False
+    unit: str = ""
+
+    def met(self):
+        value = self.figure(self)
+        return value >= self.asked if self.at_least else value <= self.asked
+
+    def beside_seconds(self):
+        return sum(contender.median() for contender in self.beside)
+
+
+def ratio(row):
+    return row.ours.median() / row.beside_seconds()
+
+
+def peak(row):
+    return row.ours.peak() / 1024
+
+
+def gain(row):
+    return row.beside_seconds() / row.ours.median()
+
+
+def peer_rows(bench):
+    return [Row("thesis, 25 M : peer", bench.ours("thesis", 25), [bench.peer(25)], 0.4, ratio)]
+
+
+def floor_rows(bench):
+    return [Row(f"{preset}, 25 M : floor (read + write)", bench.ours(preset, 25),
+                [bench.read(25), bench.write(preset, 25)], asked, ratio)
+            for preset, asked in (("thesis", 1.3), ("default", 5))]
+
+
+def linear_rows(bench):
+    return [Row(f"{preset}, a point at 100 M : at 25 M", bench.ours(preset, 100), [bench.ours(preset, 25)], 1.15,
+                lambda row: ratio(row) / 4)
+            for preset in ("thesis", "default")]
+
+
+def memory_rows(bench, sizes=(25, 100)):
+    return [Row(f"{preset}, {size} M, peak memory", bench.ours(preset, size), [], 2, peak, unit=" GiB")
+            for size in sizes for preset in ("thesis", "default")]
+
+
+def huge_rows(bench):
+    return memory_rows(bench, [1000])
+
+
+def thread_rows(bench):
+    if not bench.has_threads():
+        return []
+    return [Row(f"{preset}, 25 M, 1 thread : 2 threads, next to nothing written", bench.unwritten(preset, 25, 2),
+                [bench.unwritten(preset, 25, 1)], 1.7, gain, at_least=True)
+            for preset in ("thesis", "default")]
+
+
+def small_rows(bench):
+    return [Row(f"{preset}, 242 x 249 : copy of the result", bench.ours(preset, SMALL),
+                [bench.write(preset, SMALL)], 1.5, ratio)
+            for preset in ("thesis", "default")]
+
+
+ROWS = {"peer": peer_rows, "floor": floor_rows, "linear": linear_rows, "memory": memory_rows,
+        "threads": thread_rows, "small": small_rows}

@@ -1,0 +1,68 @@
+"""Markdown and JSON of what was measured."""
+import os
+import platform
+import subprocess
+from pathlib import Path
+
+STAGES = ["read", "ground", "detect", "levels", "trace", "filter", "outline", "attributes", "write"]
+
+
+def table(head, lines):
+    rule = ["---"] + ["---:"] * (len(head) - 1)
+    return "\n".join("| " + " | ".join(line) + " |" for line in [head, rule, *lines]) + "\n"
+
+
+def row_line(row):
+    beside = f"{row.beside_seconds():.3g}" if row.beside else ""
+    sign = ">=" if row.at_least else "<="
+    return [row.what, f"{row.ours.median():.3g}", beside, f"{row.ours.peak():.0f}",
+            f"{row.figure(row):.2f}{row.unit}", f"{sign} {row.asked}", "yes" if row.met() else "**no**"]
+
+
+def asked_table(rows):
+    head = ["ours : beside", "ours, s", "beside, s", "ours, MiB", "figure", "asked", "met"]
+    return table(head, [row_line(row) for row in rows])
+
+
+def command_text(contender):
+    """Without the folders of one machine."""
+    return " ".join(Path(word).name if "/" in str(word) else str(word) for word in contender.command)
+
+
+def contender_table(contenders):
+    head = ["command", "name", "median, s", "least", "most", "runs", "MiB"]
+    return table(head, [[f"`{command_text(c)}`", c.name, f"{c.median():.3g}", f"{min(c.seconds):.3g}",
+                         f"{max(c.seconds):.3g}", str(len(c.seconds)), f"{c.peak():.0f}"] for c in contenders])
+
+
+def stage_table(contenders):
+    """Where the time goes, by the tool's own report: seconds of all threads together."""
+    ours = [c for c in contenders if c.reports]
+    lines = [[c.name, *(f"{c.stage(stage):.3f}" for stage in STAGES)] for c in ours]
+    return table(["seconds", *STAGES], lines)
+
+
+def busy_table(reports):
+    """How busy the cities are: the thesis preset's contours a million points."""
+    lines = []
+    for (preset, size), report in reports.items():
+        million = report["input"]["valid_points"] / 1e6
+        if preset == "thesis":
+            lines.append([str(size), f"{report['output']['contours'] / million:.0f}",
+                          f"{report['output']['vertices'] / million:.0f}"])
+    return table(["city", "contours a million points", "vertices a million points"], lines)
+
+
+def machine():
+    text = Path("/proc/cpuinfo").read_text(encoding="utf-8") if Path("/proc/cpuinfo").exists() else ""
+    models = [line.split(":")[1].strip() for line in text.splitlines() if line.startswith("model name")]
+    gdal = subprocess.run(["gdalinfo", "--version"], capture_output=True, text=True, check=True).stdout.strip()
+    return {"processor": models[0] if models else platform.processor(), "cores": os.cpu_count(), "gdal": gdal,
+            "system": platform.platform(), "load": os.getloadavg()}
+
+
+def as_json(contenders, reports):
+    return {"machine": machine(),
+            "cities": {f"{preset} {size}": report for (preset, size), report in reports.items()},
+            "contenders": [{"name": c.name, "command": command_text(c), "seconds": c.seconds,
+                            "peak_mebibytes": c.mebibytes, "reports": c.reports} for c in contenders]}
