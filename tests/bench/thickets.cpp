@@ -22,7 +22,7 @@ double height_at(std::uint64_t seed, const Position& p) {
     const double leaves = sample::uniform_at(seed + 2, std::llround(p.x / twig), std::llround(p.y / twig));
     const double crown = sample::value_noise(seed + 3, 8, p);
     const double twigs = sample::value_noise(seed + 4, 2.2, p);
-    return (2 + 13 * crown) * (0.55 + 0.35 * leaves + 0.55 * twigs);
+    return (2 + 13 * crown) * (0.55 + 0.15 * leaves + 0.75 * twigs);
 }
 
 sample::Rect extent(const sample::Building& building) {
