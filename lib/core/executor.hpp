@@ -31,6 +31,14 @@ class Executor {
         indexed(count, [&](std::size_t i, std::size_t) { work(i); });
     }
 
+    /// The same with room to work in: calls work(i, room), where each thread has a Room of its own, which it
+    /// keeps from one i to the next. Results must not depend on what was left in it.
+    template <typename Room, typename Work>
+    void for_each_in_room(std::size_t count, const Work& work) {
+        std::vector<Room> rooms(static_cast<std::size_t>(threads()));
+        indexed(count, [&](std::size_t i, std::size_t thread) { work(i, rooms[thread]); });
+    }
+
     /// Calls work(begin, end) for consecutive pieces of [0, count), of `piece` each but the last.
     template <typename Work>
     void for_pieces(std::size_t count, std::size_t piece, const Work& work) {

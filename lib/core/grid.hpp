@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "core/large_pages.hpp"
+
 namespace d2b {
 
 /// Values of a window, row by row: what stages with a neighbourhood work on. (0, 0) is the window's first
@@ -16,10 +18,11 @@ struct Grid {
     std::vector<T> values;
 
     Grid() = default;
-    Grid(std::int32_t row_count, std::int32_t col_count, T value = T{})
-        : rows(row_count),
-          cols(col_count),
-          values(static_cast<std::size_t>(row_count) * static_cast<std::size_t>(col_count), value) {}
+    Grid(std::int32_t row_count, std::int32_t col_count, T value = T{}) : rows(row_count), cols(col_count) {
+        values.reserve(index(rows, 0));
+        prefer_large_pages(values.data(), values.capacity() * sizeof(T));
+        values.resize(index(rows, 0), value);
+    }
 
     [[nodiscard]] std::size_t size() const { return values.size(); }
     [[nodiscard]] bool holds(std::int32_t row, std::int32_t col) const {

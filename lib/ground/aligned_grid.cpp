@@ -2,10 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
+#include "core/row_bands.hpp"
 #include "ground/window_pass.hpp"
 
 namespace d2b::ground {
+
+AlignedGrid shape_of(const AlignedGrid& grid) {
+    AlignedGrid shape;
+    shape.grid.rows = grid.grid.rows;
+    shape.grid.cols = grid.grid.cols;
+    shape.first_row = grid.first_row;
+    shape.first_col = grid.first_col;
+    shape.cell = grid.cell;
+    return shape;
+}
 
 Factor factor_for(const CellSize& cell, double wanted) {
     const auto cells = [wanted](double size) {
@@ -25,10 +37,46 @@ AlignedGrid blocks_of(const AlignedGrid& fine, Factor factor, float value) {
     return blocks;
 }
 
-AlignedGrid lowest_of_blocks(const AlignedGrid& fine, Factor factor) {
-    AlignedGrid blocks = blocks_of(fine, factor, no_value);
-    for_each_in_block(fine, blocks, factor, [&](std::size_t cell, std::size_t block) {
-        blocks.grid.values[block] = std::min(blocks.grid.values[block], fine.grid.values[cell]);
+void lower_blocks(std::span<const float> cells, std::int32_t first, std::int32_t factor,
+                  std::span<float> blocks) {
+    const auto lower = [](float a, float b) { return a < b ? a : b; };
+    if (factor == 1) {
+        for (std::size_t j = 0; j < cells.size(); ++j)
+            blocks[j] = lower(cells[j], blocks[j]);
+        return;
+    }
+    auto in_block = static_cast<std::size_t>(first - block_of(first, factor) * factor);
+    std::size_t block = 0;
+    for (std::size_t j = 0; j < cells.size(); ++block, in_block = 0)
+        for (; in_block < static_cast<std::size_t>(factor) && j < cells.size(); ++in_block, ++j)
+            blocks[block] = lower(cells[j], blocks[block]);
+}
+
+void spread_blocks(std::span<const float> blocks, std::int32_t first, std::int32_t factor,
+                   std::span<float> cells) {
+    const auto before = static_cast<std::size_t>(first - block_of(first, factor) * factor);
+    const auto step = static_cast<std::size_t>(factor);
+    std::size_t j = 0;
+    for (std::size_t block = 0; j < cells.size(); ++block) {
+        const std::size_t end = std::min((block + 1) * step - before, cells.size());
+        for (; j < end; ++j)
+            cells[j] = blocks[block];
+    }
+}
+
+AlignedGrid lowest_of_blocks(const AlignedGrid& shape, const MetreGrid& values, Factor factor,
+                             Executor& threads) {
+    AlignedGrid blocks = blocks_of(shape, factor, no_value);
+    const auto cols = static_cast<std::size_t>(values.cols);
+    for_row_bands(threads, blocks.grid.rows, values.cols, [&](RowBand band) {
+        std::vector<float> lowest(cols);
+        for (std::int32_t row = band.begin; row < band.end; ++row) {
+            const std::int32_t first = (blocks.first_row + row) * factor.down - shape.first_row;
+            std::fill(lowest.begin(), lowest.end(), no_value);
+            for (std::int32_t i = std::max(first, 0); i < std::min(first + factor.down, values.rows); ++i)
+                lower_blocks(values.row(i), 0, 1, lowest);
+            lower_blocks(lowest, shape.first_col, factor.across, blocks.grid.row(row));
+        }
     });
     return blocks;
 }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
+#include "core/executor.hpp"
 #include "core/grid.hpp"
 
 namespace d2b::ground {
@@ -14,6 +16,9 @@ struct AlignedGrid {
     std::int32_t first_col = 0;
     CellSize cell;
 };
+
+/// The same without values.
+[[nodiscard]] AlignedGrid shape_of(const AlignedGrid& grid);
 
 /// How many cells make a block.
 struct Factor {
@@ -33,27 +38,18 @@ inline constexpr Factor twice{2, 2};  ///< from a level of a pyramid to the next
 /// An empty grid of the blocks that cover `fine`.
 [[nodiscard]] AlignedGrid blocks_of(const AlignedGrid& fine, Factor factor, float value);
 
-/// The lowest value of each block; `no_value` where none of its cells has one.
-[[nodiscard]] AlignedGrid lowest_of_blocks(const AlignedGrid& fine, Factor factor);
+/// Lowers blocks to the lowest of a row of cells; NaN and `no_value` lower nothing.
+/// @param first number of the row's first cell on the raster's grid; blocks begin with the one that holds it
+void lower_blocks(std::span<const float> cells, std::int32_t first, std::int32_t factor,
+                  std::span<float> blocks);
 
-/// Calls use(cell index, block index) for every cell of `fine`, row by row.
-template <typename Use>
-void for_each_in_block(const AlignedGrid& fine, const AlignedGrid& blocks, Factor factor, Use use) {
-    for (std::int32_t i = 0; i < fine.grid.rows; ++i) {
-        const std::int32_t block_row = block_of(fine.first_row + i, factor.down) - blocks.first_row;
-        std::size_t cell = fine.grid.index(i, 0);
-        std::size_t block =
-            blocks.grid.index(block_row, block_of(fine.first_col, factor.across) - blocks.first_col);
-        std::int32_t left = factor.across * (block_of(fine.first_col, factor.across) + 1) - fine.first_col;
-        for (std::int32_t j = 0; j < fine.grid.cols; ++j, ++cell) {
-            if (left == 0) {
-                ++block;
-                left = factor.across;
-            }
-            --left;
-            use(cell, block);
-        }
-    }
-}
+/// Gives each cell of a row the value of its block. @param first as for lower_blocks
+void spread_blocks(std::span<const float> blocks, std::int32_t first, std::int32_t factor,
+                   std::span<float> cells);
+
+/// The lowest value of each block; `no_value` where none of its cells has one.
+/// @param values of the cells of `shape`, whose own are not looked at; NaN or `no_value` where there is none
+[[nodiscard]] AlignedGrid lowest_of_blocks(const AlignedGrid& shape, const MetreGrid& values, Factor factor,
+                                           Executor& threads);
 
 }  // namespace d2b::ground

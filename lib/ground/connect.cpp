@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/row_bands.hpp"
 #include "ground/window_pass.hpp"
 
 namespace d2b::ground {
@@ -22,17 +23,34 @@ constexpr std::array<Neighbour, 8> all_neighbours{
 
 class Growth {
   public:
-    Growth(const AlignedGrid& blocks, const MetreGrid& limits, double slope) : grid_(blocks.grid) {
+    Growth(const AlignedGrid& blocks, const MetreGrid& limits, double slope, Executor& threads)
+        : grid_(blocks.grid), mask_(grid_.rows, grid_.cols) {
         for (const Neighbour& n : all_neighbours)
             steps_.push_back(static_cast<float>(
                 slope * std::hypot(n.down * blocks.cell.down, n.across * blocks.cell.across)));
-        mask_ = Mask(grid_.rows, grid_.cols);
-        for (std::int32_t i = 0; i < grid_.rows; ++i)
-            for (std::int32_t j = 0; j < grid_.cols; ++j)
-                if (grid_.at(i, j) != no_value && grid_.at(i, j) <= limits.at(i, j)) {
-                    mask_.at(i, j) = 1;
-                    front_.push_back({i, j});
-                }
+        for_row_bands(threads, grid_.rows, grid_.cols, [&](RowBand band) {
+            for (std::size_t k = grid_.index(band.begin, 0); k < grid_.index(band.end, 0); ++k) {
+                const float z = grid_.values[k];
+                mask_.values[k] = static_cast<std::uint8_t>((z != no_value) & (z <= limits.values[k]));
+            }
+        });
+    }
+
+    /// Most blocks are ground from the start: those that join first look for a neighbour that is, not the
+    /// other way round.
+    void first_step(Executor& threads) {
+        const std::vector<RowBand> bands = row_bands(grid_.rows, grid_.cols);
+        std::vector<std::vector<Place>> joined(bands.size());
+        threads.for_each(bands.size(), [&](std::size_t band) {
+            for (std::int32_t i = bands[band].begin; i < bands[band].end; ++i)
+                for (std::int32_t j = 0; j < grid_.cols; ++j)
+                    if (mask_.at(i, j) == 0 && grid_.at(i, j) != no_value && touches_ground({i, j}))
+                        joined[band].push_back({i, j});
+        });
+        for (const std::vector<Place>& some : joined)
+            front_.insert(front_.end(), some.begin(), some.end());
+        for (const Place& place : front_)
+            mask_.at(place.row, place.col) = 1;
     }
 
     /// All blocks that join in this step touch one that joined in the last.
@@ -41,10 +59,7 @@ class Growth {
         for (const Place& from : front_)
             for (std::size_t k = 0; k < steps_.size(); ++k) {
                 const Place to{from.row + all_neighbours[k].down, from.col + all_neighbours[k].across};
-                if (!grid_.holds(to.row, to.col) || mask_.at(to.row, to.col))
-                    continue;
-                const float z = grid_.at(to.row, to.col);
-                if (z != no_value && std::fabs(z - grid_.at(from.row, from.col)) < steps_[k]) {
+                if (grid_.holds(to.row, to.col) && mask_.at(to.row, to.col) == 0 && is_step(from, to, k)) {
                     mask_.at(to.row, to.col) = 1;
                     joined.push_back(to);
                 }
@@ -60,6 +75,20 @@ class Growth {
         std::int32_t row;
         std::int32_t col;
     };
+
+    [[nodiscard]] bool is_step(const Place& from, const Place& to, std::size_t k) const {
+        const float z = grid_.at(to.row, to.col);
+        return z != no_value && std::fabs(z - grid_.at(from.row, from.col)) < steps_[k];
+    }
+    [[nodiscard]] bool touches_ground(const Place& at) const {
+        for (std::size_t k = 0; k < steps_.size(); ++k) {
+            const Place from{at.row + all_neighbours[k].down, at.col + all_neighbours[k].across};
+            if (grid_.holds(from.row, from.col) && mask_.at(from.row, from.col) != 0 && is_step(from, at, k))
+                return true;
+        }
+        return false;
+    }
+
     const MetreGrid& grid_;
     std::vector<float> steps_;
     std::vector<Place> front_;
@@ -69,9 +98,11 @@ class Growth {
 }  // namespace
 
 Grid<std::uint8_t> connected_ground(const AlignedGrid& blocks, const MetreGrid& limits, double slope,
-                                    int steps) {
-    Growth growth(blocks, limits, slope);
-    for (int k = 0; k < steps && !growth.over(); ++k)
+                                    int steps, Executor& threads) {
+    Growth growth(blocks, limits, slope, threads);
+    if (steps > 0)
+        growth.first_step(threads);
+    for (int k = 1; k < steps && !growth.over(); ++k)
         growth.step();
     return growth.take();
 }

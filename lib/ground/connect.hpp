@@ -13,6 +13,6 @@ namespace d2b::ground {
 /// @param slope the steepest way from a block to its neighbour, metres a metre
 /// @return 1 where a block is connected ground
 [[nodiscard]] Grid<std::uint8_t> connected_ground(const AlignedGrid& blocks, const MetreGrid& limits,
-                                                  double slope, int steps);
+                                                  double slope, int steps, Executor& threads);
 
 }  // namespace d2b::ground

@@ -1,73 +1,123 @@
 #include "ground/fill.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <span>
 #include <utility>
 
+#include "core/row_bands.hpp"
 #include "ground/window_pass.hpp"
 
 namespace d2b::ground {
 namespace {
 
 /// 1 where a cell has no value; empty where all have one.
-std::vector<std::uint8_t> gaps_of(const MetreGrid& grid) {
-    std::vector<std::uint8_t> gaps(grid.size());
-    std::uint8_t any = 0;
-    for (std::size_t k = 0; k < gaps.size(); ++k) {
-        gaps[k] = grid.values[k] == no_value ? 1 : 0;
-        any = any | gaps[k];
+using Gaps = Grid<std::uint8_t>;
+
+Gaps gaps_of(const MetreGrid& grid, Executor& threads) {
+    Gaps gaps(grid.rows, grid.cols);
+    std::atomic<bool> any = false;
+    for_row_bands(threads, grid.rows, grid.cols, [&](RowBand band) {
+        std::uint8_t found = 0;
+        for (std::size_t k = grid.index(band.begin, 0); k < grid.index(band.end, 0); ++k) {
+            gaps.values[k] = grid.values[k] == no_value ? 1 : 0;
+            found = found | gaps.values[k];
+        }
+        if (found != 0)
+            any = true;
+    });
+    return any ? std::move(gaps) : Gaps();
+}
+
+/// Adds a row of cells to the sums and numbers of its blocks of two.
+/// @param odd whether the first cell is the second of its block
+void add_row(std::span<const float> cells, bool odd, std::span<float> sums, std::span<float> counts) {
+    const auto add = [&](std::size_t cell, std::size_t block) {
+        const bool known = cells[cell] != no_value;
+        sums[block] += known ? cells[cell] : 0.0F;
+        counts[block] += known ? 1.0F : 0.0F;
+    };
+    const std::size_t first = odd ? 1 : 0;
+    if (odd)
+        add(0, 0);
+    const std::size_t pairs = (cells.size() - first) / 2;
+    for (std::size_t k = 0; k < pairs; ++k) {
+        add(first + 2 * k, first + k);
+        add(first + 2 * k + 1, first + k);
     }
-    if (any == 0)
-        gaps.clear();
-    return gaps;
+    if (first + 2 * pairs < cells.size())
+        add(first + 2 * pairs, first + pairs);
 }
 
 /// The mean of each block's values; `no_value` where it has none.
-AlignedGrid means_of_blocks(const AlignedGrid& fine) {
+AlignedGrid means_of_blocks(const AlignedGrid& fine, Executor& threads) {
     AlignedGrid coarse = blocks_of(fine, twice, 0.0F);
-    std::vector<float> counts(coarse.grid.size(), 0.0F);
-    for_each_in_block(fine, coarse, twice, [&](std::size_t cell, std::size_t block) {
-        const float value = fine.grid.values[cell];
-        const bool known = value != no_value;
-        coarse.grid.values[block] += known ? value : 0.0F;
-        counts[block] += known ? 1.0F : 0.0F;
+    const bool odd = block_of(fine.first_col, 2) * 2 != fine.first_col;
+    for_row_bands(threads, coarse.grid.rows, fine.grid.cols, [&](RowBand band) {
+        std::vector<float> counts(static_cast<std::size_t>(coarse.grid.cols));
+        for (std::int32_t row = band.begin; row < band.end; ++row) {
+            const std::int32_t first = 2 * (coarse.first_row + row) - fine.first_row;
+            const auto sums = coarse.grid.row(row);
+            std::fill(counts.begin(), counts.end(), 0.0F);
+            for (std::int32_t i = std::max(first, 0); i < std::min(first + 2, fine.grid.rows); ++i)
+                add_row(fine.grid.row(i), odd, sums, counts);
+            for (std::size_t k = 0; k < counts.size(); ++k)
+                sums[k] = counts[k] > 0 ? sums[k] / counts[k] : no_value;
+        }
     });
-    for (std::size_t k = 0; k < counts.size(); ++k)
-        coarse.grid.values[k] = counts[k] > 0 ? coarse.grid.values[k] / counts[k] : no_value;
     return coarse;
 }
 
-/// Gaps take the value of the level above, between the centres of its cells.
-void take_from_above(AlignedGrid& fine, const AlignedGrid& coarse, const std::vector<std::uint8_t>& gap) {
-    const Between down(fine.first_row, fine.grid.rows, coarse.first_row, coarse.grid.rows, 2);
-    const Between across(fine.first_col, fine.grid.cols, coarse.first_col, coarse.grid.cols, 2);
-    for (std::int32_t i = 0; i < fine.grid.rows; ++i) {
-        const auto near = coarse.grid.row(down[i].near);
-        const auto next = coarse.grid.row(down[i].next);
-        for (std::int32_t j = 0; j < fine.grid.cols; ++j) {
-            const std::size_t cell = fine.grid.index(i, j);
-            if (!gap[cell])
+/// The level above between the centres of its cells.
+class FromAbove {
+  public:
+    FromAbove(const AlignedGrid& fine, const AlignedGrid& coarse)
+        : coarse_(coarse.grid),
+          down_(fine.first_row, fine.grid.rows, coarse.first_row, coarse.grid.rows, 2),
+          across_(fine.first_col, fine.grid.cols, coarse.first_col, coarse.grid.cols, 2) {}
+
+    /// Fills the gaps of a row. @param room for a row of the level above
+    void fill_row(std::int32_t row, std::span<const std::uint8_t> gap, std::vector<float>& room,
+                  std::span<float> cells) const {
+        const auto near = coarse_.row(down_[row].near);
+        const auto next = coarse_.row(down_[row].next);
+        room.resize(near.size());
+        for (std::size_t k = 0; k < room.size(); ++k)
+            room[k] = near[k] + down_[row].share * (next[k] - near[k]);
+        for (std::size_t j = 0; j < cells.size(); ++j) {
+            if (gap[j] == 0)
                 continue;
-            const auto left = static_cast<std::size_t>(across[j].near);
-            const auto right = static_cast<std::size_t>(across[j].next);
-            const float a = near[left] + down[i].share * (next[left] - near[left]);
-            const float b = near[right] + down[i].share * (next[right] - near[right]);
-            fine.grid.values[cell] = a + across[j].share * (b - a);
+            const Between::Place& place = across_[static_cast<std::int32_t>(j)];
+            const float a = room[static_cast<std::size_t>(place.near)];
+            const float b = room[static_cast<std::size_t>(place.next)];
+            cells[j] = a + place.share * (b - a);
         }
     }
-}
+
+  private:
+    const MetreGrid& coarse_;
+    Between down_;
+    Between across_;
+};
+
+/// Old values of two rows.
+struct TwoRows {
+    std::vector<float> above;
+    std::vector<float> here;
+};
 
 /// Gaps take the mean of their four neighbours, all at once: a sweep reaches one cell far.
-/// @param above, here room for the old values of two rows
-void smooth(MetreGrid& grid, const std::vector<std::uint8_t>& gap, std::vector<float>& above,
-            std::vector<float>& here) {
+/// @param gaps_first the row of the gaps that is the grid's first
+void smooth(MetreGrid& grid, const Gaps& gaps, std::int32_t gaps_first, TwoRows& old) {
     const auto cols = static_cast<std::size_t>(grid.cols);
+    auto& [above, here] = old;
     above.assign(grid.row(0).begin(), grid.row(0).end());
     here.resize(cols);
     for (std::int32_t i = 0; i < grid.rows; ++i) {
         float* out = grid.row(i).data();
         const float* below = grid.row(std::min(i + 1, grid.rows - 1)).data();
-        const std::uint8_t* open = gap.data() + grid.index(i, 0);
+        const std::uint8_t* open = gaps.row(gaps_first + i).data();
         std::copy_n(out, cols, here.data());
         if (i + 1 == grid.rows)
             below = here.data();
@@ -82,6 +132,20 @@ void smooth(MetreGrid& grid, const std::vector<std::uint8_t>& gap, std::vector<f
             out[cols - 1] = mean(cols - 1, cols - 2, cols - 1);
         above.swap(here);
     }
+}
+
+/// Fills the gaps of a level from the one above.
+void fill_level(AlignedGrid& fine, const Gaps& gaps, const AlignedGrid& coarse, int sweeps,
+                Executor& threads) {
+    const FromAbove above(fine, coarse);
+    for_band_copies(threads, fine.grid, sweeps, [&](BandCopy<float>& band) {
+        TwoRows rows;
+        for (std::int32_t i = 0; i < band.rows.rows; ++i)
+            above.fill_row(band.first + i, gaps.row(band.first + i), rows.here, band.rows.row(i));
+        for (int sweep = 0; sweep < sweeps; ++sweep)
+            smooth(band.rows, gaps, band.first, rows);
+        band.write_band(fine.grid);
+    });
 }
 
 }  // namespace
@@ -100,21 +164,16 @@ Between::Between(std::int32_t first, std::int32_t cells, std::int32_t coarse_fir
     }
 }
 
-void fill_gaps(AlignedGrid& surface, int sweeps) {
+void fill_gaps(AlignedGrid& surface, int sweeps, Executor& threads) {
     std::vector<AlignedGrid> coarser;
     const auto level = [&](std::size_t k) -> AlignedGrid& { return k == 0 ? surface : coarser[k - 1]; };
-    std::vector<std::vector<std::uint8_t>> gaps{gaps_of(surface.grid)};
-    while (!gaps.back().empty() && level(coarser.size()).grid.size() > 1) {
-        coarser.push_back(means_of_blocks(level(coarser.size())));
-        gaps.push_back(gaps_of(coarser.back().grid));
+    std::vector<Gaps> gaps{gaps_of(surface.grid, threads)};
+    while (gaps.back().size() > 0 && level(coarser.size()).grid.size() > 1) {
+        coarser.push_back(means_of_blocks(level(coarser.size()), threads));
+        gaps.push_back(gaps_of(coarser.back().grid, threads));
     }
-    std::vector<float> above;
-    std::vector<float> here;
-    for (std::size_t k = coarser.size(); k-- > 0;) {
-        take_from_above(level(k), level(k + 1), gaps[k]);
-        for (int sweep = 0; sweep < sweeps; ++sweep)
-            smooth(level(k).grid, gaps[k], above, here);
-    }
+    for (std::size_t k = coarser.size(); k-- > 0;)
+        fill_level(level(k), gaps[k], level(k + 1), sweeps, threads);
 }
 
 }  // namespace d2b::ground

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -11,7 +12,7 @@ namespace d2b::ground {
 /// and so on up; down again, gaps take the bilinear value of the level above and are smoothed. Far gaps are
 /// filled from coarse blocks, narrow ones from near cells alone.
 /// @param sweeps of smoothing at each level
-void fill_gaps(AlignedGrid& surface, int sweeps);
+void fill_gaps(AlignedGrid& surface, int sweeps, Executor& threads);
 
 /// The value of `coarse` between the centres of its cells, at the centre of each of the `cells` after
 /// `first_col` of a row: the weights for bilinear interpolation, computed once for all rows.
@@ -26,6 +27,7 @@ class Between {
         std::int32_t next;  ///< the one behind; the same at the border
         float share;        ///< of the one behind
     };
+    [[nodiscard]] std::size_t size() const { return places_.size(); }
     [[nodiscard]] const Place& operator[](std::int32_t cell) const {
         return places_[static_cast<std::size_t>(cell)];
     }

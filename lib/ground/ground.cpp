@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "ground/estimate.hpp"
 #include "ground/outliers.hpp"
@@ -14,23 +15,27 @@ namespace d2b {
 namespace ground {
 namespace {
 
-/// The lowest valid point of each block that is above the block's limit, if there is one.
-AlignedGrid lowest_points(const MetreGrid& surface, const CellSize& cell, const GridPlace& place,
-                          Factor factor, const MetreGrid* above) {
+AlignedGrid shape_at(const MetreGrid& surface, const CellSize& cell, const GridPlace& place) {
     AlignedGrid shape;
     shape.first_row = place.row;
     shape.first_col = place.col;
     shape.cell = cell;
     shape.grid.rows = surface.rows;
     shape.grid.cols = surface.cols;
-    AlignedGrid blocks = blocks_of(shape, factor, no_value);
-    float* lowest = blocks.grid.values.data();
-    for_each_in_block(shape, blocks, factor, [&](std::size_t k, std::size_t block) {
-        const float z = surface.values[k];
-        if (z < lowest[block] && (above == nullptr || z >= above->values[block]))
-            lowest[block] = z;
-    });
-    return blocks;
+    return shape;
+}
+
+/// The lowest point of a pit's cells that is no outlier; `no_value` where there is none.
+float lowest_above(const Pit& pit, const AlignedGrid& blocks, const MetreGrid& surface,
+                   const GridPlace& place, Factor factor) {
+    const std::int32_t row = factor.down * (blocks.first_row + pit.row) - place.row;
+    const std::int32_t col = factor.across * (blocks.first_col + pit.col) - place.col;
+    float lowest = no_value;
+    for (std::int32_t i = std::max(row, 0); i < std::min(row + factor.down, surface.rows); ++i)
+        for (std::int32_t j = std::max(col, 0); j < std::min(col + factor.across, surface.cols); ++j)
+            if (const float z = surface.at(i, j); z >= pit.limit && z < lowest)
+                lowest = z;
+    return lowest;
 }
 
 /// Windows of a chain of openings: each reaches twice its radius, rounded to cells that grow up to its size.
@@ -61,22 +66,21 @@ Terrain estimate(const MetreGrid& surface, const CellSize& cell, double width, c
                  const GridPlace& place, const Rules& rules) {
     if (surface.size() == 0)
         return {};
+    Executor& threads = *context.threads;
     const Factor factor = factor_for(cell, rules.work_cell);
-    AlignedGrid lowest = lowest_points(surface, cell, place, factor, nullptr);
+    AlignedGrid lowest = lowest_of_blocks(shape_at(surface, cell, place), surface, factor, threads);
     const auto known = [](float value) { return value != no_value; };
     if (std::none_of(lowest.grid.values.begin(), lowest.grid.values.end(), known))
         return {MetreGrid(surface.rows, surface.cols, std::numeric_limits<float>::quiet_NaN()),
                 Grid<std::uint8_t>(surface.rows, surface.cols)};
     context.progress(0.1);
-    MetreGrid pits = outlier_limits(lowest, rules);
-    const auto pit = [](float limit) { return limit != -no_value; };
-    if (std::any_of(pits.values.begin(), pits.values.end(), pit))
-        lowest = lowest_points(surface, cell, place, factor, &pits);
-    else
-        pits = {};
-    const AlignedGrid terrain = working_terrain(lowest, width, rules);
+    const std::vector<Pit> pits = find_pits(lowest, rules, threads);
+    for (const Pit& pit : pits)
+        lowest.grid.at(pit.row, pit.col) = lowest_above(pit, lowest, surface, place, factor);
+    const AlignedGrid terrain = working_terrain(lowest, width, rules, threads);
+    lowest = {};
     context.progress(0.9);
-    return refine(surface, place, terrain, pits, factor, rules);
+    return refine(surface, place, terrain, pits, factor, rules, threads);
 }
 
 double support(const CellSize& cell, double width, const Rules& rules) {

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/row_bands.hpp"
 #include "ground/window_pass.hpp"
 
 namespace d2b::ground {
@@ -12,6 +13,8 @@ namespace {
 
 constexpr double widest_in_cells = 30;
 constexpr double neighbour_slope = 0.5;
+constexpr std::int32_t tile_side = 640;
+constexpr std::int32_t most_around_tile = 60;  ///< or one window's, where that sees farther
 
 Radius in_cells(double metres, const CellSize& cell) {
     return {static_cast<std::int32_t>(std::lround(metres / cell.down)),
@@ -22,6 +25,14 @@ double smaller_side(const CellSize& cell) {
     return std::min(cell.across, cell.down);
 }
 
+/// How far from a cell windows look, along rows, columns or diagonals.
+std::int32_t reach_of(std::span<const Step> steps) {
+    std::int32_t sum = 0;
+    for (const Step& step : steps)
+        sum += 2 * std::max(step.radius.down, step.radius.across);
+    return sum;
+}
+
 /// Lowers the limits of the cells that one opening cut off by more than the windows allow.
 void set_limits(const MetreGrid& before, const MetreGrid& after, float rise, MetreGrid& limits) {
     const float* old = before.values.data();
@@ -29,65 +40,133 @@ void set_limits(const MetreGrid& before, const MetreGrid& after, float rise, Met
     float* out = limits.values.data();
     for (std::size_t k = 0; k < after.size(); ++k) {
         const float limit = now[k] + rise;
-        out[k] = old[k] > limit && limit < out[k] ? limit : out[k];
+        const float lower = limit < out[k] ? limit : out[k];
+        out[k] = old[k] > limit ? lower : out[k];
     }
 }
 
+void lower_row(std::span<const float> by, std::span<float> limits) {
+    for (std::size_t j = 0; j < limits.size(); ++j)
+        limits[j] = std::min(limits[j], by[j]);
+}
+
+/// As many windows of a chain as tiles can be opened by without looking too far around.
+std::span<const Step> first_steps(std::span<const Step> steps) {
+    std::size_t count = 1;
+    while (count < steps.size() && reach_of(steps.first(count + 1)) <= most_around_tile)
+        ++count;
+    return steps.first(count);
+}
+
+/// Opens a grid by all windows of a chain. @return what is left; nothing where there are no windows
+MetreGrid open_whole(const MetreGrid& surface, std::span<const Step> steps, Opening open, MetreGrid& limits,
+                     Executor& threads) {
+    const std::vector<Tile> tiles = tiles_of(surface.rows, surface.cols, tile_side);
+    MetreGrid left;
+    while (!steps.empty()) {
+        const std::span<const Step> now = first_steps(steps);
+        const MetreGrid& from = left.size() == 0 ? surface : left;
+        MetreGrid into(surface.rows, surface.cols);
+        threads.for_each_in_room<OpenedPart>(tiles.size(), [&](std::size_t t, OpenedPart& part) {
+            const Tile& tile = tiles[t];
+            open_part(from, tile, now, open, part);
+            for (std::int32_t i = tile.row; i < tile.row + tile.rows; ++i) {
+                const auto col = static_cast<std::size_t>(tile.col);
+                const auto opened = part.row(part.surface, i, tile);
+                std::copy(opened.begin(), opened.end(), into.row(i).begin() + tile.col);
+                lower_row(part.row(part.limits, i, tile), limits.row(i).subspan(col, opened.size()));
+            }
+        });
+        left = std::move(into);
+        steps = steps.subspan(now.size());
+    }
+    return left;
+}
+
 void lower_limits(MetreGrid& limits, const AlignedGrid& fine, const AlignedGrid& coarse,
-                  const MetreGrid& coarse_limits) {
-    const MetreGrid around = with_neighbours_limits(coarse_limits, coarse.cell);
-    for_each_in_block(fine, coarse, twice, [&](std::size_t cell, std::size_t block) {
-        limits.values[cell] = std::min(limits.values[cell], around.values[block]);
+                  const MetreGrid& coarse_limits, Executor& threads) {
+    const MetreGrid around = with_neighbours_limits(coarse_limits, coarse.cell, threads);
+    for_row_bands(threads, limits.rows, limits.cols, [&](RowBand band) {
+        std::vector<float> spread(static_cast<std::size_t>(limits.cols));
+        for (std::int32_t i = band.begin; i < band.end; ++i) {
+            const std::int32_t row = block_of(fine.first_row + i, twice.down) - coarse.first_row;
+            spread_blocks(around.row(row), fine.first_col, twice.across, spread);
+            lower_row(spread, limits.row(i));
+        }
     });
 }
 
 }  // namespace
 
-MetreGrid with_neighbours_limits(const MetreGrid& limits, const CellSize& cell) {
-    MetreGrid around = lowest_around(limits);
+MetreGrid with_neighbours_limits(const MetreGrid& limits, const CellSize& cell, Executor& threads) {
+    MetreGrid around = lowest_around(limits, threads);
     const auto rise = static_cast<float>(neighbour_slope * smaller_side(cell));
-    for (std::size_t k = 0; k < around.size(); ++k)
-        around.values[k] = std::min(limits.values[k], around.values[k] + rise);
+    for_row_bands(threads, limits.rows, limits.cols, [&](RowBand band) {
+        for (std::int32_t i = band.begin; i < band.end; ++i) {
+            for (float& limit : around.row(i))
+                limit += rise;
+            lower_row(limits.row(i), around.row(i));
+        }
+    });
     return around;
 }
 
-Opened open_on_cells(const AlignedGrid& surface, const Windows& windows, Opening open) {
-    Opened opened{surface, MetreGrid(surface.grid.rows, surface.grid.cols, no_value), windows.radius};
-    const CellSize& cell = surface.cell;
+Chain chain_of(const Windows& windows, const CellSize& cell) {
+    Chain chain{{}, windows.radius};
     const Radius border = in_cells(windows.border_reach, cell);
-    double& radius = opened.next_radius;
-    Workspace workspace;
-    const std::vector<float>& values = surface.grid.values;
-    workspace.gaps = std::find(values.begin(), values.end(), no_value) != values.end();
-    MetreGrid next;
+    double& radius = chain.next_radius;
     while (radius <= windows.last_radius * 1.0001) {
         Radius cells = in_cells(radius, cell);
         cells = {std::max(cells.down, 1), std::max(cells.across, 1)};
-        open(opened.surface.grid, cells, {cells.down - border.down, cells.across - border.across}, workspace,
-             next);
-        set_limits(opened.surface.grid, next, static_cast<float>(windows.rise + windows.slope * radius),
-                   opened.limits);
-        std::swap(opened.surface.grid, next);
+        chain.steps.push_back({cells,
+                               {cells.down - border.down, cells.across - border.across},
+                               static_cast<float>(windows.rise + windows.slope * radius)});
         radius = std::max(radius + smaller_side(cell), radius * windows.growth);
     }
-    return opened;
+    return chain;
 }
 
-MetreGrid limits_on_blocks(const AlignedGrid& surface, const Windows& windows, Opening open) {
-    std::vector<Opened> levels;
+void open_part(const MetreGrid& surface, const Tile& tile, std::span<const Step> steps, Opening open,
+               OpenedPart& part) {
+    part.place = widened(tile, reach_of(steps), surface);
+    copy_tile(surface, part.place, part.surface);
+    const std::vector<float>& values = part.surface.values;
+    part.workspace.gaps = std::find(values.begin(), values.end(), no_value) != values.end();
+    part.limits.rows = part.place.rows;
+    part.limits.cols = part.place.cols;
+    part.limits.values.assign(values.size(), no_value);
+    for (const Step& step : steps) {
+        open(part.surface, step.radius, step.outside, part.workspace, part.next);
+        set_limits(part.surface, part.next, step.rise, part.limits);
+        std::swap(part.surface, part.next);
+    }
+}
+
+MetreGrid limits_on_blocks(const AlignedGrid& surface, const Windows& windows, Opening open,
+                           Executor& threads) {
+    std::vector<AlignedGrid> levels{shape_of(surface)};
+    std::vector<MetreGrid> limits;
+    const MetreGrid* cells = &surface.grid;
+    MetreGrid blocks;
     Windows here = windows;
-    AlignedGrid blocks;
-    do {
-        if (!levels.empty())
-            blocks = lowest_of_blocks(levels.back().surface, twice);
-        const AlignedGrid& cells = levels.empty() ? surface : blocks;
-        here.last_radius = std::min(windows.last_radius, widest_in_cells * smaller_side(cells.cell));
-        levels.push_back(open_on_cells(cells, here, open));
-        here.radius = levels.back().next_radius;
-    } while (here.radius <= windows.last_radius * 1.0001);
+    for (;;) {
+        const CellSize& size = levels.back().cell;
+        here.last_radius = std::min(windows.last_radius, widest_in_cells * smaller_side(size));
+        const Chain chain = chain_of(here, size);
+        limits.emplace_back(cells->rows, cells->cols, no_value);
+        MetreGrid left = open_whole(*cells, chain.steps, open, limits.back(), threads);
+        here.radius = chain.next_radius;
+        if (here.radius > windows.last_radius * 1.0001)
+            break;
+        AlignedGrid coarse =
+            lowest_of_blocks(levels.back(), chain.steps.empty() ? *cells : left, twice, threads);
+        levels.push_back(shape_of(coarse));
+        blocks = std::move(coarse.grid);
+        cells = &blocks;
+    }
     for (std::size_t k = levels.size(); k-- > 1;)
-        lower_limits(levels[k - 1].limits, levels[k - 1].surface, levels[k].surface, levels[k].limits);
-    return std::move(levels.front().limits);
+        lower_limits(limits[k - 1], levels[k - 1], levels[k], limits[k], threads);
+    return std::move(limits.front());
 }
 
 }  // namespace d2b::ground

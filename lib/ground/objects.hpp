@@ -1,7 +1,11 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "ground/aligned_grid.hpp"
 #include "ground/opening.hpp"
+#include "ground/tiles.hpp"
 
 namespace d2b::ground {
 
@@ -17,24 +21,49 @@ struct Windows {
     double border_reach = 14;  ///< windows reach as far into the grid at its border, or their whole radius
 };
 
-/// A surface without objects up to some width, and the height above which a cell was part of one; `no_value`
-/// where it was of none.
-struct Opened {
-    AlignedGrid surface;
-    MetreGrid limits;
-    double next_radius = 0;  ///< of the window that would be next
+/// A window in cells.
+struct Step {
+    Radius radius;
+    Radius outside;  ///< how far it reaches out of the grid
+    float rise = 0;  ///< how far an object rises above the surface that it leaves
 };
 
-/// Progressive opening (SMRF): each window opens what the one before has left. All windows on the cells as
-/// they are.
-[[nodiscard]] Opened open_on_cells(const AlignedGrid& surface, const Windows& windows, Opening open);
+/// Windows that are opened one after the other on cells of one size.
+struct Chain {
+    std::vector<Step> steps;
+    double next_radius = 0;  ///< of the window that would be next, metres
+};
+[[nodiscard]] Chain chain_of(const Windows& windows, const CellSize& cell);
 
-/// The limits of the same, but windows of more than some ten cells are opened on blocks of 2 x 2 cells, and
-/// so on: the cost a cell does not grow with the widest window.
-[[nodiscard]] MetreGrid limits_on_blocks(const AlignedGrid& surface, const Windows& windows, Opening open);
+/// A part of a grid without objects up to some width, and the height above which a cell was part of one;
+/// `no_value` where it was of none. Kept from one part to the next, so that memory is asked for once.
+struct OpenedPart {
+    Tile place;  ///< the part that was asked for and what its windows see around it; only the former is right
+    MetreGrid surface;
+    MetreGrid limits;
+    MetreGrid next;
+    Workspace workspace;
+
+    /// The values of one of the grids in a row of the part. @param row of the whole grid
+    [[nodiscard]] std::span<const float> row(const MetreGrid& grid, std::int32_t row,
+                                             const Tile& tile) const {
+        return grid.row(row - place.row)
+            .subspan(static_cast<std::size_t>(tile.col - place.col), static_cast<std::size_t>(tile.cols));
+    }
+};
+
+/// Progressive opening (SMRF): each window opens what the one before has left.
+void open_part(const MetreGrid& surface, const Tile& tile, std::span<const Step> steps, Opening open,
+               OpenedPart& part);
+
+/// The same for all cells, but windows of more than some ten cells are opened on blocks of 2 x 2 cells, and
+/// so on: the cost a cell does not grow with the widest window. @return the limits
+[[nodiscard]] MetreGrid limits_on_blocks(const AlignedGrid& surface, const Windows& windows, Opening open,
+                                         Executor& threads);
 
 /// A block's limit holds for its cells and, as walls do not run along blocks, for those of its neighbours,
 /// but for what the ground may rise until there.
-[[nodiscard]] MetreGrid with_neighbours_limits(const MetreGrid& limits, const CellSize& cell);
+[[nodiscard]] MetreGrid with_neighbours_limits(const MetreGrid& limits, const CellSize& cell,
+                                               Executor& threads);
 
 }  // namespace d2b::ground

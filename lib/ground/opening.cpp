@@ -108,16 +108,16 @@ void opened_by_lines(const MetreGrid& surface, Radius radius, Radius outside, Wo
     });
 }
 
-MetreGrid closed_by_rectangle(const MetreGrid& surface, Radius radius) {
-    MetreGrid first = surface;
-    MetreGrid second(surface.rows, surface.cols);
-    turn_around(first, no_value, -no_value);
-    window_pass(first, second, Line::row, Extremum::highest, radius.across);
-    window_pass(second, first, Line::column, Extremum::highest, radius.down);
-    turn_around(first, -no_value, no_value);
-    window_pass(first, second, Line::row, Extremum::lowest, radius.across);
-    window_pass(second, first, Line::column, Extremum::lowest, radius.down);
-    return first;
+void closed_by_rectangle(const MetreGrid& surface, Radius radius, Workspace& workspace, MetreGrid& closed) {
+    MetreGrid& scratch = workspace.first;
+    closed = surface;
+    fit(scratch, surface);
+    turn_around(closed, no_value, -no_value);
+    window_pass(closed, scratch, Line::row, Extremum::highest, radius.across);
+    window_pass(scratch, closed, Line::column, Extremum::highest, radius.down);
+    turn_around(closed, -no_value, no_value);
+    window_pass(closed, scratch, Line::row, Extremum::lowest, radius.across);
+    window_pass(scratch, closed, Line::column, Extremum::lowest, radius.down);
 }
 
 }  // namespace d2b::ground

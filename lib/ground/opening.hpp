@@ -33,7 +33,8 @@ void opened_by_rectangle(const MetreGrid& surface, Radius radius, Radius outside
 void opened_by_lines(const MetreGrid& surface, Radius radius, Radius outside, Workspace& workspace,
                      MetreGrid& opened);
 
-/// The closing by a square: the lowest of the highest values.
-[[nodiscard]] MetreGrid closed_by_rectangle(const MetreGrid& surface, Radius radius);
+/// The closing by a rectangle: the lowest of the highest values.
+/// @param closed another grid than `surface`
+void closed_by_rectangle(const MetreGrid& surface, Radius radius, Workspace& workspace, MetreGrid& closed);
 
 }  // namespace d2b::ground

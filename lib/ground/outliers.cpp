@@ -2,34 +2,82 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "ground/opening.hpp"
+#include "ground/tiles.hpp"
 #include "ground/window_pass.hpp"
 
 namespace d2b::ground {
 namespace {
+
+constexpr std::int32_t tile_side = 512;
 
 Radius at_least_a_cell(double metres, const CellSize& cell) {
     return {std::max(1, static_cast<std::int32_t>(std::lround(metres / cell.down))),
             std::max(1, static_cast<std::int32_t>(std::lround(metres / cell.across)))};
 }
 
+/// Room for a tile and what lies around it.
+struct Part {
+    MetreGrid surface;
+    MetreGrid closed;
+    MetreGrid around;
+    Workspace workspace;
+};
+
+struct Search {
+    Radius closed;
+    Radius around;
+    float depth;
+
+    [[nodiscard]] std::int32_t reach() const {
+        return std::max(2 * closed.down + around.down, 2 * closed.across + around.across);
+    }
+    /// Whether a value lies deep below another; not where there is none.
+    [[nodiscard]] bool below(float z, float other) const { return other != no_value && z < other - depth; }
+};
+
+std::vector<Pit> pits_of(const MetreGrid& lowest, const Tile& tile, const Search& search, Part& part) {
+    const Tile place = widened(tile, search.reach(), lowest);
+    copy_tile(lowest, place, part.surface);
+    closed_by_rectangle(part.surface, search.closed, part.workspace, part.closed);
+    // Below all around is below what is here: most tiles have no such cell.
+    bool any = false;
+    for (std::size_t k = 0; k < part.surface.size(); ++k)
+        any = any | search.below(part.surface.values[k], part.closed.values[k]);
+    if (!any)
+        return {};
+    MetreGrid& along = part.workspace.first;
+    part.around = part.closed;
+    window_pass(part.closed, along, Line::row, Extremum::lowest, search.around.across);
+    window_pass(along, part.around, Line::column, Extremum::lowest, search.around.down);
+    std::vector<Pit> pits;
+    for (std::int32_t i = tile.row; i < tile.row + tile.rows; ++i)
+        for (std::int32_t j = tile.col; j < tile.col + tile.cols; ++j) {
+            const float around = part.around.at(i - place.row, j - place.col);
+            if (search.below(lowest.at(i, j), around))
+                pits.push_back({i, j, around - search.depth});
+        }
+    return pits;
+}
+
 }  // namespace
 
-MetreGrid outlier_limits(const AlignedGrid& lowest, const Rules& rules) {
-    const MetreGrid& grid = lowest.grid;
-    const Radius reach = at_least_a_cell(rules.pit_reach, lowest.cell);
-    const MetreGrid closed = closed_by_rectangle(grid, at_least_a_cell(rules.pit_radius, lowest.cell));
-    MetreGrid along(grid.rows, grid.cols);
-    MetreGrid around(grid.rows, grid.cols);
-    window_pass(closed, along, Line::row, Extremum::lowest, reach.across);
-    window_pass(along, around, Line::column, Extremum::lowest, reach.down);
-    const auto depth = static_cast<float>(rules.pit_depth);
-    for (std::size_t k = 0; k < grid.size(); ++k) {
-        const float limit = around.values[k] - depth;
-        around.values[k] = around.values[k] != no_value && grid.values[k] < limit ? limit : -no_value;
-    }
-    return around;
+std::vector<Pit> find_pits(const AlignedGrid& lowest, const Rules& rules, Executor& threads) {
+    const Search search{at_least_a_cell(rules.pit_radius, lowest.cell),
+                        at_least_a_cell(rules.pit_reach, lowest.cell), static_cast<float>(rules.pit_depth)};
+    const std::vector<Tile> tiles = tiles_of(lowest.grid.rows, lowest.grid.cols, tile_side);
+    std::vector<std::vector<Pit>> found(tiles.size());
+    threads.for_each_in_room<Part>(tiles.size(), [&](std::size_t t, Part& part) {
+        found[t] = pits_of(lowest.grid, tiles[t], search, part);
+    });
+    std::vector<Pit> pits;
+    for (const std::vector<Pit>& some : found)
+        pits.insert(pits.end(), some.begin(), some.end());
+    std::sort(pits.begin(), pits.end(),
+              [](const Pit& a, const Pit& b) { return std::tie(a.row, a.col) < std::tie(b.row, b.col); });
+    return pits;
 }
 
 }  // namespace d2b::ground

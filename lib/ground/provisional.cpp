@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
+#include "core/row_bands.hpp"
 #include "ground/connect.hpp"
 #include "ground/fill.hpp"
 #include "ground/objects.hpp"
@@ -12,110 +15,160 @@
 namespace d2b::ground {
 namespace {
 
-/// The heights up to which cells are ground, by the block that they lie in: below the limit of large objects,
-/// or connected to the ground and low enough seen along lines.
-struct BlockLimits {
+constexpr std::int32_t tile_side = 640;
+constexpr float above_all_limits = std::numeric_limits<float>::infinity();
+
+/// What opening by small windows leaves of a surface, but `above_all_limits` where a cell is of a small
+/// object; and the lowest it leaves of each block.
+struct SmallOpened {
+    MetreGrid surface;
     AlignedGrid blocks;
-    MetreGrid sure;
-    MetreGrid connected;
+    double next_radius = 0;
 };
+
+/// The cells of a tile of blocks.
+Tile cells_of(const Tile& tile, const AlignedGrid& fine, const AlignedGrid& blocks, Factor factor) {
+    const std::int32_t row = (blocks.first_row + tile.row) * factor.down - fine.first_row;
+    const std::int32_t col = (blocks.first_col + tile.col) * factor.across - fine.first_col;
+    const Tile cells{std::max(row, 0), std::max(col, 0), 0, 0};
+    return {cells.row, cells.col, std::min(row + tile.rows * factor.down, fine.grid.rows) - cells.row,
+            std::min(col + tile.cols * factor.across, fine.grid.cols) - cells.col};
+}
+
+SmallOpened open_small(const AlignedGrid& surface, Factor factor, const Windows& windows, Executor& threads) {
+    const Chain chain = chain_of(windows, surface.cell);
+    SmallOpened result{MetreGrid(surface.grid.rows, surface.grid.cols), blocks_of(surface, factor, no_value),
+                       chain.next_radius};
+    MetreGrid& blocks = result.blocks.grid;
+    const std::vector<Tile> tiles =
+        tiles_of(blocks.rows, blocks.cols, tile_side / std::max(factor.down, factor.across));
+    threads.for_each_in_room<OpenedPart>(tiles.size(), [&](std::size_t t, OpenedPart& part) {
+        const Tile cells = cells_of(tiles[t], surface, result.blocks, factor);
+        open_part(surface.grid, cells, chain.steps, opened_by_rectangle, part);
+        for (std::int32_t i = cells.row; i < cells.row + cells.rows; ++i) {
+            const auto opened = part.row(part.surface, i, cells);
+            const auto limits = part.row(part.limits, i, cells);
+            const float* z = surface.grid.row(i).data() + cells.col;
+            float* out = result.surface.row(i).data() + cells.col;
+            for (std::size_t j = 0; j < opened.size(); ++j)
+                out[j] = z[j] <= limits[j] ? opened[j] : above_all_limits;
+            const std::int32_t row = block_of(surface.first_row + i, factor.down) - result.blocks.first_row;
+            lower_blocks(opened, surface.first_col + cells.col, factor.across,
+                         blocks.row(row).subspan(static_cast<std::size_t>(tiles[t].col),
+                                                 static_cast<std::size_t>(tiles[t].cols)));
+        }
+    });
+    return result;
+}
 
 /// Blocks without a point take the lowest value beside them, so that ground and lines go on between sparse
 /// points.
-void close_gaps(MetreGrid& grid) {
-    const MetreGrid around = lowest_around(grid);
-    for (std::size_t k = 0; k < grid.size(); ++k)
-        grid.values[k] = grid.values[k] == no_value ? around.values[k] : grid.values[k];
+void close_gaps(MetreGrid& grid, Executor& threads) {
+    const MetreGrid around = lowest_around(grid, threads);
+    for_row_bands(threads, grid.rows, grid.cols, [&](RowBand band) {
+        for (std::size_t k = grid.index(band.begin, 0); k < grid.index(band.end, 0); ++k)
+            grid.values[k] = grid.values[k] == no_value ? around.values[k] : grid.values[k];
+    });
 }
 
-BlockLimits limits_of_blocks(const Opened& small, Factor factor, double width, const Rules& rules) {
-    BlockLimits found{lowest_of_blocks(small.surface, factor), {}, {}};
-    close_gaps(found.blocks.grid);
-    Windows windows{small.next_radius, rules.reach * width, rules.large_rise,
+/// The heights up to which cells are ground, by the block that they lie in: below the limit of large objects,
+/// or connected to the ground and low enough seen along lines.
+MetreGrid limits_of_blocks(AlignedGrid& blocks, double next_radius, double width, const Rules& rules,
+                           Executor& threads) {
+    close_gaps(blocks.grid, threads);
+    Windows windows{next_radius,       rules.reach * width, rules.large_rise,
                     rules.large_slope, rules.large_growth,  rules.border_reach};
-    found.sure = limits_on_blocks(found.blocks, windows, opened_by_rectangle);
-    Grid<std::uint8_t> ground =
-        connected_ground(found.blocks, found.sure, rules.link_slope, rules.link_steps);
-    take_walled_back(found.blocks, found.sure, rules, rules.wall_length * width, ground);
+    MetreGrid sure = limits_on_blocks(blocks, windows, opened_by_rectangle, threads);
+    Grid<std::uint8_t> ground = connected_ground(blocks, sure, rules.link_slope, rules.link_steps, threads);
+    take_walled_back(blocks, sure, rules, rules.wall_length * width, ground);
+    sure = with_neighbours_limits(sure, blocks.cell, threads);
     windows.rise = rules.line_rise;
     windows.slope = rules.line_slope;
-    found.connected =
-        with_neighbours_limits(limits_on_blocks(found.blocks, windows, opened_by_lines), found.blocks.cell);
-    found.sure = with_neighbours_limits(found.sure, found.blocks.cell);
+    const MetreGrid lines = with_neighbours_limits(
+        limits_on_blocks(blocks, windows, opened_by_lines, threads), blocks.cell, threads);
     const auto rise = static_cast<float>(rules.link_rise);
-    for (std::size_t k = 0; k < ground.size(); ++k)
-        found.connected.values[k] =
-            ground.values[k] ? std::min(found.connected.values[k], found.blocks.grid.values[k] + rise)
-                             : -no_value;
-    return found;
+    for_row_bands(threads, sure.rows, sure.cols, [&](RowBand band) {
+        for (std::size_t k = sure.index(band.begin, 0); k < sure.index(band.end, 0); ++k) {
+            const float connected = std::min(lines.values[k], blocks.grid.values[k] + rise);
+            const float limit = std::max(sure.values[k], connected);
+            sure.values[k] = ground.values[k] != 0 ? limit : sure.values[k];
+        }
+    });
+    return sure;
 }
 
-void test_again(const AlignedGrid& surface, AlignedGrid& terrain, const Rules& rules) {
-    const MetreGrid slope = slopes(terrain);
+void test_again(const AlignedGrid& surface, AlignedGrid& terrain, const Rules& rules, Executor& threads) {
     const auto near = static_cast<float>(rules.tolerance);
     const auto nearer = static_cast<float>(rules.tolerance_slope);
-    for (std::size_t k = 0; k < slope.size(); ++k) {
-        const float above = surface.grid.values[k] - terrain.grid.values[k];
-        const bool is_ground = above <= near + nearer * slope.values[k];
-        terrain.grid.values[k] = is_ground ? surface.grid.values[k] : no_value;
-    }
+    for_band_copies(threads, terrain.grid, 1, [&](const BandCopy<float>& old) {
+        std::vector<float> slopes(static_cast<std::size_t>(old.rows.cols));
+        for (std::int32_t i = old.band.begin; i < old.band.end; ++i) {
+            slopes_of_row(old.rows, i - old.first, terrain.cell, slopes);
+            const auto ground = old.rows.row(i - old.first);
+            const auto z = surface.grid.row(i);
+            const auto out = terrain.grid.row(i);
+            for (std::size_t j = 0; j < out.size(); ++j)
+                out[j] = z[j] - ground[j] <= near + nearer * slopes[j] ? z[j] : no_value;
+        }
+    });
 }
 
 }  // namespace
 
-AlignedGrid without_objects(const AlignedGrid& surface, double width, const Rules& rules) {
+AlignedGrid without_objects(const AlignedGrid& surface, double width, const Rules& rules, Executor& threads) {
     const double cell = std::min(surface.cell.across, surface.cell.down);
     const Windows windows{
         cell, rules.small_radius, 0, rules.small_slope, rules.small_growth, rules.border_reach};
-    const Opened small = open_on_cells(surface, windows, opened_by_rectangle);
     const Factor factor = factor_for(surface.cell, rules.block);
-    const BlockLimits large = limits_of_blocks(small, factor, width, rules);
-    AlignedGrid ground = surface;
-    for_each_in_block(surface, large.blocks, factor, [&](std::size_t k, std::size_t block) {
-        const float opened = small.surface.grid.values[k];
-        const bool is_ground =
-            surface.grid.values[k] <= small.limits.values[k] &&
-            (opened <= large.sure.values[block] || opened <= large.connected.values[block]);
-        ground.grid.values[k] = is_ground ? surface.grid.values[k] : no_value;
+    SmallOpened small = open_small(surface, factor, windows, threads);
+    AlignedGrid& blocks = small.blocks;
+    const MetreGrid limits = limits_of_blocks(blocks, small.next_radius, width, rules, threads);
+    AlignedGrid ground = shape_of(surface);
+    ground.grid = std::move(small.surface);
+    for_row_bands(threads, ground.grid.rows, ground.grid.cols, [&](RowBand band) {
+        std::vector<float> limit(static_cast<std::size_t>(ground.grid.cols));
+        for (std::int32_t i = band.begin; i < band.end; ++i) {
+            const std::int32_t row = block_of(surface.first_row + i, factor.down) - blocks.first_row;
+            spread_blocks(limits.row(row), surface.first_col, factor.across, limit);
+            const auto z = surface.grid.row(i);
+            const auto out = ground.grid.row(i);
+            for (std::size_t j = 0; j < out.size(); ++j)
+                out[j] = out[j] <= limit[j] ? z[j] : no_value;
+        }
     });
     return ground;
 }
 
-AlignedGrid working_terrain(const AlignedGrid& surface, double width, const Rules& rules) {
-    AlignedGrid terrain = without_objects(surface, width, rules);
-    fill_gaps(terrain, rules.sweeps);
+AlignedGrid working_terrain(const AlignedGrid& surface, double width, const Rules& rules, Executor& threads) {
+    AlignedGrid terrain = without_objects(surface, width, rules, threads);
+    fill_gaps(terrain, rules.sweeps, threads);
     for (int round = 0; round < rules.rounds; ++round) {
-        test_again(surface, terrain, rules);
-        fill_gaps(terrain, rules.sweeps);
+        test_again(surface, terrain, rules, threads);
+        fill_gaps(terrain, rules.sweeps, threads);
     }
     return terrain;
 }
 
-MetreGrid slopes(const AlignedGrid& terrain) {
-    const MetreGrid& z = terrain.grid;
-    MetreGrid slope(z.rows, z.cols);
-    for (std::int32_t i = 0; i < z.rows; ++i) {
-        const std::int32_t above = std::max(i - 1, 0);
-        const std::int32_t below = std::min(i + 1, z.rows - 1);
-        const float down =
-            below > above ? 1.0F / static_cast<float>((below - above) * terrain.cell.down) : 0.0F;
-        const auto north = z.row(above);
-        const auto south = z.row(below);
-        const auto here = z.row(i);
-        auto out = slope.row(i);
-        for (std::size_t j = 0; j < here.size(); ++j) {
-            const std::size_t left = j > 0 ? j - 1 : 0;
-            const std::size_t right = std::min(j + 1, here.size() - 1);
-            const float across =
-                right > left
-                    ? 1.0F / static_cast<float>(static_cast<double>(right - left) * terrain.cell.across)
-                    : 0.0F;
-            const float y = (south[j] - north[j]) * down;
-            const float x = (here[right] - here[left]) * across;
-            out[j] = std::sqrt(x * x + y * y);
-        }
-    }
-    return slope;
+void slopes_of_row(const MetreGrid& terrain, std::int32_t row, const CellSize& cell,
+                   std::span<float> slopes) {
+    const std::int32_t above = std::max(row - 1, 0);
+    const std::int32_t below = std::min(row + 1, terrain.rows - 1);
+    const float down = below > above ? 1.0F / static_cast<float>((below - above) * cell.down) : 0.0F;
+    const auto north = terrain.row(above);
+    const auto south = terrain.row(below);
+    const auto here = terrain.row(row);
+    const auto slope = [&](std::size_t left, std::size_t j, std::size_t right, float across) {
+        const float y = (south[j] - north[j]) * down;
+        const float x = (here[right] - here[left]) * across;
+        slopes[j] = std::sqrt(x * x + y * y);
+    };
+    const std::size_t last = slopes.size() - 1;
+    const float beside = 1.0F / static_cast<float>(cell.across);
+    const float twice_beside = 1.0F / static_cast<float>(2 * cell.across);
+    for (std::size_t j = 1; j < last; ++j)
+        slope(j - 1, j, j + 1, twice_beside);
+    slope(0, 0, std::min<std::size_t>(1, last), last > 0 ? beside : 0.0F);
+    slope(last - std::min<std::size_t>(1, last), last, last, last > 0 ? beside : 0.0F);
 }
 
 }  // namespace d2b::ground

@@ -1,66 +1,126 @@
 #include "ground/refine.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <span>
 #include <vector>
 
+#include "core/row_bands.hpp"
 #include "ground/fill.hpp"
 #include "ground/provisional.hpp"
 
 namespace d2b::ground {
 namespace {
 
-/// A row between two rows of the working grid.
-void row_between(const MetreGrid& grid, const Between::Place& place, std::vector<float>& into) {
-    const auto near = grid.row(place.near);
-    const auto next = grid.row(place.next);
-    for (std::size_t j = 0; j < into.size(); ++j)
-        into[j] = near[j] + place.share * (next[j] - near[j]);
+/// Terrain and tolerance between the rows and columns of the working grid.
+class Refinement {
+  public:
+    Refinement(const MetreGrid& surface, const GridPlace& place, const AlignedGrid& working, Factor factor,
+               const Rules& rules)
+        : working_(working),
+          factor_(factor),
+          rules_(rules),
+          down_(place.row, surface.rows, working.first_row, working.grid.rows, factor.down),
+          across_(place.col, surface.cols, working.first_col, working.grid.cols, factor.across) {}
+
+    /// Room for rows of the surface, and for one of the working grid.
+    struct Rows {
+        std::vector<float> terrain, tolerance, between;
+        MetreGrid tolerances;        ///< rows of the working grid ...
+        std::int32_t first_row = 0;  ///< ... from this one on
+    };
+
+    [[nodiscard]] Rows rows_for(RowBand band) const {
+        const auto cols = static_cast<std::size_t>(working_.grid.cols);
+        Rows rows;
+        rows.between.resize(cols);
+        rows.first_row = down_[band.begin].near;
+        rows.tolerances = MetreGrid(down_[band.end - 1].next - rows.first_row + 1, working_.grid.cols);
+        for (std::int32_t i = 0; i < rows.tolerances.rows; ++i) {
+            const auto out = rows.tolerances.row(i);
+            slopes_of_row(working_.grid, rows.first_row + i, working_.cell, out);
+            for (float& value : out)
+                value =
+                    static_cast<float>(rules_.tolerance) + static_cast<float>(rules_.tolerance_slope) * value;
+        }
+        return rows;
+    }
+
+    void fill(std::int32_t row, Rows& rows) const {
+        const Between::Place& place = down_[row];
+        between(working_.grid.row(place.near), working_.grid.row(place.next), place.share, rows.between,
+                rows.terrain);
+        between(rows.tolerances.row(place.near - rows.first_row),
+                rows.tolerances.row(place.next - rows.first_row), place.share, rows.between, rows.tolerance);
+    }
+
+  private:
+    /// A row between two rows of the working grid, between the centres of its cells.
+    void between(std::span<const float> near, std::span<const float> next, float share,
+                 std::vector<float>& row, std::vector<float>& out) const {
+        for (std::size_t j = 0; j < row.size(); ++j)
+            row[j] = near[j] + share * (next[j] - near[j]);
+        out.resize(across_.size());
+        if (factor_.across == 1) {
+            std::copy(row.begin(), row.end(), out.begin());
+            return;
+        }
+        for (std::size_t j = 0; j < out.size(); ++j) {
+            const Between::Place& place = across_[static_cast<std::int32_t>(j)];
+            const float left = row[static_cast<std::size_t>(place.near)];
+            out[j] = left + place.share * (row[static_cast<std::size_t>(place.next)] - left);
+        }
+    }
+
+    const AlignedGrid& working_;
+    Factor factor_;
+    const Rules& rules_;
+    Between down_;
+    Between across_;
+};
+
+/// The pits of a row of the working grid.
+std::span<const Pit> pits_in(std::span<const Pit> pits, std::int32_t row) {
+    const auto first =
+        std::partition_point(pits.begin(), pits.end(), [&](const Pit& p) { return p.row < row; });
+    const auto last = std::partition_point(first, pits.end(), [&](const Pit& p) { return p.row == row; });
+    return {first, last};
 }
 
-float at(const std::vector<float>& row, const Between::Place& place) {
-    const float near = row[static_cast<std::size_t>(place.near)];
-    return near + place.share * (row[static_cast<std::size_t>(place.next)] - near);
+/// @param col of the pit's first cell in the row; may lie before it
+void mark_outliers(const Pit& pit, std::int32_t col, std::int32_t cols, std::span<const float> surface,
+                   std::span<const float> below, std::span<float> terrain, std::span<std::uint8_t> flags) {
+    const auto end = std::min(static_cast<std::size_t>(col + cols), surface.size());
+    for (auto j = static_cast<std::size_t>(std::max(col, 0)); j < end; ++j)
+        if (surface[j] < pit.limit) {
+            terrain[j] = below[j];
+            flags[j] = low_outlier;
+        }
 }
 
 }  // namespace
 
 Terrain refine(const MetreGrid& surface, const GridPlace& place, const AlignedGrid& working,
-               const MetreGrid& outliers, Factor factor, const Rules& rules) {
-    const bool none = outliers.size() == 0;
-    MetreGrid reach = slopes(working);
-    for (float& value : reach.values)
-        value = static_cast<float>(rules.tolerance) + static_cast<float>(rules.tolerance_slope) * value;
-    const Between down(place.row, surface.rows, working.first_row, working.grid.rows, factor.down);
-    const Between across(place.col, surface.cols, working.first_col, working.grid.cols, factor.across);
+               const std::vector<Pit>& pits, Factor factor, const Rules& rules, Executor& threads) {
+    const Refinement refinement(surface, place, working, factor, rules);
     Terrain terrain{MetreGrid(surface.rows, surface.cols), Grid<std::uint8_t>(surface.rows, surface.cols)};
-    std::vector<float> ground(static_cast<std::size_t>(working.grid.cols));
-    std::vector<float> near = ground;
-    for (std::int32_t i = 0; i < surface.rows; ++i) {
-        row_between(working.grid, down[i], ground);
-        row_between(reach, down[i], near);
-        const float* limits =
-            none ? nullptr : outliers.row(block_of(place.row + i, factor.down) - working.first_row).data();
-        const auto from = surface.row(i);
-        auto to = terrain.elevation.row(i);
-        auto flags = terrain.flags.row(i);
-        std::int32_t block = block_of(place.col, factor.across) - working.first_col;
-        std::int32_t left = factor.across * (working.first_col + block + 1) - place.col;
-        for (std::int32_t j = 0; j < surface.cols; ++j) {
-            if (left == 0) {
-                ++block;
-                left = factor.across;
+    for_row_bands(threads, surface.rows, surface.cols, [&](RowBand band) {
+        Refinement::Rows rows = refinement.rows_for(band);
+        for (std::int32_t i = band.begin; i < band.end; ++i) {
+            refinement.fill(i, rows);
+            const auto from = surface.row(i);
+            const auto to = terrain.elevation.row(i);
+            const auto flags = terrain.flags.row(i);
+            for (std::size_t j = 0; j < to.size(); ++j) {
+                const bool bare = from[j] - rows.terrain[j] <= rows.tolerance[j];  // false where it is NaN
+                to[j] = bare ? from[j] : rows.terrain[j];
+                flags[j] = bare ? bare_ground : std::uint8_t{0};
             }
-            --left;
-            const auto k = static_cast<std::size_t>(j);
-            const float below = at(ground, across[j]);
-            const float z = from[k];
-            const bool pit = !none && z < limits[block];
-            const bool bare = !pit && z - below <= at(near, across[j]);
-            to[k] = bare ? z : below;
-            flags[k] = static_cast<std::uint8_t>((pit ? low_outlier : 0) | (bare ? bare_ground : 0));
+            const std::int32_t row = block_of(place.row + i, factor.down) - working.first_row;
+            for (const Pit& pit : pits_in(pits, row))
+                mark_outliers(pit, factor.across * (working.first_col + pit.col) - place.col, factor.across,
+                              from, rows.terrain, to, flags);
         }
-    }
+    });
     return terrain;
 }
 

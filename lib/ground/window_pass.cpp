@@ -1,8 +1,10 @@
 #include "ground/window_pass.hpp"
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
+#include "core/row_bands.hpp"
 #include "ground/down_pass.hpp"
 
 namespace d2b::ground {
@@ -48,6 +50,23 @@ void pass(const MetreGrid& from, MetreGrid& into, Line line, std::int32_t radius
             .run();
 }
 
+/// Of a row and the rows above and below, the lowest value of three columns.
+/// @param column room for a row
+void lowest_of_nine(const MetreGrid& grid, std::int32_t row, std::vector<float>& column,
+                    std::span<float> lowest) {
+    const Lower lower;
+    const auto above = grid.row(std::max(row - 1, 0));
+    const auto here = grid.row(row);
+    const auto below = grid.row(std::min(row + 1, grid.rows - 1));
+    const std::size_t last = lowest.size() - 1;
+    for (std::size_t j = 0; j <= last; ++j)
+        column[j] = lower(lower(above[j], here[j]), below[j]);
+    for (std::size_t j = 1; j < last; ++j)
+        lowest[j] = lower(lower(column[j - 1], column[j]), column[j + 1]);
+    lowest[0] = lower(column[0], column[std::min<std::size_t>(1, last)]);
+    lowest[last] = lower(column[last], column[last - std::min<std::size_t>(1, last)]);
+}
+
 }  // namespace
 
 void window_pass(const MetreGrid& from, MetreGrid& into, Line line, Extremum which, std::int32_t radius) {
@@ -57,11 +76,13 @@ void window_pass(const MetreGrid& from, MetreGrid& into, Line line, Extremum whi
         pass<Higher>(from, into, line, radius);
 }
 
-MetreGrid lowest_around(const MetreGrid& grid) {
-    MetreGrid along(grid.rows, grid.cols);
+MetreGrid lowest_around(const MetreGrid& grid, Executor& threads) {
     MetreGrid around(grid.rows, grid.cols);
-    window_pass(grid, along, Line::row, Extremum::lowest, 1);
-    window_pass(along, around, Line::column, Extremum::lowest, 1);
+    for_row_bands(threads, grid.rows, grid.cols, [&](RowBand band) {
+        std::vector<float> column(static_cast<std::size_t>(grid.cols));
+        for (std::int32_t i = band.begin; i < band.end; ++i)
+            lowest_of_nine(grid, i, column, around.row(i));
+    });
     return around;
 }
 

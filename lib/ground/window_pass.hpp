@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "core/executor.hpp"
 #include "core/grid.hpp"
 
 namespace d2b::ground {
@@ -21,6 +22,6 @@ inline constexpr float no_value = 3.402823466e+38F;
 void window_pass(const MetreGrid& from, MetreGrid& into, Line line, Extremum which, std::int32_t radius);
 
 /// The lowest of each cell and its eight neighbours.
-[[nodiscard]] MetreGrid lowest_around(const MetreGrid& grid);
+[[nodiscard]] MetreGrid lowest_around(const MetreGrid& grid, Executor& threads);
 
 }  // namespace d2b::ground

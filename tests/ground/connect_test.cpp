@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "ground/window_pass.hpp"
+#include "support/test_threads.hpp"
 
 namespace d2b::ground {
 namespace {
@@ -15,7 +16,7 @@ Grid<std::uint8_t> connected_row(const std::vector<float>& heights, double slope
     blocks.grid.values = heights;
     MetreGrid limits(1, blocks.grid.cols, -100.0F);
     limits.at(0, 0) = 100;
-    return connected_ground(blocks, limits, slope, steps);
+    return connected_ground(blocks, limits, slope, steps, test::threads());
 }
 
 using Row = std::vector<std::uint8_t>;
@@ -42,7 +43,7 @@ TEST(ConnectedGround, TheWayRoundAWallIsFound) {
     MetreGrid limits(3, 5, -1.0F);
     limits.at(0, 0) = 1;
     const Row expected{1, 1, 0, 1, 1, 1, 1, 0, 1, 1, 1, 1, 1, 1, 1};
-    EXPECT_EQ(connected_ground(blocks, limits, 0.3, 20).values, expected);
+    EXPECT_EQ(connected_ground(blocks, limits, 0.3, 20, test::threads()).values, expected);
 }
 
 }  // namespace

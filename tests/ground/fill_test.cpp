@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "ground/random_surface.hpp"
+#include "support/test_threads.hpp"
 
 namespace d2b::ground {
 namespace {
@@ -26,7 +27,7 @@ TEST(Fill, KeepsWhatIsKnownAndStaysBetweenItsValues) {
         surface.grid = test::random_surface(seed, static_cast<std::int32_t>(2 + seed % 9),
                                             static_cast<std::int32_t>(3 + seed), 2);
         const MetreGrid before = surface.grid;
-        fill_gaps(surface, 3);
+        fill_gaps(surface, 3, test::threads());
         for (std::size_t k = 0; k < before.size(); ++k) {
             if (before.values[k] != no_value) {
                 EXPECT_EQ(surface.grid.values[k], before.values[k]);
@@ -41,7 +42,7 @@ TEST(Fill, OneKnownCellFillsEverything) {
     AlignedGrid surface;
     surface.grid = MetreGrid(37, 21, no_value);
     surface.grid.at(30, 2) = 12.5F;
-    fill_gaps(surface, 2);
+    fill_gaps(surface, 2, test::threads());
     for (const float z : surface.grid.values)
         EXPECT_EQ(z, 12.5F);
 }
@@ -52,7 +53,7 @@ TEST(Fill, AGapInAPlaneIsFilledWithThePlane) {
     for (std::int32_t i = 24; i < 40; ++i)
         for (std::int32_t j = 24; j < 40; ++j)
             surface.grid.at(i, j) = no_value;
-    fill_gaps(surface, 3);
+    fill_gaps(surface, 3, test::threads());
     for (std::size_t k = 0; k < whole.size(); ++k)
         EXPECT_NEAR(surface.grid.values[k], whole.values[k], 0.6) << k;
 }
@@ -67,8 +68,8 @@ TEST(Fill, FarCellsChangeNothing) {
     for (std::int32_t i = 0; i < 72; ++i)
         for (std::int32_t j = 0; j < 65; ++j)
             part.grid.at(i, j) = surface.grid.at(24 + i, 31 + j);
-    fill_gaps(surface, 2);
-    fill_gaps(part, 2);
+    fill_gaps(surface, 2, test::threads());
+    fill_gaps(part, 2, test::threads());
     for (std::int32_t i = 32; i < 72; ++i)
         for (std::int32_t j = 32; j < 65; ++j)
             ASSERT_EQ(part.grid.at(i, j), surface.grid.at(24 + i, 31 + j));

@@ -108,11 +108,15 @@ TEST(Closing, FillsWhatIsNarrowerThanItsWindow) {
     MetreGrid grid(9, 9, 4.0F);
     grid.at(4, 4) = 0;
     grid.at(0, 0) = no_value;
-    EXPECT_EQ(closed_by_rectangle(grid, {1, 1}).at(4, 4), 4);
+    Workspace workspace;
+    MetreGrid closed;
+    closed_by_rectangle(grid, {1, 1}, workspace, closed);
+    EXPECT_EQ(closed.at(4, 4), 4);
     for (std::int32_t i = 2; i < 7; ++i)
         for (std::int32_t j = 2; j < 7; ++j)
             grid.at(i, j) = 0;
-    EXPECT_EQ(closed_by_rectangle(grid, {1, 1}).at(4, 4), 0);
+    closed_by_rectangle(grid, {1, 1}, workspace, closed);
+    EXPECT_EQ(closed.at(4, 4), 0);
 }
 
 }  // namespace

@@ -1,8 +1,14 @@
 #include "ground/outliers.hpp"
 
+#include <algorithm>
+#include <random>
+#include <utility>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "ground/window_pass.hpp"
+#include "support/test_threads.hpp"
 
 namespace d2b::ground {
 namespace {
@@ -13,25 +19,63 @@ AlignedGrid flat(float height) {
     return surface;
 }
 
-int outliers(const AlignedGrid& surface) {
-    const MetreGrid limits = outlier_limits(surface, {});
-    int found = 0;
-    for (std::size_t k = 0; k < limits.size(); ++k)
-        found += surface.grid.values[k] < limits.values[k] ? 1 : 0;
-    return found;
+std::size_t outliers(const AlignedGrid& surface) {
+    return find_pits(surface, {}, test::threads()).size();
 }
 
 TEST(Outliers, APitIsOne) {
     AlignedGrid surface = flat(30);
-    surface.grid.at(20, 20) = 12;
-    EXPECT_EQ(outlier_limits(surface, {}).at(20, 20), 25);
-    EXPECT_EQ(outliers(surface), 1);
+    surface.grid.at(20, 31) = 12;
+    const std::vector<Pit> pits = find_pits(surface, {}, test::threads());
+    ASSERT_EQ(pits.size(), 1U);
+    EXPECT_EQ(pits[0].row, 20);
+    EXPECT_EQ(pits[0].col, 31);
+    EXPECT_EQ(pits[0].limit, 25);
+}
+
+/// Cell by cell: what is 5 m below the lowest of a window of 25 cells around it, after windows of one cell
+/// have closed the surface.
+std::vector<std::pair<std::int32_t, std::int32_t>> pits_by_definition(const MetreGrid& grid) {
+    const auto extreme = [](const MetreGrid& of, std::int32_t row, std::int32_t col, std::int32_t radius,
+                            int sign) {
+        float found = no_value;
+        for (std::int32_t i = std::max(row - radius, 0); i <= std::min(row + radius, of.rows - 1); ++i)
+            for (std::int32_t j = std::max(col - radius, 0); j <= std::min(col + radius, of.cols - 1); ++j)
+                found = std::min(found, static_cast<float>(sign) * of.at(i, j));
+        return static_cast<float>(sign) * found;
+    };
+    MetreGrid highest = grid, closed = grid;
+    for (std::int32_t i = 0; i < grid.rows; ++i)
+        for (std::int32_t j = 0; j < grid.cols; ++j)
+            highest.at(i, j) = extreme(grid, i, j, 1, -1);
+    for (std::int32_t i = 0; i < grid.rows; ++i)
+        for (std::int32_t j = 0; j < grid.cols; ++j)
+            closed.at(i, j) = extreme(highest, i, j, 1, 1);
+    std::vector<std::pair<std::int32_t, std::int32_t>> pits;
+    for (std::int32_t i = 0; i < grid.rows; ++i)
+        for (std::int32_t j = 0; j < grid.cols; ++j)
+            if (grid.at(i, j) < extreme(closed, i, j, 25, 1) - 5)
+                pits.emplace_back(i, j);
+    return pits;
+}
+
+TEST(Outliers, AreFoundInAllTilesInScanOrder) {
+    AlignedGrid surface;
+    surface.grid = MetreGrid(70, 1300);
+    std::mt19937 random(7);
+    for (float& z : surface.grid.values)
+        z = random() % 700 == 0 ? static_cast<float>(random() % 20) : static_cast<float>(20 + random() % 3);
+    std::vector<std::pair<std::int32_t, std::int32_t>> found;
+    for (const Pit& pit : find_pits(surface, {}, test::threads()))
+        found.emplace_back(pit.row, pit.col);
+    EXPECT_GT(found.size(), 50U);
+    EXPECT_EQ(found, pits_by_definition(surface.grid));
 }
 
 TEST(Outliers, AShallowPitIsNone) {
     AlignedGrid surface = flat(30);
     surface.grid.at(20, 20) = 26;
-    EXPECT_EQ(outliers(surface), 0);
+    EXPECT_EQ(outliers(surface), 0U);
 }
 
 TEST(Outliers, ACourtAmongRoofsIsNone) {
@@ -40,7 +84,7 @@ TEST(Outliers, ACourtAmongRoofsIsNone) {
         for (std::int32_t j = 10; j < 30; ++j)
             surface.grid.at(i, j) = 45;
     surface.grid.at(16, 16) = 30;  // streets are within reach
-    EXPECT_EQ(outliers(surface), 0);
+    EXPECT_EQ(outliers(surface), 0U);
 }
 
 TEST(Outliers, AWideHollowIsNone) {
@@ -48,13 +92,13 @@ TEST(Outliers, AWideHollowIsNone) {
     for (std::int32_t i = 20; i < 26; ++i)
         for (std::int32_t j = 20; j < 26; ++j)
             surface.grid.at(i, j) = 20;
-    EXPECT_EQ(outliers(surface), 0);
+    EXPECT_EQ(outliers(surface), 0U);
 }
 
 TEST(Outliers, APitInTheMiddleOfNothingIsNotKnownToBeOne) {
     AlignedGrid surface = flat(no_value);
     surface.grid.at(20, 20) = 12;
-    EXPECT_EQ(outliers(surface), 0);
+    EXPECT_EQ(outliers(surface), 0U);
 }
 
 }  // namespace

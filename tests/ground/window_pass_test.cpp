@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "ground/random_surface.hpp"
+#include "support/test_threads.hpp"
 
 namespace d2b::ground {
 namespace {
@@ -65,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(AllLines, WindowPass,
 TEST(LowestAround, IsTheLowestOfNineCells) {
     MetreGrid grid(4, 4, 7.0F);
     grid.at(1, 1) = 2;
-    const MetreGrid around = lowest_around(grid);
+    const MetreGrid around = lowest_around(grid, test::threads());
     EXPECT_EQ(around.at(0, 0), 2);
     EXPECT_EQ(around.at(2, 2), 2);
     EXPECT_EQ(around.at(3, 3), 7);

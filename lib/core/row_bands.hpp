@@ -1,0 +1,90 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/executor.hpp"
+#include "core/grid.hpp"
+
+namespace d2b {
+
+/// Rows [begin, end) of a grid.
+struct RowBand {
+    std::int32_t begin = 0;
+    std::int32_t end = 0;
+};
+
+/// The bands in which threads work on a grid: some 256 Ki cells each, so that what a thread works on stays in
+/// its cache. They depend on the grid's shape alone.
+[[nodiscard]] inline std::vector<RowBand> row_bands(std::int32_t rows, std::int32_t cols) {
+    constexpr std::int32_t cells = 1 << 18;
+    const std::int32_t height = std::clamp(cells / std::max(cols, 1), 8, 1024);
+    std::vector<RowBand> bands;
+    for (std::int32_t begin = 0; begin < rows; begin += height)
+        bands.push_back({begin, std::min(begin + height, rows)});
+    return bands;
+}
+
+/// Calls work(band) for all bands of a grid, on all threads.
+template <typename Work>
+void for_row_bands(Executor& threads, std::int32_t rows, std::int32_t cols, const Work& work) {
+    const std::vector<RowBand> bands = row_bands(rows, cols);
+    threads.for_each(bands.size(), [&](std::size_t i) { work(bands[i]); });
+}
+
+/// A band of a grid with rows of its neighbours, as they were.
+template <typename T>
+struct BandCopy {
+    RowBand band;
+    std::int32_t first = 0;  ///< the grid's row that is the copy's row 0
+    Grid<T> rows;
+
+    /// Rows [begin, end) of the grid, as far as it has them.
+    void copy(const Grid<T>& grid, std::int32_t begin, std::int32_t end) {
+        first = std::max(begin, 0);
+        rows.rows = std::min(end, grid.rows) - first;
+        rows.cols = grid.cols;
+        rows.values.assign(grid.row(first).data(), grid.row(first).data() + grid.index(rows.rows, 0));
+    }
+    /// Copies the rows that both have.
+    void take_rows(const BandCopy& other) {
+        const std::int32_t begin = std::max(first, other.first);
+        const std::int32_t end = std::min(first + rows.rows, other.first + other.rows.rows);
+        if (begin < end)
+            std::copy_n(other.rows.row(begin - other.first).data(), rows.index(end - begin, 0),
+                        rows.row(begin - first).data());
+    }
+    void write_band(Grid<T>& grid) const {
+        std::copy_n(rows.row(band.begin - first).data(), rows.index(band.end - band.begin, 0),
+                    grid.row(band.begin).data());
+    }
+};
+
+/// Work in place that looks at rows around: calls work(BandCopy&) for all bands of a grid, on all threads.
+/// Each copy has `reach` rows of the bands beside it as they were before any work, so work may change the
+/// rows of its band in the grid.
+template <typename T, typename Work>
+void for_band_copies(Executor& threads, const Grid<T>& grid, std::int32_t reach, const Work& work) {
+    const std::vector<RowBand> bands = row_bands(grid.rows, grid.cols);
+    std::vector<BandCopy<T>> seams(bands.size());  // what a band and the one before see of each other
+    threads.for_each(bands.size(), [&](std::size_t i) {
+        seams[i].copy(grid, bands[i].begin - reach, bands[i].begin + reach);
+    });
+    threads.for_each_in_room<BandCopy<T>>(bands.size(), [&](std::size_t i, BandCopy<T>& copy) {
+        copy.band = bands[i];
+        copy.first = std::max(bands[i].begin - reach, 0);
+        copy.rows.rows = std::min(bands[i].end + reach, grid.rows) - copy.first;
+        copy.rows.cols = grid.cols;
+        copy.rows.values.resize(copy.rows.index(copy.rows.rows, 0));
+        std::copy_n(grid.row(bands[i].begin).data(), grid.index(bands[i].end - bands[i].begin, 0),
+                    copy.rows.row(bands[i].begin - copy.first).data());
+        copy.take_rows(seams[i]);
+        if (i + 1 < bands.size())
+            copy.take_rows(seams[i + 1]);
+        work(copy);
+    });
+}
+
+}  // namespace d2b
