@@ -33,6 +33,8 @@ struct DemInfo {
     std::string
         band_unit;  ///< the band's unit of elevation as stated, e.g. "metre", "US survey foot"; may be ""
     std::string driver;  ///< short name of the format, for the report
+    std::int32_t block_rows =
+        1;  ///< rows that are decoded together; bands that keep to multiples of it are read once
 };
 
 }  // namespace d2b

@@ -19,6 +19,7 @@ class DemSource {
 
     /// Elevations of whole rows of the window, row by row, in the band's vertical unit with scale and offset
     /// applied; NaN where a point is not valid (NoData, mask, alpha, NaN, infinite, outside the cutline).
+    /// Several threads may call it at a time.
     /// @param first_row  of the whole raster; window.row <= first_row
     /// @param rows       first_row + rows <= window.row + window.rows
     /// @param elevations rows * window.cols values

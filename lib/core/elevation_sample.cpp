@@ -31,6 +31,12 @@ void ElevationSample::add(double elevation, const ElevationRange& range) {
         make_histogram(range);
 }
 
+void ElevationSample::add(std::span<const double> elevations, const ElevationRange& range) {
+    for (const double elevation : elevations)
+        if (!std::isnan(elevation))
+            add(elevation, range);
+}
+
 void ElevationSample::make_histogram(const ElevationRange& range) {
     histogram_.assign(ElevationRange::bins, 0);
     for (const double value : values_)

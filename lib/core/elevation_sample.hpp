@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace d2b {
@@ -24,6 +25,8 @@ class ElevationSample {
     static constexpr std::size_t largest_list = std::size_t{1} << 17;
 
     void add(double elevation, const ElevationRange& range);
+    /// Those that are not NaN.
+    void add(std::span<const double> elevations, const ElevationRange& range);
     /// @param other left empty
     void merge(ElevationSample& other, const ElevationRange& range);
     [[nodiscard]] std::int64_t size() const { return size_; }

@@ -8,8 +8,6 @@
 namespace d2b {
 namespace {
 
-constexpr std::size_t values_a_thread = 8;
-
 /// The exception of the lowest index, as a loop would throw it.
 class FirstFailure {
   public:
@@ -82,10 +80,6 @@ int Executor::threads() const {
     return static_cast<int>(pool_->threads.size()) + 1;
 }
 
-std::size_t Executor::window() const {
-    return values_a_thread * static_cast<std::size_t>(threads());
-}
-
 void Executor::run(const Body& body) {
     Pool& pool = *pool_;
     std::unique_lock lock(pool.mutex);
@@ -120,14 +114,14 @@ void Executor::indexed(std::size_t count, const Indexed& work) {
     failure.rethrow();
 }
 
-void Executor::pipelined(std::size_t count, const Indexed& make,
+void Executor::pipelined(std::size_t count, std::size_t window, const Indexed& make,
                          const std::function<void(std::size_t)>& take) {
     FirstFailure failure;
     std::mutex mutex;
     std::condition_variable moved;
     std::size_t next = 0;   // to be made
     std::size_t taken = 0;  // so many; the slots after it may be filled
-    std::vector<bool> made(window());
+    std::vector<bool> made(window);
     const auto can_make = [&] { return next < count && next < taken + made.size(); };
     const auto make_next = [&](std::unique_lock<std::mutex>& lock, std::size_t thread) {
         const std::size_t i = next++;

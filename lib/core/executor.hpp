@@ -48,13 +48,15 @@ class Executor {
     }
 
     /// Calls take(i, make(i, thread)) for each i below `count`: make on all threads, `thread` counts from 0
-    /// to threads() - 1; take on the caller's alone and in order. At most some values a thread wait for it.
-    /// Exceptions as from a loop.
+    /// to threads() - 1; take on the caller's alone and in order. Exceptions as from a loop.
+    /// @param ahead most values a thread that wait for it
     template <typename Make, typename Take>
-    void in_order(std::size_t count, const Make& make, const Take& take) {
-        std::vector<std::optional<decltype(make(std::size_t{}, std::size_t{}))>> made(window());
+    void in_order(std::size_t count, const Make& make, const Take& take, std::size_t ahead = 8) {
+        std::vector<std::optional<decltype(make(std::size_t{}, std::size_t{}))>> made(
+            ahead * static_cast<std::size_t>(threads()));
         pipelined(
-            count, [&](std::size_t i, std::size_t thread) { made[i % made.size()].emplace(make(i, thread)); },
+            count, made.size(),
+            [&](std::size_t i, std::size_t thread) { made[i % made.size()].emplace(make(i, thread)); },
             [&](std::size_t i) {
                 auto value = std::move(*made[i % made.size()]);
                 made[i % made.size()].reset();
@@ -66,11 +68,11 @@ class Executor {
     using Body = std::function<void(std::size_t thread)>;
     using Indexed = std::function<void(std::size_t i, std::size_t thread)>;
 
-    [[nodiscard]] std::size_t window() const;
     /// Runs body on all threads, the caller's is 0; on the caller's alone where the others are busy.
     void run(const Body& body);
     void indexed(std::size_t count, const Indexed& work);
-    void pipelined(std::size_t count, const Indexed& make, const std::function<void(std::size_t)>& take);
+    void pipelined(std::size_t count, std::size_t window, const Indexed& make,
+                   const std::function<void(std::size_t)>& take);
 
     struct Pool;
     std::unique_ptr<Pool> pool_;

@@ -7,48 +7,59 @@
 namespace d2b {
 namespace {
 
-// Some 4 MiB of elevations, in whole multiples of the usual block heights.
+// Some 4 MiB of elevations, in whole multiples of the usual block heights; more where blocks are higher.
 constexpr std::int64_t points_a_band = 1 << 19;
-constexpr std::int32_t block_rows = 64;
+constexpr std::int32_t usual_block_rows = 64;
+constexpr std::int64_t most_points_a_band = 1 << 23;
+constexpr std::int64_t points_ahead = 1 << 24;
 
-std::int32_t band_rows(std::int32_t cols) {
-    const std::int64_t rows = points_a_band / std::max(cols, 1) / block_rows * block_rows;
-    return static_cast<std::int32_t>(std::clamp<std::int64_t>(rows, block_rows, 1 << 16));
+std::int32_t band_rows(const DemInfo& info) {
+    const std::int32_t cols = std::max(info.window.cols, 1);
+    std::int32_t block = usual_block_rows;
+    if (info.block_rows > block && std::int64_t{info.block_rows} * cols <= most_points_a_band)
+        block = info.block_rows;
+    const std::int64_t rows = points_a_band / cols / block * block;
+    return static_cast<std::int32_t>(std::clamp<std::int64_t>(rows, block, std::max(block, 1 << 16)));
+}
+
+std::vector<BandShape> shapes_of(const Window& window, std::int32_t rows_a_band) {
+    std::vector<BandShape> shapes;
+    const std::int32_t end = window.row + window.rows;
+    for (std::int32_t row = window.row; row < end;) {
+        const std::int64_t border = (std::int64_t{row} / rows_a_band + 1) * rows_a_band;
+        const auto next = static_cast<std::int32_t>(std::min<std::int64_t>(end, border));
+        shapes.push_back({row, next - row, window.cols});
+        row = next;
+    }
+    return shapes;
 }
 
 }  // namespace
 
 ElevationReader::ElevationReader(DemSource& source, Context& context, std::size_t keep_bytes)
-    : source_(source), context_(context), rows_a_band_(band_rows(source.info().window.cols)) {
+    : source_(source), context_(context) {
     const Window& window = source.info().window;
     const std::size_t points = static_cast<std::size_t>(window.rows) * static_cast<std::size_t>(window.cols);
+    const std::int32_t rows = band_rows(source.info());
     keep_ = points <= keep_bytes / sizeof(double);
+    ahead_ = static_cast<std::size_t>(
+        std::clamp<std::int64_t>(points_ahead / (std::int64_t{rows} * std::max(window.cols, 1)), 1, 8));
+    shapes_ = shapes_of(window, rows);
+    if (keep_)
+        kept_.resize(shapes_.size());
+}
+
+ElevationBand ElevationReader::read(std::size_t i, Tally& tally) {
+    const StageClock clock(tally, Stage::read);
+    ElevationBand band{shapes_[i], {}};
+    band.elevations.resize(band.shape.size());
+    source_.read(band.shape.first_row, band.shape.rows, band.elevations);
+    return band;
 }
 
 void ElevationReader::for_each(const std::function<void(const ElevationBand&)>& use) {
-    if (complete_) {
-        for (const ElevationBand& band : kept_)
-            use(band);
-        return;
-    }
-    kept_.clear();
-    const Window& window = source_.info().window;
-    const std::int32_t end = window.row + window.rows;
-    for (std::int32_t row = window.row; row < end;) {
-        const std::int64_t border = (std::int64_t{row} / rows_a_band_ + 1) * rows_a_band_;
-        const auto next = static_cast<std::int32_t>(std::min<std::int64_t>(end, border));
-        ElevationBand band{{row, next - row, window.cols}, {}};
-        band.elevations.resize(band.shape.size());
-        {
-            const StageClock clock(context_.report, Stage::read);
-            source_.read(row, band.shape.rows, band.elevations);
-        }
-        use(band);
-        if (keep_)
-            kept_.push_back(std::move(band));
-        row = next;
-    }
-    complete_ = keep_;
+    for_each([](std::size_t, const ElevationBand&, Tally&) { return 0; },
+             [&](const ElevationBand& band, int) { use(band); });
 }
 
 }  // namespace d2b

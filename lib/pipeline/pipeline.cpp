@@ -4,6 +4,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <exception>
+#include <future>
 #include <limits>
 #include <optional>
 #include <thread>
@@ -69,21 +71,24 @@ void warn_of_coarse_cells(const Window& window, const SquareArea& area, const Cr
 
 ElevationStatistics collect_statistics(ElevationReader& reader, const Window& window, Context& context) {
     ElevationStatistics statistics;
-    reader.for_each([&](const ElevationBand& band) {
-        {
-            const StageClock clock(context.report, Stage::levels);
-            statistics.add(band);
-        }
-        context.progress(0.3 * (band.shape.first_row + band.shape.rows - window.row) / window.rows);
-    });
+    reader.for_each(
+        [](std::size_t, const ElevationBand& band, Tally& tally) {
+            const StageClock clock(tally, Stage::levels);
+            ElevationStatistics of_band;
+            of_band.add(band);
+            return of_band;
+        },
+        [&](const ElevationBand& band, const ElevationStatistics& of_band) {
+            statistics.merge(of_band);
+            context.progress(0.3 * (band.shape.first_row + band.shape.rows - window.row) / window.rows);
+        });
     return statistics;
 }
 
 /// What a band's points belong to.
-LabelBand labels_of(const ElevationBand& band, const FoundBuildings* found, const Window& window,
-                    Context& context) {
-    const StageClock clock(context.report, Stage::detect);
-    return found == nullptr ? detect_one_label(band, context) : found->band(band.shape, window.row);
+LabelBand labels_of(const ElevationBand& band, const FoundBuildings* found, const Window& window) {
+    Context none;
+    return found == nullptr ? detect_one_label(band, none) : found->band(band.shape, window.row);
 }
 
 /// The levels of each building, from the elevations in it.
@@ -92,36 +97,57 @@ LevelPlan plan_levels(ElevationReader& reader, const FoundBuildings& found,
                       const LevelOptions& options, const Window& window, Context& context) {
     BuildingStatistics buildings(found.count(), statistics.fixed_point());
     reader.for_each([&](const ElevationBand& band) {
-        const LabelBand labels = labels_of(band, &found, window, context);
         const StageClock clock(context.report, Stage::levels);
-        buildings.add(band, labels);
+        buildings.add(band, labels_of(band, &found, window));
     });
     return plan_building_levels(buildings, found.ground, global, options,
                                 context.report.units.vertical_metres);
 }
 
+/// Bands are taken apart on all threads; what is found goes through the tracer in order.
 template <typename Count>
+void trace_bands(ElevationReader& reader, const TraceFrame& frame, const LevelPlan& plan,
+                 const FoundBuildings* found, const TraceOptions& options, StackSink& sink,
+                 Context& context) {
+    Tracer tracer(frame, options, sink);
+    // Each band needs the last rows of the one before it, which may be in another thread's hands.
+    std::vector<std::promise<PointRows<Count>>> ends(reader.bands() + 1);
+    ends[0].set_value({});
+    reader.for_each(
+        [&](std::size_t i, const ElevationBand& elevations, Tally& tally) {
+            PointRows<Count> band;
+            try {
+                const StageClock clock(tally, Stage::levels);
+                band.elevations = {std::shared_ptr<void>(), &elevations};  // owns nothing
+                band.labels = labels_of(elevations, found, frame.window);
+                band.levels = quantise<Count>(elevations, band.labels, plan);
+                ends[i + 1].set_value(last_rows<Count>({}, band));
+            } catch (...) {
+                ends[i + 1].set_exception(std::current_exception());
+                throw;
+            }
+            const PointRows<Count> before = ends[i].get_future().get();
+            const StageClock clock(tally, Stage::trace);
+            return take_apart(frame, options, before, band);
+        },
+        [&](const ElevationBand& band, std::vector<TraceLine> lines) {
+            {
+                const StageClock clock(context.report, Stage::trace);
+                tracer.trace(std::move(lines));
+            }
+            context.progress(0.3 + 0.3 * (band.shape.first_row + band.shape.rows - frame.window.row) /
+                                       frame.window.rows);
+        });
+}
+
 ContourSet trace_contours(ElevationReader& reader, const TraceFrame& frame, const LevelPlan& plan,
                           const FoundBuildings* found, const Options& options, const SquareArea& area,
                           Context& context) {
     ContourStore store(options.filter, area, frame.range, context);
-    Tracer<Count> tracer(frame, options.trace, store);
-    reader.for_each([&](const ElevationBand& band) {
-        const LabelBand labels = labels_of(band, found, frame.window, context);
-        LevelBand<Count> levels;
-        {
-            const StageClock clock(context.report, Stage::levels);
-            levels = quantise<Count>(band, labels, plan);
-        }
-        const StageClock clock(context.report, Stage::trace);
-        tracer.trace(band, labels, levels);
-        context.progress(0.3 + 0.3 * (band.shape.first_row + band.shape.rows - frame.window.row) /
-                                   frame.window.rows);
-    });
-    {
-        const StageClock clock(context.report, Stage::trace);
-        tracer.finish();
-    }
+    if (plan.level_count() <= 255)
+        trace_bands<std::uint8_t>(reader, frame, plan, found, options.trace, store, context);
+    else
+        trace_bands<std::uint16_t>(reader, frame, plan, found, options.trace, store, context);
     const StageClock clock(context.report, Stage::filter);
     ContourSet set = store.finish();
     if (found != nullptr)
@@ -213,10 +239,7 @@ void run(const Options& user_options, const Sources& sources, const Sinks& sinks
     }
     const FoundBuildings* buildings = found ? &*found : nullptr;
     const TraceFrame frame{info.window, plan.level_count(), statistics.fixed_point(), statistics.range()};
-    const ContourSet set =
-        plan.level_count() <= 255
-            ? trace_contours<std::uint8_t>(reader, frame, plan, buildings, options, area, context)
-            : trace_contours<std::uint16_t>(reader, frame, plan, buildings, options, area, context);
+    const ContourSet set = trace_contours(reader, frame, plan, buildings, options, area, context);
 
     const Label last_building = found ? found->buildings : std::numeric_limits<Label>::max();
     Records records;

@@ -1,15 +1,17 @@
 #include "read/gdal_dem_source.hpp"
 
+#include <algorithm>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "core/error.hpp"
-#include "read/band_reader.hpp"
 #include "read/cutline_mask.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/georeference.hpp"
 #include "read/open_raster.hpp"
+#include "read/reader_pool.hpp"
 #include "read/spool.hpp"
 #include "read/window.hpp"
 
@@ -30,6 +32,9 @@ DemInfo describe(const OpenRaster& raster, const ReadOptions& options, Context& 
     read_transform(raster.dataset.get(), info, context);
     read_crs(raster.dataset.get(), options.crs, info, context);
     info.window = choose_window(options, info);
+    int block_cols = 0;
+    GDALGetBlockSize(raster.band, &block_cols, &info.block_rows);
+    info.block_rows = std::clamp(info.block_rows, 1, std::max(info.rows, 1));
     messages.pass_all(context);
     return info;
 }
@@ -40,9 +45,8 @@ class GdalDemSource final : public DemSource {
                   Context& context)
         : context_(context),
           spooled_(std::move(spooled)),
-          raster_(std::move(raster)),
-          info_(describe(raster_, options, context)),
-          reader_(raster_.band, options, info_, context) {
+          info_(describe(raster, options, context)),
+          readers_(std::move(raster), options, spooled_ ? spooled_->path() : options.source, info_, context) {
         if (!options.cutline.empty())
             cut(options.cutline);
     }
@@ -50,7 +54,8 @@ class GdalDemSource final : public DemSource {
     [[nodiscard]] const DemInfo& info() const override { return info_; }
 
     void read(std::int32_t first_row, std::int32_t rows, std::span<double> elevations) override {
-        reader_.read(first_row, rows, elevations, context_);
+        readers_.read(first_row, rows, elevations);
+        const std::lock_guard lock(cutting_);
         if (cutline_)
             cutline_->apply(first_row, rows, elevations);
     }
@@ -64,10 +69,10 @@ class GdalDemSource final : public DemSource {
     }
 
     Context& context_;
-    std::unique_ptr<SpooledInput> spooled_;  // Before the dataset, which must be closed first.
-    OpenRaster raster_;
+    std::unique_ptr<SpooledInput> spooled_;  // before the readers, which must be closed first
     DemInfo info_;
-    BandReader reader_;
+    ReaderPool readers_;
+    std::mutex cutting_;
     std::optional<CutlineMask> cutline_;
 };
 

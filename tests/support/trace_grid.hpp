@@ -55,8 +55,9 @@ ContourSet trace_levels(const TraceGrid& grid, const LevelPlan& plan, const Trac
     ContourStore store(
         filter, [](LatticePoint) { return 1.0; }, statistics.range(), context);
     const Window window{settings.origin.row, settings.origin.col, grid.rows, grid.cols};
-    Tracer<Count> tracer({window, plan.level_count(), statistics.fixed_point(), statistics.range()},
-                         {settings.mode}, store);
+    const TraceFrame frame{window, plan.level_count(), statistics.fixed_point(), statistics.range()};
+    Tracer tracer(frame, {settings.mode}, store);
+    PointRows<Count> before;
     for (std::int32_t row = 0; row < grid.rows; row += settings.rows_a_band) {
         const std::int32_t rows = std::min(settings.rows_a_band, grid.rows - row);
         const auto begin = static_cast<std::ptrdiff_t>(row) * grid.cols;
@@ -66,9 +67,11 @@ ContourSet trace_levels(const TraceGrid& grid, const LevelPlan& plan, const Trac
         LabelBand labels = detect_one_label(elevations, context);
         if (!grid.labels.empty())
             labels.labels.assign(grid.labels.begin() + begin, grid.labels.begin() + end);
-        tracer.trace(elevations, labels, quantise<Count>(elevations, labels, plan));
+        const PointRows<Count> band{std::make_shared<ElevationBand>(elevations), labels,
+                                    quantise<Count>(elevations, labels, plan)};
+        tracer.trace(take_apart(frame, {settings.mode}, before, band));
+        before = last_rows(before, band);
     }
-    tracer.finish();
     return store.finish();
 }
 

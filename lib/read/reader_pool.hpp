@@ -1,0 +1,49 @@
+#pragma once
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "read/band_reader.hpp"
+#include "read/open_raster.hpp"
+
+namespace d2b {
+
+/// A raster that several threads read at a time: GDAL's datasets serve one each, so it is opened again for
+/// those who would have to wait, where that is cheap and safe; else they wait.
+class ReaderPool {
+  public:
+    /// @param path to open it again @param context gets what GDAL warns of; it must outlive the pool
+    ReaderPool(OpenRaster raster, const ReadOptions& options, std::string path, const DemInfo& info,
+               Context& context);
+
+    /// As BandReader::read().
+    void read(std::int32_t first_row, std::int32_t rows, std::span<double> elevations);
+
+  private:
+    struct Reader {
+        Reader(OpenRaster raster, const ReadOptions& options, const DemInfo& info, Context& context)
+            : source(std::move(raster)), bands(source.band, options, info, context) {}
+        OpenRaster source;
+        BandReader bands;
+    };
+    using ReaderPtr = std::unique_ptr<Reader>;
+
+    [[nodiscard]] ReaderPtr take();
+    [[nodiscard]] ReaderPtr reopen() const;
+    void give_back(ReaderPtr reader, const std::vector<std::string>& warnings);
+
+    ReadOptions options_;
+    std::string path_;
+    DemInfo info_;
+    Context& context_;
+    std::mutex mutex_;
+    std::condition_variable returned_;
+    bool may_reopen_;
+    std::vector<ReaderPtr> idle_;
+};
+
+}  // namespace d2b

@@ -1,0 +1,238 @@
+#include "trace/take_apart.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "trace/squares.hpp"
+
+namespace d2b {
+namespace {
+
+constexpr double nothing_outside = std::numeric_limits<double>::infinity();
+
+/// The segment of a row of squares that holds a square; level -1 where none does.
+struct Holder {
+    std::int32_t level = -1;
+    std::uint32_t segment = 0;
+};
+using Holders = std::vector<Holder>;
+
+Holders holders_of(const RunRow& row, std::size_t squares) {
+    Holders holders(squares);
+    for (std::uint32_t s = 0; s < row.segments.size(); ++s) {
+        const Segment& segment = row.segments[s];
+        std::fill(holders.begin() + segment.begin, holders.begin() + segment.end, Holder{segment.level, s});
+    }
+    return holders;
+}
+
+template <typename Count>
+struct Row {
+    std::span<const double> elevations;
+    std::span<const Label> labels;
+    std::span<const Count> counts;
+};
+
+template <typename Count>
+class Cutter {
+  public:
+    Cutter(const TraceFrame& frame, const PointRows<Count>& before, const PointRows<Count>& band)
+        : frame_(frame), before_(before), band_(band) {}
+
+    [[nodiscard]] std::vector<TraceLine> lines_of_cells() const;
+    [[nodiscard]] std::vector<TraceLine> lines_of_points() const;
+
+  private:
+    [[nodiscard]] bool has(std::int32_t row) const {
+        return row >= band_.shape().first_row - before_.shape().rows;
+    }
+    [[nodiscard]] Row<Count> row(std::int32_t row) const {
+        const std::int32_t in_band = row - band_.shape().first_row;
+        const PointRows<Count>& rows = in_band < 0 ? before_ : band_;
+        const std::int32_t i = in_band < 0 ? row - before_.shape().first_row : in_band;
+        return {rows.elevations->row(i), rows.labels.row(i), rows.levels.row(i)};
+    }
+    [[nodiscard]] bool is_last() const { return band_.end_row() == frame_.window.row + frame_.window.rows; }
+    [[nodiscard]] RunRow cut(std::span<const Count> counts, std::span<const Label> labels) const;
+    [[nodiscard]] RunRow squares_above(std::int32_t row) const;
+    [[nodiscard]] TraceLine line_of_points(std::int32_t line, const Holders& above, RunRow squares) const;
+    void add_share(TraceLine& line, const PointShare& share) const;
+    [[nodiscard]] static std::vector<double> outside_of(const Row<Count>& row);
+
+    const TraceFrame& frame_;
+    const PointRows<Count>& before_;
+    const PointRows<Count>& band_;
+};
+
+template <typename Count>
+std::vector<double> Cutter<Count>::outside_of(const Row<Count>& row) {
+    std::vector<double> outside(row.elevations.size());
+    for (std::size_t c = 0; c < outside.size(); ++c)
+        outside[c] = row.counts[c] == 1 ? row.elevations[c] : nothing_outside;
+    return outside;
+}
+
+template <typename Count>
+RunRow Cutter<Count>::cut(std::span<const Count> counts, std::span<const Label> labels) const {
+    RunRow row;
+    row.levels.resize(static_cast<std::size_t>(frame_.levels));
+    cut_into_runs<Count>(counts, labels, row);
+    return row;
+}
+
+/// With statistics of the points, which the line holds.
+template <typename Count>
+void Cutter<Count>::add_share(TraceLine& line, const PointShare& share) const {
+    PointShare& added = line.shares.emplace_back(share);
+    for (std::int32_t c = share.begin; c < share.end; ++c)
+        if (const double z = line.elevations[static_cast<std::size_t>(c)]; !std::isnan(z))
+            added.stats.add(z, frame_.fixed);
+    if (added.stats.n == 0)
+        line.shares.pop_back();
+}
+
+/// Every cell is a point of the contour that it lies in.
+template <typename Count>
+std::vector<TraceLine> Cutter<Count>::lines_of_cells() const {
+    std::vector<TraceLine> lines;
+    for (std::int32_t r = band_.shape().first_row; r < band_.end_row(); ++r) {
+        const Row<Count> cells = row(r);
+        TraceLine& line = lines.emplace_back();
+        line.line = r;
+        line.squares = cut(cells.counts, cells.labels);
+        line.elevations = cells.elevations;
+        line.outside = outside_of(cells);
+        for (std::uint32_t s = 0; s < line.squares.segments.size(); ++s)
+            add_share(line, {false, s, line.squares.segments[s].begin, line.squares.segments[s].end, {}});
+    }
+    if (is_last()) {
+        lines.emplace_back().line = band_.end_row();
+        lines.back().squares = cut({}, {});
+    }
+    return lines;
+}
+
+/// Between a row of points and the one before it.
+template <typename Count>
+RunRow Cutter<Count>::squares_above(std::int32_t r) const {
+    const Row<Count> upper = row(r - 1);
+    const Row<Count> lower = row(r);
+    std::vector<Count> squares;
+    squares_between<Count>(upper.counts, lower.counts, upper.labels, lower.labels, squares);
+    return cut(squares, upper.labels.first(upper.labels.empty() ? 0 : squares.size()));
+}
+
+/// A point on the line is counted once, with the highest contour among the four squares around it (the first
+/// in scan order where several are as high): a point where two contours touch belongs to one of them.
+template <typename Count>
+TraceLine Cutter<Count>::line_of_points(std::int32_t number, const Holders& above, RunRow squares) const {
+    TraceLine line;
+    line.line = number;
+    const Row<Count> points = row(number);
+    line.elevations = points.elevations;
+    if (number < band_.shape().first_row)
+        line.owner = before_.elevations;
+    const Holders below = holders_of(squares, points.elevations.size() - 1);
+    const auto cols = static_cast<std::int32_t>(points.elevations.size());
+    PointShare share;
+    std::int32_t level = -1;
+    for (std::int32_t c = 0; c <= cols; ++c) {
+        Holder best;
+        bool best_above = false;
+        for (const bool is_above : {true, false})
+            for (const std::int32_t square : {c - 1, c}) {
+                const Holders& holders = is_above ? above : below;
+                const auto at = static_cast<std::size_t>(square);
+                if (square >= 0 && at < holders.size() && holders[at].level > best.level && c < cols) {
+                    best = holders[at];
+                    best_above = is_above;
+                }
+            }
+        if (level >= 0 && (best.level < 0 || best.segment != share.segment || best_above != share.above)) {
+            share.end = c;
+            add_share(line, share);
+            level = -1;
+        }
+        if (level < 0 && best.level >= 0)
+            share = {best_above, best.segment, c, c, {}};
+        level = best.level;
+    }
+    line.squares = std::move(squares);
+    return line;
+}
+
+template <typename Count>
+std::vector<TraceLine> Cutter<Count>::lines_of_points() const {
+    std::vector<TraceLine> lines;
+    const auto squares_a_row = static_cast<std::size_t>(band_.shape().cols - 1);
+    Holders above;
+    const std::int32_t first = band_.shape().first_row;
+    if (has(first - 2))
+        above = holders_of(squares_above(first - 1), squares_a_row);
+    for (std::int32_t r = first; r < band_.end_row(); ++r) {
+        if (has(r - 1)) {
+            lines.push_back(line_of_points(r - 1, above, squares_above(r)));
+            above = holders_of(lines.back().squares, squares_a_row);
+        } else {
+            lines.emplace_back();  // the first row of points is the line above the first row of squares
+        }
+        lines.back().outside = outside_of(row(r));
+    }
+    if (is_last())
+        lines.push_back(line_of_points(band_.end_row() - 1, above, cut({}, {})));
+    return lines;
+}
+
+/// @param first, last rows of a list of rows
+template <typename Value>
+void append_rows(std::vector<Value>& to, const std::vector<Value>& from, std::int32_t first,
+                 std::int32_t last, std::int32_t cols) {
+    if (!from.empty())
+        to.insert(to.end(), from.begin() + static_cast<std::ptrdiff_t>(first) * cols,
+                  from.begin() + static_cast<std::ptrdiff_t>(last) * cols);
+}
+
+template <typename Count>
+void append_rows(PointRows<Count>& to, ElevationBand& elevations, const PointRows<Count>& from,
+                 std::int32_t rows) {
+    const BandShape& shape = from.shape();
+    append_rows(elevations.elevations, from.elevations->elevations, shape.rows - rows, shape.rows,
+                shape.cols);
+    append_rows(to.labels.labels, from.labels.labels, shape.rows - rows, shape.rows, shape.cols);
+    append_rows(to.levels.counts, from.levels.counts, shape.rows - rows, shape.rows, shape.cols);
+}
+
+}  // namespace
+
+template <typename Count>
+std::vector<TraceLine> take_apart(const TraceFrame& frame, const TraceOptions& options,
+                                  const PointRows<Count>& before, const PointRows<Count>& band) {
+    const Cutter<Count> cutter(frame, before, band);
+    return options.mode == TraceMode::points ? cutter.lines_of_points() : cutter.lines_of_cells();
+}
+
+template <typename Count>
+PointRows<Count> last_rows(const PointRows<Count>& before, const PointRows<Count>& band) {
+    constexpr std::int32_t most = 2;
+    const std::int32_t of_band = std::min(most, band.shape().rows);
+    const std::int32_t of_before = std::min(most - of_band, before.shape().rows);
+    PointRows<Count> rows;
+    const auto elevations = std::make_shared<ElevationBand>();
+    if (of_before > 0)
+        append_rows(rows, *elevations, before, of_before);
+    append_rows(rows, *elevations, band, of_band);
+    elevations->shape = {band.end_row() - of_band - of_before, of_band + of_before, band.shape().cols};
+    rows.labels.shape = rows.levels.shape = elevations->shape;
+    rows.elevations = elevations;
+    return rows;
+}
+
+template std::vector<TraceLine> take_apart(const TraceFrame&, const TraceOptions&,
+                                           const PointRows<std::uint8_t>&, const PointRows<std::uint8_t>&);
+template std::vector<TraceLine> take_apart(const TraceFrame&, const TraceOptions&,
+                                           const PointRows<std::uint16_t>&, const PointRows<std::uint16_t>&);
+template PointRows<std::uint8_t> last_rows(const PointRows<std::uint8_t>&, const PointRows<std::uint8_t>&);
+template PointRows<std::uint16_t> last_rows(const PointRows<std::uint16_t>&, const PointRows<std::uint16_t>&);
+
+}  // namespace d2b

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/dem_info.hpp"
+#include "core/options.hpp"
+#include "levels/quantise.hpp"
+#include "trace/runs.hpp"
+
+namespace d2b {
+
+/// What the tracer needs to know of the whole DEM before its first row.
+struct TraceFrame {
+    Window window;
+    std::int32_t levels = 1;  ///< root included
+    FixedPoint fixed;         ///< for sums of elevations
+    ElevationRange range;     ///< for percentiles
+};
+
+/// Rows of points with all that tracing asks of them.
+/// @tparam Count as the levels are kept
+template <typename Count>
+struct PointRows {
+    std::shared_ptr<const ElevationBand> elevations = std::make_shared<ElevationBand>();
+    LabelBand labels;
+    LevelBand<Count> levels;
+
+    [[nodiscard]] const BandShape& shape() const { return elevations->shape; }
+    [[nodiscard]] std::int32_t end_row() const { return shape().first_row + shape().rows; }
+};
+
+/// Points of a line, side by side, that belong to one contour: to the highest around them.
+struct PointShare {
+    bool above = false;         ///< the contour's square lies above the line, else below
+    std::uint32_t segment = 0;  ///< of that row of squares
+    std::int32_t begin = 0;     ///< columns
+    std::int32_t end = 0;
+    PointStats stats;
+};
+
+/// A line of the sweep with what can be known of it without what came before.
+struct TraceLine {
+    static constexpr std::int32_t none = -1;
+
+    std::int32_t line = none;  ///< `none`: a first row of points alone, which no line has reached yet
+    RunRow squares;            ///< below the line
+    std::vector<PointShare> shares;
+    std::span<const double> elevations;          ///< of the points on the line
+    std::shared_ptr<const ElevationBand> owner;  ///< of these, where it is not the band that was taken apart
+    /// Of the row of points below the line: the elevation where a point is valid and does not qualify, else
+    /// +infinity.
+    std::vector<double> outside;
+};
+
+/// Cuts rows into runs and sums up their points: all of tracing that does not depend on what lies more than
+/// two rows above, so that bands can be taken apart side by side.
+/// @param before the last two rows above the band, or as many as there are
+/// @param band its elevations must outlive the lines
+/// @return the lines that the band's rows complete, from the top; after the window's last row also the line
+///         under it
+template <typename Count>
+[[nodiscard]] std::vector<TraceLine> take_apart(const TraceFrame& frame, const TraceOptions& options,
+                                                const PointRows<Count>& before, const PointRows<Count>& band);
+
+/// The last two rows of a band, or as many as there are with those before it.
+template <typename Count>
+[[nodiscard]] PointRows<Count> last_rows(const PointRows<Count>& before, const PointRows<Count>& band);
+
+extern template std::vector<TraceLine> take_apart(const TraceFrame&, const TraceOptions&,
+                                                  const PointRows<std::uint8_t>&,
+                                                  const PointRows<std::uint8_t>&);
+extern template std::vector<TraceLine> take_apart(const TraceFrame&, const TraceOptions&,
+                                                  const PointRows<std::uint16_t>&,
+                                                  const PointRows<std::uint16_t>&);
+extern template PointRows<std::uint8_t> last_rows(const PointRows<std::uint8_t>&,
+                                                  const PointRows<std::uint8_t>&);
+extern template PointRows<std::uint16_t> last_rows(const PointRows<std::uint16_t>&,
+                                                   const PointRows<std::uint16_t>&);
+
+}  // namespace d2b
