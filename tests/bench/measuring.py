@@ -16,6 +16,7 @@ class Contender:
     out: Path
     repeats: int
     seconds: list = field(default_factory=list)
+    processor: list = field(default_factory=list)  # seconds of all threads, which other work disturbs less
     mebibytes: list = field(default_factory=list)  # peak resident
     reports: list = field(default_factory=list)  # of `-json`
 
@@ -42,6 +43,7 @@ class Contender:
         process = os.posix_spawnp(words[0], words, os.environ, file_actions=streams)
         _, status, usage = os.wait4(process, 0)
         self.seconds.append(time.perf_counter() - start)
+        self.processor.append(usage.ru_utime + usage.ru_stime)
         self.mebibytes.append(usage.ru_maxrss / 1024)
         if status != 0:
             raise RuntimeError(f"{' '.join(words)} failed; see above.")
@@ -57,6 +59,9 @@ class Contender:
 
     def median(self):
         return statistics.median(self.seconds)
+
+    def median_processor(self):
+        return statistics.median(self.processor)
 
     def peak(self):
         return max(self.mebibytes)

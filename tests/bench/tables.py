@@ -30,9 +30,10 @@ def command_text(contender):
 
 
 def contender_table(contenders):
-    head = ["command", "name", "median, s", "least", "most", "runs", "MiB"]
+    head = ["command", "name", "median, s", "least", "most", "runs", "processor, s", "MiB"]
     return table(head, [[f"`{command_text(c)}`", c.name, f"{c.median():.3g}", f"{min(c.seconds):.3g}",
-                         f"{max(c.seconds):.3g}", str(len(c.seconds)), f"{c.peak():.0f}"] for c in contenders])
+                         f"{max(c.seconds):.3g}", str(len(c.seconds)), f"{c.median_processor():.3g}",
+                         f"{c.peak():.0f}"] for c in contenders])
 
 
 def stage_table(contenders):
@@ -65,4 +66,4 @@ def as_json(contenders, reports):
     return {"machine": machine(),
             "cities": {f"{preset} {size}": report for (preset, size), report in reports.items()},
             "contenders": [{"name": c.name, "command": command_text(c), "seconds": c.seconds,
-                            "peak_mebibytes": c.mebibytes, "reports": c.reports} for c in contenders]}
+                            "processor": c.processor, "peak_mebibytes": c.mebibytes, "reports": c.reports} for c in contenders]}

@@ -1,0 +1,119 @@
+#include "prepared_run.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "detect/one_label.hpp"
+#include "levels/building_levels.hpp"
+#include "levels/quantise.hpp"
+#include "pipeline/elevation_reader.hpp"
+#include "pipeline/pipeline.hpp"
+#include "pipeline/preset.hpp"
+#include "pipeline/square_area.hpp"
+#include "read/gdal_dem_source.hpp"
+#include "support/memory_io.hpp"
+
+namespace d2b::bench {
+
+namespace {
+
+Options preset_options(const std::string& dem, const std::string& preset) {
+    Options options;
+    options.preset = preset;
+    options.read.source = dem;
+    return with_preset(options);
+}
+
+class StackList : public StackSink {
+  public:
+    explicit StackList(std::vector<Stack>& stacks) : stacks_(stacks) {}
+    Taken take(Stack&& stack) override {
+        stacks_.push_back(std::move(stack));
+        return {static_cast<std::int64_t>(stacks_.size()) - 1, {}};
+    }
+
+  private:
+    std::vector<Stack>& stacks_;
+};
+
+}  // namespace
+
+PreparedRun::PreparedRun(const std::string& dem, const std::string& preset)
+    : options(preset_options(dem, preset)),
+      source(open_dem(options.read, context)),
+      crs(source->info().crs_wkt),
+      georeference(source->info().transform, options.trace.mode),
+      area(make_square_area(georeference, crs)),
+      cell(cell_steps(source->info().window, georeference, crs)) {
+    context.threads = std::make_unique<Executor>(2);
+    read();
+    find();
+    make_levels();
+    StackList list(stacks);
+    trace(list);
+    set = filter(std::vector<Stack>(stacks));
+}
+
+std::int64_t PreparedRun::points() const {
+    return std::int64_t{source->info().window.rows} * source->info().window.cols;
+}
+
+void PreparedRun::read() {
+    ElevationReader reader(*source, context);
+    reader.for_each([this](const ElevationBand& band) { bands.push_back(band); });
+}
+
+MetreGrid PreparedRun::surface() const {
+    MetreGrid grid(source->info().window.rows, source->info().window.cols);
+    for (const ElevationBand& band : bands)
+        std::transform(band.elevations.begin(), band.elevations.end(), grid.row(band.shape.first_row).data(),
+                       [](double z) { return static_cast<float>(z); });
+    return grid;
+}
+
+void PreparedRun::find() {
+    if (detects_buildings(options)) {
+        test::MemorySink nothing;
+        ElevationReader reader(*source, context);
+        found = find_buildings(options, {*source}, {nothing}, reader, cell, 1, context);
+    }
+    for (const ElevationBand& band : bands)
+        labels.push_back(found.footprints.empty() ? detect_one_label(band, context)
+                                                  : found.band(band.shape, 0));
+}
+
+void PreparedRun::make_levels() {
+    ElevationStatistics statistics;
+    for (const ElevationBand& band : bands)
+        statistics.add(band);
+    plan = plan_global_levels(statistics, options.levels, context);
+    if (!found.footprints.empty()) {
+        BuildingStatistics buildings(found.count(), statistics.fixed_point());
+        for (std::size_t i = 0; i < bands.size(); ++i)
+            buildings.add(bands[i], labels[i]);
+        plan = plan_building_levels(buildings, found.ground, plan, options.levels, 1);
+    }
+    frame = {source->info().window, plan.level_count(), statistics.fixed_point(), statistics.range()};
+    counts.clear();
+    for (std::size_t i = 0; i < bands.size(); ++i)
+        counts.push_back(quantise<std::uint8_t>(bands[i], labels[i], plan));
+}
+
+void PreparedRun::trace(StackSink& sink) const {
+    Tracer<std::uint8_t> tracer(frame, options.trace, sink);
+    for (std::size_t i = 0; i < bands.size(); ++i)
+        tracer.trace(bands[i], labels[i], counts[i]);
+    tracer.finish();
+}
+
+ContourSet PreparedRun::filter(std::vector<Stack>&& traced) {
+    ContourStore store(options.filter, area, frame.range, context);
+    for (Stack& stack : traced)
+        store.take(std::move(stack));
+    ContourSet filtered = store.finish();
+    if (!found.footprints.empty())
+        drop_roots(filtered);
+    return filtered;
+}
+
+}  // namespace d2b::bench

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/context.hpp"
+#include "core/crs.hpp"
+#include "core/dem_source.hpp"
+#include "core/georeference.hpp"
+#include "core/grid.hpp"
+#include "levels/level_plan.hpp"
+#include "pipeline/contour_store.hpp"
+#include "pipeline/find_buildings.hpp"
+#include "trace/tracer.hpp"
+
+namespace d2b::bench {
+
+/// What every stage gets from those before it, made once.
+class PreparedRun {
+  public:
+    PreparedRun(const std::string& dem, const std::string& preset);
+
+    Context context;
+    Options options;
+    std::unique_ptr<DemSource> source;
+    Crs crs;
+    Georeference georeference;
+    SquareArea area;
+    CellSize cell;
+    std::vector<ElevationBand> bands;
+    FoundBuildings found;           ///< empty with the thesis preset
+    std::vector<LabelBand> labels;  ///< a band
+    LevelPlan plan;
+    TraceFrame frame;
+    std::vector<LevelBand<std::uint8_t>> counts;  ///< a band
+    std::vector<Stack> stacks;
+    ContourSet set;
+
+    [[nodiscard]] std::int64_t points() const;
+    [[nodiscard]] MetreGrid surface() const;
+    /// Statistics, thresholds and counts.
+    void make_levels();
+    void trace(StackSink& sink) const;
+    [[nodiscard]] ContourSet filter(std::vector<Stack>&& traced);
+
+  private:
+    void read();
+    void find();
+};
+
+}  // namespace d2b::bench

@@ -1,0 +1,163 @@
+// Times each stage alone, on a synthetic city: stages_bench [options of Google Benchmark's]. Items are
+// points.
+#include <benchmark/benchmark.h>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <utility>
+
+#include "attributes/records.hpp"
+#include "detect/detection.hpp"
+#include "ground/ground.hpp"
+#include "pipeline/pipeline.hpp"
+#include "pipeline/placer.hpp"
+#include "prepared_run.hpp"
+#include "read/gdal_dem_source.hpp"
+#include "support/memory_io.hpp"
+#include "write/ogr_feature_sink.hpp"
+
+namespace d2b::bench {
+namespace {
+
+using State = benchmark::State;
+
+void count_points(State& state, const PreparedRun& run) {
+    state.SetItemsProcessed(state.iterations() * run.points());
+}
+
+void read(State& state, PreparedRun& run) {
+    for ([[maybe_unused]] auto _ : state) {
+        const std::unique_ptr<DemSource> source = open_dem(run.options.read, run.context);
+        ElevationReader reader(*source, run.context, 0);
+        reader.for_each([](const ElevationBand& band) { benchmark::DoNotOptimize(band.elevations.data()); });
+    }
+    count_points(state, run);
+}
+
+void ground(State& state, PreparedRun& run) {
+    const MetreGrid surface = run.surface();
+    for ([[maybe_unused]] auto _ : state)
+        benchmark::DoNotOptimize(estimate_ground(surface, run.cell, run.options.ground, run.context));
+    count_points(state, run);
+}
+
+void detect(State& state, PreparedRun& run) {
+    const MetreGrid surface = run.surface();
+    const Terrain terrain = estimate_ground(surface, run.cell, run.options.ground, run.context);
+    const Scene scene{surface, terrain.elevation, run.cell};
+    for ([[maybe_unused]] auto _ : state)
+        benchmark::DoNotOptimize(detect_buildings(scene, run.options.detect, run.context));
+    count_points(state, run);
+}
+
+void levels(State& state, PreparedRun& run) {
+    for ([[maybe_unused]] auto _ : state)
+        run.make_levels();
+    count_points(state, run);
+}
+
+class Drain : public StackSink {
+  public:
+    Taken take(Stack&& stack) override {
+        const Stack taken = std::move(stack);
+        return {static_cast<std::int64_t>(taken.contours.size()), {}};
+    }
+};
+
+void trace(State& state, PreparedRun& run) {
+    for ([[maybe_unused]] auto _ : state) {
+        Drain drain;
+        run.trace(drain);
+    }
+    count_points(state, run);
+}
+
+void filter(State& state, PreparedRun& run) {
+    for ([[maybe_unused]] auto _ : state) {
+        state.PauseTiming();
+        std::vector<Stack> stacks = run.stacks;
+        state.ResumeTiming();
+        benchmark::DoNotOptimize(run.filter(std::move(stacks)));
+    }
+    count_points(state, run);
+}
+
+void outline(State& state, PreparedRun& run) {
+    for ([[maybe_unused]] auto _ : state) {
+        const Outliner outliner = make_outliner(run.set.contours, run.options.outline, run.georeference,
+                                                run.crs, run.source->info().window);
+        for (std::size_t i = 0; i < run.set.contours.size(); ++i)
+            benchmark::DoNotOptimize(outliner.outline(i));
+    }
+    count_points(state, run);
+}
+
+void attributes(State& state, PreparedRun& run) {
+    const Window& window = run.source->info().window;
+    const AttributeContext given{run.plan, run.frame.fixed, 1, {{0, 0}, {window.rows, window.cols}}};
+    const ContourSet& set = run.set;
+    for ([[maybe_unused]] auto _ : state)
+        benchmark::DoNotOptimize(make_records(
+            {set.contours, set.building, set.buildings, set.percentiles, run.found.footprints}, given));
+    count_points(state, run);
+}
+
+void write(State& state, PreparedRun& run) {
+    test::MemorySink made;
+    d2b::run(run.options, {*run.source}, {made}, run.context);
+    WriteOptions options;
+    options.destination = (std::filesystem::temp_directory_path() / "stages_bench.gpkg").string();
+    options.overwrite = true;
+    for ([[maybe_unused]] auto _ : state) {
+        const std::unique_ptr<FeatureSink> sink = open_sink(options, run.context);
+        sink->begin(made.layers, made.provenance);
+        for (std::size_t layer = 0; layer < made.layers.size(); ++layer) {
+            for (const Feature& feature : made.features[layer])
+                sink->add(layer, feature);
+        }
+        sink->finish();
+        state.PauseTiming();
+        std::filesystem::remove(options.destination);
+        state.ResumeTiming();
+    }
+    count_points(state, run);
+}
+
+/// Made when it is first asked for: a filter may leave a preset out.
+PreparedRun& prepared(bool detection) {
+    if (detection) {
+        static PreparedRun run(city_path, "buildings");
+        return run;
+    }
+    static PreparedRun run(city_path, "thesis");
+    return run;
+}
+
+using Body = void (*)(State&, PreparedRun&);
+
+void add(const std::string& name, Body body, bool detection) {
+    benchmark::RegisterBenchmark(name.c_str(), [=](State& state) { body(state, prepared(detection)); })
+        ->Unit(benchmark::kMillisecond)
+        ->MeasureProcessCPUTime()
+        ->UseRealTime();
+}
+
+}  // namespace
+
+void register_stages() {
+    add("ground", ground, true);
+    add("detect", detect, true);
+    for (const bool detection : {false, true}) {
+        const std::string preset = detection ? "/buildings" : "/thesis";
+        add("read" + preset, read, detection);
+        add("levels" + preset, levels, detection);
+        add("trace" + preset, trace, detection);
+        add("filter" + preset, filter, detection);
+        add("outline" + preset, outline, detection);
+        add("attributes" + preset, attributes, detection);
+        add("write" + preset, write, detection);
+    }
+}
+
+}  // namespace d2b::bench
