@@ -11,7 +11,7 @@ namespace {
 constexpr std::int64_t points_a_band = 1 << 19;
 constexpr std::int32_t usual_block_rows = 64;
 constexpr std::int64_t most_points_a_band = 1 << 23;
-constexpr std::int64_t points_ahead = 1 << 24;
+constexpr std::int64_t points_ahead = 1 << 21;  // a thread
 
 std::int32_t band_rows(const DemInfo& info) {
     const std::int32_t cols = std::max(info.window.cols, 1);

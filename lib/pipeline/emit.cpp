@@ -13,16 +13,6 @@
 namespace d2b {
 namespace {
 
-std::int64_t vertices_of(const std::vector<WorldPolygon>& parts) {
-    std::size_t sum = 0;
-    for (const WorldPolygon& part : parts) {
-        sum += part.exterior.size();
-        for (const WorldRing& ring : part.interiors)
-            sum += ring.size();
-    }
-    return static_cast<std::int64_t>(sum);
-}
-
 /// What is drawn of a contour: nothing where its layer was not asked for.
 struct Drawn {
     std::optional<Placed> building;

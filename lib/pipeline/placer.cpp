@@ -66,6 +66,16 @@ double x_stretch(const Georeference& georeference, const Crs& crs, const Window&
 
 }  // namespace
 
+std::int64_t vertices_of(const std::vector<WorldPolygon>& parts) {
+    std::size_t sum = 0;
+    for (const WorldPolygon& part : parts) {
+        sum += part.exterior.size();
+        for (const WorldRing& ring : part.interiors)
+            sum += ring.size();
+    }
+    return static_cast<std::int64_t>(sum);
+}
+
 std::vector<std::vector<std::size_t>> children_of(const std::vector<Contour>& contours) {
     std::vector<std::vector<std::size_t>> children(contours.size());
     for (std::size_t i = 0; i < children.size(); ++i)
@@ -122,6 +132,15 @@ Placer::Parts Placer::in_target_crs(Parts parts) {
     return parts;
 }
 
+/// An outline that stands as it was traced, on exact positions, is valid (docs/method.md), and GEOS needs the
+/// product of its vertices and its holes to find that.
+bool Placer::is_exact_and_vast(const Placed& placed) const {
+    constexpr std::int64_t most_checked = 20'000;  // vertices
+    const bool exact =
+        placement_.georeference.axis_parallel() && !transform_ && placed.status == OutlineStatus::traced;
+    return exact && vertices_of(placed.parts) > most_checked;
+}
+
 Placed Placer::place(std::size_t contour, Form form) {
     const Outliner& outliner = placement_.outliner;
     const OutlineQuality quality =
@@ -143,7 +162,9 @@ Placed Placer::place(std::size_t contour, Form form) {
             parts = shape(contour, tier, [&](std::size_t c) { return outliner.traced(c); });
             return in_target_crs(parts);
         };
-        placed.parts = checked(in_target_crs(parts), traced, geos_, placed.status, tally_);
+        placed.parts = in_target_crs(parts);
+        if (!is_exact_and_vast(placed))
+            placed.parts = checked(std::move(placed.parts), traced, geos_, placed.status, tally_);
     }
     // Measured in the CRS of the DEM, where edges are straight; a repaired polygon is known in that of the
     // output.

@@ -60,6 +60,7 @@ class Placer {
     [[nodiscard]] Placed place(std::size_t contour, Form form);
     [[nodiscard]] Parts shape(std::size_t contour, bool tier, const Draw& draw);
     [[nodiscard]] Parts in_target_crs(Parts parts);
+    [[nodiscard]] bool is_exact_and_vast(const Placed& placed) const;
 
     Placement placement_;
     Geos geos_;
@@ -69,6 +70,8 @@ class Placer {
     Tally tally_;
 };
 
+/// Without those that close rings.
+[[nodiscard]] std::int64_t vertices_of(const std::vector<WorldPolygon>& parts);
 /// The contours that stand on each.
 [[nodiscard]] std::vector<std::vector<std::size_t>> children_of(const std::vector<Contour>& contours);
 /// The outlines of a run.

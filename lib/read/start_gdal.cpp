@@ -1,3 +1,4 @@
+#include <cpl_conv.h>
 #include <cpl_error.h>
 #include <gdal.h>
 
@@ -10,6 +11,10 @@ void start_gdal() {
     // This one says nothing but debug messages, which only appear where CPL_DEBUG asks for them.
     CPLSetErrorHandler(CPLQuietErrorHandler);
     GDALAllRegister();
+    // Rasters are read once, from the top to the bottom; GDAL would keep a twentieth of the machine's memory.
+    constexpr GIntBig cache_bytes = GIntBig{128} << 20;
+    if (CPLGetConfigOption("GDAL_CACHEMAX", nullptr) == nullptr)
+        GDALSetCacheMax64(cache_bytes);
 }
 
 }  // namespace d2b
