@@ -17,10 +17,12 @@ struct RowBand {
 };
 
 /// The bands in which threads work on a grid: some 256 Ki cells each, so that what a thread works on stays in
-/// its cache. They depend on the grid's shape alone.
-[[nodiscard]] inline std::vector<RowBand> row_bands(std::int32_t rows, std::int32_t cols) {
+/// its cache. They depend on the shape of the grid alone.
+/// @param least rows of a band: many where a band begins with work on the rows around it
+[[nodiscard]] inline std::vector<RowBand> row_bands(std::int32_t rows, std::int32_t cols,
+                                                    std::int32_t least = 16) {
     constexpr std::int32_t cells = 1 << 18;
-    const std::int32_t height = std::clamp(cells / std::max(cols, 1), 8, 1024);
+    const std::int32_t height = std::clamp(cells / std::max(cols, 1), least, std::max(least, 1024));
     std::vector<RowBand> bands;
     for (std::int32_t begin = 0; begin < rows; begin += height)
         bands.push_back({begin, std::min(begin + height, rows)});
@@ -29,8 +31,9 @@ struct RowBand {
 
 /// Calls work(band) for all bands of a grid, on all threads.
 template <typename Work>
-void for_row_bands(Executor& threads, std::int32_t rows, std::int32_t cols, const Work& work) {
-    const std::vector<RowBand> bands = row_bands(rows, cols);
+void for_row_bands(Executor& threads, std::int32_t rows, std::int32_t cols, const Work& work,
+                   std::int32_t least = 16) {
+    const std::vector<RowBand> bands = row_bands(rows, cols, least);
     threads.for_each(bands.size(), [&](std::size_t i) { work(bands[i]); });
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/row_bands.hpp"
 #include "detect/evidence.hpp"
 #include "detect/holes.hpp"
 #include "detect/majority.hpp"
@@ -25,24 +26,26 @@ std::int64_t cells_of(double area_m2, const Scene& scene) {
 }
 
 /// Where plants are known to be, only what is smooth may be a roof.
-void leave_plants_out(const Scene& scene, const Grid<std::uint8_t>& flags, Mask& elevated) {
+void leave_plants_out(const Scene& scene, const Grid<std::uint8_t>& flags, Mask& elevated,
+                      Executor& threads) {
     if (scene.greenness == nullptr)
         return;
-    for (std::size_t i = 0; i < elevated.size(); ++i)
-        if (scene.greenness->values[i] > plants_ndvi && (flags.values[i] & smooth_any_way) == 0)
-            elevated.values[i] = 0;
+    for_row_bands(threads, elevated.rows, elevated.cols, [&](RowBand band) {
+        for (std::size_t i = elevated.index(band.begin, 0); i < elevated.index(band.end, 0); ++i)
+            if (scene.greenness->values[i] > plants_ndvi && (flags.values[i] & smooth_any_way) == 0)
+                elevated.values[i] = 0;
+    });
 }
 
 DetectedObjects find_objects(const Scene& scene, const Mask& elevated, const SmoothSegments& segments,
-                             std::int64_t least_cells) {
-    Mask cells = grow_by_majority(mask_of(segments.regions), elevated, scene.cell);
-    cells = grown(opened(std::move(cells), opening_m, scene.cell), elevated, border_cells);
-    cells = smooth_border(cells, elevated, scene.cell);
-    Regions large = connected_regions(cells);
-    drop_small(large, least_cells);
-    cells = mask_of(large);
-    fill_small_holes(cells, cells_of(smallest_hole_m2, scene));
-    Regions regions = connected_regions(cells);
+                             std::int64_t least_cells, Executor& threads) {
+    Mask cells = grow_by_majority(mask_of(segments.regions, threads), elevated, scene.cell, threads);
+    cells = opened(cells, opening_m, scene.cell, threads);
+    cells = grown(std::move(cells), elevated, border_cells, threads);
+    cells = smooth_border(cells, elevated, scene.cell, threads);
+    cells = mask_of(connected_regions(cells, 1, least_cells, threads), threads);
+    fill_small_holes(cells, cells_of(smallest_hole_m2, scene), threads);
+    Regions regions = connected_regions(cells, 1, 0, threads);
     return {std::move(cells), std::move(regions)};
 }
 
@@ -52,15 +55,16 @@ struct Judged {
     std::vector<DetectedObject> objects;
 };
 
-Judged judged_objects(const Scene& scene, const DetectOptions& options) {
-    Mask elevated = elevated_cells(scene, options.min_height);
-    const Grid<std::uint8_t> flags =
-        smoothness(scene.surface, scene.side(), estimate_noise(scene.surface, elevated));
-    leave_plants_out(scene, flags, elevated);
-    const SmoothSegments segments = smooth_segments(scene, elevated, flags);
-    DetectedObjects found = find_objects(scene, elevated, segments, cells_of(options.min_area_m2, scene));
+Judged judged_objects(const Scene& scene, const DetectOptions& options, Executor& threads) {
+    Mask elevated = elevated_cells(scene, options.min_height, threads);
+    const double noise = estimate_noise(scene.surface, elevated, threads);
+    const Grid<std::uint8_t> flags = smoothness(scene.surface, scene.side(), noise, threads);
+    leave_plants_out(scene, flags, elevated, threads);
+    const SmoothSegments segments = smooth_segments(scene, elevated, flags, threads);
+    DetectedObjects found =
+        find_objects(scene, elevated, segments, cells_of(options.min_area_m2, scene), threads);
     Judged result;
-    for (const Evidence& evidence : collect_evidence(scene, found, segments, flags)) {
+    for (const Evidence& evidence : collect_evidence(scene, found, segments, flags, threads)) {
         result.objects.push_back(judge(evidence));
         result.objects.back().cells = found.regions.cells[result.objects.size()];
     }
@@ -69,7 +73,7 @@ Judged judged_objects(const Scene& scene, const DetectOptions& options) {
 }
 
 /// Buildings first, then what is doubtful, each in scan order.
-Detection sorted_by_confidence(const Judged& judged, double least) {
+Detection sorted_by_confidence(const Judged& judged, double least, Executor& threads) {
     Detection result;
     std::vector<Label> number(judged.regions.cells.size(), 0);
     for (const bool sure : {true, false}) {
@@ -81,16 +85,18 @@ Detection sorted_by_confidence(const Judged& judged, double least) {
         if (sure)
             result.buildings = static_cast<Label>(result.objects.size());
     }
-    result.labels = label_grid(judged.regions, number);
+    result.labels = label_grid(judged.regions, number, threads);
     return result;
 }
 
 }  // namespace
 
-Detection detect_buildings(const Scene& scene, const DetectOptions& options, Context& /*context*/) {
-    Detection result = sorted_by_confidence(judged_objects(scene, options), options.min_confidence);
+Detection detect_buildings(const Scene& scene, const DetectOptions& options, Context& context) {
+    Executor& threads = *context.threads;
+    Detection result =
+        sorted_by_confidence(judged_objects(scene, options, threads), options.min_confidence, threads);
     if (options.split_height > 0)
-        split_buildings(scene, options.split_height, cells_of(options.min_area_m2, scene), result);
+        split_buildings(scene, options.split_height, cells_of(options.min_area_m2, scene), result, threads);
     return result;
 }
 

@@ -72,16 +72,14 @@ std::vector<SegmentLogs> logs_of(const SmoothSegments& segments) {
     return result;
 }
 
-/// @param pieces the row's runs of segments, from the first on that may reach the run
-void add_segments(std::span<const RegionRun>& pieces, const std::vector<SegmentLogs>& logs,
+/// @param pieces the row's runs of segments
+void add_segments(std::span<const RegionRun> pieces, const std::vector<SegmentLogs>& logs,
                   const RegionRun& run, Sums& sums) {
-    while (!pieces.empty() && pieces.front().end <= run.begin)
-        pieces = pieces.subspan(1);
-    for (const RegionRun& piece : pieces) {
-        if (piece.begin >= run.end)
-            break;
-        const SegmentLogs& add = logs[piece.label - 1];
-        for (std::int32_t c = std::max(piece.begin, run.begin); c < std::min(piece.end, run.end); ++c) {
+    auto piece = std::partition_point(pieces.begin(), pieces.end(),
+                                      [&](const RegionRun& before) { return before.end <= run.begin; });
+    for (; piece != pieces.end() && piece->begin < run.end; ++piece) {
+        const SegmentLogs& add = logs[piece->label - 1];
+        for (std::int32_t c = std::max(piece->begin, run.begin); c < std::min(piece->end, run.end); ++c) {
             sums.pieces += 1;
             sums.log_tilt += add.tilt;
             sums.log_cells += add.cells;
@@ -98,18 +96,16 @@ Evidence evidence_of(const Sums& sums, double cells) {
 }  // namespace
 
 std::vector<Evidence> collect_evidence(const Scene& scene, const DetectedObjects& objects,
-                                       const SmoothSegments& segments, const Grid<std::uint8_t>& flags) {
+                                       const SmoothSegments& segments, const Grid<std::uint8_t>& flags,
+                                       Executor& threads) {
     const std::vector<SegmentLogs> logs = logs_of(segments);
     std::vector<Sums> sums(objects.regions.count());
-    for (std::int32_t r = 0; r < objects.regions.rows; ++r) {
-        std::span<const RegionRun> pieces = segments.regions.row(r);
-        for (const RegionRun& run : objects.regions.row(r)) {
-            Sums& sum = sums[run.label - 1];
-            add_cells(scene, flags, r, run, sum);
-            add_border(scene, objects.cells, r, run, sum);
-            add_segments(pieces, logs, run, sum);
-        }
-    }
+    for_runs_by_label(threads, objects.regions, [&](std::int32_t r, const RegionRun& run) {
+        Sums& sum = sums[run.label - 1];
+        add_cells(scene, flags, r, run, sum);
+        add_border(scene, objects.cells, r, run, sum);
+        add_segments(segments.regions.row(r), logs, run, sum);
+    });
     std::vector<Evidence> result;
     result.reserve(sums.size());
     for (std::size_t i = 0; i < sums.size(); ++i)

@@ -26,7 +26,7 @@ struct DetectedObjects {
 /// One a region, by label - 1. Support: objects, and a cell around them.
 [[nodiscard]] std::vector<Evidence> collect_evidence(const Scene& scene, const DetectedObjects& objects,
                                                      const SmoothSegments& segments,
-                                                     const Grid<std::uint8_t>& flags);
+                                                     const Grid<std::uint8_t>& flags, Executor& threads);
 
 /// A logistic model of five terms. Its weights were fitted to cities of 0.5 to 5 m cells; each city was also
 /// left out in turn, see docs/accuracy.md.

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "core/row_bands.hpp"
+
 namespace d2b {
 namespace {
 
@@ -15,6 +17,12 @@ namespace {
 struct Shares {
     std::int64_t gain;
     std::int64_t keep;
+};
+
+/// Half a window in cells.
+struct Radius {
+    std::int32_t up;
+    std::int32_t side;
 };
 
 constexpr double growth_reach_m = 3.5;
@@ -35,7 +43,9 @@ class WindowCounts {
   public:
     static constexpr int half = std::numeric_limits<Pair>::digits / 2;
 
-    WindowCounts(const Mask& buildings, const Mask& elevated, std::int32_t up, std::int32_t side)
+    /// @param first the row that is asked for first
+    WindowCounts(const Mask& buildings, const Mask& elevated, std::int32_t up, std::int32_t side,
+                 std::int32_t first)
         : buildings_(buildings),
           elevated_(elevated),
           up_(up),
@@ -43,7 +53,7 @@ class WindowCounts {
           // Zeros beyond both ends stand for what is not there.
           columns_(static_cast<std::size_t>(elevated.cols) + 2 * side_ + 1, 0),
           none_(static_cast<std::size_t>(elevated.cols), 0) {
-        for (std::int32_t r = 0; r < up; ++r)
+        for (std::int32_t r = std::max(first - up - 1, 0); r < first + up; ++r)
             slide(r, -1);
     }
     /// @param counts of row `r`, which must be the one after the last
@@ -84,11 +94,10 @@ class WindowCounts {
 };
 
 template <typename Pair>
-Mask one_round(const Mask& now, const Mask& elevated, std::int32_t up, std::int32_t side, Shares shares) {
-    Mask next(now.rows, now.cols);
-    WindowCounts<Pair> window(now, elevated, up, side);
+void vote(const Mask& now, const Mask& elevated, Radius radius, Shares shares, RowBand band, Mask& next) {
+    WindowCounts<Pair> window(now, elevated, radius.up, radius.side, band.begin);
     std::vector<Pair> counts(static_cast<std::size_t>(now.cols));
-    for (std::int32_t r = 0; r < now.rows; ++r) {
+    for (std::int32_t r = band.begin; r < band.end; ++r) {
         window.row(r, counts);
         const std::span<const std::uint8_t> is = now.row(r);
         const std::span<const std::uint8_t> may = elevated.row(r);
@@ -102,30 +111,37 @@ Mask one_round(const Mask& now, const Mask& elevated, std::int32_t up, std::int3
             out[c] = 100 * buildings > (is[c] != 0 ? shares.keep : shares.gain) * all ? 1 : 0;
         }
     }
-    return next;
 }
 
-Mask voted(const Mask& now, const Mask& elevated, double reach_m, const CellSize& cell, Shares shares) {
-    const std::int32_t up = reach(reach_m, cell.down, now.rows);
-    const std::int32_t side = reach(reach_m, cell.across, now.cols);
-    const std::int64_t largest = (2 * std::int64_t{up} + 1) * (2 * std::int64_t{side} + 1);
-    return largest <= std::numeric_limits<std::uint16_t>::max()
-               ? one_round<std::uint32_t>(now, elevated, up, side, shares)
-               : one_round<std::uint64_t>(now, elevated, up, side, shares);
+Mask voted(const Mask& now, const Mask& elevated, double reach_m, const CellSize& cell, Shares shares,
+           Executor& threads) {
+    const Radius radius{reach(reach_m, cell.down, now.rows), reach(reach_m, cell.across, now.cols)};
+    const std::int64_t largest = (2 * std::int64_t{radius.up} + 1) * (2 * std::int64_t{radius.side} + 1);
+    const auto vote_in =
+        largest <= std::numeric_limits<std::uint16_t>::max() ? vote<std::uint32_t> : vote<std::uint64_t>;
+    Mask next(now.rows, now.cols);
+    // A band begins by counting the rows of its first window.
+    const std::int32_t least = 8 * std::min(radius.up, now.rows);
+    for_row_bands(
+        threads, now.rows, now.cols,
+        [&](RowBand band) { vote_in(now, elevated, radius, shares, band, next); }, std::max(least, 16));
+    return next;
 }
 
 }  // namespace
 
-Mask grow_by_majority(Mask seeds, const Mask& elevated, const CellSize& cell) {
+Mask grow_by_majority(Mask seeds, const Mask& elevated, const CellSize& cell, Executor& threads) {
     for (int i = 0; i < growth_rounds; ++i)
-        seeds = voted(seeds, elevated, growth_reach_m, cell, growth_shares);
+        seeds = voted(seeds, elevated, growth_reach_m, cell, growth_shares, threads);
     return seeds;
 }
 
-Mask smooth_border(const Mask& mask, const Mask& within, const CellSize& cell) {
-    Mask result = voted(mask, Mask(mask.rows, mask.cols, 1), border_reach_m, cell, border_shares);
-    for (std::size_t i = 0; i < result.size(); ++i)
-        result.values[i] &= within.values[i];
+Mask smooth_border(const Mask& mask, const Mask& within, const CellSize& cell, Executor& threads) {
+    Mask result = voted(mask, Mask(mask.rows, mask.cols, 1), border_reach_m, cell, border_shares, threads);
+    for_row_bands(threads, mask.rows, mask.cols, [&](RowBand band) {
+        for (std::size_t i = mask.index(band.begin, 0); i < mask.index(band.end, 0); ++i)
+            result.values[i] &= within.values[i];
+    });
     return result;
 }
 

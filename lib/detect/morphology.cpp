@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <span>
 #include <vector>
 
+#include "core/row_bands.hpp"
 #include "detect/element.hpp"
 
 namespace d2b {
@@ -63,12 +65,13 @@ class NarrowedRow {
     std::vector<std::uint8_t> cells_;
 };
 
-/// Rows of the result that see row `from` through a row of the element: one, or where rows beyond the border
-/// are like the last, more.
-void take_row(Mask& result, std::int32_t from, std::int32_t down, std::span<const std::uint8_t> cells) {
+/// Rows of a band of the result that see row `from` through a row of the element: one, or where rows beyond
+/// the border are like the last, more.
+void take_row(Mask& result, RowBand band, std::int32_t from, std::int32_t down,
+              std::span<const std::uint8_t> cells) {
     const std::int32_t last = result.rows - 1;
-    const std::int32_t begin = from == 0 ? 0 : std::max(0, from - down);
-    const std::int32_t end = from == last ? last : std::min(last, from - down);
+    const std::int32_t begin = std::max(from == 0 ? 0 : from - down, band.begin);
+    const std::int32_t end = std::min(from == last ? last : from - down, band.end - 1);
     for (std::int32_t r = begin; r <= end; ++r) {
         if (std::clamp(r + down, 0, last) != from)
             continue;
@@ -78,42 +81,42 @@ void take_row(Mask& result, std::int32_t from, std::int32_t down, std::span<cons
     }
 }
 
-Mask eroded(const Mask& mask, Element element) {
-    Mask result(mask.rows, mask.cols, 1);
-    if (mask.size() == 0)
-        return result;
-    std::stable_sort(element.begin(), element.end(), [](const ElementRow& a, const ElementRow& b) {
-        return a.right - a.left < b.right - b.left;
-    });
+/// Where the element does not fit into the mask, in a band.
+/// @param element from its shortest row to its longest
+void rest_of_band(const Mask& mask, const Element& element, std::int32_t reach, RowBand band, Mask& result) {
+    std::fill(result.row(band.begin).begin(), result.row(band.end - 1).end(), std::uint8_t{1});
     NarrowedRow row(mask.cols, columns_beside(element));
-    for (std::int32_t from = 0; from < mask.rows; ++from) {
+    const std::int32_t end = std::min(band.end + reach, mask.rows);
+    for (std::int32_t from = std::max(band.begin - reach, 0); from < end; ++from) {
         row.set(mask.row(from));
         for (const ElementRow& part : element) {
             row.narrow(part.left, part.right);
-            take_row(result, from, part.down, row.cells());
+            take_row(result, band, from, part.down, row.cells());
         }
     }
+    for (std::size_t i = result.index(band.begin, 0); i < result.index(band.end, 0); ++i)
+        result.values[i] ^= 1;
+}
+
+Mask rest_of_erosion(const Mask& mask, Element element, Executor& threads) {
+    std::stable_sort(element.begin(), element.end(), [](const ElementRow& a, const ElementRow& b) {
+        return a.right - a.left < b.right - b.left;
+    });
+    std::int32_t reach = 0;
+    for (const ElementRow& row : element)
+        reach = std::max(reach, std::abs(row.down));
+    Mask result(mask.rows, mask.cols);
+    const std::int32_t least = 8 * std::min(reach, mask.rows);  // bands look at rows around them
+    for_row_bands(
+        threads, mask.rows, mask.cols,
+        [&](RowBand band) { rest_of_band(mask, element, reach, band, result); }, std::max(least, 16));
     return result;
 }
 
-void turn(Mask& mask) {
-    for (std::uint8_t& value : mask.values)
-        value ^= 1;
-}
-
-}  // namespace
-
-Mask opened(Mask mask, double radius_m, const CellSize& cell) {
-    const Element element = disk_element(radius_m, cell);
-    mask = eroded(mask, element);
-    turn(mask);
-    mask = eroded(mask, turned_over(element));  // of what is outside: a dilation
-    turn(mask);
-    return mask;
-}
-
-Mask grown(Mask mask, const Mask& within, int steps) {
+/// Adds the neighbours of a band in `within` to its copy, step by step: the ends of the copy are left behind.
+void grow_copy(BandCopy<std::uint8_t>& copy, const Mask& within, int steps) {
     // Rows as they were: the one above and this one, with a zero at each end.
+    Mask& mask = copy.rows;
     const auto cols = static_cast<std::size_t>(mask.cols);
     std::vector<std::uint8_t> up(cols + 2);
     std::vector<std::uint8_t> here(cols + 2);
@@ -121,7 +124,7 @@ Mask grown(Mask mask, const Mask& within, int steps) {
         std::fill(up.begin(), up.end(), std::uint8_t{0});
         for (std::int32_t r = 0; r < mask.rows; ++r) {
             const std::span<std::uint8_t> out = mask.row(r);
-            const std::span<const std::uint8_t> may = within.row(r);
+            const std::span<const std::uint8_t> may = within.row(copy.first + r);
             const std::span<const std::uint8_t> down = mask.row(std::min(r + 1, mask.rows - 1));
             std::copy(out.begin(), out.end(), here.begin() + 1);
             for (std::size_t c = 0; c < cols; ++c)
@@ -129,6 +132,21 @@ Mask grown(Mask mask, const Mask& within, int steps) {
             up.swap(here);
         }
     }
+}
+
+}  // namespace
+
+Mask opened(const Mask& mask, double radius_m, const CellSize& cell, Executor& threads) {
+    const Element element = disk_element(radius_m, cell);
+    // Where the element does not fit into what an erosion takes away: a dilation.
+    return rest_of_erosion(rest_of_erosion(mask, element, threads), turned_over(element), threads);
+}
+
+Mask grown(Mask mask, const Mask& within, int steps, Executor& threads) {
+    for_band_copies(threads, mask, steps, [&](BandCopy<std::uint8_t>& copy) {
+        grow_copy(copy, within, steps);
+        copy.write_band(mask);
+    });
     return mask;
 }
 

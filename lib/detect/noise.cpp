@@ -3,7 +3,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <mutex>
 #include <span>
+
+#include "core/row_bands.hpp"
 
 namespace d2b {
 namespace {
@@ -15,14 +18,11 @@ constexpr std::int64_t fewest = 1000;
 // within 0.6745 standard deviations.
 const double median_of_unit_noise = 0.67449 * std::sqrt(6.0);
 
-}  // namespace
-
-double estimate_noise(const MetreGrid& surface, const Mask& elevated) {
+struct Counts {
     std::array<std::int64_t, bins + 1> counts{};
     std::int64_t all = 0;
-    for (std::int32_t r = 0; r < surface.rows; ++r) {
-        const std::span<const float> z = surface.row(r);
-        const std::span<const std::uint8_t> high = elevated.row(r);
+
+    void add_row(std::span<const float> z, std::span<const std::uint8_t> high) {
         for (std::size_t c = 1; c + 1 < z.size(); ++c) {
             const float bend = std::abs(z[c - 1] + z[c + 1] - 2 * z[c]);
             if (high[c - 1] + high[c] + high[c + 1] != 0 || std::isnan(bend))
@@ -31,6 +31,26 @@ double estimate_noise(const MetreGrid& surface, const Mask& elevated) {
             ++counts[bend < bin_m * bins ? static_cast<std::size_t>(bend / bin_m) : bins];
         }
     }
+    void add(const Counts& other) {
+        all += other.all;
+        for (std::size_t i = 0; i < counts.size(); ++i)
+            counts[i] += other.counts[i];
+    }
+};
+
+}  // namespace
+
+double estimate_noise(const MetreGrid& surface, const Mask& elevated, Executor& threads) {
+    Counts sum;
+    std::mutex mutex;
+    for_row_bands(threads, surface.rows, surface.cols, [&](RowBand band) {
+        Counts some;
+        for (std::int32_t r = band.begin; r < band.end; ++r)
+            some.add_row(surface.row(r), elevated.row(r));
+        const std::lock_guard lock(mutex);
+        sum.add(some);
+    });
+    const auto& [counts, all] = sum;
     if (all < fewest)
         return 0;
     std::int64_t below = 0;

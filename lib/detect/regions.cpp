@@ -2,103 +2,113 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
+
+#include "detect/region_builder.hpp"
 
 namespace d2b {
 namespace {
 
-constexpr std::uint64_t every_byte = 0x0101010101010101U;
+/// The regions of a band of rows, and how its first row hangs together with the row above.
+struct Part {
+    Regions regions;
+    std::vector<std::uint8_t> seam;
+    Label before = 0;  ///< labels of the bands above
+};
 
-/// The first cell from `c` on that belongs to a region, or the row's end. Most rows are mostly empty.
-std::int32_t next_in(std::span<const std::uint8_t> links, std::int32_t c) {
-    const auto end = static_cast<std::int32_t>(links.size());
-    for (std::uint64_t eight = 0; c + 8 <= end; c += 8) {
-        std::memcpy(&eight, links.data() + c, sizeof eight);
-        if (eight != 0)
-            break;
-    }
-    while (c < end && links[static_cast<std::size_t>(c)] == 0)
-        ++c;
-    return c;
-}
-
-/// The first cell from `c` on at which a run may end or another one above it begin. What is joined above it
-/// up to `joined_end` need not be looked at.
-std::int32_t skip_linked(std::span<const std::uint8_t> links, std::int32_t c, std::int32_t joined_end) {
-    const auto end = static_cast<std::int32_t>(links.size());
-    for (std::uint64_t eight = 0; c + 8 <= end; c += 8) {
-        std::memcpy(&eight, links.data() + c, sizeof eight);
-        const bool left = (~eight & every_byte * link_left) == 0;
-        const bool up = (eight & every_byte * link_up) != 0;
-        if (!left || (up && c + 8 > joined_end))
-            break;
-    }
-    return c;
-}
-
-/// Gives runs their numbers, takes those out that get 0, and counts cells.
-void renumber(Regions& regions, const std::vector<Label>& number) {
-    const Label last = number.empty() ? 0 : *std::max_element(number.begin(), number.end());
-    regions.cells.assign(last + std::size_t{1}, 0);
-    std::size_t kept = 0;
-    std::size_t i = 0;
-    for (std::size_t r = 0; r + 1 < regions.row_begin.size(); ++r) {
-        regions.row_begin[r] = kept;
-        // The next row's begin is still that of the runs before.
-        for (; i < regions.row_begin[r + 1]; ++i) {
-            RegionRun run = regions.runs[i];
-            run.label = number[run.label];
-            if (run.label == 0)
-                continue;
-            regions.cells[run.label] += run.end - run.begin;
-            regions.runs[kept++] = run;
+Part part_of(RowBand band, std::int32_t cols, const LinksOfRow& links_of, std::int64_t least_cells) {
+    Part part;
+    RegionBuilder builder(cols);
+    std::vector<std::uint8_t> links;
+    for (std::int32_t r = band.begin; r < band.end; ++r) {
+        links_of(r, links);
+        if (r == band.begin) {
+            part.seam = links;
+            for (std::uint8_t& link : links)
+                link &= link_in | link_left;
         }
+        builder.add_row(links);
     }
-    regions.row_begin.back() = kept;
-    regions.runs.resize(kept);
-    regions.runs.shrink_to_fit();
+    part.regions = std::move(builder).finish(least_cells);
+    return part;
+}
+
+/// Joins the regions of two bands, the one above and the one below, across their seam.
+void join(const Part& above, const Part& below, LabelSets& sets) {
+    std::span<const RegionRun> upper = above.regions.row(above.regions.rows - 1);
+    for (const RegionRun& run : below.regions.row(0))
+        for (std::int32_t c = run.begin; c < run.end; ++c) {
+            if ((below.seam[static_cast<std::size_t>(c)] & link_up) == 0)
+                continue;
+            while (upper.front().end <= c)
+                upper = upper.subspan(1);
+            static_cast<void>(sets.join(above.before + upper.front().label, below.before + run.label));
+        }
+}
+
+/// Numbers for the labels of all bands, from 1 on in scan order; 0 for those of too few cells.
+/// @param cells of each number
+std::vector<Label> number_all(std::vector<Part>& parts, std::int64_t least_cells,
+                              std::vector<std::int64_t>& cells) {
+    LabelSets sets;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        parts[i].before = i == 0 ? 0 : parts[i - 1].before + parts[i - 1].regions.count();
+        for (Label k = 0; k < parts[i].regions.count(); ++k)
+            static_cast<void>(sets.add());
+        if (i > 0)
+            join(parts[i - 1], parts[i], sets);
+    }
+    std::vector<Label> number = sets.numbered();
+    std::vector<std::int64_t> sums(number.size(), 0);
+    for (const Part& part : parts)
+        for (Label k = 1; k <= part.regions.count(); ++k)
+            sums[number[part.before + k]] += part.regions.cells[k];
+    std::vector<Label> kept(number.size(), 0);
+    cells.assign(1, 0);
+    for (std::size_t i = 1; i < sums.size() && sums[i] > 0; ++i)
+        if (sums[i] >= least_cells) {
+            kept[i] = static_cast<Label>(cells.size());
+            cells.push_back(sums[i]);
+        }
+    for (Label& label : number)
+        label = kept[label];
+    return number;
+}
+
+/// Puts the runs of all bands into one list.
+void gather(std::vector<Part>& parts, Regions& regions, Executor& threads) {
+    std::vector<std::size_t> first(parts.size());
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const std::vector<std::size_t>& rows = parts[i].regions.row_begin;
+        first[i] = i == 0 ? 0 : first[i - 1] + parts[i - 1].regions.runs.size();
+        for (std::size_t r = 0; r + 1 < rows.size(); ++r)
+            regions.row_begin.push_back(first[i] + rows[r]);
+    }
+    regions.row_begin.push_back(parts.empty() ? 0 : first.back() + parts.back().regions.runs.size());
+    regions.runs.resize(regions.row_begin.back());
+    threads.for_each(parts.size(), [&](std::size_t i) {
+        const std::vector<RegionRun> runs = std::move(parts[i].regions.runs);
+        std::copy(runs.begin(), runs.end(), regions.runs.begin() + static_cast<std::ptrdiff_t>(first[i]));
+    });
 }
 
 }  // namespace
 
-RegionBuilder::RegionBuilder(std::int32_t cols) {
-    regions_.cols = cols;
-    regions_.row_begin.push_back(0);
-}
-
-std::int32_t RegionBuilder::join_above(std::int32_t c, std::size_t& above, Label& label) {
-    while (regions_.runs[above].end <= c)
-        ++above;
-    const RegionRun& upper = regions_.runs[above];
-    if (label == 0)
-        label = upper.label;
-    else if (label != upper.label)
-        label = sets_.join(label, upper.label);
-    return upper.end;
-}
-
-void RegionBuilder::add_row(std::span<const std::uint8_t> links) {
-    // Of the row above; the first row has no links to it.
-    std::size_t above = regions_.rows > 0 ? regions_.row_begin[regions_.row_begin.size() - 2] : 0;
-    for (std::int32_t c = next_in(links, 0); c < regions_.cols; c = next_in(links, c)) {
-        RegionRun run{c, c, 0};
-        std::int32_t joined_end = 0;
-        do {
-            if ((links[static_cast<std::size_t>(c)] & link_up) != 0 && c >= joined_end)
-                joined_end = join_above(c, above, run.label);
-            c = skip_linked(links, c + 1, joined_end);
-        } while (c < regions_.cols && (links[static_cast<std::size_t>(c)] & link_left) != 0);
-        run.end = c;
-        if (run.label == 0)
-            run.label = sets_.add();
-        regions_.runs.push_back(run);
-    }
-    regions_.row_begin.push_back(regions_.runs.size());
-    ++regions_.rows;
-}
-
-Regions RegionBuilder::finish() && {
-    renumber(regions_, sets_.numbered());
-    return std::move(regions_);
+Regions linked_regions(std::int32_t rows, std::int32_t cols, const LinksOfRow& links_of,
+                       std::int64_t least_cells, Executor& threads) {
+    const std::vector<RowBand> bands = row_bands(rows, cols);
+    std::vector<Part> parts(bands.size());
+    threads.for_each(parts.size(),
+                     [&](std::size_t i) { parts[i] = part_of(bands[i], cols, links_of, least_cells); });
+    Regions regions;
+    regions.rows = rows;
+    regions.cols = cols;
+    const std::vector<Label> number = number_all(parts, least_cells, regions.cells);
+    threads.for_each(parts.size(), [&](std::size_t i) {
+        relabel(parts[i].regions, std::span(number).subspan(parts[i].before));
+    });
+    gather(parts, regions, threads);
+    return regions;
 }
 
 void edge_links(const Mask& mask, std::int32_t r, std::uint8_t value, std::vector<std::uint8_t>& links) {
@@ -117,38 +127,56 @@ void edge_links(const Mask& mask, std::int32_t r, std::uint8_t value, std::vecto
         links[c] = link(c, here[c - 1] ^ other);
 }
 
-Regions connected_regions(const Mask& mask, std::uint8_t value) {
-    RegionBuilder builder(mask.cols);
-    std::vector<std::uint8_t> links;
-    for (std::int32_t r = 0; r < mask.rows; ++r) {
+Regions connected_regions(const Mask& mask, std::uint8_t value, std::int64_t least_cells, Executor& threads) {
+    const auto links_of = [&](std::int32_t r, std::vector<std::uint8_t>& links) {
         edge_links(mask, r, value, links);
-        builder.add_row(links);
-    }
-    return std::move(builder).finish();
+    };
+    return linked_regions(mask.rows, mask.cols, links_of, least_cells, threads);
 }
 
-void drop_small(Regions& regions, std::int64_t least_cells) {
-    std::vector<Label> number(regions.cells.size(), 0);
-    Label next = 0;
-    for (std::size_t i = 1; i < number.size(); ++i)
-        if (regions.cells[i] >= least_cells)
-            number[i] = ++next;
-    renumber(regions, number);
-}
-
-Mask mask_of(const Regions& regions) {
-    Mask result(regions.rows, regions.cols);
+std::vector<LabelRange> label_ranges(const Regions& regions) {
+    constexpr std::int64_t most = 64;
+    std::int64_t all = 0;
+    for (const std::int64_t cells : regions.cells)
+        all += cells;
+    std::vector<RowBand> rows(regions.cells.size(), {regions.rows, 0});
     for (std::int32_t r = 0; r < regions.rows; ++r)
         for (const RegionRun& run : regions.row(r))
-            std::memset(result.row(r).data() + run.begin, 1, static_cast<std::size_t>(run.end - run.begin));
+            rows[run.label] = {std::min(rows[run.label].begin, r), r + 1};
+    std::vector<LabelRange> ranges;
+    std::int64_t cells = 0;
+    for (Label label = 1; label < rows.size(); ++label) {
+        if (ranges.empty() || cells > all / most) {
+            ranges.push_back({label, label, rows[label]});
+            cells = 0;
+        }
+        LabelRange& range = ranges.back();
+        range.end = label + 1;
+        range.rows.end = std::max(range.rows.end, rows[label].end);
+        cells += regions.cells[label];
+    }
+    return ranges;
+}
+
+Mask mask_of(const Regions& regions, Executor& threads) {
+    Mask result(regions.rows, regions.cols);
+    for_row_bands(threads, regions.rows, regions.cols, [&](RowBand band) {
+        for (std::int32_t r = band.begin; r < band.end; ++r)
+            for (const RegionRun& run : regions.row(r))
+                std::memset(result.row(r).data() + run.begin, 1,
+                            static_cast<std::size_t>(run.end - run.begin));
+    });
     return result;
 }
 
-Grid<Label> label_grid(const Regions& regions, std::span<const Label> number) {
+Grid<Label> label_grid(const Regions& regions, std::span<const Label> number, Executor& threads) {
     Grid<Label> result(regions.rows, regions.cols);
-    for (std::int32_t r = 0; r < regions.rows; ++r)
-        for (const RegionRun& run : regions.row(r))
-            std::fill(result.row(r).begin() + run.begin, result.row(r).begin() + run.end, number[run.label]);
+    for_row_bands(threads, regions.rows, regions.cols, [&](RowBand band) {
+        for (std::int32_t r = band.begin; r < band.end; ++r)
+            for (const RegionRun& run : regions.row(r))
+                std::fill(result.row(r).begin() + run.begin, result.row(r).begin() + run.end,
+                          number[run.label]);
+    });
     return result;
 }
 

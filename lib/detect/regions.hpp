@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "core/band.hpp"
-#include "detect/label_sets.hpp"
+#include "core/row_bands.hpp"
 #include "detect/scene.hpp"
 
 namespace d2b {
@@ -41,22 +41,14 @@ enum Link : std::uint8_t {
     link_up = 4     ///< to its upper neighbour's
 };
 
-/// Makes regions of links, row by row: what hangs together is joined by union-find on runs. Time O(cells) but
-/// for the inverse of Ackermann's function. Carry: the runs.
-class RegionBuilder {
-  public:
-    explicit RegionBuilder(std::int32_t cols);
-    /// @param links the next row's
-    void add_row(std::span<const std::uint8_t> links);
-    [[nodiscard]] Regions finish() &&;
+/// Gives the links of a row, one a cell; called on any thread.
+using LinksOfRow = std::function<void(std::int32_t row, std::vector<std::uint8_t>& links)>;
 
-  private:
-    /// Joins the run at `c` with the run above it. @returns the column behind that
-    std::int32_t join_above(std::int32_t c, std::size_t& above, Label& label);
-
-    Regions regions_;
-    LabelSets sets_;
-};
+/// Makes regions of links: bands of rows on all threads, where what hangs together is joined by union-find on
+/// runs, and bands with each other. Time O(cells) but for the inverse of Ackermann's function.
+/// @param least_cells regions with fewer cells are left out
+[[nodiscard]] Regions linked_regions(std::int32_t rows, std::int32_t cols, const LinksOfRow& links_of,
+                                     std::int64_t least_cells, Executor& threads);
 
 /// Links of a row of cells that are joined where they share an edge. @param value 0 or 1: the cells that
 /// belong to regions
@@ -66,10 +58,8 @@ void edge_links(const Mask& mask, std::int32_t r, std::uint8_t value, std::vecto
 /// @param in cells that belong to a region
 /// @param joined joined(i, j): whether the neighbours at the indices i and j, both in, belong together
 template <typename Joined>
-[[nodiscard]] Regions joined_regions(const Mask& in, Joined joined) {
-    RegionBuilder builder(in.cols);
-    std::vector<std::uint8_t> links;
-    for (std::int32_t r = 0; r < in.rows; ++r) {
+[[nodiscard]] Regions joined_regions(const Mask& in, Joined joined, Executor& threads) {
+    const auto links_of = [&](std::int32_t r, std::vector<std::uint8_t>& links) {
         edge_links(in, r, 1, links);
         for (std::size_t c = 0; c < links.size(); ++c) {
             const std::size_t i = in.index(r, static_cast<std::int32_t>(c));
@@ -78,20 +68,41 @@ template <typename Joined>
             if ((links[c] & link_up) != 0 && !joined(i - links.size(), i))
                 links[c] ^= link_up;
         }
-        builder.add_row(links);
-    }
-    return std::move(builder).finish();
+    };
+    return linked_regions(in.rows, in.cols, links_of, 0, threads);
 }
 
-/// Regions of cells of a value, 0 or 1, that share edges.
-[[nodiscard]] Regions connected_regions(const Mask& mask, std::uint8_t value = 1);
+/// Regions of cells of a value, 0 or 1, that share edges. @param least_cells as for linked_regions
+[[nodiscard]] Regions connected_regions(const Mask& mask, std::uint8_t value, std::int64_t least_cells,
+                                        Executor& threads);
 
-/// Takes the regions out that have fewer cells; the others are numbered anew in the same order.
-void drop_small(Regions& regions, std::int64_t least_cells);
+/// Labels from `first` to before `end`, and rows that hold all their cells.
+struct LabelRange {
+    Label first = 0;
+    Label end = 0;
+    RowBand rows;
+};
+/// Divides the labels into ranges with about as many cells each: not more than some, since what looks at
+/// several passes over other labels' runs.
+[[nodiscard]] std::vector<LabelRange> label_ranges(const Regions& regions);
 
-[[nodiscard]] Mask mask_of(const Regions& regions);
+/// Calls use(row, run) for all runs on all threads: those of one label on one thread and in scan order, so
+/// that sums of a label do not depend on the number of threads.
+template <typename Use>
+void for_runs_by_label(Executor& threads, const Regions& regions, const Use& use) {
+    const std::vector<LabelRange> ranges = label_ranges(regions);
+    threads.for_each(ranges.size(), [&](std::size_t i) {
+        for (std::int32_t r = ranges[i].rows.begin; r < ranges[i].rows.end; ++r)
+            for (const RegionRun& run : regions.row(r))
+                if (run.label >= ranges[i].first && run.label < ranges[i].end)
+                    use(r, run);
+    });
+}
+
+[[nodiscard]] Mask mask_of(const Regions& regions, Executor& threads);
 
 /// @param number what to write for each label; one entry a label, [0] for none
-[[nodiscard]] Grid<Label> label_grid(const Regions& regions, std::span<const Label> number);
+[[nodiscard]] Grid<Label> label_grid(const Regions& regions, std::span<const Label> number,
+                                     Executor& threads);
 
 }  // namespace d2b

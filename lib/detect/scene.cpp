@@ -2,21 +2,27 @@
 
 #include <cmath>
 
+#include "core/row_bands.hpp"
+
 namespace d2b {
 
 double Scene::side() const {
     return std::sqrt(cell_area());
 }
 
-Mask elevated_cells(const Scene& scene, double min_height) {
+Mask elevated_cells(const Scene& scene, double min_height, Executor& threads) {
     Mask result(scene.surface.rows, scene.surface.cols);
     const auto least = static_cast<float>(min_height);
-    for (std::size_t i = 0; i < result.size(); ++i)
-        result.values[i] = scene.height(i) > least ? 1 : 0;  // false where it is NaN
-    if (scene.allowed != nullptr)
-        for (std::size_t i = 0; i < result.size(); ++i)
-            if (scene.allowed->values[i] == 0)
-                result.values[i] = 0;
+    for_row_bands(threads, result.rows, result.cols, [&](RowBand band) {
+        const std::size_t begin = result.index(band.begin, 0);
+        const std::size_t end = result.index(band.end, 0);
+        for (std::size_t i = begin; i < end; ++i)
+            result.values[i] = scene.height(i) > least ? 1 : 0;  // false where it is NaN
+        if (scene.allowed != nullptr)
+            for (std::size_t i = begin; i < end; ++i)
+                if (scene.allowed->values[i] == 0)
+                    result.values[i] = 0;
+    });
     return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "core/executor.hpp"
 #include "core/grid.hpp"
 
 namespace d2b {
@@ -27,6 +28,6 @@ struct Scene {
 };
 
 /// Cells that rise above the terrain by more than a height, where buildings are allowed.
-[[nodiscard]] Mask elevated_cells(const Scene& scene, double min_height);
+[[nodiscard]] Mask elevated_cells(const Scene& scene, double min_height, Executor& threads);
 
 }  // namespace d2b

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "detect/smoothness.hpp"
@@ -52,24 +51,22 @@ struct PlaneSums {
     }
 };
 
-std::vector<PlaneSums> plane_sums(const Scene& scene, const Regions& regions) {
+std::vector<PlaneSums> plane_sums(const Scene& scene, const Regions& regions, Executor& threads) {
     std::vector<PlaneSums> sums(regions.count());
-    for (std::int32_t r = 0; r < regions.rows; ++r) {
+    for_runs_by_label(threads, regions, [&](std::int32_t r, const RegionRun& run) {
         const std::span<const float> surface = scene.surface.row(r);
-        for (const RegionRun& run : regions.row(r)) {
-            PlaneSums sum = sums[run.label - 1];
-            if (sum.n == 0) {
-                sum.row = r;
-                sum.col = run.begin;
-                sum.z = surface[static_cast<std::size_t>(run.begin)];
-            }
-            const double y = (r - sum.row) * scene.cell.down;
-            for (std::int32_t c = run.begin; c < run.end; ++c)
-                sum.add((c - sum.col) * scene.cell.across, y,
-                        static_cast<double>(surface[static_cast<std::size_t>(c)] - sum.z));
-            sums[run.label - 1] = sum;
+        PlaneSums sum = sums[run.label - 1];
+        if (sum.n == 0) {
+            sum.row = r;
+            sum.col = run.begin;
+            sum.z = surface[static_cast<std::size_t>(run.begin)];
         }
-    }
+        const double y = (r - sum.row) * scene.cell.down;
+        for (std::int32_t c = run.begin; c < run.end; ++c)
+            sum.add((c - sum.col) * scene.cell.across, y,
+                    static_cast<double>(surface[static_cast<std::size_t>(c)] - sum.z));
+        sums[run.label - 1] = sum;
+    });
     return sums;
 }
 
@@ -98,18 +95,16 @@ void cut_bends(const Grid<std::uint8_t>& flags, std::int32_t r, std::vector<std:
 
 }  // namespace
 
-SmoothSegments smooth_segments(const Scene& scene, const Mask& elevated, const Grid<std::uint8_t>& flags) {
-    RegionBuilder builder(elevated.cols);
-    std::vector<std::uint8_t> links;
-    for (std::int32_t r = 0; r < elevated.rows; ++r) {
+SmoothSegments smooth_segments(const Scene& scene, const Mask& elevated, const Grid<std::uint8_t>& flags,
+                               Executor& threads) {
+    const auto links_of = [&](std::int32_t r, std::vector<std::uint8_t>& links) {
         edge_links(elevated, r, 1, links);
         cut_bends(flags, r, links);
-        builder.add_row(links);
-    }
-    SmoothSegments result{std::move(builder).finish(), {}};
-    drop_small(result.regions, static_cast<std::int64_t>(
-                                   std::ceil(std::max(fewest_cells, least_area_m2 / scene.cell_area()))));
-    for (const PlaneSums& sum : plane_sums(scene, result.regions))
+    };
+    const auto least =
+        static_cast<std::int64_t>(std::ceil(std::max(fewest_cells, least_area_m2 / scene.cell_area())));
+    SmoothSegments result{linked_regions(elevated.rows, elevated.cols, links_of, least, threads), {}};
+    for (const PlaneSums& sum : plane_sums(scene, result.regions, threads))
         result.pieces.push_back({static_cast<std::int64_t>(sum.n), sum.tilt()});
     return result;
 }

@@ -23,6 +23,6 @@ struct SmoothSegments {
 /// enough to be seen as such. Roofs are few large pieces, crowns shatter.
 /// @param flags of smoothness()
 [[nodiscard]] SmoothSegments smooth_segments(const Scene& scene, const Mask& elevated,
-                                             const Grid<std::uint8_t>& flags);
+                                             const Grid<std::uint8_t>& flags, Executor& threads);
 
 }  // namespace d2b

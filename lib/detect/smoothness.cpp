@@ -4,6 +4,8 @@
 #include <cmath>
 #include <span>
 
+#include "core/row_bands.hpp"
+
 namespace d2b {
 namespace {
 
@@ -48,30 +50,35 @@ std::uint8_t flags(float row, float column, float falling, float rising, const T
     return static_cast<std::uint8_t>(along | any | enough);
 }
 
+void flag_row(const MetreGrid& surface, std::int32_t r, const Thresholds& thresholds,
+              std::span<std::uint8_t> out) {
+    const std::span<const float> up = surface.row(std::max(r - 1, 0));
+    const std::span<const float> here = surface.row(r);
+    const std::span<const float> down = surface.row(std::min(r + 1, surface.rows - 1));
+    const auto at = [&](std::size_t west, std::size_t c, std::size_t east) {
+        const float z = here[c];
+        out[c] = flags(bend(here[west], z, here[east]), bend(up[c], z, down[c]),
+                       bend(up[west], z, down[east]), bend(down[west], z, up[east]), thresholds);
+    };
+    if (out.empty())
+        return;
+    const std::size_t last = out.size() - 1;
+    at(0, 0, std::min<std::size_t>(1, last));
+    for (std::size_t c = 1; c < last; ++c)
+        at(c - 1, c, c + 1);
+    if (last > 0)
+        at(last - 1, last, last);
+}
+
 }  // namespace
 
-Grid<std::uint8_t> smoothness(const MetreGrid& surface, double side, double noise) {
+Grid<std::uint8_t> smoothness(const MetreGrid& surface, double side, double noise, Executor& threads) {
     const Thresholds thresholds(side, noise);
     Grid<std::uint8_t> result(surface.rows, surface.cols);
-    for (std::int32_t r = 0; r < surface.rows; ++r) {
-        const std::span<const float> up = surface.row(std::max(r - 1, 0));
-        const std::span<const float> here = surface.row(r);
-        const std::span<const float> down = surface.row(std::min(r + 1, surface.rows - 1));
-        const std::span<std::uint8_t> out = result.row(r);
-        const auto at = [&](std::size_t west, std::size_t c, std::size_t east) {
-            const float z = here[c];
-            out[c] = flags(bend(here[west], z, here[east]), bend(up[c], z, down[c]),
-                           bend(up[west], z, down[east]), bend(down[west], z, up[east]), thresholds);
-        };
-        if (out.empty())
-            continue;
-        const auto last = static_cast<std::size_t>(surface.cols - 1);
-        at(0, 0, std::min<std::size_t>(1, last));
-        for (std::size_t c = 1; c < last; ++c)
-            at(c - 1, c, c + 1);
-        if (last > 0)
-            at(last - 1, last, last);
-    }
+    for_row_bands(threads, surface.rows, surface.cols, [&](RowBand band) {
+        for (std::int32_t r = band.begin; r < band.end; ++r)
+            flag_row(surface, r, thresholds, result.row(r));
+    });
     return result;
 }
 

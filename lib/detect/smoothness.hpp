@@ -19,6 +19,7 @@ enum Smooth : std::uint8_t {
 /// One byte a cell. Support: one row and column; the border continues outwards. A cell that is not valid is
 /// smooth in no direction, its neighbours in none that meets it.
 /// @param side of the cells, metres @param noise standard deviation of the surface's noise, metres
-[[nodiscard]] Grid<std::uint8_t> smoothness(const MetreGrid& surface, double side, double noise = 0);
+[[nodiscard]] Grid<std::uint8_t> smoothness(const MetreGrid& surface, double side, double noise,
+                                            Executor& threads);
 
 }  // namespace d2b

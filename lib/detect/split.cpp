@@ -17,16 +17,20 @@ namespace {
 constexpr double narrow_radius_m = 1.5;
 
 /// Stretches of buildings without a step.
-Regions stepless_pieces(const Scene& scene, float split_height, const Detection& detection) {
+Regions stepless_pieces(const Scene& scene, float split_height, const Detection& detection,
+                        Executor& threads) {
     const std::vector<Label>& labels = detection.labels.values;
     Mask cells(detection.labels.rows, detection.labels.cols);
     for (std::size_t i = 0; i < cells.size(); ++i)
         cells.values[i] = labels[i] != 0 && labels[i] <= detection.buildings ? 1 : 0;
     const std::vector<float>& surface = scene.surface.values;
-    return joined_regions(cells, [&](std::size_t i, std::size_t j) {
-        // False where one is NaN: such a cell belongs to either side, and is merged later.
-        return labels[i] == labels[j] && std::abs(surface[i] - surface[j]) <= split_height;
-    });
+    return joined_regions(
+        cells,
+        [&](std::size_t i, std::size_t j) {
+            // False where one is NaN: such a cell belongs to either side, and is merged later.
+            return labels[i] == labels[j] && std::abs(surface[i] - surface[j]) <= split_height;
+        },
+        threads);
 }
 
 void add_cells(const Scene& scene, const Regions& regions, PieceGraph& graph) {
@@ -109,9 +113,9 @@ void shift_doubtful(Detection& detection, Label buildings) {
 
 }  // namespace
 
-void split_buildings(const Scene& scene, double split_height, std::int64_t least_cells,
-                     Detection& detection) {
-    const Regions regions = stepless_pieces(scene, static_cast<float>(split_height), detection);
+void split_buildings(const Scene& scene, double split_height, std::int64_t least_cells, Detection& detection,
+                     Executor& threads) {
+    const Regions regions = stepless_pieces(scene, static_cast<float>(split_height), detection, threads);
     if (regions.count() == 0)
         return;
     PieceGraph graph(regions.count(), scene.cell);
@@ -119,7 +123,7 @@ void split_buildings(const Scene& scene, double split_height, std::int64_t least
     {
         std::vector<Label> itself(regions.cells.size());
         std::iota(itself.begin(), itself.end(), Label{0});
-        const Grid<Label> pieces = label_grid(regions, itself);
+        const Grid<Label> pieces = label_grid(regions, itself, threads);
         add_borders(pieces, detection.labels, graph);
         mark_wide(pieces, regions, disk_element(narrow_radius_m, scene.cell), graph);
     }

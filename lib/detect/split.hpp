@@ -14,6 +14,7 @@ namespace d2b {
 /// with its building's confidence; together they cover the building's cells and no others. Doubtful objects
 /// stay whole. Buildings are numbered anew in scan order, doubtful objects follow. Support: buildings. Time
 /// O(n log n) for n cells.
-void split_buildings(const Scene& scene, double split_height, std::int64_t least_cells, Detection& detection);
+void split_buildings(const Scene& scene, double split_height, std::int64_t least_cells, Detection& detection,
+                     Executor& threads);
 
 }  // namespace d2b

@@ -24,7 +24,7 @@ class BandCopies : public testing::TestWithParam<int> {};
 
 /// Each cell becomes the sum of the cells up to two rows above and below, as they were.
 TEST_P(BandCopies, HoldRowsAsTheyWereWhileTheGridIsChanged) {
-    constexpr std::int32_t cols = 60000, rows = 61, reach = 2;  // bands of eight rows
+    constexpr std::int32_t cols = 60000, rows = 61, reach = 2;  // bands of sixteen rows
     Grid<int> grid(rows, cols), expected = grid;
     for (std::size_t k = 0; k < grid.size(); ++k)
         grid.values[k] = static_cast<int>(k * k % 1009);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "detect_case.hpp"
+#include "support/test_threads.hpp"
 
 namespace d2b {
 namespace {
@@ -263,11 +264,12 @@ TEST(Detection, ObjectsCountTheirCells) {
 TEST(Scene, ElevatedCellsRiseAboveTheHeight) {
     Town town(1, 5);
     town.surface.values = {102, 102.5F, unknown, 99, 104};
-    EXPECT_EQ(elevated_cells(town.scene(), 2).values, (std::vector<std::uint8_t>{0, 1, 0, 0, 1}));
+    EXPECT_EQ(elevated_cells(town.scene(), 2, test::threads()).values,
+              (std::vector<std::uint8_t>{0, 1, 0, 0, 1}));
     const Mask allowed = test::drawn({"#.###"});
     Scene scene = town.scene();
     scene.allowed = &allowed;
-    EXPECT_EQ(elevated_cells(scene, 2).values, (std::vector<std::uint8_t>{0, 0, 0, 0, 1}));
+    EXPECT_EQ(elevated_cells(scene, 2, test::threads()).values, (std::vector<std::uint8_t>{0, 0, 0, 0, 1}));
     scene.cell = {0.5, 2};
     EXPECT_EQ(scene.side(), 1);
     EXPECT_EQ(scene.cell_area(), 1);

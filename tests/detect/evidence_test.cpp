@@ -6,6 +6,7 @@
 
 #include "detect/smoothness.hpp"
 #include "detect_case.hpp"
+#include "support/test_threads.hpp"
 
 namespace d2b {
 namespace {
@@ -40,12 +41,13 @@ TEST(Evidence, SumsOfAHandMadeObject) {
                                                      "####.....",  //
                                                      "#........",  //
                                                      ".##......",  //
-                                                     "........."})),
+                                                     "........."}),
+                                              1, 0, test::threads()),
                             {{100, 0.48}, {20, 0.08}}};
     Scene scene = town.scene();
     scene.greenness = &greenness;
-    const DetectedObjects objects{cells, connected_regions(cells)};
-    const std::vector<Evidence> evidence = collect_evidence(scene, objects, segments, flags);
+    const DetectedObjects objects{cells, connected_regions(cells, 1, 0, test::threads())};
+    const std::vector<Evidence> evidence = collect_evidence(scene, objects, segments, flags, test::threads());
     ASSERT_EQ(evidence.size(), 2U);
     EXPECT_NEAR(evidence[0].smooth, 3 / 12.0, 1e-12);
     EXPECT_NEAR(evidence[0].green, 2 / 12.0, 1e-12);
@@ -67,8 +69,9 @@ TEST(Evidence, CellsAtTheRastersBorderAndUnknownCells) {
     town.surface.at(1, 1) = test::unknown;
     const Mask cells(3, 3, 1);
     const std::vector<Evidence> evidence =
-        collect_evidence(town.scene(), {cells, connected_regions(cells)}, {connected_regions(Mask(3, 3)), {}},
-                         Grid<std::uint8_t>(3, 3, smooth_enough));
+        collect_evidence(town.scene(), {cells, connected_regions(cells, 1, 0, test::threads())},
+                         {connected_regions(Mask(3, 3), 1, 0, test::threads()), {}},
+                         Grid<std::uint8_t>(3, 3, smooth_enough), test::threads());
     ASSERT_EQ(evidence.size(), 1U);
     // All eight other cells are on the border, and the ground in the middle is below all of them.
     EXPECT_NEAR(evidence[0].step_m, 10, 1e-6);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "detect_case.hpp"
+#include "support/test_threads.hpp"
 
 namespace d2b {
 namespace {
@@ -61,7 +62,7 @@ void expect_like_reference(std::int32_t rows, std::int32_t cols, const CellSize&
     Mask seeds = test::random_blocks(rows, cols, rows * cols / 20 + 1, random);
     for (std::size_t i = 0; i < seeds.size(); ++i)
         seeds.values[i] &= elevated.values[i];
-    ASSERT_EQ(drawing(grow_by_majority(seeds, elevated, cell)),
+    ASSERT_EQ(drawing(grow_by_majority(seeds, elevated, cell, test::threads())),
               drawing(reference(seeds, elevated, growth_reach(cell.down), growth_reach(cell.across))))
         << rows << " x " << cols << " of " << cell.across << " x " << cell.down;
 }
@@ -95,11 +96,11 @@ TEST(Majority, SharesAreExceededNotReached) {
         std::fill_n(mask.values.begin(), n, std::uint8_t{1});
         return mask;
     };
-    EXPECT_EQ(drawing(grow_by_majority(first(2), elevated, cell)), drawing(first(0)));
-    EXPECT_EQ(drawing(grow_by_majority(first(3), elevated, cell)), drawing(first(3)));
-    EXPECT_EQ(drawing(grow_by_majority(first(11), elevated, cell)), drawing(first(11)));
-    EXPECT_EQ(drawing(grow_by_majority(first(12), elevated, cell)), drawing(elevated));
-    EXPECT_EQ(grow_by_majority(Mask(), Mask(), cell).size(), 0U);
+    EXPECT_EQ(drawing(grow_by_majority(first(2), elevated, cell, test::threads())), drawing(first(0)));
+    EXPECT_EQ(drawing(grow_by_majority(first(3), elevated, cell, test::threads())), drawing(first(3)));
+    EXPECT_EQ(drawing(grow_by_majority(first(11), elevated, cell, test::threads())), drawing(first(11)));
+    EXPECT_EQ(drawing(grow_by_majority(first(12), elevated, cell, test::threads())), drawing(elevated));
+    EXPECT_EQ(grow_by_majority(Mask(), Mask(), cell, test::threads()).size(), 0U);
 }
 
 /// Cell by cell: more than half of the window's cells that there are, and within.
@@ -135,7 +136,7 @@ TEST(SmoothBorder, LikeVotingCellByCell) {
             const Mask mask = i % 2 == 0 ? test::random_blocks(rows, cols, rows * cols / 20 + 1, random)
                                          : test::random_mask(rows, cols, 50, random);
             const Mask within = test::random_mask(rows, cols, 80, random);
-            ASSERT_EQ(drawing(smooth_border(mask, within, window.cell)),
+            ASSERT_EQ(drawing(smooth_border(mask, within, window.cell, test::threads())),
                       drawing(voted_border(mask, within, window.up, window.side)))
                 << rows << " x " << cols << " of " << window.cell.across << " x " << window.cell.down;
         }
@@ -150,13 +151,14 @@ TEST(SmoothBorder, CornersGoNotchesFillWhereTheyMay) {
                              ".###.###.",  //
                              "........."});
     // Outer corners have four of nine, the inner corner and the notch five.
-    EXPECT_EQ(drawing(smooth_border(mask, Mask(7, 9, 1), {1, 1})), drawing(drawn({".........",  //
-                                                                                  "..##.....",  //
-                                                                                  ".#####...",  //
-                                                                                  ".######..",  //
-                                                                                  ".#######.",  //
-                                                                                  "..#####..",  //
-                                                                                  "........."})));
+    EXPECT_EQ(drawing(smooth_border(mask, Mask(7, 9, 1), {1, 1}, test::threads())),
+              drawing(drawn({".........",  //
+                             "..##.....",  //
+                             ".#####...",  //
+                             ".######..",  //
+                             ".#######.",  //
+                             "..#####..",  //
+                             "........."})));
     // What lies outside is no building's, but votes.
     const Mask within = drawn({"#########",  //
                                "#########",  //
@@ -165,26 +167,26 @@ TEST(SmoothBorder, CornersGoNotchesFillWhereTheyMay) {
                                "####.####",  //
                                "####.####",  //
                                "#########"});
-    EXPECT_EQ(drawing(smooth_border(mask, within, {1, 1})), drawing(drawn({".........",  //
-                                                                           "..##.....",  //
-                                                                           ".####....",  //
-                                                                           ".######..",  //
-                                                                           ".###.###.",  //
-                                                                           "..##.##..",  //
-                                                                           "........."})));
+    EXPECT_EQ(drawing(smooth_border(mask, within, {1, 1}, test::threads())), drawing(drawn({".........",  //
+                                                                                            "..##.....",  //
+                                                                                            ".####....",  //
+                                                                                            ".######..",  //
+                                                                                            ".###.###.",  //
+                                                                                            "..##.##..",  //
+                                                                                            "........."})));
 }
 
 TEST(SmoothBorder, BeyondTheRasterNobodyVotes) {
     const auto smoothed = [](const std::string& row) {
         const Mask mask = drawn({row});
-        return drawing(smooth_border(mask, Mask(1, mask.cols, 1), {1, 1}))[0];
+        return drawing(smooth_border(mask, Mask(1, mask.cols, 1), {1, 1}, test::threads()))[0];
     };
     EXPECT_EQ(smoothed("##."), "##.");
     EXPECT_EQ(smoothed("#."), "..") << "half is not most";
     EXPECT_EQ(smoothed("#"), "#");
     const Mask all(3, 4, 1);
-    EXPECT_EQ(drawing(smooth_border(all, all, {1, 1})), drawing(all));
-    EXPECT_EQ(smooth_border(Mask(), Mask(), {1, 1}).size(), 0U);
+    EXPECT_EQ(drawing(smooth_border(all, all, {1, 1}, test::threads())), drawing(all));
+    EXPECT_EQ(smooth_border(Mask(), Mask(), {1, 1}, test::threads()).size(), 0U);
 }
 
 TEST(SmoothBorder, WindowsOfManyCells) {
@@ -198,8 +200,8 @@ TEST(SmoothBorder, WindowsOfManyCells) {
         return mask;
     };
     const Mask anywhere(300, 280, 1);
-    EXPECT_EQ(smooth_border(first(141), anywhere, {0.004, 0.004}).values, first(252).values);
-    EXPECT_EQ(smooth_border(first(280), anywhere, {0.004, 0.004}).values, anywhere.values);
+    EXPECT_EQ(smooth_border(first(141), anywhere, {0.004, 0.004}, test::threads()).values, first(252).values);
+    EXPECT_EQ(smooth_border(first(280), anywhere, {0.004, 0.004}, test::threads()).values, anywhere.values);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "detect/element.hpp"
 #include "detect_case.hpp"
+#include "support/test_threads.hpp"
 
 namespace d2b {
 namespace {
@@ -56,7 +57,8 @@ TEST(Morphology, OpenedByDefinition) {
                                      : test::random_blocks(rows, cols, 30, random);
         const CellSize& cell = sizes[i % sizes.size()];
         for (const double radius : {1.5, 3.0, 1.0})
-            ASSERT_EQ(drawing(opened(mask, radius, cell)), drawing(opened_by_definition(mask, radius, cell)))
+            ASSERT_EQ(drawing(opened(mask, radius, cell, test::threads())),
+                      drawing(opened_by_definition(mask, radius, cell)))
                 << i << " radius " << radius;
     }
 }
@@ -69,18 +71,18 @@ TEST(Morphology, OpeningCutsBridgesAndKeepsHouses) {
                              ".####.####",  //
                              ".....#....",  //
                              ".....#...."});
-    EXPECT_EQ(drawing(opened(mask, 1.5, {1, 1})), drawing(drawn({"..........",  //
-                                                                 ".####.####",  //
-                                                                 ".####.####",  //
-                                                                 ".####.####",  //
-                                                                 ".####.####",  //
-                                                                 "..........",  //
-                                                                 ".........."})));
+    EXPECT_EQ(drawing(opened(mask, 1.5, {1, 1}, test::threads())), drawing(drawn({"..........",  //
+                                                                                  ".####.####",  //
+                                                                                  ".####.####",  //
+                                                                                  ".####.####",  //
+                                                                                  ".####.####",  //
+                                                                                  "..........",  //
+                                                                                  ".........."})));
     // Two by two cells where a cell is larger than the radius.
-    EXPECT_EQ(drawing(opened(drawn({"###.", "##..", "...#", "..##"}), 1.5, {2, 2})),
+    EXPECT_EQ(drawing(opened(drawn({"###.", "##..", "...#", "..##"}), 1.5, {2, 2}, test::threads())),
               drawing(drawn({"##..", "##..", "...#", "..##"})))
         << "the corner continues beyond the border";
-    EXPECT_EQ(opened(Mask(), 1.5, {1, 1}).size(), 0U);
+    EXPECT_EQ(opened(Mask(), 1.5, {1, 1}, test::threads()).size(), 0U);
 }
 
 TEST(Morphology, DiskOfThreeCells) {
@@ -104,7 +106,8 @@ TEST(Morphology, GrownByNeighbours) {
         const Mask mask = test::random_mask(rows, cols, 10, random);
         Mask expected = mask;
         for (int step = 0; step < 3; ++step) {
-            ASSERT_EQ(drawing(grown(mask, within, step)), drawing(expected)) << i << " step " << step;
+            ASSERT_EQ(drawing(grown(mask, within, step, test::threads())), drawing(expected))
+                << i << " step " << step;
             Mask next = expected;
             for (std::int32_t r = 0; r < rows; ++r)
                 for (std::int32_t c = 0; c < cols; ++c)

@@ -1,11 +1,17 @@
 #include "detect/regions.hpp"
 
+#include <atomic>
 #include <numeric>
+#include <random>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "detect/holes.hpp"
+#include "detect/label_sets.hpp"
 #include "detect_case.hpp"
+#include "support/test_threads.hpp"
 
 namespace d2b {
 namespace {
@@ -16,7 +22,7 @@ using test::drawn;
 std::vector<Label> labels_of(const Regions& regions) {
     std::vector<Label> itself(regions.cells.size());
     std::iota(itself.begin(), itself.end(), Label{0});
-    return label_grid(regions, itself).values;
+    return label_grid(regions, itself, test::threads()).values;
 }
 
 /// Floods one region after the other, in scan order of their first cells.
@@ -63,12 +69,14 @@ TEST(Regions, ConnectedLikeAFlood) {
         const Mask mask = i % 2 == 0 ? test::random_mask(rows, cols, 30 + i % 70, random)
                                      : test::random_blocks(rows, cols, 30, random);
         for (const std::uint8_t value : {std::uint8_t{1}, std::uint8_t{0}}) {
-            const Regions regions = connected_regions(mask, value);
+            const Regions regions = connected_regions(mask, value, 0, test::threads());
             const auto expected = flooded(mask, value, [](auto, auto) { return true; });
             ASSERT_EQ(labels_of(regions), expected) << i;
             expect_counts(regions, expected);
         }
-        ASSERT_EQ(drawing(mask_of(connected_regions(mask))), drawing(mask)) << i;
+        ASSERT_EQ(drawing(mask_of(connected_regions(mask, 1, 0, test::threads()), test::threads())),
+                  drawing(mask))
+            << i;
     }
 }
 
@@ -82,7 +90,7 @@ TEST(Regions, JoinedLikeAFlood) {
         for (int& h : height)
             h = static_cast<int>(random() % (2 + i % 5));
         const auto joined = [&](std::size_t a, std::size_t b) { return std::abs(height[a] - height[b]) < 2; };
-        const Regions regions = joined_regions(mask, joined);
+        const Regions regions = joined_regions(mask, joined, test::threads());
         const auto expected = flooded(mask, 1, joined);
         ASSERT_EQ(labels_of(regions), expected) << i;
         expect_counts(regions, expected);
@@ -90,7 +98,7 @@ TEST(Regions, JoinedLikeAFlood) {
 }
 
 TEST(Regions, RunsLieInScanOrderAndDoNotTouchWithinARegion) {
-    const Regions regions = connected_regions(drawn({"##.#", "....", "####"}));
+    const Regions regions = connected_regions(drawn({"##.#", "....", "####"}), 1, 0, test::threads());
     ASSERT_EQ(regions.count(), 3U);
     ASSERT_EQ(regions.row(0).size(), 2U);
     EXPECT_EQ(regions.row(0)[1].begin, 3);
@@ -98,23 +106,96 @@ TEST(Regions, RunsLieInScanOrderAndDoNotTouchWithinARegion) {
     EXPECT_EQ(regions.row(0)[1].label, 2U);
     EXPECT_TRUE(regions.row(1).empty());
     EXPECT_EQ(regions.row(2)[0].end, 4);
-    EXPECT_EQ(connected_regions(Mask()).count(), 0U);
+    EXPECT_EQ(connected_regions(Mask(), 1, 0, test::threads()).count(), 0U);
 }
 
-TEST(Regions, DropSmallKeepsTheLimitAndTheOrder) {
-    Regions regions = connected_regions(drawn({"##.###", "......", "#.####", "#....."}));
-    drop_small(regions, 3);
+TEST(Regions, SmallOnesAreLeftOutAndTheOthersKeepTheirOrder) {
+    const Mask mask = drawn({"##.###", "......", "#.####", "#....."});
+    const Regions regions = connected_regions(mask, 1, 3, test::threads());
     EXPECT_EQ(labels_of(regions),
               (std::vector<Label>{0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 2, 2, 2, 2, 0, 0, 0, 0, 0, 0}));
     EXPECT_EQ(regions.cells, (std::vector<std::int64_t>{0, 3, 4}));
-    drop_small(regions, 5);
-    EXPECT_EQ(regions.count(), 0U);
-    EXPECT_TRUE(regions.runs.empty());
+    const Regions none = connected_regions(mask, 1, 5, test::threads());
+    EXPECT_EQ(none.count(), 0U);
+    EXPECT_TRUE(none.runs.empty());
+}
+
+/// Regions of ones by filling them cell by cell, in scan order.
+std::vector<Label> filled_one_by_one(const Mask& mask, std::int64_t least) {
+    std::vector<Label> labels(mask.size(), 0);
+    std::vector<bool> seen(mask.size(), false);
+    Label next = 0;
+    for (std::size_t first = 0; first < mask.size(); ++first) {
+        if (mask.values[first] == 0 || seen[first])
+            continue;
+        std::vector<std::size_t> cells{first};
+        seen[first] = true;
+        const auto cols = static_cast<std::size_t>(mask.cols);
+        for (std::size_t k = 0; k < cells.size(); ++k) {
+            const std::size_t i = cells[k];
+            const auto visit = [&](bool inside, std::size_t j) {
+                if (inside && mask.values[j] != 0 && !seen[j]) {
+                    seen[j] = true;
+                    cells.push_back(j);
+                }
+            };
+            visit(i % cols > 0, i - 1);
+            visit(i % cols + 1 < cols, i + 1);
+            visit(i >= cols, i - cols);
+            visit(i + cols < mask.size(), i + cols);
+        }
+        if (static_cast<std::int64_t>(cells.size()) < least)
+            continue;
+        ++next;
+        for (const std::size_t i : cells)
+            labels[i] = next;
+    }
+    return labels;
+}
+
+TEST(Regions, BandsAndThreadsDoNotShow) {
+    std::mt19937 random(3);
+    Mask mask(90, 20000);  // bands of sixteen rows
+    for (std::size_t i = 0; i < mask.size(); ++i)
+        mask.values[i] = random() % 100 < (i % 20000 < 9000 ? 57 : 62) ? 1 : 0;
+    for (const std::int64_t least : {0, 40}) {
+        const std::vector<Label> expected = filled_one_by_one(mask, least);
+        for (const int count : {1, 2, 5}) {
+            Executor threads(count);
+            const Regions regions = connected_regions(mask, 1, least, threads);
+            ASSERT_TRUE(labels_of(regions) == expected) << count << " threads, at least " << least;
+            std::vector<std::int64_t> cells(regions.cells.size(), 0);
+            for (const Label label : expected)
+                cells[label] += label != 0 ? 1 : 0;
+            EXPECT_EQ(regions.cells, cells);
+        }
+    }
+}
+
+TEST(Regions, RunsOfALabelComeInScanOrder) {
+    std::mt19937 random(4);
+    Mask mask(60, 30000);
+    for (std::uint8_t& value : mask.values)
+        value = random() % 10 < 6 ? 1 : 0;
+    const Regions regions = connected_regions(mask, 1, 0, test::threads());
+    std::vector<std::pair<std::int32_t, std::int32_t>> last(regions.cells.size(), {-1, -1});
+    std::vector<std::int64_t> cells(regions.cells.size(), 0);
+    std::atomic<bool> ordered = true;
+    for_runs_by_label(test::threads(), regions, [&](std::int32_t row, const RegionRun& run) {
+        const std::pair<std::int32_t, std::int32_t> here{row, run.begin};
+        if (!(last[run.label] < here))
+            ordered = false;
+        last[run.label] = here;
+        cells[run.label] += run.end - run.begin;
+    });
+    EXPECT_TRUE(ordered);
+    EXPECT_EQ(cells, regions.cells);
 }
 
 TEST(Regions, LabelGridWritesTheNumbersGiven) {
-    const Regions regions = connected_regions(drawn({"#.#"}));
-    EXPECT_EQ(label_grid(regions, std::vector<Label>{0, 7, 0}).values, (std::vector<Label>{7, 0, 0}));
+    const Regions regions = connected_regions(drawn({"#.#"}), 1, 0, test::threads());
+    EXPECT_EQ(label_grid(regions, std::vector<Label>{0, 7, 0}, test::threads()).values,
+              (std::vector<Label>{7, 0, 0}));
 }
 
 TEST(LabelSets, SmallestStandsForAll) {
@@ -133,13 +214,13 @@ TEST(Holes, SmallOnesAreFilled) {
                        "#.##..###",  //
                        "####.####",  //
                        "#########"});
-    fill_small_holes(mask, 3);
+    fill_small_holes(mask, 3, test::threads());
     EXPECT_EQ(drawing(mask), drawing(drawn({"#########",  //
                                             "####..###",  //
                                             "####.####",  //
                                             "#########"})))
         << "three cells are not fewer than three";
-    fill_small_holes(mask, 4);
+    fill_small_holes(mask, 4, test::threads());
     EXPECT_EQ(drawing(mask), drawing(Mask(4, 9, 1)));
 }
 
@@ -150,7 +231,7 @@ TEST(Holes, ThoseAtTheBorderStay) {
                              "#####",  //
                              "##.##"});
     Mask filled = mask;
-    fill_small_holes(filled, 100);
+    fill_small_holes(filled, 100, test::threads());
     EXPECT_EQ(drawing(filled), drawing(mask));
 }
 
@@ -160,7 +241,7 @@ TEST(Holes, DiagonalIsNoWayOut) {
                        "###.#",  //
                        "#.###",  //
                        "#####"});
-    fill_small_holes(mask, 3);
+    fill_small_holes(mask, 3, test::threads());
     EXPECT_EQ(drawing(mask), drawing(drawn({"..###", "..###", "#####", "#####", "#####"})));
 }
 

@@ -6,6 +6,7 @@
 
 #include "detect/smoothness.hpp"
 #include "detect_case.hpp"
+#include "support/test_threads.hpp"
 
 namespace d2b {
 namespace {
@@ -17,7 +18,7 @@ using test::drawn;
 SmoothSegments pieces_of(const Mask& elevated, const Grid<std::uint8_t>& flags, const CellSize& cell) {
     const MetreGrid level(elevated.rows, elevated.cols, 8);
     const MetreGrid ground(elevated.rows, elevated.cols, 0);
-    return smooth_segments({level, ground, cell}, elevated, flags);
+    return smooth_segments({level, ground, cell}, elevated, flags, test::threads());
 }
 SmoothSegments pieces_of(const Mask& elevated, std::uint8_t flag, const CellSize& cell) {
     return pieces_of(elevated, Grid<std::uint8_t>(elevated.rows, elevated.cols, flag), cell);
@@ -32,11 +33,12 @@ TEST(Segments, TiltIsThatOfThePlane) {
                        ? static_cast<float>(120 + x * c * cell.across + y * r * cell.down)
                        : test::unknown;
         });
-        const SmoothSegments segments =
-            smooth_segments(town.scene(), test::raised(town), smoothness(town.surface, town.scene().side()));
+        const SmoothSegments segments = smooth_segments(
+            town.scene(), test::raised(town),
+            smoothness(town.surface, town.scene().side(), 0, test::threads()), test::threads());
         ASSERT_EQ(segments.pieces.size(), 1U);
         EXPECT_EQ(segments.pieces[0].cells, 160);
-        EXPECT_EQ(drawing(mask_of(segments.regions)), drawing(test::raised(town)));
+        EXPECT_EQ(drawing(mask_of(segments.regions, test::threads())), drawing(test::raised(town)));
         EXPECT_NEAR(segments.pieces[0].tilt, std::hypot(dx, dy), 1e-5);
     }
 }
@@ -47,8 +49,8 @@ TEST(Segments, GableIsOnePieceSinceItsRidgeIsStraight) {
         return r >= 3 && r < 17 && c >= 3 && c < 17 ? 112 - 0.5F * std::abs(static_cast<float>(c) - 9.5F)
                                                     : test::unknown;
     });
-    const SmoothSegments segments =
-        smooth_segments(town.scene(), test::raised(town), smoothness(town.surface, 1));
+    const SmoothSegments segments = smooth_segments(
+        town.scene(), test::raised(town), smoothness(town.surface, 1, 0, test::threads()), test::threads());
     ASSERT_EQ(segments.pieces.size(), 1U);
     EXPECT_EQ(segments.pieces[0].cells, 196);
     EXPECT_NEAR(segments.pieces[0].tilt, 0, 1e-6) << "the best plane through both sides";
@@ -87,7 +89,7 @@ TEST(Segments, SmallPiecesAreDropped) {
     const Mask blocks = drawn({"###########.", "............", "############"});
     const SmoothSegments fine = pieces_of(blocks, smooth, {1, 1});
     ASSERT_EQ(fine.pieces.size(), 1U);
-    EXPECT_EQ(drawing(mask_of(fine.regions)),
+    EXPECT_EQ(drawing(mask_of(fine.regions, test::threads())),
               drawing(drawn({"............", "............", "############"})));
     // Five cells at least, however large they are.
     const SmoothSegments coarse = pieces_of(drawn({"####.", ".....", "#####"}), smooth, {10, 10});

@@ -6,9 +6,14 @@
 #include <gtest/gtest.h>
 
 #include "detect_case.hpp"
+#include "support/test_threads.hpp"
 
 namespace d2b {
 namespace {
+
+Grid<std::uint8_t> flags_of(const MetreGrid& surface, double side, double noise = 0) {
+    return smoothness(surface, side, noise, test::threads());
+}
 
 using test::unknown;
 
@@ -27,7 +32,7 @@ MetreGrid surface_of(std::int32_t rows, std::int32_t cols, const test::Shape& z)
 }
 
 TEST(Smoothness, PlanesAreSmoothInsideAndBendAtTheBorder) {
-    const auto flags = smoothness(
+    const auto flags = flags_of(
         surface_of(
             6, 40,
             [](auto r, auto c) { return 0.25F * static_cast<float>(r) + 0.75F * static_cast<float>(c); }),
@@ -45,32 +50,32 @@ TEST(Smoothness, PlanesAreSmoothInsideAndBendAtTheBorder) {
 }
 
 TEST(Smoothness, StepBendsAcrossAlone) {
-    const auto flags = smoothness(surface_of(5, 10, [](auto, auto c) { return c < 5 ? 0.0F : 3.0F; }), 1);
+    const auto flags = flags_of(surface_of(5, 10, [](auto, auto c) { return c < 5 ? 0.0F : 3.0F; }), 1);
     for (std::int32_t c = 0; c < 10; ++c)
         EXPECT_EQ(flags.at(2, c), c == 4 || c == 5 ? column | any | enough : all) << c;
 }
 
 TEST(Smoothness, RidgesAreSmoothAlong) {
-    const auto ridge = smoothness(
+    const auto ridge = flags_of(
         surface_of(11, 11, [](auto, auto c) { return -0.5F * static_cast<float>(std::abs(c - 5)); }), 1);
     EXPECT_EQ(ridge.at(5, 5), column | any | enough);
     EXPECT_EQ(ridge.at(5, 4), all);
     for (const int sign : {1, -1}) {
-        const auto diagonal = smoothness(surface_of(11, 11,
-                                                    [&](auto r, auto c) {
-                                                        const int across = sign * (c - 5) - (r - 5);
-                                                        return -0.5F * static_cast<float>(std::abs(across));
-                                                    }),
-                                         1);
+        const auto diagonal = flags_of(surface_of(11, 11,
+                                                  [&](auto r, auto c) {
+                                                      const int across = sign * (c - 5) - (r - 5);
+                                                      return -0.5F * static_cast<float>(std::abs(across));
+                                                  }),
+                                       1);
         EXPECT_EQ(diagonal.at(5, 5), any) << sign;
     }
 }
 
 TEST(Smoothness, ThresholdsGrowWithNoise) {
     const auto bump = [](float h, double noise) {
-        return int{smoothness(surface_of(5, 5, [&](auto r, auto c) { return r == 2 && c == 2 ? h : 0.0F; }),
-                              1, noise)
-                       .at(2, 2)};
+        return int{
+            flags_of(surface_of(5, 5, [&](auto r, auto c) { return r == 2 && c == 2 ? h : 0.0F; }), 1, noise)
+                .at(2, 2)};
     };
     // 7 cm are in the thresholds; 17 cm add 15 cm to the 0.12, 0.18 and 0.25 m of cells of 1 m.
     EXPECT_EQ(bump(0.061F, 0.07), any | enough);
@@ -86,7 +91,7 @@ TEST(Smoothness, ThresholdsGrowWithTheCell) {
     // A bump of h bends by 2 h every way; 2/3 of that counts along diagonals.
     const auto bump = [](float h, double side) {
         return int{
-            smoothness(surface_of(5, 5, [&](auto r, auto c) { return r == 2 && c == 2 ? h : 0.0F; }), side)
+            flags_of(surface_of(5, 5, [&](auto r, auto c) { return r == 2 && c == 2 ? h : 0.0F; }), side)
                 .at(2, 2)};
     };
     // At 1 m: 0.12 m along a line, 0.18 m any way, 0.25 m for enough.
@@ -107,7 +112,7 @@ TEST(Smoothness, ThresholdsGrowWithTheCell) {
 
 TEST(Smoothness, UnknownCellsBendWhateverMeetsThem) {
     const auto flags =
-        smoothness(surface_of(7, 7, [](auto r, auto c) { return r == 3 && c == 3 ? unknown : 1.0F; }), 1);
+        flags_of(surface_of(7, 7, [](auto r, auto c) { return r == 3 && c == 3 ? unknown : 1.0F; }), 1);
     EXPECT_EQ(flags.at(3, 3), 0);
     for (const std::int32_t beside : {2, 4}) {
         EXPECT_EQ(flags.at(3, beside), column | any | enough);
@@ -117,14 +122,14 @@ TEST(Smoothness, UnknownCellsBendWhateverMeetsThem) {
 }
 
 TEST(Smoothness, OneCellOneRowOneColumnNone) {
-    EXPECT_EQ(smoothness(MetreGrid(1, 1, 7.0F), 1).values, std::vector<std::uint8_t>{all});
-    EXPECT_EQ(smoothness(MetreGrid(1, 1, unknown), 1).values, std::vector<std::uint8_t>{0});
+    EXPECT_EQ(flags_of(MetreGrid(1, 1, 7.0F), 1).values, std::vector<std::uint8_t>{all});
+    EXPECT_EQ(flags_of(MetreGrid(1, 1, unknown), 1).values, std::vector<std::uint8_t>{0});
     const MetreGrid step = surface_of(1, 5, [](auto, auto c) { return c < 2 ? 0.0F : 2.0F; });
     const std::vector<std::uint8_t> across{all, column | any | enough, column | any | enough, all, all};
-    EXPECT_EQ(smoothness(step, 1).values, across);
+    EXPECT_EQ(flags_of(step, 1).values, across);
     const std::vector<std::uint8_t> down{all, row | any | enough, row | any | enough, all, all};
-    EXPECT_EQ(smoothness(test::transposed(step), 1).values, down);
-    EXPECT_EQ(smoothness(MetreGrid(), 1).size(), 0U);
+    EXPECT_EQ(flags_of(test::transposed(step), 1).values, down);
+    EXPECT_EQ(flags_of(MetreGrid(), 1).size(), 0U);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "detect/regions.hpp"
 #include "detect_case.hpp"
+#include "support/test_threads.hpp"
 
 namespace d2b {
 namespace {
@@ -133,7 +134,7 @@ TEST(Split, DoubtfulObjectsStayWholeAndKeepTheirPlace) {
     // Each half has lost two corners.
     detection.objects.push_back({0.25, Doubt::steep, 568});
     detection.objects[0].cells = 628;
-    split_buildings(town.scene(), 3, 30, detection);
+    split_buildings(town.scene(), 3, 30, detection, test::threads());
     EXPECT_EQ(detection.buildings, 2U);
     ASSERT_EQ(detection.objects.size(), 3U);
     EXPECT_EQ(detection.objects[0].cells, 30 * 21 - 2 - 72);
@@ -154,7 +155,7 @@ Detection striped(const std::vector<float>& columns, std::int64_t least_cells, T
     detection.labels = Grid<Label>(8, cols, 1);
     detection.objects.push_back({0.9, Doubt::rough, std::int64_t{8} * cols});
     detection.buildings = 1;
-    split_buildings(town.scene(), 3, least_cells, detection);
+    split_buildings(town.scene(), 3, least_cells, detection, test::threads());
     return detection;
 }
 
@@ -188,17 +189,17 @@ TEST(Split, NoiseIsPartitionedIntoLargeConnectedPieces) {
                        ? 110 + 5 * static_cast<float>(random() % 3) * (c / 12 % 2 == 0 ? 1 : 0)
                        : unknown;
         });
-        const Regions regions = connected_regions(blocks);
+        const Regions regions = connected_regions(blocks, 1, 0, test::threads());
         Detection detection;
         std::vector<Label> itself(regions.cells.size());
         for (Label label = 0; label < itself.size(); ++label)
             itself[label] = label;
-        detection.labels = label_grid(regions, itself);
+        detection.labels = label_grid(regions, itself, test::threads());
         detection.buildings = regions.count();
         for (Label label = 1; label <= regions.count(); ++label)
             detection.objects.push_back({1.0 / label, Doubt::rough, regions.cells[label]});
         const Grid<Label> before = detection.labels;
-        split_buildings(town.scene(), 3, 20, detection);
+        split_buildings(town.scene(), 3, 20, detection, test::threads());
 
         ASSERT_EQ(drawing(building_mask(detection)), drawing(blocks));
         ASSERT_EQ(detection.objects.size(), detection.buildings);
@@ -213,9 +214,12 @@ TEST(Split, NoiseIsPartitionedIntoLargeConnectedPieces) {
                 ASSERT_EQ(detection.objects[label - 1].confidence, 1.0 / before.values[j]);
             }
         }
-        const Regions pieces = joined_regions(blocks, [&](std::size_t a, std::size_t b) {
-            return detection.labels.values[a] == detection.labels.values[b];
-        });
+        const Regions pieces = joined_regions(
+            blocks,
+            [&](std::size_t a, std::size_t b) {
+                return detection.labels.values[a] == detection.labels.values[b];
+            },
+            test::threads());
         EXPECT_EQ(pieces.count(), detection.buildings) << "each piece is connected";
         for (Label label = 1; label <= detection.buildings; ++label) {
             const DetectedObject& object = detection.objects[label - 1];
