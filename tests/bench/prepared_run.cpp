@@ -60,13 +60,16 @@ std::int64_t PreparedRun::points() const {
 
 void PreparedRun::read() {
     ElevationReader reader(*source, context);
-    reader.for_each([this](const ElevationBand& band) { bands.push_back(band); });
+    reader.for_each([this](const ElevationBand& band) {
+        bands.emplace_back().elevations = std::make_shared<ElevationBand>(band);
+    });
 }
 
 MetreGrid PreparedRun::surface() const {
     MetreGrid grid(source->info().window.rows, source->info().window.cols);
-    for (const ElevationBand& band : bands)
-        std::transform(band.elevations.begin(), band.elevations.end(), grid.row(band.shape.first_row).data(),
+    for (const PointRows<std::uint8_t>& band : bands)
+        std::transform(band.elevations->elevations.begin(), band.elevations->elevations.end(),
+                       grid.row(band.shape().first_row).data(),
                        [](double z) { return static_cast<float>(z); });
     return grid;
 }
@@ -77,33 +80,34 @@ void PreparedRun::find() {
         ElevationReader reader(*source, context);
         found = find_buildings(options, {*source}, {nothing}, reader, cell, 1, context);
     }
-    for (const ElevationBand& band : bands)
-        labels.push_back(found.footprints.empty() ? detect_one_label(band, context)
-                                                  : found.band(band.shape, 0));
+    for (PointRows<std::uint8_t>& band : bands)
+        band.labels = found.footprints.empty() ? detect_one_label(*band.elevations, context)
+                                               : found.band(band.shape(), 0);
 }
 
 void PreparedRun::make_levels() {
     ElevationStatistics statistics;
-    for (const ElevationBand& band : bands)
-        statistics.add(band);
+    for (const PointRows<std::uint8_t>& band : bands)
+        statistics.add(*band.elevations);
     plan = plan_global_levels(statistics, options.levels, context);
     if (!found.footprints.empty()) {
         BuildingStatistics buildings(found.count(), statistics.fixed_point());
-        for (std::size_t i = 0; i < bands.size(); ++i)
-            buildings.add(bands[i], labels[i]);
+        for (const PointRows<std::uint8_t>& band : bands)
+            buildings.add(*band.elevations, band.labels);
         plan = plan_building_levels(buildings, found.ground, plan, options.levels, 1);
     }
     frame = {source->info().window, plan.level_count(), statistics.fixed_point(), statistics.range()};
-    counts.clear();
-    for (std::size_t i = 0; i < bands.size(); ++i)
-        counts.push_back(quantise<std::uint8_t>(bands[i], labels[i], plan));
+    for (PointRows<std::uint8_t>& band : bands)
+        band.levels = quantise<std::uint8_t>(*band.elevations, band.labels, plan);
 }
 
 void PreparedRun::trace(StackSink& sink) const {
-    Tracer<std::uint8_t> tracer(frame, options.trace, sink);
-    for (std::size_t i = 0; i < bands.size(); ++i)
-        tracer.trace(bands[i], labels[i], counts[i]);
-    tracer.finish();
+    Tracer tracer(frame, options.trace, sink);
+    PointRows<std::uint8_t> before;
+    for (const PointRows<std::uint8_t>& band : bands) {
+        tracer.trace(take_apart(frame, options.trace, before, band));
+        before = last_rows<std::uint8_t>({}, band);
+    }
 }
 
 ContourSet PreparedRun::filter(std::vector<Stack>&& traced) {

@@ -28,12 +28,10 @@ class PreparedRun {
     Georeference georeference;
     SquareArea area;
     CellSize cell;
-    std::vector<ElevationBand> bands;
-    FoundBuildings found;           ///< empty with the thesis preset
-    std::vector<LabelBand> labels;  ///< a band
+    FoundBuildings found;                        ///< empty with the thesis preset
+    std::vector<PointRows<std::uint8_t>> bands;  ///< with labels and counts
     LevelPlan plan;
     TraceFrame frame;
-    std::vector<LevelBand<std::uint8_t>> counts;  ///< a band
     std::vector<Stack> stacks;
     ContourSet set;
 

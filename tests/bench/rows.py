@@ -24,6 +24,11 @@ class Row:
         return sum(contender.median() for contender in self.beside)
 
 
+def processor_ratio(row):
+    """The same by the processor's time, which other work on the machine disturbs less."""
+    return row.ours.median_processor() / sum(contender.median_processor() for contender in row.beside)
+
+
 def ratio(row):
     return row.ours.median() / row.beside_seconds()
 

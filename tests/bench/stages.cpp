@@ -84,9 +84,10 @@ void filter(State& state, PreparedRun& run) {
 }
 
 void outline(State& state, PreparedRun& run) {
+    Executor executor;
     for ([[maybe_unused]] auto _ : state) {
         const Outliner outliner = make_outliner(run.set.contours, run.options.outline, run.georeference,
-                                                run.crs, run.source->info().window);
+                                                run.crs, run.source->info().window, executor);
         for (std::size_t i = 0; i < run.set.contours.size(); ++i)
             benchmark::DoNotOptimize(outliner.outline(i));
     }
