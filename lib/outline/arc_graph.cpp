@@ -1,88 +1,66 @@
 #include "outline/arc_graph.hpp"
 
 #include <algorithm>
-#include <array>
-#include <map>
+#include <limits>
 #include <utility>
+
+#include "outline/lattice_net.hpp"
 
 namespace d2b {
 namespace {
 
-/// Points where a number of edges other than two meet, sorted.
-std::vector<LatticePoint> find_junctions(const std::vector<LatticePolygon>& polygons) {
-    std::vector<std::pair<LatticePoint, LatticePoint>> ends;  // each edge from both of its points, once
-    const auto add = [&](const LatticeRing& ring) {
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-            const LatticePoint next = ring[(i + 1) % ring.size()];
-            ends.emplace_back(ring[i], next);
-            ends.emplace_back(next, ring[i]);
-        }
-    };
-    for (const LatticePolygon& polygon : polygons) {
-        add(polygon.exterior);
-        for (const LatticeRing& ring : polygon.interiors)
-            add(ring);
-    }
-    std::sort(ends.begin(), ends.end());
-    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-    std::vector<LatticePoint> junctions;
-    for (std::size_t i = 0; i < ends.size();) {
-        std::size_t next = i;
-        while (next < ends.size() && ends[next].first == ends[i].first)
-            ++next;
-        if (next - i != 2)
-            junctions.push_back(ends[i].first);
-        i = next;
-    }
-    return junctions;
-}
-
 class ArcCutter {
   public:
-    ArcCutter(const std::vector<LatticePoint>& junctions, std::vector<Arc>& arcs)
-        : junctions_(junctions), arcs_(arcs) {}
+    using Vertex = LatticeNet::Vertex;
 
-    std::vector<ArcUse> cut(const LatticeRing& ring) {
-        std::size_t start =
-            static_cast<std::size_t>(std::min_element(ring.begin(), ring.end()) - ring.begin());
-        for (std::size_t i = 0; i < ring.size(); ++i)
-            if (is_junction(ring[i]) && !is_junction(ring[start]))
-                start = i;
+    ArcCutter(const LatticeNet& net, std::vector<Arc>& arcs)
+        : net_(net), arcs_(arcs), known_(4 * net.size(), nowhere) {}
+
+    std::vector<ArcUse> cut(std::span<const Vertex> ring) {
+        const auto junction =
+            std::find_if(ring.begin(), ring.end(), [&](Vertex v) { return net_.junction(v); });
+        const auto start = static_cast<std::size_t>(
+            (junction != ring.end() ? junction : std::min_element(ring.begin(), ring.end())) - ring.begin());
         std::vector<ArcUse> uses;
-        Arc arc{ring[start]};
+        arc_.assign(1, ring[start]);
         for (std::size_t i = 1; i <= ring.size(); ++i) {
-            arc.push_back(ring[(start + i) % ring.size()]);
-            if (i == ring.size() || is_junction(arc.back())) {
-                const LatticePoint last = arc.back();
-                uses.push_back(use(std::move(arc)));
-                arc = {last};
+            const std::size_t at = start + i;
+            arc_.push_back(ring[at < ring.size() ? at : at - ring.size()]);
+            if (i == ring.size() || net_.junction(arc_.back())) {
+                uses.push_back(use());
+                arc_.assign(1, arc_.back());
             }
         }
         return uses;
     }
 
   private:
-    [[nodiscard]] bool is_junction(LatticePoint point) const {
-        return std::binary_search(junctions_.begin(), junctions_.end(), point);
-    }
+    static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
 
-    /// An arc is known by its first edge, in the direction in which that is the smaller one.
-    ArcUse use(Arc&& arc) {
-        const std::array<LatticePoint, 2> forwards{arc.front(), arc[1]};
-        const std::array<LatticePoint, 2> backwards{arc.back(), arc[arc.size() - 2]};
+    /// The arc that has been walked; it is known by its first edge, in the direction in which that is the
+    /// smaller one.
+    ArcUse use() {
+        const std::pair forwards(arc_.front(), arc_[1]);
+        const std::pair backwards(arc_.back(), arc_[arc_.size() - 2]);
         const bool reversed = backwards < forwards;
-        const auto [known, is_new] = known_.try_emplace(std::min(forwards, backwards), arcs_.size());
-        if (is_new) {
+        const auto [from, to] = reversed ? backwards : forwards;
+        std::uint32_t& known = known_[4 * from + static_cast<std::size_t>(net_.way(from, to))];
+        if (known == nowhere) {
+            known = static_cast<std::uint32_t>(arcs_.size());
+            Arc& arc = arcs_.emplace_back();
+            arc.reserve(arc_.size());
+            for (const Vertex v : arc_)
+                arc.push_back(net_.point(v));
             if (reversed)
                 std::reverse(arc.begin(), arc.end());
-            arcs_.push_back(std::move(arc));
         }
-        return {static_cast<std::uint32_t>(known->second), reversed};
+        return {known, reversed};
     }
 
-    const std::vector<LatticePoint>& junctions_;
+    const LatticeNet& net_;
     std::vector<Arc>& arcs_;
-    std::map<std::array<LatticePoint, 2>, std::size_t> known_;
+    std::vector<std::uint32_t> known_;  // arc of each way from each vertex
+    std::vector<Vertex> arc_;
 };
 
 LatticeRing assemble(const std::vector<ArcUse>& uses, const std::vector<Arc>& arcs) {
@@ -100,22 +78,28 @@ LatticeRing assemble(const std::vector<ArcUse>& uses, const std::vector<Arc>& ar
 
 }  // namespace
 
-ArcGraph build_arc_graph(const std::vector<Contour>& contours) {
-    const CornerIndex corners(contours);
-    std::vector<LatticePolygon> polygons;
-    polygons.reserve(contours.size());
-    for (const Contour& contour : contours)
-        polygons.push_back(corners.noded(traced_polygon(contour)));
-    const std::vector<LatticePoint> junctions = find_junctions(polygons);
+ArcGraph build_arc_graph(std::span<const Contour* const> contours) {
+    const LatticeNet net(contours);
     ArcGraph graph;
-    ArcCutter cutter(junctions, graph.arcs);
-    for (const LatticePolygon& polygon : polygons) {
+    ArcCutter cutter(net, graph.arcs);
+    graph.outlines.reserve(contours.size());
+    std::size_t ring = 0;
+    for (const Contour* contour : contours) {
         ArcGraph::Outline& outline = graph.outlines.emplace_back();
-        outline.exterior = cutter.cut(polygon.exterior);
-        for (const LatticeRing& ring : polygon.interiors)
-            outline.interiors.push_back(cutter.cut(ring));
+        outline.exterior = cutter.cut(net.ring(ring++));
+        outline.interiors.reserve(contour->interiors.size());
+        for (std::size_t i = 0; i < contour->interiors.size(); ++i)
+            outline.interiors.push_back(cutter.cut(net.ring(ring++)));
     }
     return graph;
+}
+
+ArcGraph build_arc_graph(const std::vector<Contour>& contours) {
+    std::vector<const Contour*> all;
+    all.reserve(contours.size());
+    for (const Contour& contour : contours)
+        all.push_back(&contour);
+    return build_arc_graph(all);
 }
 
 LatticePolygon ArcGraph::polygon(std::size_t contour) const {

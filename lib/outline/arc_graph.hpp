@@ -1,10 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/lattice.hpp"
-#include "outline/noding.hpp"
+#include "trace/contour.hpp"
 
 namespace d2b {
 
@@ -33,6 +34,7 @@ struct ArcGraph {
 
 /// Nodes the outlines and cuts them into arcs at junctions: points where other than two edges meet.
 /// O(n log n) in vertices.
+[[nodiscard]] ArcGraph build_arc_graph(std::span<const Contour* const> contours);
 [[nodiscard]] ArcGraph build_arc_graph(const std::vector<Contour>& contours);
 
 }  // namespace d2b

@@ -24,15 +24,28 @@ LatticePolygon traced_polygon(const Contour& contour) {
 }
 
 CornerIndex::CornerIndex(const std::vector<Contour>& contours) {
-    const auto add = [&](const PackedRing& packed) {
+    for (const Contour& contour : contours)
+        add(contour);
+    sort();
+}
+
+CornerIndex::CornerIndex(std::span<const Contour* const> contours) {
+    for (const Contour* contour : contours)
+        add(*contour);
+    sort();
+}
+
+void CornerIndex::add(const Contour& contour) {
+    const auto add_ring = [&](const PackedRing& packed) {
         const LatticeRing ring = packed.corners();
         by_row_.insert(by_row_.end(), ring.begin(), ring.end());
     };
-    for (const Contour& contour : contours) {
-        add(contour.exterior);
-        for (const PackedRing& ring : contour.interiors)
-            add(ring);
-    }
+    add_ring(contour.exterior);
+    for (const PackedRing& ring : contour.interiors)
+        add_ring(ring);
+}
+
+void CornerIndex::sort() {
     sort_distinct(by_row_);
     by_col_.reserve(by_row_.size());
     for (const LatticePoint point : by_row_)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/lattice.hpp"
@@ -13,6 +14,7 @@ namespace d2b {
 class CornerIndex {
   public:
     explicit CornerIndex(const std::vector<Contour>& contours);
+    explicit CornerIndex(std::span<const Contour* const> contours);
 
     /// @param ring corners of a rectilinear ring @return the ring with every corner of any outline that lies
     /// on it
@@ -20,6 +22,8 @@ class CornerIndex {
     [[nodiscard]] LatticePolygon noded(const LatticePolygon& polygon) const;
 
   private:
+    void add(const Contour& contour);
+    void sort();
     void append_between(LatticePoint from, LatticePoint to, LatticeRing& ring) const;
 
     std::vector<LatticePoint> by_row_;  ///< distinct, sorted by row, then column

@@ -1,12 +1,11 @@
 #include "outline/outline.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "outline/arc_graph.hpp"
+#include "outline/noding.hpp"
 #include "outline/simplify.hpp"
-#include "outline/wall_drawing.hpp"
 #include "outline/walls.hpp"
 
 namespace d2b {
@@ -34,35 +33,12 @@ struct Outliner::Impl {
     const std::vector<Contour>& contours;
     std::optional<CornerIndex> corners;
     std::optional<ArcGraph> arcs;
-    /// Regularized outlines of all levels, and those of levels 0 and 1 alone, each made when it is first
-    /// asked for.
-    std::optional<WallOptions> wall_options;
-    std::vector<Contour> low_contours;
     std::optional<RegularOutlines> walls;
-    std::optional<RegularOutlines> low_walls;
-
-    const RegularOutlines& all_levels() {
-        if (!walls)
-            walls.emplace(contours, *wall_options);
-        return *walls;
-    }
-    const RegularOutlines& footprints() {
-        if (contours.empty() || contours.back().key.level <= 1)
-            return all_levels();
-        if (!low_walls) {
-            // Sorted by key, those of low levels come first.
-            const auto end = std::ranges::find_if(contours, [](const Contour& c) { return c.key.level > 1; });
-            low_contours.assign(contours.begin(), end);
-            low_walls.emplace(low_contours, *wall_options);
-        }
-        return *low_walls;
-    }
 };
 
 namespace {
 
-OutlineQuality quality_of(const RegularOutlines& outlines, std::size_t contour) {
-    const RegularOutlines::Quality quality = outlines.quality(contour);
+OutlineQuality quality_of(const WallQuality& quality) {
     return {quality.fitted ? OutlineStatus::regularized : OutlineStatus::kept_traced, quality.deviation,
             quality.area_change};
 }
@@ -70,17 +46,19 @@ OutlineQuality quality_of(const RegularOutlines& outlines, std::size_t contour) 
 }  // namespace
 
 Outliner::Outliner(const std::vector<Contour>& contours, Drawing drawing, const OutlineOptions& options,
-                   const Georeference& georeference, double x_stretch)
-    : impl_(std::make_unique<Impl>(Impl{contours, {}, {}, {}, {}, {}, {}})) {
-    if (drawing != Drawing::traced)
+                   const Georeference& georeference, double x_stretch, Executor& executor)
+    : impl_(std::make_unique<Impl>(Impl{contours, {}, {}, {}})) {
+    if (drawing == Drawing::noded || drawing == Drawing::simplified)
         impl_->corners.emplace(contours);
     if (drawing == Drawing::simplified) {
         impl_->arcs = build_arc_graph(contours);
         simplify(impl_->arcs->arcs, options.simplify, georeference);
     }
-    if (drawing == Drawing::regularized)
-        impl_->wall_options = WallOptions{options.walls, options.wall_tolerance.value_or(1.5),
-                                          cell_shape(georeference, x_stretch)};
+    if (drawing == Drawing::regularized) {
+        const WallOptions walls{options.walls, options.wall_tolerance.value_or(1.5),
+                                cell_shape(georeference, x_stretch)};
+        impl_->walls.emplace(contours, walls, executor);
+    }
 }
 
 Outliner::Outliner(Outliner&&) noexcept = default;
@@ -88,30 +66,32 @@ Outliner& Outliner::operator=(Outliner&&) noexcept = default;
 Outliner::~Outliner() = default;
 
 OutlineQuality Outliner::quality(std::size_t contour) const {
-    if (impl_->wall_options)
-        return quality_of(impl_->all_levels(), contour);
+    if (impl_->walls)
+        return quality_of(impl_->walls->quality(contour));
     return {impl_->arcs ? OutlineStatus::simplified : OutlineStatus::traced, 0, 0};
 }
 
 OutlineQuality Outliner::footprint_quality(std::size_t contour) const {
-    return impl_->wall_options ? quality_of(impl_->footprints(), contour) : quality(contour);
+    return impl_->walls ? quality_of(impl_->walls->footprint_quality(contour)) : quality(contour);
 }
 
 bool Outliner::has_own_footprints() const {
-    return impl_->wall_options.has_value();
+    return impl_->walls.has_value();
 }
 
 FinePolygon Outliner::outline(std::size_t contour) const {
-    if (impl_->wall_options)
-        return impl_->all_levels().polygon(contour);
+    if (impl_->walls)
+        return impl_->walls->polygon(contour);
     return impl_->arcs ? fine(impl_->arcs->polygon(contour)) : traced(contour);
 }
 
 FinePolygon Outliner::footprint(std::size_t contour) const {
-    return impl_->wall_options ? impl_->footprints().polygon(contour) : outline(contour);
+    return impl_->walls ? impl_->walls->footprint(contour) : outline(contour);
 }
 
 FinePolygon Outliner::traced(std::size_t contour) const {
+    if (impl_->walls)
+        return impl_->walls->traced(contour);
     const LatticePolygon polygon = traced_polygon(impl_->contours[contour]);
     return fine(impl_->corners ? impl_->corners->noded(polygon) : polygon);
 }

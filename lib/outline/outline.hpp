@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/executor.hpp"
 #include "core/georeference.hpp"
 #include "core/options.hpp"
 #include "trace/contour.hpp"
@@ -29,13 +30,15 @@ struct OutlineQuality {
     double area_change = 0;      ///< share of the traced area. Regularized outlines alone: else 0
 };
 
-/// Draws outlines of contours on the lattice, one at a time.
+/// Draws outlines of contours on the lattice, one at a time. What is const may be called from several
+/// threads.
 class Outliner {
   public:
     /// @param contours all that are kept, sorted by key; they stay the caller's and must outlive this
     /// @param x_stretch length on the ground of a unit of x over that of a unit of y: what is a right angle
+    /// @param executor fits walls; it is not kept
     Outliner(const std::vector<Contour>& contours, Drawing drawing, const OutlineOptions& options,
-             const Georeference& georeference, double x_stretch = 1);
+             const Georeference& georeference, double x_stretch, Executor& executor);
     Outliner(Outliner&&) noexcept;
     Outliner& operator=(Outliner&&) noexcept;
     ~Outliner();

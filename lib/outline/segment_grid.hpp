@@ -1,14 +1,16 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "outline/fine_geometry.hpp"
 
 namespace d2b {
 
-/// Edges of drawn arcs in buckets of 8 x 8 cells, to find those that are near each other.
+/// Edges of drawn arcs in square buckets, to find those that are near each other. Arcs come and change one by
+/// one.
 class SegmentGrid {
   public:
     struct Edge {
@@ -17,45 +19,94 @@ class SegmentGrid {
     };
     using Arcs = std::vector<std::vector<FinePoint>>;
 
-    /// @param arcs must outlive this. O(n log n) in buckets that edges pass
-    explicit SegmentGrid(const Arcs& arcs);
+    /// @param arcs must outlive this @param box of all vertices, about; others are found as well
+    /// @param edges how many there are, about
+    SegmentGrid(const Arcs& arcs, const LatticeBox& box, std::size_t edges);
+
+    /// Puts an arc's edges where they are now.
+    void update(std::uint32_t arc);
 
     [[nodiscard]] FineSegment segment(Edge e) const {
         return {(*arcs_)[e.arc][e.index], (*arcs_)[e.arc][e.index + 1]};
     }
-    /// The edges of one bucket after the other: each pair of edges that meet is in one of them.
+    /// Calls visit(edge) for all edges in the buckets that a segment passes, some more than once: all that
+    /// meet it are among them.
     template <typename Visit>
-    void for_each_bucket(const Visit& visit) const {
-        for (std::size_t i = 0; i < entries_.size();) {
-            std::size_t end = i + 1;
-            while (end < entries_.size() && entries_[end].bucket == entries_[i].bucket)
-                ++end;
-            visit(std::span(entries_).subspan(i, end - i));
-            i = end;
-        }
+    void near(const FineSegment& segment, const Visit& visit) const {
+        for_buckets(segment, [&](std::int64_t row, std::int64_t col) { in_bucket(row, col, visit); });
     }
-    struct Entry {
-        std::uint64_t bucket;
-        Edge edge;
-    };
-    /// The edges of a bucket.
-    [[nodiscard]] std::span<const Entry> at(std::int64_t bucket_row, std::int64_t bucket_col) const;
-    [[nodiscard]] static std::int64_t bucket_of(std::int64_t coordinate) { return coordinate >> shift; }
-    [[nodiscard]] static std::int64_t first_of(std::int64_t bucket) { return bucket * (1 << shift); }
-    /// Columns of buckets in which there are edges.
-    [[nodiscard]] std::int64_t first_col() const { return first_col_; }
+    template <typename Visit>
+    void in_bucket(std::int64_t row, std::int64_t col, const Visit& visit) const {
+        for (std::uint32_t i = heads_[slot(row, col)]; i != none; i = entries_[i].next)
+            if (entries_[i].version == versions_[entries_[i].edge.arc])
+                visit(entries_[i].edge);
+    }
+    /// The bucket of a coordinate. Those beyond the box are the outermost ones.
+    [[nodiscard]] std::int64_t row_of(std::int64_t row) const {
+        return std::clamp((row - low_.row) >> shift_, std::int64_t{0}, rows_ - 1);
+    }
+    [[nodiscard]] std::int64_t col_of(std::int64_t col) const {
+        return std::clamp((col - low_.col) >> shift_, std::int64_t{0}, cols_ - 1);
+    }
+    /// Where a column of buckets begins.
+    [[nodiscard]] std::int64_t first_of(std::int64_t col) const { return low_.col + (col << shift_); }
 
   private:
-    static constexpr int shift = 13;
-    static std::uint64_t key(std::int64_t row, std::int64_t col) {
-        return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(row)) << 32) |
-               static_cast<std::uint32_t>(col);
+    static constexpr std::uint32_t none = 0xffffffff;
+    struct Entry {
+        Edge edge;
+        std::uint32_t version;  // of the arc when this was entered
+        std::uint32_t next;     // in the bucket
+    };
+    [[nodiscard]] std::size_t slot(std::int64_t row, std::int64_t col) const {
+        return static_cast<std::size_t>(row * cols_ + col);
     }
-    void add(Edge edge);
+    template <typename Visit>
+    void for_buckets(const FineSegment& segment, const Visit& visit) const;
 
     const Arcs* arcs_;
+    FinePoint low_;
+    int shift_ = 12;  // buckets of 4 x 4 cells, where these are not too many
+    std::int64_t rows_ = 0;
+    std::int64_t cols_ = 0;
+    std::vector<std::uint32_t> heads_;  // the first entry of each bucket
     std::vector<Entry> entries_;
-    std::int64_t first_col_ = 0;
+    std::vector<std::uint32_t> versions_;  // of each arc
 };
+
+template <typename Visit>
+void SegmentGrid::for_buckets(const FineSegment& segment, const Visit& visit) const {
+    const bool down = segment.a.row < segment.b.row;
+    const FinePoint& upper = down ? segment.a : segment.b;
+    const FinePoint& lower = down ? segment.b : segment.a;
+    const std::int64_t first_row = row_of(upper.row);
+    const std::int64_t last_row = row_of(lower.row);
+    const std::int64_t first_col = col_of(std::min(upper.col, lower.col));
+    const std::int64_t last_col = col_of(std::max(upper.col, lower.col));
+    if (last_row - first_row <= 1 || last_col - first_col <= 1) {
+        for (std::int64_t row = first_row; row <= last_row; ++row)
+            for (std::int64_t col = first_col; col <= last_col; ++col)
+                visit(row, col);
+        return;
+    }
+    const double slope =
+        static_cast<double>(lower.col - upper.col) / static_cast<double>(lower.row - upper.row);
+    const auto col_at = [&](std::int64_t row) {
+        const std::int64_t border = std::clamp(low_.row + (row << shift_), upper.row, lower.row);
+        return static_cast<double>(upper.col) + slope * static_cast<double>(border - upper.row);
+    };
+    for (std::int64_t row = first_row; row <= last_row; ++row) {
+        // Columns between the bucket's upper and lower border; a little more where doubles round. The last
+        // row holds all below as well.
+        double from = row > first_row ? col_at(row) : static_cast<double>(upper.col);
+        double to = row < last_row ? col_at(row + 1) : static_cast<double>(lower.col);
+        if (from > to)
+            std::swap(from, to);
+        const std::int64_t first = col_of(static_cast<std::int64_t>(std::floor(from)) - 1);
+        const std::int64_t last = col_of(static_cast<std::int64_t>(std::ceil(to)) + 1);
+        for (std::int64_t col = first; col <= last; ++col)
+            visit(row, col);
+    }
+}
 
 }  // namespace d2b

@@ -17,17 +17,18 @@ void divide(const WallSamples& samples, std::size_t begin, std::size_t end,
     while (!open.empty()) {
         const auto [first, last] = open.back();
         open.pop_back();
-        double largest = nearness;
+        double largest = nearness * nearness;
         std::size_t farthest = first;
-        for (std::size_t i = first + 1; i < last; ++i) {
-            if (!samples.corner(i))
-                continue;
-            const double off = distance(samples.at(i), samples.at(first), samples.at(last));
+        const Vec from = samples.at(first);
+        const Vec to = samples.at(last);
+        samples.for_corners(first + 1, last - 1, [&](std::size_t i, Vec corner) {
+            const double off = square_distance(corner, from, to);
             if (off > largest) {
                 largest = off;
                 farthest = i;
             }
-        }
+            return true;
+        });
         if (farthest == first)
             continue;
         points.push_back(farthest);
@@ -47,11 +48,13 @@ std::vector<std::size_t> turning_points(const WallSamples& samples) {
         // A closed chain begins and ends in one point, so it is divided at its farthest one first.
         if (samples.closed() && begin == 0) {
             double largest = 0;
-            for (std::size_t i = 1; i < n; ++i)
-                if (samples.corner(i) && length(samples.at(i)) > largest) {
-                    largest = length(samples.at(i));
+            samples.for_corners(1, n - 1, [&](std::size_t i, Vec corner) {
+                if (dot(corner, corner) > largest) {
+                    largest = dot(corner, corner);
                     end = i;
                 }
+                return true;
+            });
         }
         end = std::min(end, begin + longest_look);
         if (end < n || !samples.closed())
@@ -64,8 +67,7 @@ std::vector<std::size_t> turning_points(const WallSamples& samples) {
     return points;
 }
 
-double dominant_direction(const WallSamples& samples) {
-    const std::vector<std::size_t> points = turning_points(samples);
+double dominant_direction(const WallSamples& samples, const std::vector<std::size_t>& points) {
     Vec sum;
     for (std::size_t i = 0; i + (samples.closed() ? 0 : 1) < points.size(); ++i) {
         const std::size_t first = points[i];

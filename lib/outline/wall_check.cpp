@@ -1,33 +1,81 @@
 #include "outline/wall_check.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
 
 namespace d2b {
 namespace {
 
-/// Of two edges that run down over one row and do not cross, whether the first lies east.
-bool east_of(const FineSegment& a, const FineSegment& b) {
-    const int above = a.a.row >= b.a.row ? sign(turn(b.a, b.b, a.a)) : -sign(turn(a.a, a.b, b.a));
-    const int below = a.b.row <= b.b.row ? sign(turn(b.a, b.b, a.b)) : -sign(turn(a.a, a.b, b.b));
-    return above + below > 0;
+LatticeBox box_of(const ArcGraph& graph, double margin) {
+    LatticeBox box{graph.arcs.front().front(), graph.arcs.front().front()};
+    for (const Arc& arc : graph.arcs)
+        for (const LatticePoint p : arc) {
+            box.low = {std::min(box.low.row, p.row), std::min(box.low.col, p.col)};
+            box.high = {std::max(box.high.row, p.row), std::max(box.high.col, p.col)};
+        }
+    const auto cells = static_cast<std::int32_t>(margin) + 1;
+    return {{box.low.row - cells, box.low.col - cells}, {box.high.row + cells, box.high.col + cells}};
+}
+
+std::size_t edges_of(const ArcGraph& graph) {
+    std::size_t sum = 0;
+    for (const Arc& arc : graph.arcs)
+        sum += arc.size() - 1;
+    return sum;
 }
 
 }  // namespace
 
-WallCheck::Conflicts WallCheck::conflicts(const std::vector<bool>& parts) const {
+WallCheck::WallCheck(const WallGraph& graph, const WallDrawing& drawing, const SegmentGrid::Arcs& arcs,
+                     double tolerance)
+    : graph_(graph),
+      drawing_(drawing),
+      arcs_(arcs),
+      grid_(arcs, box_of(graph.graph, tolerance), edges_of(graph.graph)),
+      tolerance_(tolerance),
+      changed_(arcs.size()),
+      node_waits_(graph.nodes.size()),
+      first_of_part_(graph.parts + 1),
+      part_waits_(graph.parts, true),
+      west_(graph.parts) {
+    const auto part = [&](std::uint32_t arc) { return graph_.part_of[graph_.chain_of[arc]]; };
+    for (std::uint32_t arc = 0; arc < arcs.size(); ++arc)
+        ++first_of_part_[part(arc) + 1];
+    for (std::uint32_t p = 0; p < graph.parts; ++p)
+        first_of_part_[p + 1] += first_of_part_[p];
+    part_arcs_.resize(arcs.size());
+    std::vector<std::uint32_t> next = first_of_part_;
+    for (std::uint32_t arc = 0; arc < arcs.size(); ++arc)
+        part_arcs_[next[part(arc)]++] = arc;
+}
+
+WallCheck::Conflicts WallCheck::conflicts(const std::vector<std::uint32_t>& changed) {
+    update(changed);
     Conflicts found;
-    check_edges(parts, found);
+    for (const std::uint32_t arc : changed)
+        check_arc(arc, found);
+    for (const std::uint32_t arc : changed)
+        changed_[arc] = false;
     // The other two tests rest on this one.
     if (found.empty()) {
-        check_nodes(parts, found);
+        check_nodes(found);
         check_parts(found);
     }
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
+}
+
+void WallCheck::update(const std::vector<std::uint32_t>& changed) {
+    for (const std::uint32_t arc : changed) {
+        grid_.update(arc);
+        changed_[arc] = true;
+        part_waits_[graph_.part_of[graph_.chain_of[arc]]] = true;
+        for (const std::uint32_t node : graph_.ends[arc]) {
+            if (!node_waits_[node])
+                waiting_nodes_.push_back(node);
+            node_waits_[node] = true;
+        }
+    }
 }
 
 /// Whether two edges may have their common point in common: neighbours in an arc, or first at a node.
@@ -49,9 +97,7 @@ bool WallCheck::joined(Edge e, Edge f) const {
     return node != WallGraph::nobody && node == node_at(f, common);
 }
 
-bool WallCheck::in_conflict(Edge e, Edge f) const {
-    const FineSegment s = grid_.segment(e);
-    const FineSegment t = grid_.segment(f);
+bool WallCheck::in_conflict(Edge e, const FineSegment& s, Edge f, const FineSegment& t) const {
     if (!meet(s, t))
         return false;
     const int shared =
@@ -62,21 +108,25 @@ bool WallCheck::in_conflict(Edge e, Edge f) const {
     return overlap_from(common, s.a == common ? s.b : s.a, t.a == common ? t.b : t.a);
 }
 
-void WallCheck::check_edges(const std::vector<bool>& parts, Conflicts& found) const {
-    const auto changed = [&](Edge e) { return parts[graph_.part_of[chain_of(e)]]; };
-    for (std::uint32_t arc = 0; arc < arcs_.size(); ++arc)
-        for (std::size_t i = 0; i + 1 < arcs_[arc].size(); ++i)
-            if (arcs_[arc][i] == arcs_[arc][i + 1])
-                found.emplace_back(graph_.chain_of[arc], graph_.chain_of[arc]);
-    grid_.for_each_bucket([&](std::span<const SegmentGrid::Entry> bucket) {
-        for (std::size_t i = 0; i < bucket.size(); ++i)
-            for (std::size_t k = i + 1; k < bucket.size(); ++k) {
-                const Edge e = bucket[i].edge;
-                const Edge f = bucket[k].edge;
-                if ((changed(e) || changed(f)) && in_conflict(e, f))
-                    found.emplace_back(std::minmax(chain_of(e), chain_of(f)));
-            }
-    });
+void WallCheck::check_arc(std::uint32_t arc, Conflicts& found) const {
+    const bool traced = as_traced(arc);
+    const std::uint32_t chain = graph_.chain_of[arc];
+    for (std::uint32_t i = 0; i + 1 < arcs_[arc].size(); ++i) {
+        const Edge e{arc, i};
+        const FineSegment s = grid_.segment(e);
+        if (s.a == s.b)
+            found.emplace_back(chain, chain);
+        grid_.near(s, [&](Edge f) {
+            // Of two that have changed, the first one's turn is enough.
+            if (f.arc == arc ? f.index <= i : changed_[f.arc] && f.arc < arc)
+                return;
+            if (traced && as_traced(f.arc))
+                return;
+            const FineSegment t = grid_.segment(f);
+            if (boxes_meet(s, t) && in_conflict(e, s, f, t))
+                found.emplace_back(std::minmax(chain, chain_of(f)));
+        });
+    }
 }
 
 FinePoint WallCheck::next_from(std::uint32_t end) const {
@@ -85,111 +135,35 @@ FinePoint WallCheck::next_from(std::uint32_t end) const {
 }
 
 /// The contour beside an arc that leaves a node, on its counter-clockwise side: its left.
-std::int64_t WallCheck::side_after(std::uint32_t end) const {
+std::int32_t WallCheck::side_after(std::uint32_t end) const {
     return end % 2 == 0 ? graph_.sides[end / 2].left : graph_.sides[end / 2].right;
 }
-std::int64_t WallCheck::side_before(std::uint32_t end) const {
+std::int32_t WallCheck::side_before(std::uint32_t end) const {
     return end % 2 == 0 ? graph_.sides[end / 2].right : graph_.sides[end / 2].left;
 }
 
-void WallCheck::check_nodes(const std::vector<bool>& parts, Conflicts& found) const {
-    std::vector<std::uint32_t> ends;
-    for (std::size_t n = 0; n < graph_.nodes.size(); ++n) {
-        ends.assign(graph_.arc_ends.begin() + graph_.first_end[n],
-                    graph_.arc_ends.begin() + graph_.first_end[n + 1]);
-        if (!parts[graph_.part_of[graph_.chain_of[ends.front() / 2]]])
-            continue;
-        const auto& first = arcs_[ends.front() / 2];
-        const FinePoint at = ends.front() % 2 == 0 ? first.front() : first.back();
-        std::sort(ends.begin(), ends.end(), [&](std::uint32_t a, std::uint32_t b) {
-            return earlier_from_west(at, next_from(a), next_from(b));
-        });
-        for (std::size_t i = 0; i < ends.size(); ++i) {
-            const std::uint32_t next = ends[(i + 1) % ends.size()];
-            if (side_after(ends[i]) != side_before(next))
-                found.emplace_back(std::minmax(graph_.chain_of[ends[i] / 2], graph_.chain_of[next / 2]));
-        }
+void WallCheck::check_nodes(Conflicts& found) {
+    for (const std::uint32_t node : waiting_nodes_) {
+        node_waits_[node] = false;
+        check_node(node, found);
     }
+    waiting_nodes_.clear();
 }
 
-/// Whether no arc of another part is so near that a part could have come to its other side.
-bool WallCheck::alone(FinePoint place, std::uint32_t part) const {
-    const auto reach = static_cast<std::int64_t>(std::ceil(4 * tolerance_ + 2)) * FinePoint::steps;
-    for (std::int64_t row = SegmentGrid::bucket_of(place.row - reach);
-         row <= SegmentGrid::bucket_of(place.row + reach); ++row)
-        for (std::int64_t col = SegmentGrid::bucket_of(place.col - reach);
-             col <= SegmentGrid::bucket_of(place.col + reach); ++col)
-            for (const SegmentGrid::Entry& entry : grid_.at(row, col))
-                if (graph_.part_of[chain_of(entry.edge)] != part)
-                    return false;
-    return true;
-}
-
-std::pair<std::uint32_t, std::int64_t> WallCheck::west_of(FinePoint place) const {
-    const std::int64_t row = SegmentGrid::bucket_of(place.row);
-    std::optional<Edge> nearest;
-    FineSegment best;  // downwards
-    for (std::int64_t col = SegmentGrid::bucket_of(place.col); col >= grid_.first_col(); --col) {
-        for (const SegmentGrid::Entry& entry : grid_.at(row, col)) {
-            const FineSegment s = grid_.segment(entry.edge);
-            // Edges that cross the line just below the place's row, west of it.
-            if ((s.a.row <= place.row) == (s.b.row <= place.row))
-                continue;
-            const FineSegment down = s.a.row <= place.row ? s : FineSegment{s.b, s.a};
-            if (turn(down.a, down.b, place) > 0 && (!nearest || east_of(down, best))) {
-                nearest = entry.edge;
-                best = down;
-            }
-        }
-        // It may cross farther west than this bucket.
-        if (nearest && turn(best.a, best.b, {place.row, SegmentGrid::first_of(col)}) <= 0)
-            break;
-    }
-    if (!nearest)
-        return {WallGraph::nobody, -1};
-    // East of an edge that runs down is its left.
-    const WallGraph::Sides& sides = graph_.sides[nearest->arc];
-    return {chain_of(*nearest), grid_.segment(*nearest).a == best.a ? sides.left : sides.right};
-}
-
-std::vector<WallCheck::West> WallCheck::west_of_parts() const {
-    std::vector<West> west(graph_.parts);
-    for (std::uint32_t arc = 0; arc < arcs_.size(); ++arc)
-        for (std::uint32_t i = 0; i < arcs_[arc].size(); ++i) {
-            West& w = west[graph_.part_of[graph_.chain_of[arc]]];
-            const FinePoint p = arcs_[arc][i];
-            if (p.col < w.at.col || (p.col == w.at.col && p.row > w.at.row))
-                w = {p, arc, i};
-        }
-    return west;
-}
-
-/// As one turns from west counter-clockwise, the first edge is met from the side that looks outwards.
-std::int64_t WallCheck::outer_side(const West& w) const {
-    const auto& points = arcs_[w.arc];
-    if (w.index > 0 && w.index + 1 < points.size()) {
-        const bool forward = earlier_from_west(w.at, points[w.index + 1], points[w.index - 1]);
-        return forward ? graph_.sides[w.arc].right : graph_.sides[w.arc].left;
-    }
-    const std::uint32_t node = graph_.ends[w.arc][w.index == 0 ? 0 : 1];
-    std::uint32_t first = graph_.arc_ends[graph_.first_end[node]];
-    for (std::uint32_t e = graph_.first_end[node]; e < graph_.first_end[node + 1]; ++e)
-        if (earlier_from_west(w.at, next_from(graph_.arc_ends[e]), next_from(first)))
-            first = graph_.arc_ends[e];
-    return side_before(first);
-}
-
-void WallCheck::check_parts(Conflicts& found) const {
-    const std::vector<West> west = west_of_parts();
-    for (std::uint32_t part = 0; part < graph_.parts; ++part) {
-        const West& w = west[part];
-        if (alone(w.at, part))
-            continue;
-        const auto [chain, side] = west_of(w.at);
-        if (side == outer_side(w))
-            continue;
-        const std::uint32_t own = graph_.chain_of[w.arc];
-        found.emplace_back(std::minmax(own, chain == WallGraph::nobody ? own : chain));
+void WallCheck::check_node(std::uint32_t node, Conflicts& found) {
+    ends_.assign(graph_.arc_ends.begin() + graph_.first_end[node],
+                 graph_.arc_ends.begin() + graph_.first_end[node + 1]);
+    if (std::ranges::all_of(ends_, [&](std::uint32_t end) { return as_traced(end / 2); }))
+        return;
+    const auto& first = arcs_[ends_.front() / 2];
+    const FinePoint at = ends_.front() % 2 == 0 ? first.front() : first.back();
+    std::sort(ends_.begin(), ends_.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return earlier_from_west(at, next_from(a), next_from(b));
+    });
+    for (std::size_t i = 0; i < ends_.size(); ++i) {
+        const std::uint32_t next = ends_[i + 1 < ends_.size() ? i + 1 : 0];
+        if (side_after(ends_[i]) != side_before(next))
+            found.emplace_back(std::minmax(graph_.chain_of[ends_[i] / 2], graph_.chain_of[next / 2]));
     }
 }
 

@@ -16,46 +16,65 @@ namespace d2b {
 ///  - every connected part of the graph lies in the contour in which it was traced.
 /// Then each contour is what its rings bound: rings are simple, interior rings lie inside, contours of one
 /// level have no point of their inside in common and lie in those of the level below.
+/// What has not changed since it was tested is not tested again, and traces are not tested against each
+/// other.
 class WallCheck {
   public:
-    /// @param tolerance cells: no arc has left its trace by more
-    WallCheck(const WallGraph& graph, const SegmentGrid::Arcs& arcs, double tolerance)
-        : graph_(graph), arcs_(arcs), grid_(arcs), tolerance_(tolerance) {}
+    using Conflicts = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-    /// Pairs of chains that are in each other's way, sorted. @param parts that have changed
-    [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> conflicts(
-        const std::vector<bool>& parts) const;
+    /// @param arcs as they are drawn, some or all of them not yet
+    /// @param tolerance cells: no arc has left its trace by more
+    WallCheck(const WallGraph& graph, const WallDrawing& drawing, const SegmentGrid::Arcs& arcs,
+              double tolerance);
+
+    /// Takes notice of arcs that are drawn anew.
+    /// @param changed sorted
+    /// @return pairs of chains that are in each other's way, sorted
+    [[nodiscard]] Conflicts conflicts(const std::vector<std::uint32_t>& changed);
 
   private:
-    using Conflicts = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
     using Edge = SegmentGrid::Edge;
 
     [[nodiscard]] std::uint32_t chain_of(Edge e) const { return graph_.chain_of[e.arc]; }
+    [[nodiscard]] bool as_traced(std::uint32_t arc) const {
+        return drawing_.drawn(graph_.chain_of[arc]) == WallDrawing::Form::traced;
+    }
+    void update(const std::vector<std::uint32_t>& changed);
     [[nodiscard]] bool joined(Edge e, Edge f) const;
-    [[nodiscard]] bool in_conflict(Edge e, Edge f) const;
-    void check_edges(const std::vector<bool>& parts, Conflicts& found) const;
-    void check_nodes(const std::vector<bool>& parts, Conflicts& found) const;
+    [[nodiscard]] bool in_conflict(Edge e, const FineSegment& s, Edge f, const FineSegment& t) const;
+    void check_arc(std::uint32_t arc, Conflicts& found) const;
+    void check_nodes(Conflicts& found);
+    void check_node(std::uint32_t node, Conflicts& found);
     /// The westernmost vertex of a part, the lowest of these on the map.
     struct West {
         FinePoint at{0, std::numeric_limits<std::int64_t>::max()};
         std::uint32_t arc = 0;
         std::uint32_t index = 0;
     };
-    [[nodiscard]] std::vector<West> west_of_parts() const;
-    [[nodiscard]] std::int64_t outer_side(const West& w) const;
-    void check_parts(Conflicts& found) const;
+    void find_west();
+    [[nodiscard]] std::int32_t outer_side(const West& w) const;
+    void check_parts(Conflicts& found);
     /// The point to which an arc leads from the node at one of its ends.
     [[nodiscard]] FinePoint next_from(std::uint32_t arc_end) const;
-    [[nodiscard]] std::int64_t side_after(std::uint32_t arc_end) const;
-    [[nodiscard]] std::int64_t side_before(std::uint32_t arc_end) const;
+    [[nodiscard]] std::int32_t side_after(std::uint32_t arc_end) const;
+    [[nodiscard]] std::int32_t side_before(std::uint32_t arc_end) const;
     /// The edge that is hit first on the way west; its side towards the place.
-    [[nodiscard]] std::pair<std::uint32_t, std::int64_t> west_of(FinePoint place) const;
+    [[nodiscard]] std::pair<std::uint32_t, std::int32_t> west_of(FinePoint place) const;
     [[nodiscard]] bool alone(FinePoint place, std::uint32_t part) const;
 
     const WallGraph& graph_;
+    const WallDrawing& drawing_;
     const SegmentGrid::Arcs& arcs_;
     SegmentGrid grid_;
     double tolerance_;
+    std::vector<bool> changed_;     // arcs, this time
+    std::vector<bool> node_waits_;  // to be checked
+    std::vector<std::uint32_t> waiting_nodes_;
+    std::vector<std::uint32_t> ends_;       // at a node, in order
+    std::vector<std::uint32_t> part_arcs_;  // arcs, those of one part after the other
+    std::vector<std::uint32_t> first_of_part_;
+    std::vector<bool> part_waits_;  // has changed since its westernmost vertex was found
+    std::vector<West> west_;        // of each part
 };
 
 }  // namespace d2b

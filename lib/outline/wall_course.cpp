@@ -6,29 +6,30 @@
 namespace d2b {
 namespace {
 
-constexpr double room = 1.0 / 16;  // cells between nodes
+constexpr double node_room = 1.0 / 16;  // cells between nodes
 
 /// How far a node may go from where it was traced for its wall's sake, and from where on it stands on a
-/// vertex, in cells. Nodes on a staircase are a cell apart, and others may be where they were traced.
-constexpr double reach_on_wall = 1.0;
-constexpr double reach_on_staircase = 0.45;
-constexpr double pull_on_wall = 0.5;
-constexpr double pull_on_staircase = 0.05;
+/// vertex, in cells.
+constexpr double node_reach = 1.0;
+constexpr double node_pull = 0.5;
 
 }  // namespace
 
 Course::Course(DrawnChain drawn, const Chain& chain, const WallSamples& samples, const CellShape& shape)
     : drawn_(std::move(drawn)), closed_(chain.closed), shape_(shape), origin_(chain.trace.front()) {
-    const std::size_t n = drawn_.vertices.size();
+    places_.reserve(drawn_.vertices.size());
+    for (const FinePoint vertex : drawn_.vertices)
+        places_.push_back(shape_.from_fine(vertex, origin_));
+    begins_.reserve(places_.size() + 1);
     begins_.push_back(0);
-    for (std::size_t k = 0; k + (closed_ ? 0 : 1) < n; ++k)
+    for (std::size_t k = 0; k + (closed_ ? 0 : 1) < places_.size(); ++k)
         begins_.push_back(begins_.back() + d2b::length(vertex(k + 1) - vertex(k)));
-    for (std::size_t k = 0; k < chain.nodes.size() - (closed_ ? 1 : 0); ++k) {
-        Standing& node = nodes_.emplace_back();
-        node.traced = fine(chain.trace[chain.begins[k]]);
-        node.step = samples.step_of(chain.begins[k]);
-        if (closed_ && node.step < drawn_.steps.front())
-            node.step += samples.steps();
+    nodes_.resize(chain.nodes.size() - (closed_ ? 1 : 0));
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+        nodes_[k].step = chain.node_steps[k];
+        nodes_[k].traced = samples.at(nodes_[k].step);
+        if (closed_ && nodes_[k].step < drawn_.steps.front())
+            nodes_[k].step += samples.steps();
     }
     if (!closed_) {
         nodes_.front().point = drawn_.vertices.front();
@@ -38,10 +39,6 @@ Course::Course(DrawnChain drawn, const Chain& chain, const WallSamples& samples,
     }
 }
 
-Vec Course::vertex(std::size_t k) const {
-    return shape_.from_fine(drawn_.vertices[k % drawn_.vertices.size()], origin_);
-}
-
 /// The edge that stands for a step of the trace.
 std::size_t Course::edge_of(std::size_t step) const {
     const auto next = std::upper_bound(drawn_.steps.begin(), drawn_.steps.end(), step);
@@ -49,8 +46,8 @@ std::size_t Course::edge_of(std::size_t step) const {
     return std::min(edge > 0 ? edge - 1 : 0, edges() - 1);
 }
 
-double Course::wanted(const Standing& node, const std::optional<Line>& wall, double reach) const {
-    const Vec traced = shape_.from_fine(node.traced, origin_);
+double Course::wanted(const Standing& node, const std::optional<Line>& wall) const {
+    const Vec traced = node.traced;
     const std::size_t edge = edge_of(node.step);
     const auto foot_on = [&](std::size_t e) {
         const Vec from = vertex(e);
@@ -68,11 +65,11 @@ double Course::wanted(const Standing& node, const std::optional<Line>& wall, dou
             return std::abs(cross(along, wall->along)) < 0.3 * d2b::length(along);
         };
         const bool inner = v > 0 && (parallel(v - 1) != parallel(v));
-        if (inner && reach >= 1 && d2b::length(vertex(v) - traced) < 1.25 * reach)
+        if (inner && d2b::length(vertex(v) - traced) < 1.25 * node_reach)
             return begins_[v];
     }
     double best = foot_on(edge);
-    double nearest = reach;
+    double nearest = node_reach;
     for (std::size_t e = edge > 0 ? edge - 1 : 0; e < std::min(edge + 2, edges()); ++e) {
         const Vec from = vertex(e);
         const Vec along = vertex(e + 1) - from;
@@ -100,7 +97,7 @@ void Course::bound(std::size_t k, double& low, double& high) const {
         const Standing& other = nodes_[(k + n - i) % n];
         if (!other.point)
             continue;
-        low = other.at + (other.step > nodes_[k].step ? -whole : 0) + room * static_cast<double>(i);
+        low = other.at + (other.step > nodes_[k].step ? -whole : 0) + node_room * static_cast<double>(i);
         break;
     }
     for (std::size_t i = 1; i < n; ++i) {
@@ -109,7 +106,7 @@ void Course::bound(std::size_t k, double& low, double& high) const {
         const Standing& other = nodes_[(k + i) % n];
         if (!other.point)
             continue;
-        high = other.at + (other.step < nodes_[k].step ? whole : 0) - room * static_cast<double>(i);
+        high = other.at + (other.step < nodes_[k].step ? whole : 0) - node_room * static_cast<double>(i);
         break;
     }
 }
@@ -127,7 +124,7 @@ void Course::stand(Standing& node, double at) {
     node.point = shape_.to_fine(from + share * (vertex(node.edge + 1) - from), origin_);
 }
 
-void Course::place(std::size_t k, const std::optional<Line>& wall, bool straight) {
+void Course::place(std::size_t k, const std::optional<Line>& wall) {
     Standing& node = nodes_[k];
     if (node.point)
         return;
@@ -138,19 +135,23 @@ void Course::place(std::size_t k, const std::optional<Line>& wall, bool straight
         low = std::max(low, 0.0);
         high = std::min(high, begins_.back());
     }
-    double at = wanted(node, wall, straight ? reach_on_wall : reach_on_staircase);
-    const auto vertex_at = std::min_element(begins_.begin(), begins_.end(), [&](double a, double b) {
-        return std::abs(a - at) < std::abs(b - at);
-    });
-    if (std::abs(*vertex_at - at) < (straight ? pull_on_wall : pull_on_staircase))
+    double at = wanted(node, wall);
+    auto vertex_at = std::lower_bound(begins_.begin() + 1, begins_.end() - 1, at);
+    if (std::abs(*(vertex_at - 1) - at) <= std::abs(*vertex_at - at))
+        --vertex_at;
+    if (std::abs(*vertex_at - at) < node_pull)
         at = *vertex_at;
     stand(node, std::max(low, std::min(high, at)));
 }
 
-DrawnChain Course::arc(std::size_t k) const {
-    const std::size_t count = drawn_.vertices.size();
-    const Standing& from = nodes_[k];
-    const Standing& to = nodes_[(k + 1) % nodes_.size()];
+void Course::place_as(std::size_t k, const Course& other, std::size_t of_other) {
+    const Standing& there = other.nodes_[of_other];
+    nodes_[k].point = there.point;
+    nodes_[k].edge = there.edge;
+    nodes_[k].at = there.at;
+}
+
+DrawnChain Course::cut(const Standing& from, const Standing& to) const {
     DrawnChain result;
     const auto add = [&](FinePoint point, std::size_t step) {
         result.vertices.push_back(point);
@@ -164,10 +165,10 @@ DrawnChain Course::arc(std::size_t k) const {
     std::size_t edge = from.edge;
     const bool around = closed_ && edge == to.edge && left > begins_[edge + 1] - begins_[edge];
     for (bool first = true; edge != to.edge || (first && around); first = false) {
-        edge = (edge + 1) % edges();
-        const FinePoint next = drawn_.vertices[edge % count];
+        edge = edge + 1 < edges() ? edge + 1 : 0;
+        const FinePoint next = drawn_.vertices[edge];
         if (next != result.vertices.back() && next != *to.point)
-            add(next, drawn_.steps[edge % count]);
+            add(next, drawn_.steps[edge]);
     }
     add(*to.point, to.step);
     return result;
@@ -206,23 +207,24 @@ void Course::add_circles(DrawnChain& arc) const {
     }
 }
 
-std::vector<DrawnChain> Course::arcs(const WallSamples& samples) const {
-    const std::size_t n = nodes_.size();
-    std::vector<DrawnChain> result;
-    if (closed_ && n == 1 && !nodes_.front().point) {
-        // A ring on which nothing stands.
-        result.push_back(drawn_);
-        result.back().vertices.push_back(drawn_.vertices.front());
-        result.back().steps.push_back(drawn_.steps.front() + samples.steps());
-        return result;
-    }
-    for (std::size_t k = 0; k + (closed_ ? 0 : 1) < n; ++k) {
-        DrawnChain& drawn = result.emplace_back(arc(k));
-        match(drawn, nodes_[k].step, nodes_[(k + 1) % n].step, samples.steps());
-        drawn.deviation = deviation(samples, shape_, origin_, drawn, false);
-        add_circles(drawn);
-    }
-    return result;
+/// A ring on which nothing stands.
+DrawnChain Course::whole_ring(const WallSamples& samples) const {
+    DrawnChain ring = drawn_;
+    ring.vertices.push_back(drawn_.vertices.front());
+    ring.steps.push_back(drawn_.steps.front() + samples.steps());
+    return ring;
+}
+
+DrawnChain Course::arc(std::size_t k, const WallSamples& samples) const {
+    if (closed_ && nodes_.size() == 1 && !nodes_.front().point)
+        return whole_ring(samples);
+    const Standing& from = nodes_[k];
+    const Standing& to = nodes_[k + 1 < nodes_.size() ? k + 1 : 0];
+    DrawnChain drawn = cut(from, to);
+    match(drawn, from.step, to.step, samples.steps());
+    drawn.deviation = deviation(samples, shape_, origin_, drawn, false);
+    add_circles(drawn);
+    return drawn;
 }
 
 }  // namespace d2b

@@ -22,34 +22,36 @@ class Course {
     /// room for those that do not yet.
     /// @param wall the line on which the wall that ends here lies; the node goes where they cross if that is
     /// near
-    /// @param straight whether the drawing has walls; on a staircase a node hardly leaves the place where it
-    /// was traced
-    void place(std::size_t k, const std::optional<Line>& wall, bool straight);
+    void place(std::size_t k, const std::optional<Line>& wall);
+    /// Puts a node where it stands on another course of the same drawing.
+    void place_as(std::size_t k, const Course& other, std::size_t of_other);
+    void take_away(std::size_t k) { nodes_[k].point.reset(); }
 
-    /// The drawing of each arc, from node to node, with its own deviation from the trace and its arcs of
+    /// The drawing of an arc, from node to node, with its own deviation from the trace and its arcs of
     /// circles as far as no node divides them. @param samples of the chain
-    [[nodiscard]] std::vector<DrawnChain> arcs(const WallSamples& samples) const;
-    [[nodiscard]] double length() const { return begins_.back(); }
+    [[nodiscard]] DrawnChain arc(std::size_t k, const WallSamples& samples) const;
 
   private:
     struct Standing {
         std::optional<FinePoint> point;
-        FinePoint traced;
+        Vec traced;
         std::size_t step = 0;
         std::size_t edge = 0;
         double at = 0;  ///< along the drawing from its first vertex, in cells
     };
     [[nodiscard]] std::size_t edges() const { return begins_.size() - 1; }
-    [[nodiscard]] Vec vertex(std::size_t k) const;
+    [[nodiscard]] Vec vertex(std::size_t k) const { return places_[k < places_.size() ? k : 0]; }
     [[nodiscard]] std::size_t edge_of(std::size_t step) const;
-    [[nodiscard]] double wanted(const Standing& node, const std::optional<Line>& wall, double reach) const;
+    [[nodiscard]] double wanted(const Standing& node, const std::optional<Line>& wall) const;
     void bound(std::size_t k, double& low, double& high) const;
     void stand(Standing& node, double at);
-    [[nodiscard]] DrawnChain arc(std::size_t k) const;
+    [[nodiscard]] DrawnChain whole_ring(const WallSamples& samples) const;
+    [[nodiscard]] DrawnChain cut(const Standing& from, const Standing& to) const;
     void match(DrawnChain& arc, std::size_t first, std::size_t last, std::size_t steps) const;
     void add_circles(DrawnChain& arc) const;
 
     DrawnChain drawn_;
+    std::vector<Vec> places_;  // of its vertices
     bool closed_ = false;
     CellShape shape_;
     LatticePoint origin_;

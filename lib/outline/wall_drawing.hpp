@@ -4,15 +4,11 @@
 #include <optional>
 #include <vector>
 
+#include "outline/wall_clusters.hpp"
 #include "outline/wall_course.hpp"
+#include "outline/wall_options.hpp"
 
 namespace d2b {
-
-struct WallOptions {
-    Walls walls = Walls::automatic;
-    double tolerance = 1.5;  ///< cells
-    CellShape shape;
-};
 
 /// Draws the chains of a graph, those of low rank first; what ends on a chain ends on its drawn form.
 class WallDrawing {
@@ -23,17 +19,21 @@ class WallDrawing {
         traced   ///< as traced; then the chains that it ends on are as well
     };
 
-    WallDrawing(const WallGraph& graph, const std::vector<Contour>& contours, const WallOptions& options);
+    /// @param graph, cluster must outlive this
+    WallDrawing(const WallGraph& graph, const WallCluster& cluster, const WallOptions& options);
 
-    /// Draws the chains of the parts that are named; asks for other forms where a chain cannot have its own.
-    void draw(const std::vector<bool>& parts);
+    /// Takes over what has been drawn of the lower levels alone. To be called before anything is drawn.
+    void adopt(WallDrawing&& low);
+    /// Draws the chains that are not drawn, or have been asked for another form, and what stands on them;
+    /// asks for simpler forms where a chain cannot have its own.
+    /// @return the arcs that have changed
+    [[nodiscard]] std::vector<std::uint32_t> draw();
 
     [[nodiscard]] Form form(std::uint32_t chain) const { return states_[chain].form; }
-    /// Whether a chain has been asked for another form since it was drawn.
-    [[nodiscard]] bool stale(std::uint32_t chain) const {
-        return states_[chain].form != states_[chain].drawn;
-    }
-    [[nodiscard]] const Course& course(std::uint32_t chain) const { return states_[chain].course; }
+    /// The form in which it is drawn; traced: it and its nodes are where they were traced.
+    [[nodiscard]] Form drawn(std::uint32_t chain) const { return states_[chain].drawn; }
+    /// An arc as it is drawn, in its own direction; steps are not set.
+    [[nodiscard]] DrawnChain arc(std::uint32_t arc) const;
     /// The next simpler form of a chain, and of those that need one with it. @return false: it is traced
     /// already
     bool simplify(std::uint32_t chain);
@@ -45,39 +45,53 @@ class WallDrawing {
     };
     /// The walls of a fitted chain that stand along one of its arcs for the most part, and may still be
     /// moved.
-    [[nodiscard]] std::vector<Wall> walls_along(std::uint32_t chain, std::size_t arc) const;
+    [[nodiscard]] std::vector<Wall> walls_along(std::uint32_t arc) const;
     [[nodiscard]] double length(Wall wall) const;
     /// Moves a wall to the left of its chain when that is drawn next.
     void shift(Wall wall, double cells);
-    [[nodiscard]] FinePoint place(std::uint32_t node) const;
 
   private:
     struct State {
         Form form = Form::fitted;
         Form drawn = Form::fitted;
-        std::size_t tried = 0;                ///< prices of walls
-        std::vector<WallPiece> pieces;        ///< found when the chain is first drawn
-        std::vector<double> shift;            ///< of each, in cells
-        std::vector<int> shifts;              ///< how often that has been changed
-        std::vector<std::size_t> node_steps;  ///< at which arcs begin, and the last one ends
+        bool waiting = true;            ///< to be drawn
+        std::size_t tried = 0;          ///< prices of walls
+        std::vector<WallPiece> pieces;  ///< found when the chain is first drawn
+        std::vector<double> shift;      ///< of each, in cells
+        std::vector<int> shifts;        ///< how often that has been changed
         double direction = 0;
-        Course course;
+        std::optional<WallSamples> samples;  ///< where it is fitted
+        Course course;                       ///< where it is drawn fitted
     };
+    [[nodiscard]] bool can_adopt(const Chain& chain, const std::vector<bool>& adopted) const;
+    void adopt_chain(std::uint32_t chain, WallDrawing& low, std::uint32_t low_chain);
+    void wait(std::uint32_t chain, std::vector<std::uint32_t>& open);
+    void reset(std::uint32_t node, std::vector<std::uint32_t>& open);
+    void find_waiting();
+    [[nodiscard]] std::vector<std::uint32_t> changed_arcs() const;
     void draw_chain(std::uint32_t chain);
-    [[nodiscard]] bool fit(std::uint32_t chain, const WallSamples& samples);
-    [[nodiscard]] bool plan(std::uint32_t chain, const WallSamples& samples, double price);
-    [[nodiscard]] bool join_walls(std::uint32_t chain, const WallSamples& samples);
-    [[nodiscard]] double reference_direction(std::uint32_t chain, const WallSamples& samples) const;
+    [[nodiscard]] bool fit(std::uint32_t chain);
+    [[nodiscard]] bool plan(std::uint32_t chain, const std::vector<std::size_t>& points, double price);
+    [[nodiscard]] bool join_walls(std::uint32_t chain);
+    [[nodiscard]] double reference_direction(std::uint32_t chain, double own) const;
+    [[nodiscard]] FinePoint place(std::uint32_t node) const;
     [[nodiscard]] FinePoint land(std::uint32_t node, const std::optional<Line>& wall);
     [[nodiscard]] std::optional<ChainEnds> land_ends(const Chain& chain,
                                                      const std::vector<WallPiece>& pieces);
-    [[nodiscard]] DrawnChain as_traced(const Chain& chain, const WallSamples& samples);
+    void land_traced(std::uint32_t chain);
+    [[nodiscard]] DrawnChain joined_arc(const Chain& chain, std::size_t k) const;
+    [[nodiscard]] std::uint32_t end_node(const Chain& chain, bool last) const {
+        return last ? chain.nodes.back() : chain.nodes.front();
+    }
 
     const WallGraph& graph_;
-    const std::vector<Contour>& contours_;
+    const WallCluster& cluster_;
     WallOptions options_;
     std::vector<State> states_;
-    std::vector<bool> plain_;  ///< nodes that stay nearest to their trace
+    std::vector<bool> plain_;           ///< nodes that stay nearest to their trace
+    std::vector<bool> reset_;           ///< nodes that are placed anew this time
+    std::vector<std::uint32_t> drawn_;  ///< chains, this time
+    bool first_ = true;                 ///< nothing has been drawn
 };
 
 }  // namespace d2b

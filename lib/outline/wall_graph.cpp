@@ -5,12 +5,14 @@
 #include <limits>
 #include <numeric>
 
+#include "outline/chain_tracer.hpp"
+
 namespace d2b {
 namespace {
 
 class Builder {
   public:
-    Builder(const std::vector<Contour>& contours, WallGraph& result) : contours_(contours), walls_(result) {}
+    Builder(const WallCluster& cluster, WallGraph& result) : cluster_(cluster), walls_(result) {}
     void find_sides();
     void find_nodes();
     void find_mates();
@@ -24,49 +26,52 @@ class Builder {
     [[nodiscard]] std::size_t arcs() const { return walls_.graph.arcs.size(); }
     [[nodiscard]] std::uint32_t node_of(std::uint32_t end) const { return walls_.ends[end / 2][end % 2]; }
     void walk(std::uint32_t from_end);
-    void add_trace(Chain& chain) const;
 
-    const std::vector<Contour>& contours_;
+    const WallCluster& cluster_;
     WallGraph& walls_;
     std::vector<std::uint32_t> mate_;  // of an arc end: the one that it goes on with
 };
 
 /// What uses an arc on one side.
 struct Users {
-    std::int64_t lowest = -1;
-    std::int64_t highest = -1;
+    std::int32_t lowest = -1;
+    std::int32_t highest = -1;
+    int lowest_level = std::numeric_limits<int>::max();
+    int highest_level = -1;
 
-    void add(std::int64_t contour, const std::vector<Contour>& contours) {
-        const auto level = [&](std::int64_t c) { return contours[static_cast<std::size_t>(c)].key.level; };
-        if (lowest < 0 || level(contour) < level(lowest))
+    void add(std::int32_t contour, int level) {
+        if (level < lowest_level) {
             lowest = contour;
-        if (highest < 0 || level(contour) > level(highest))
+            lowest_level = level;
+        }
+        if (level > highest_level) {
             highest = contour;
+            highest_level = level;
+        }
     }
 };
 
 void Builder::find_sides() {
     std::vector<std::array<Users, 2>> users(arcs());
-    const auto add = [&](const std::vector<ArcUse>& ring, std::size_t contour) {
-        for (const ArcUse& use : ring)
-            users[use.arc][use.reversed ? 1 : 0].add(static_cast<std::int64_t>(contour), contours_);
-    };
-    for (std::size_t c = 0; c < contours_.size(); ++c) {
-        add(walls_.graph.outlines[c].exterior, c);
+    for (std::size_t c = 0; c < cluster_.contours.size(); ++c) {
+        const int level = cluster_.contours[c]->key.level;
+        const auto add = [&](const std::vector<ArcUse>& ring) {
+            for (const ArcUse& use : ring)
+                users[use.arc][use.reversed ? 1 : 0].add(static_cast<std::int32_t>(c), level);
+        };
+        add(walls_.graph.outlines[c].exterior);
         for (const auto& ring : walls_.graph.outlines[c].interiors)
-            add(ring, c);
+            add(ring);
     }
-    const auto level = [&](const Users& side) {
-        return side.lowest < 0 ? std::numeric_limits<int>::max()
-                               : contours_[static_cast<std::size_t>(side.lowest)].key.level;
-    };
+    walls_.sides.reserve(arcs());
+    walls_.ranks.reserve(arcs());
     for (const auto& [left, right] : users) {
-        const int lowest = std::min(level(left), level(right));
-        const std::int64_t below =
-            contours_[static_cast<std::size_t>(level(left) == lowest ? left.lowest : right.lowest)].parent;
+        const bool left_is_low = left.lowest_level <= right.lowest_level;
+        const Users& low = left_is_low ? left : right;
+        const std::int32_t below = cluster_.parents[static_cast<std::size_t>(low.lowest)];
         walls_.sides.push_back(
             {left.highest < 0 ? below : left.highest, right.highest < 0 ? below : right.highest});
-        walls_.ranks.push_back(2 * lowest + (level(left) == level(right) ? 1 : 0));
+        walls_.ranks.push_back(2 * low.lowest_level + (left.lowest_level == right.lowest_level ? 1 : 0));
     }
 }
 
@@ -118,23 +123,6 @@ void Builder::find_mates() {
     }
 }
 
-void Builder::add_trace(Chain& chain) const {
-    for (const ArcUse& use : chain.arcs) {
-        const Arc& arc = walls_.graph.arcs[use.arc];
-        chain.begins.push_back(static_cast<std::uint32_t>(chain.trace.size()));
-        chain.nodes.push_back(walls_.ends[use.arc][use.reversed ? 1 : 0]);
-        if (use.reversed)
-            chain.trace.insert(chain.trace.end(), arc.rbegin(), arc.rend() - 1);
-        else
-            chain.trace.insert(chain.trace.end(), arc.begin(), arc.end() - 1);
-    }
-    const ArcUse& last = chain.arcs.back();
-    chain.nodes.push_back(walls_.ends[last.arc][last.reversed ? 0 : 1]);
-    chain.begins.push_back(static_cast<std::uint32_t>(chain.trace.size()));
-    if (!chain.closed)
-        chain.trace.push_back(walls_.nodes[chain.nodes.back()].at);
-}
-
 /// @param from_end where the chain begins
 void Builder::walk(std::uint32_t from_end) {
     Chain chain;
@@ -146,12 +134,15 @@ void Builder::walk(std::uint32_t from_end) {
         end = mate_[end ^ 1U];
     } while (end != nobody && end != from_end);
     chain.closed = end == from_end;
-    add_trace(chain);
+    ChainTracer(walls_, chain).trace();
+    for (std::uint32_t k = 0; k < chain.arcs.size(); ++k)
+        walls_.place_of[chain.arcs[k].arc] = k;
     walls_.chains.push_back(std::move(chain));
 }
 
 void Builder::find_chains() {
     walls_.chain_of.assign(arcs(), nobody);
+    walls_.place_of.resize(arcs());
     std::vector<std::uint32_t> order(arcs());
     std::iota(order.begin(), order.end(), 0U);
     std::stable_sort(order.begin(), order.end(),
@@ -202,10 +193,10 @@ void Builder::find_parts() {
 
 }  // namespace
 
-WallGraph build_wall_graph(const std::vector<Contour>& contours) {
+WallGraph build_wall_graph(const WallCluster& cluster) {
     WallGraph walls;
-    walls.graph = build_arc_graph(contours);
-    Builder builder(contours, walls);
+    walls.graph = build_arc_graph(cluster.contours);
+    Builder builder(cluster, walls);
     builder.find_sides();
     builder.find_nodes();
     builder.find_mates();

@@ -5,18 +5,20 @@
 #include <vector>
 
 #include "outline/arc_graph.hpp"
+#include "outline/wall_clusters.hpp"
 
 namespace d2b {
 
-/// A run of arcs that is fitted in one go: a ring, or a stretch between two points where others stand.
+/// A run of arcs that is fitted in one go: a ring, or a stretch between two points where others stand. What
+/// it is does not depend on what stands on it: an open chain begins at the smaller of its ends, a closed one
+/// at its first point in scan order and runs along the row from there; but its first arc may begin later.
 struct Chain {
     int rank = 0;
     bool closed = false;
     std::vector<ArcUse> arcs;
-    std::vector<std::uint32_t> nodes;  ///< at which its arcs begin, and the last one's end
-    std::vector<std::uint32_t>
-        begins;                       ///< point of the trace at which each arc begins, and the last one ends
-    std::vector<LatticePoint> trace;  ///< a closed one does not repeat its first point
+    std::vector<std::uint32_t> nodes;       ///< at which its arcs begin, and the last one's end
+    std::vector<std::uint32_t> node_steps;  ///< unit steps from its first point to each of these, ascending
+    std::vector<LatticePoint> trace;  ///< corners and ends; a closed one does not repeat its first point
 };
 
 /// The arcs of all outlines, in the order in which walls are drawn. An arc's rank says when: outlines of a
@@ -26,10 +28,10 @@ struct Chain {
 struct WallGraph {
     static constexpr std::uint32_t nobody = 0xffffffff;
 
-    /// The highest contours on both sides of an arc, -1 where there is none.
+    /// The highest contours on both sides of an arc, as places in the cluster; -1 where there is none.
     struct Sides {
-        std::int64_t left = -1;
-        std::int64_t right = -1;
+        std::int32_t left = -1;
+        std::int32_t right = -1;
     };
     struct Node {
         LatticePoint at;
@@ -44,6 +46,7 @@ struct WallGraph {
     std::vector<Node> nodes;                         ///< sorted by place
     std::vector<Chain> chains;                       ///< sorted by rank
     std::vector<std::uint32_t> chain_of;             ///< an arc
+    std::vector<std::uint32_t> place_of;             ///< an arc among those of its chain
     std::vector<std::uint32_t> part_of;  ///< a chain: number of the connected part that it belongs to
     std::uint32_t parts = 0;
 
@@ -54,6 +57,6 @@ struct WallGraph {
 };
 
 /// O(n log n) in corners.
-[[nodiscard]] WallGraph build_wall_graph(const std::vector<Contour>& contours);
+[[nodiscard]] WallGraph build_wall_graph(const WallCluster& cluster);
 
 }  // namespace d2b

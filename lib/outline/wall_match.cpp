@@ -9,9 +9,10 @@ namespace {
 /// The step from `low` to `high` that is nearest to a place.
 std::size_t nearest_step(const WallSamples& samples, Vec place, std::size_t low, std::size_t high) {
     std::size_t best = low;
-    double least = length(samples.at(low) - place);
+    const auto square = [&](std::size_t i) { return dot(samples.at(i) - place, samples.at(i) - place); };
+    double least = square(low);
     for (std::size_t i = low + 1; i <= high; ++i) {
-        const double away = length(samples.at(i) - place);
+        const double away = square(i);
         if (away < least) {
             least = away;
             best = i;
@@ -44,19 +45,22 @@ void match_trace(const WallSamples& samples, const CellShape& shape, LatticePoin
 double deviation(const WallSamples& samples, const CellShape& shape, LatticePoint origin,
                  const DrawnChain& chain, bool closed) {
     const std::size_t n = chain.vertices.size();
-    double largest = 0;
+    double largest = 0;  // squared
+    const auto keep = [&](double square) { largest = std::max(largest, square); };
     Vec from = shape.from_fine(chain.vertices.front(), origin);
     for (std::size_t k = 0; k + (closed ? 0 : 1) < n; ++k) {
-        const Vec to = shape.from_fine(chain.vertices[(k + 1) % n], origin);
+        const Vec to = shape.from_fine(chain.vertices[k + 1 < n ? k + 1 : 0], origin);
         const std::size_t first = chain.steps[k];
         const std::size_t last = k + 1 < n ? chain.steps[k + 1] : chain.steps.front() + samples.steps();
-        largest = std::max({largest, length(from - samples.at(first)), length(to - samples.at(last))});
-        for (std::size_t i = first; i <= last; ++i)
-            if (samples.corner(i))
-                largest = std::max(largest, distance(samples.at(i), from, to));
+        keep(dot(from - samples.at(first), from - samples.at(first)));
+        keep(dot(to - samples.at(last), to - samples.at(last)));
+        samples.for_corners(first, last, [&](std::size_t, Vec corner) {
+            keep(square_distance(corner, from, to));
+            return true;
+        });
         from = to;
     }
-    return largest;
+    return std::sqrt(largest);
 }
 
 void keep_near(const WallSamples& samples, const WallStyle& style, const CellShape& shape,
@@ -73,15 +77,18 @@ void keep_near(const WallSamples& samples, const WallStyle& style, const CellSha
         if (!samples.closed() && k + 1 == n)
             break;
         const std::size_t last = k + 1 < n ? chain.steps[k + 1] : chain.steps.front() + samples.steps();
-        double largest = 0;
-        for (std::size_t i = first; i <= last; ++i)
-            if (samples.corner(i))
-                largest = std::max(largest, distance(samples.at(i), place(k), place(k + 1)));
-        for (std::size_t i = first + 1; i < last && largest > style.tolerance; ++i)
-            if (samples.corner(i)) {
-                kept.vertices.push_back(shape.to_fine(samples.at(i), origin));
+        const double limit = style.tolerance * style.tolerance;
+        bool leaves = false;
+        samples.for_corners(first, last, [&](std::size_t, Vec corner) {
+            leaves = square_distance(corner, place(k), place(k + 1)) > limit;
+            return !leaves;
+        });
+        if (leaves && last > first + 1)
+            samples.for_corners(first + 1, last - 1, [&](std::size_t i, Vec corner) {
+                kept.vertices.push_back(shape.to_fine(corner, origin));
                 kept.steps.push_back(i);
-            }
+                return true;
+            });
     }
     chain = std::move(kept);
     match_trace(samples, shape, origin, chain);

@@ -80,7 +80,7 @@ void Planner::extend(std::size_t from, std::size_t to, const WallSamples::Sums& 
         if (!(cost < states_[to][f].cost))
             continue;
         const double limit = style_.tolerance - 0.05;
-        if (samples_.largest_off((*points_)[from], (*points_)[to], line(f, sums), limit) <= limit)
+        if (samples_.near((*points_)[from], (*points_)[to], line(f, sums), limit))
             states_[to][f] = {cost, from, before};
     }
 }
@@ -178,9 +178,8 @@ std::vector<std::size_t> restarted(const std::vector<std::size_t>& points,
 
 }  // namespace
 
-std::optional<std::vector<WallPiece>> plan_walls(const WallSamples& samples, const WallStyle& style,
-                                                 double& direction) {
-    std::vector<std::size_t> points = turning_points(samples);
+std::optional<std::vector<WallPiece>> plan_walls(const WallSamples& samples, std::vector<std::size_t> points,
+                                                 const WallStyle& style, double& direction) {
     if (samples.closed())
         points.push_back(samples.steps());
     std::optional<std::vector<WallPiece>> pieces = Planner(samples, style, direction).plan(points);

@@ -31,15 +31,18 @@ struct WallStyle {
 };
 
 /// The direction that the long stretches of a chain have in common, modulo 90 degrees, in radians.
-[[nodiscard]] double dominant_direction(const WallSamples& samples);
+/// @param points at which it may turn
+[[nodiscard]] double dominant_direction(const WallSamples& samples, const std::vector<std::size_t>& points);
 
 /// Divides a chain into walls by dynamic programming over the points where it may turn: the least sum of a
 /// price a wall and of squared distances, where all of a stretch lies within the tolerance of its wall. Walls
 /// in the dominant direction are cheapest, those at 90 degrees to it as well; neighbours never have the same
 /// one. O(steps), but for a window of 64 points over which a wall may reach.
+/// @param points at which the chain may turn
 /// @param direction the dominant one, radians; adjusted to the walls that follow it
 /// @return nothing where no such division exists
 [[nodiscard]] std::optional<std::vector<WallPiece>> plan_walls(const WallSamples& samples,
+                                                               std::vector<std::size_t> points,
                                                                const WallStyle& style, double& direction);
 
 /// Steps at which a chain may turn: the vertices of its Douglas-Peucker line at 0.8 cells. Starts with 0; an

@@ -6,17 +6,6 @@
 
 namespace d2b {
 
-double length(Vec a) {
-    return std::hypot(a.x, a.y);
-}
-
-double distance(Vec p, Vec a, Vec b) {
-    const Vec along = b - a;
-    const double square = dot(along, along);
-    const double share = square > 0 ? std::clamp(dot(p - a, along) / square, 0.0, 1.0) : 0.0;
-    return length(p - a - share * along);
-}
-
 FinePoint CellShape::to_fine(Vec place, LatticePoint origin) const {
     const double scale = FinePoint::steps / cross(col, row);
     return {origin.row * FinePoint::steps + std::llround(cross(col, place) * scale),
@@ -30,28 +19,40 @@ Vec CellShape::from_fine(FinePoint point, LatticePoint origin) const {
 }
 
 WallSamples::WallSamples(const std::vector<LatticePoint>& trace, bool closed, const CellShape& shape)
-    : closed_(closed) {
-    const LatticePoint origin = trace.front();
+    : closed_(closed), origin_(trace.front()) {
     const std::size_t edges = closed ? trace.size() : trace.size() - 1;
-    for (std::size_t i = 0; i < edges; ++i) {
-        const LatticePoint from = trace[i];
-        const LatticePoint to = trace[(i + 1) % trace.size()];
-        const std::int32_t n = std::max(std::abs(to.row - from.row), std::abs(to.col - from.col));
-        const std::int32_t down = n > 0 ? (to.row - from.row) / n : 0;
-        const std::int32_t across = n > 0 ? (to.col - from.col) / n : 0;
-        step_of_.push_back(points_.size());
-        for (std::int32_t k = 0; k < n; ++k) {
-            points_.push_back(
-                shape.from_cells(from.row - origin.row + down * k, from.col - origin.col + across * k));
-            corner_.push_back(k == 0);
-        }
-    }
-    steps_ = points_.size();
+    const auto to = [&](std::size_t i) { return trace[i + 1 < trace.size() ? i + 1 : 0]; };
+    for (std::size_t i = 0; i < edges; ++i)
+        steps_ +=
+            static_cast<std::size_t>(std::abs(to(i).row - trace[i].row) + std::abs(to(i).col - trace[i].col));
+    points_.reserve(steps_ + 1);
+    corner_steps_.reserve(trace.size());
+    corner_at_.reserve(steps_ + 2);
+    for (std::size_t i = 0; i < edges; ++i)
+        add_edge(trace[i], to(i), shape);
     if (!closed) {
-        step_of_.push_back(steps_);
-        points_.push_back(shape.from_cells(trace.back().row - origin.row, trace.back().col - origin.col));
-        corner_.push_back(true);
+        corner_at_.push_back(static_cast<std::uint32_t>(corner_steps_.size()));
+        corner_steps_.push_back(static_cast<std::uint32_t>(steps_));
+        points_.push_back(shape.from_cells(trace.back().row - origin_.row, trace.back().col - origin_.col));
     }
+    add_up();
+}
+
+void WallSamples::add_edge(LatticePoint from, LatticePoint to, const CellShape& shape) {
+    const std::int32_t n = std::abs(to.row - from.row) + std::abs(to.col - from.col);
+    const auto unit = [](std::int32_t way) { return way > 0 ? 1 : (way < 0 ? -1 : 0); };
+    const std::int32_t down = unit(to.row - from.row);
+    const std::int32_t across = unit(to.col - from.col);
+    corner_at_.push_back(static_cast<std::uint32_t>(corner_steps_.size()));
+    corner_steps_.push_back(static_cast<std::uint32_t>(points_.size()));
+    corner_at_.insert(corner_at_.end(), static_cast<std::size_t>(n - 1),
+                      static_cast<std::uint32_t>(corner_steps_.size()));
+    for (std::int32_t k = 0; k < n; ++k)
+        points_.push_back(
+            shape.from_cells(from.row - origin_.row + down * k, from.col - origin_.col + across * k));
+}
+
+void WallSamples::add_up() {
     running_.reserve(steps_ + 1);
     Moments sum{};
     running_.push_back(sum);
@@ -67,7 +68,7 @@ WallSamples::WallSamples(const std::vector<LatticePoint>& trace, bool closed, co
 }
 
 double WallSamples::Sums::least_squares() const {
-    return std::max(0.0, (xx + yy - std::hypot(xx - yy, 2 * xy)) / 2);
+    return std::max(0.0, (xx + yy - std::sqrt((xx - yy) * (xx - yy) + 4 * xy * xy)) / 2);
 }
 
 Vec WallSamples::Sums::direction() const {
@@ -98,12 +99,14 @@ WallSamples::Sums WallSamples::sums(std::size_t first, std::size_t last) const {
     return result;
 }
 
-double WallSamples::largest_off(std::size_t first, std::size_t last, const Line& line, double limit) const {
-    double largest = 0;
-    for (std::size_t i = first; i <= last && largest <= limit; ++i)
-        if (corner(i) || i == first || i == last)
-            largest = std::max(largest, std::abs(line.off(at(i))));
-    return largest;
+bool WallSamples::near(std::size_t first, std::size_t last, const Line& line, double limit) const {
+    bool all = std::abs(line.off(at(first))) <= limit && std::abs(line.off(at(last))) <= limit;
+    if (all)
+        for_corners(first, last, [&](std::size_t, Vec corner) {
+            all = std::abs(line.off(corner)) <= limit;
+            return all;
+        });
+    return all;
 }
 
 }  // namespace d2b

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "core/lattice.hpp"
@@ -25,9 +28,17 @@ struct Vec {
 [[nodiscard]] inline double cross(Vec a, Vec b) {
     return a.x * b.y - a.y * b.x;
 }
-[[nodiscard]] double length(Vec a);
-/// From a point to a segment.
-[[nodiscard]] double distance(Vec p, Vec a, Vec b);
+[[nodiscard]] inline double length(Vec a) {
+    return std::sqrt(dot(a, a));
+}
+/// From a point to a segment, squared.
+[[nodiscard]] inline double square_distance(Vec p, Vec a, Vec b) {
+    const Vec along = b - a;
+    const double square = dot(along, along);
+    const double share = square > 0 ? std::clamp(dot(p - a, along) / square, 0.0, 1.0) : 0.0;
+    const Vec off = p - a - share * along;
+    return dot(off, off);
+}
 
 /// What a cell looks like on the ground: a column's and a row's step, scaled so that the cell has an area
 /// of 1. Right angles are right in these coordinates, whether cells are square or not, and distances are in
@@ -56,16 +67,30 @@ struct Line {
 /// steps is fitted in O(1), from running sums.
 class WallSamples {
   public:
-    /// @param trace corners and junctions of a chain; a closed one does not repeat its first point
+    /// @param trace corners of a chain and its ends; a closed one does not repeat its first point
     WallSamples(const std::vector<LatticePoint>& trace, bool closed, const CellShape& shape);
 
     [[nodiscard]] bool closed() const { return closed_; }
     [[nodiscard]] std::size_t steps() const { return steps_; }
     /// The lattice point at which a step begins; in a closed chain steps go round.
     [[nodiscard]] Vec at(std::size_t step) const { return points_[wrap(step)]; }
-    [[nodiscard]] bool corner(std::size_t step) const { return corner_[wrap(step)]; }
-    /// Where a point of the trace stands among the steps.
-    [[nodiscard]] std::size_t step_of(std::size_t trace_point) const { return step_of_[trace_point]; }
+    /// Calls visit(step, place) for the corners and ends from one step to another, both included, until that
+    /// returns false.
+    template <typename Visit>
+    void for_corners(std::size_t first, std::size_t last, const Visit& visit) const {
+        std::size_t lap = first - wrap(first);
+        for (std::size_t k = corner_at_[first - lap];; ++k) {
+            if (k == corner_steps_.size()) {
+                if (!closed_)
+                    return;
+                k = 0;
+                lap += steps_;
+            }
+            const std::size_t step = corner_steps_[k];
+            if (step + lap > last || !visit(step + lap, points_[step]))
+                return;
+        }
+    }
 
     struct Sums {
         double n = 0;
@@ -81,24 +106,28 @@ class WallSamples {
         /// The direction with the least sum of squares.
         [[nodiscard]] Vec direction() const;
     };
-    /// Of the middles of steps first .. last - 1; last <= first + steps().
+    /// Of the middles of steps first .. last - 1; last <= first + steps() and < 2 * steps().
     [[nodiscard]] Sums sums(std::size_t first, std::size_t last) const;
-    /// The largest distance of the trace from a line between two steps; stops above `limit`.
-    [[nodiscard]] double largest_off(std::size_t first, std::size_t last, const Line& line,
-                                     double limit) const;
+    /// Whether the trace between two steps is nowhere farther from a line than `limit`.
+    [[nodiscard]] bool near(std::size_t first, std::size_t last, const Line& line, double limit) const;
 
   private:
     using Moments = std::array<double, 5>;  // x, y, xx, xy, yy
     [[nodiscard]] std::size_t wrap(std::size_t step) const {
-        return closed_ && step >= steps_ ? step % steps_ : step;
+        while (closed_ && step >= steps_)
+            step -= steps_;
+        return step;
     }
+    void add_edge(LatticePoint from, LatticePoint to, const CellShape& shape);
+    void add_up();
 
     bool closed_;
+    LatticePoint origin_;
     std::size_t steps_ = 0;
     std::vector<Vec> points_;
-    std::vector<bool> corner_;
-    std::vector<std::size_t> step_of_;
-    std::vector<Moments> running_;  // of the steps before each
+    std::vector<std::uint32_t> corner_steps_;
+    std::vector<std::uint32_t> corner_at_;  // the first one at a step or after it
+    std::vector<Moments> running_;          // of the steps before each
 };
 
 }  // namespace d2b

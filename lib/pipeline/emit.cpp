@@ -59,14 +59,8 @@ class Emitter {
 
 Outliner timed_outliner(const Emission& emission, Context& context) {
     const StageClock clock(context.report, Stage::outline);
-    Outliner outliner = make_outliner(emission.set.contours, emission.options.outline, emission.georeference,
-                                      emission.crs, emission.window);
-    if (outliner.has_own_footprints() && !emission.set.contours.empty()) {
-        // Walls are fitted when they are first asked for, which is not for several threads at a time.
-        static_cast<void>(outliner.quality(0));
-        static_cast<void>(outliner.footprint_quality(0));
-    }
-    return outliner;
+    return make_outliner(emission.set.contours, emission.options.outline, emission.georeference, emission.crs,
+                         emission.window, *context.threads);
 }
 
 Emitter::Emitter(const Emission& emission, Records& records, FeatureSink& sink, Context& context)

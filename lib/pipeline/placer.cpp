@@ -85,9 +85,10 @@ std::vector<std::vector<std::size_t>> children_of(const std::vector<Contour>& co
 }
 
 Outliner make_outliner(const std::vector<Contour>& contours, const OutlineOptions& options,
-                       const Georeference& georeference, const Crs& crs, const Window& window) {
-    return {contours, choose_drawing(options, georeference), options, georeference,
-            x_stretch(georeference, crs, window)};
+                       const Georeference& georeference, const Crs& crs, const Window& window,
+                       Executor& executor) {
+    return {contours,     choose_drawing(options, georeference), options,
+            georeference, x_stretch(georeference, crs, window),  executor};
 }
 
 Placer::Placer(const Placement& placement) : placement_(placement), geodesy_(placement.crs) {

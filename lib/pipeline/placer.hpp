@@ -76,6 +76,7 @@ class Placer {
 [[nodiscard]] std::vector<std::vector<std::size_t>> children_of(const std::vector<Contour>& contours);
 /// The outlines of a run.
 [[nodiscard]] Outliner make_outliner(const std::vector<Contour>& contours, const OutlineOptions& options,
-                                     const Georeference& georeference, const Crs& crs, const Window& window);
+                                     const Georeference& georeference, const Crs& crs, const Window& window,
+                                     Executor& executor);
 
 }  // namespace d2b

@@ -1,10 +1,7 @@
-// Times each stage alone, on a synthetic city: stages_bench [options of Google Benchmark's]. Items are
-// points.
+#include "stages.hpp"
+
 #include <benchmark/benchmark.h>
-#include <cstdlib>
 #include <filesystem>
-#include <functional>
-#include <iostream>
 #include <utility>
 
 #include "attributes/records.hpp"

@@ -1,3 +1,4 @@
+#include "outline/noding.hpp"
 #include "outline/outline.hpp"
 
 #include <cmath>
@@ -121,7 +122,7 @@ class SimplifiedGrid : public testing::TestWithParam<unsigned> {
 };
 
 TEST_P(SimplifiedGrid, StaysValidNestedAndDisjoint) {
-    const Outliner outliner(set_.contours, Drawing::simplified, options_, unit_grid);
+    const Outliner outliner(set_.contours, Drawing::simplified, options_, unit_grid, 1, *context_.threads);
     Geos geos;
     std::vector<std::vector<FinePolygon>> children(set_.contours.size());
     std::vector<double> children_area(set_.contours.size(), 0);
@@ -145,7 +146,7 @@ TEST_P(SimplifiedGrid, StaysValidNestedAndDisjoint) {
 }
 
 TEST_P(SimplifiedGrid, StaysWithinTheToleranceBothWays) {
-    const Outliner outliner(set_.contours, Drawing::simplified, options_, unit_grid);
+    const Outliner outliner(set_.contours, Drawing::simplified, options_, unit_grid, 1, *context_.threads);
     for (std::size_t i = 0; i < set_.contours.size(); ++i) {
         const FinePolygon drawn = outliner.outline(i);
         const FinePolygon traced = outliner.traced(i);
@@ -163,7 +164,7 @@ TEST_P(TracedGrid, IsValidAsItIsTraced) {
     Context context;
     const ContourSet set =
         trace_grid(c.grid, c.thresholds, {c.mode, static_cast<int>(GetParam() % 9)}, context);
-    const Outliner outliner(set.contours, Drawing::traced, {}, unit_grid);
+    const Outliner outliner(set.contours, Drawing::traced, {}, unit_grid, 1, *context.threads);
     Geos geos;
     for (std::size_t i = 0; i < set.contours.size(); ++i)
         EXPECT_EQ(geos.invalidity({unit_grid.polygon(outliner.outline(i))}), "") << i;
@@ -182,7 +183,7 @@ TEST_P(RotatedGrid, NestingHoldsToAMillionthOfACell) {
     const Georeference rotated({691234.5, 0.5 * std::cos(angle), 0.5 * std::sin(angle), 5334567.5,
                                 0.5 * std::sin(angle), -0.5 * std::cos(angle)},
                                c.mode);
-    const Outliner outliner(set.contours, Drawing::noded, {}, rotated);
+    const Outliner outliner(set.contours, Drawing::noded, {}, rotated, 1, *context.threads);
     Geos geos;
     for (std::size_t i = 0; i < set.contours.size(); ++i) {
         const WorldPolygon child = rotated.polygon(outliner.outline(i));

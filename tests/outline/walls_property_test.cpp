@@ -93,7 +93,7 @@ class RandomWalls : public testing::TestWithParam<unsigned> {
         set_ = test::trace_grid(case_.grid, case_.thresholds, {case_.mode}, context_);
     }
     [[nodiscard]] Outliner draw() const {
-        return Outliner(set_.contours, Drawing::regularized, case_.options, unit_grid);
+        return Outliner(set_.contours, Drawing::regularized, case_.options, unit_grid, 1, *context_.threads);
     }
     Context context_;
     WallCase case_;
@@ -151,7 +151,8 @@ TEST_P(RandomWalls, ComeOutTheSameWhereverTheWindowIs) {
     test::TraceSettings settings(case_.mode);
     settings.origin = {1234, 56789};
     const ContourSet moved = test::trace_grid(case_.grid, case_.thresholds, settings, context_);
-    const Outliner other(moved.contours, Drawing::regularized, case_.options, unit_grid);
+    const Outliner other(moved.contours, Drawing::regularized, case_.options, unit_grid, 1,
+                         *context_.threads);
     ASSERT_EQ(moved.contours.size(), set_.contours.size());
     for (std::size_t i = 0; i < moved.contours.size(); ++i) {
         FineRing ring = outliner.outline(i).exterior;

@@ -54,7 +54,7 @@ struct Drawn {
     explicit Drawn(const TraceGrid& grid, const OutlineOptions& options = walls(),
                    const std::vector<double>& levels = {10})
         : set(trace_grid(grid, levels, {}, context)),
-          outliner(set.contours, Drawing::regularized, options, unit_grid) {}
+          outliner(set.contours, Drawing::regularized, options, unit_grid, 1, *context.threads) {}
     Context context;
     ContourSet set;
     Outliner outliner;
@@ -217,7 +217,7 @@ TEST(Walls, RightAnglesAreThoseOfTheGround) {
     Context context;
     const ContourSet set = trace_grid(grid, {10}, {}, context);
     const Georeference wide({0, 2, 0, 0, 0, -1}, TraceMode::cells);
-    const Outliner outliner(set.contours, Drawing::regularized, walls(), wide);
+    const Outliner outliner(set.contours, Drawing::regularized, walls(), wide, 1, *context.threads);
     const WorldRing ring = wide.polygon(outliner.outline(1)).exterior;
     ASSERT_EQ(ring.size(), 4U);
     for (std::size_t i = 0; i < 4; ++i) {

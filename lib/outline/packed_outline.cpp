@@ -1,0 +1,86 @@
+#include "outline/packed_outline.hpp"
+
+#include <cstddef>
+
+namespace d2b {
+namespace {
+
+/// Numbers in groups of seven bits, small ones in few, whatever their sign.
+class NumberWriter {
+  public:
+    void put(std::int64_t value) {
+        auto rest = (static_cast<std::uint64_t>(value) << 1) ^ static_cast<std::uint64_t>(value >> 63);
+        for (; rest >= 0x80; rest >>= 7)
+            bytes.push_back(static_cast<std::uint8_t>(rest | 0x80));
+        bytes.push_back(static_cast<std::uint8_t>(rest));
+    }
+    std::vector<std::uint8_t> bytes;
+};
+
+class NumberReader {
+  public:
+    explicit NumberReader(const std::vector<std::uint8_t>& bytes) : bytes_(bytes) {}
+    std::int64_t take() {
+        std::uint64_t value = 0;
+        unsigned shift = 0;
+        for (; (bytes_[at_] & 0x80) != 0; shift += 7)
+            value |= static_cast<std::uint64_t>(bytes_[at_++] & 0x7f) << shift;
+        value |= static_cast<std::uint64_t>(bytes_[at_++]) << shift;
+        return static_cast<std::int64_t>(value >> 1) ^ -static_cast<std::int64_t>(value & 1);
+    }
+    std::uint32_t take_small() { return static_cast<std::uint32_t>(take()); }
+
+  private:
+    const std::vector<std::uint8_t>& bytes_;
+    std::size_t at_ = 0;
+};
+
+}  // namespace
+
+PackedOutline::PackedOutline(const FinePolygon& polygon) {
+    NumberWriter writer;
+    FinePoint at;
+    const auto put = [&](const FineRing& ring) {
+        writer.put(static_cast<std::int64_t>(ring.size()));
+        for (const FinePoint p : ring) {
+            writer.put(p.row - at.row);
+            writer.put(p.col - at.col);
+            at = p;
+        }
+    };
+    writer.put(static_cast<std::int64_t>(polygon.interiors.size()));
+    put(polygon.exterior);
+    for (const FineRing& ring : polygon.interiors)
+        put(ring);
+    writer.put(static_cast<std::int64_t>(polygon.arcs.size()));
+    for (const ArcSpan& span : polygon.arcs) {
+        writer.put(span.ring);
+        writer.put(span.first);
+        writer.put(span.edges);
+    }
+    bytes_.assign(writer.bytes.begin(), writer.bytes.end());  // no longer than need be
+}
+
+FinePolygon PackedOutline::polygon() const {
+    NumberReader reader(bytes_);
+    FinePoint at;
+    const auto take = [&](FineRing& ring) {
+        ring.resize(reader.take_small());
+        for (FinePoint& p : ring) {
+            at.row += reader.take();
+            at.col += reader.take();
+            p = at;
+        }
+    };
+    FinePolygon polygon;
+    polygon.interiors.resize(reader.take_small());
+    take(polygon.exterior);
+    for (FineRing& ring : polygon.interiors)
+        take(ring);
+    polygon.arcs.resize(reader.take_small());
+    for (ArcSpan& span : polygon.arcs)
+        span = {reader.take_small(), reader.take_small(), reader.take_small()};
+    return polygon;
+}
+
+}  // namespace d2b

@@ -1,0 +1,97 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "outline/wall_rounds.hpp"
+
+namespace d2b {
+namespace {
+
+constexpr double largest_area_change = 0.02;
+
+double in_cells(Int128 twice) {
+    return static_cast<double>(twice) / (2.0 * FinePoint::steps * FinePoint::steps);
+}
+
+}  // namespace
+
+/// Twice the area, positive for exterior rings, in fine squares. Exact.
+Int128 WallRounds::twice_area(const std::vector<ArcUse>& ring) const {
+    Int128 sum = 0;
+    for (const ArcUse& use : ring)
+        sum += use.reversed ? -areas_[use.arc] : areas_[use.arc];
+    return sum;
+}
+
+/// Measures rings that have changed, but for those that change again.
+void WallRounds::check_areas() {
+    std::vector<Wall> moved;
+    std::vector<std::uint32_t> waiting;
+    std::swap(waiting, waiting_rings_);
+    std::sort(waiting.begin(), waiting.end());
+    const std::vector<bool> in_conflict = in_conflict_;
+    for (const std::uint32_t r : waiting) {
+        Ring& ring = rings_[r];
+        if (in_conflict[part_of(ring.uses->front().arc)]) {
+            waiting_rings_.push_back(r);
+            continue;
+        }
+        ring.waits = false;
+        const auto before = static_cast<double>(ring.traced);
+        const double after = in_cells(twice_area(*ring.uses));
+        if (std::abs(after - before) > largest_area_change * std::abs(before))
+            correct(ring, before - after, moved);
+    }
+}
+
+/// Moves the walls that are a ring's own for the most part, or gives what was drawn last of it a simpler
+/// form, where its area is not kept.
+void WallRounds::correct(const Ring& ring, double missing, std::vector<Wall>& moved) {
+    // 1 where the ring lies on the left of the wall and grows as that goes right
+    std::vector<std::pair<Wall, double>> right;
+    double whole = 0;
+    for (const ArcUse& use : *ring.uses) {
+        const std::uint32_t c = graph_.chain_of[use.arc];
+        // What stands on a wall does not move it.
+        if (graph_.chains[c].rank < 2 * ring.level)
+            continue;
+        const ArcUse own = graph_.chains[c].arcs[graph_.place_of[use.arc]];
+        for (const Wall wall : drawing_.walls_along(use.arc)) {
+            if (std::ranges::find(right, wall, &std::pair<Wall, double>::first) != right.end())
+                continue;
+            right.emplace_back(wall, own.reversed == use.reversed ? 1 : -1);
+            whole += drawing_.length(wall);
+        }
+    }
+    // What a neighbour has moved will be measured again.
+    if (std::ranges::any_of(
+            right, [&](const auto& entry) { return std::ranges::find(moved, entry.first) != moved.end(); }))
+        return;
+    if (std::abs(missing) >= whole) {
+        simplify_last(ring);
+        return;
+    }
+    for (const auto& [wall, sign] : right) {
+        drawing_.shift(wall, -sign * missing / whole);
+        moved.push_back(wall);
+    }
+}
+
+void WallRounds::simplify_last(const Ring& ring) {
+    int rank = -1;
+    for (const ArcUse& use : *ring.uses) {
+        const std::uint32_t c = graph_.chain_of[use.arc];
+        if (drawing_.form(c) != WallDrawing::Form::traced)
+            rank = std::max(rank, graph_.chains[c].rank);
+    }
+    std::vector<std::uint32_t> last;
+    for (const ArcUse& use : *ring.uses)
+        if (graph_.chains[graph_.chain_of[use.arc]].rank == rank)
+            last.push_back(graph_.chain_of[use.arc]);
+    std::sort(last.begin(), last.end());
+    last.erase(std::unique(last.begin(), last.end()), last.end());
+    for (const std::uint32_t c : last)
+        drawing_.simplify(c);
+}
+
+}  // namespace d2b

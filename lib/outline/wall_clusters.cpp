@@ -1,0 +1,182 @@
+#include "outline/wall_clusters.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace d2b {
+namespace {
+
+class Groups {
+  public:
+    explicit Groups(std::size_t n) : up_(n) { std::iota(up_.begin(), up_.end(), 0U); }
+    std::uint32_t find(std::uint32_t i) {
+        while (up_[i] != i) {
+            up_[i] = up_[up_[i]];
+            i = up_[i];
+        }
+        return i;
+    }
+    /// The lower one stands for both.
+    void join(std::uint32_t a, std::uint32_t b) {
+        a = find(a);
+        b = find(b);
+        up_[std::max(a, b)] = std::min(a, b);
+    }
+
+  private:
+    std::vector<std::uint32_t> up_;
+};
+
+/// Rows and columns over which two traces can get into each other's way. Both walls stay within the
+/// tolerance.
+LatticePoint conflict_reach(const WallOptions& options) {
+    const double cell = std::abs(cross(options.shape.col, options.shape.row));
+    const auto steps = [&](Vec other) {
+        return static_cast<std::int32_t>(std::floor(2 * options.tolerance * length(other) / cell)) + 1;
+    };
+    return {steps(options.shape.col), steps(options.shape.row)};
+}
+
+/// The edges of traces in square buckets.
+class TraceBuckets {
+  public:
+    TraceBuckets(const std::vector<Contour>& contours, const WallOptions& options);
+    /// Joins the groups of edges that are near each other.
+    void join(Groups& groups) const;
+
+  private:
+    struct Edge {
+        LatticeBox box;  // grown so that near edges overlap
+        std::uint32_t contour;
+    };
+    void add(const PackedRing& packed, std::uint32_t contour, LatticePoint far);
+    void lay_out();
+    template <typename Visit>
+    void for_each_bucket(const LatticeBox& box, const Visit& visit) const {
+        for (std::int64_t row = bucket(box.low.row, low_.row); row <= bucket(box.high.row, low_.row); ++row)
+            for (std::int64_t col = bucket(box.low.col, low_.col); col <= bucket(box.high.col, low_.col);
+                 ++col)
+                visit(static_cast<std::size_t>(row * columns_ + col));
+    }
+    [[nodiscard]] std::int64_t bucket(std::int32_t at, std::int32_t low) const {
+        return (static_cast<std::int64_t>(at) - low) >> shift_;
+    }
+    void join_bucket(std::size_t begin, std::size_t end, Groups& groups) const;
+
+    std::vector<Edge> edges_;
+    LatticePoint low_{std::numeric_limits<std::int32_t>::max(), std::numeric_limits<std::int32_t>::max()};
+    LatticePoint high_{std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::min()};
+    int shift_ = 4;
+    std::int64_t columns_ = 0;
+    std::vector<std::size_t> first_;      // entry of each bucket
+    std::vector<std::uint32_t> entries_;  // edges
+};
+
+/// What stands on a contour lies inside of it: only traces of levels 0 and 1 can be near those of others.
+TraceBuckets::TraceBuckets(const std::vector<Contour>& contours, const WallOptions& options) {
+    const LatticePoint far = conflict_reach(options);
+    for (std::uint32_t i = 0; i < contours.size(); ++i) {
+        if (contours[i].key.level > 1 && contours[i].parent >= 0)
+            continue;
+        add(contours[i].exterior, i, far);
+        for (const PackedRing& ring : contours[i].interiors)
+            add(ring, i, far);
+    }
+    if (!edges_.empty())
+        lay_out();
+}
+
+void TraceBuckets::add(const PackedRing& packed, std::uint32_t contour, LatticePoint far) {
+    const LatticeRing ring = packed.corners();
+    LatticePoint from = ring.back();
+    for (const LatticePoint to : ring) {
+        LatticeBox box{{std::min(from.row, to.row), std::min(from.col, to.col)},
+                       {std::max(from.row, to.row), std::max(from.col, to.col)}};
+        // Half of the way on either side.
+        box.low = {box.low.row - far.row / 2, box.low.col - far.col / 2};
+        box.high = {box.high.row + (far.row + 1) / 2, box.high.col + (far.col + 1) / 2};
+        low_ = {std::min(low_.row, box.low.row), std::min(low_.col, box.low.col)};
+        high_ = {std::max(high_.row, box.high.row), std::max(high_.col, box.high.col)};
+        edges_.push_back({box, contour});
+        from = to;
+    }
+}
+
+void TraceBuckets::lay_out() {
+    const auto buckets = [&] {
+        columns_ = bucket(high_.col, low_.col) + 1;
+        return (bucket(high_.row, low_.row) + 1) * columns_;
+    };
+    // Few edges far from each other get large buckets.
+    while (buckets() > 64 + 16 * static_cast<std::int64_t>(edges_.size()))
+        ++shift_;
+    first_.assign(static_cast<std::size_t>(buckets()) + 1, 0);
+    for (const Edge& edge : edges_)
+        for_each_bucket(edge.box, [&](std::size_t b) { ++first_[b + 1]; });
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    entries_.resize(first_.back());
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    for (std::uint32_t e = 0; e < edges_.size(); ++e)
+        for_each_bucket(edges_[e].box, [&](std::size_t b) { entries_[next[b]++] = e; });
+}
+
+void TraceBuckets::join_bucket(std::size_t begin, std::size_t end, Groups& groups) const {
+    for (std::size_t i = begin + 1; i < end; ++i) {
+        const Edge& edge = edges_[entries_[i]];
+        std::uint32_t last = edge.contour;  // most neighbours in the list are of one contour
+        for (std::size_t k = begin; k < i; ++k) {
+            const Edge& other = edges_[entries_[k]];
+            if (other.contour == last || !edge.box.overlaps(other.box))
+                continue;
+            last = other.contour;
+            groups.join(edge.contour, other.contour);
+        }
+    }
+}
+
+void TraceBuckets::join(Groups& groups) const {
+    for (std::size_t b = 0; b + 1 < first_.size(); ++b) {
+        // Most buckets hold edges of one group.
+        const auto group = [&](std::size_t i) { return groups.find(edges_[entries_[i]].contour); };
+        bool several = false;
+        for (std::size_t i = first_[b] + 1; i < first_[b + 1] && !several; ++i)
+            several = group(i) != group(first_[b]);
+        if (several)
+            join_bucket(first_[b], first_[b + 1], groups);
+    }
+}
+
+}  // namespace
+
+std::vector<WallCluster> wall_clusters(const std::vector<Contour>& contours, const WallOptions& options) {
+    Groups groups(contours.size());
+    for (std::uint32_t i = 0; i < contours.size(); ++i)
+        if (contours[i].key.level > 1 && contours[i].parent >= 0)
+            groups.join(i, static_cast<std::uint32_t>(contours[i].parent));
+    TraceBuckets(contours, options).join(groups);
+    constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> cluster_of(contours.size(), nowhere);
+    std::vector<std::int32_t> place(contours.size());
+    std::vector<WallCluster> clusters;
+    for (std::uint32_t i = 0; i < contours.size(); ++i) {
+        const std::uint32_t group = groups.find(i);  // the first of its group
+        if (group == i) {
+            cluster_of[i] = static_cast<std::uint32_t>(clusters.size());
+            clusters.emplace_back();
+        }
+        cluster_of[i] = cluster_of[group];
+        WallCluster& cluster = clusters[cluster_of[i]];
+        const auto parent = static_cast<std::size_t>(contours[i].parent);
+        const bool with_parent = contours[i].parent >= 0 && cluster_of[parent] == cluster_of[i];
+        place[i] = static_cast<std::int32_t>(cluster.contours.size());
+        cluster.contours.push_back(&contours[i]);
+        cluster.parents.push_back(with_parent ? place[parent] : -1);
+        cluster.numbers.push_back(i);
+    }
+    return clusters;
+}
+
+}  // namespace d2b

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/lattice.hpp"
+#include "outline/wall_clusters.hpp"
+
+namespace d2b {
+
+/// How a fitted outline differs from its trace.
+struct WallQuality {
+    bool fitted = false;     ///< its exterior ring; else a part of that runs as it was traced
+    double deviation = 0;    ///< cells: outline and trace are nowhere farther apart, either way
+    double area_change = 0;  ///< share of the traced area
+};
+
+struct WallOutline {
+    FinePolygon polygon;
+    WallQuality quality;
+};
+
+/// The outlines of a cluster's contours with the staircase taken out of them.
+struct ClusterOutlines {
+    /// One a contour: shared with neighbours and with other levels vertex for vertex.
+    std::vector<WallOutline> outlines;
+    /// Of the contours of levels 0 and 1, which come first, as if nothing stood on them; empty where nothing
+    /// does.
+    std::vector<WallOutline> footprints;
+};
+
+/// Fits walls. Depends on the cluster alone; O(n log n) in corners, and some rounds where walls are in each
+/// other's way.
+[[nodiscard]] ClusterOutlines fit_walls(const WallCluster& cluster, const WallOptions& options);
+
+}  // namespace d2b

@@ -1,0 +1,171 @@
+#include "outline/wall_rounds.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace d2b {
+namespace {
+
+constexpr int patient_rounds = 24;  // in which forms become simpler step by step
+
+}  // namespace
+
+WallRounds::WallRounds(const WallCluster& cluster, const WallOptions& options)
+    : cluster_(cluster),
+      options_(options),
+      graph_(build_wall_graph(cluster)),
+      drawing_(graph_, cluster, options),
+      arcs_(graph_.graph.arcs.size()),
+      spans_(arcs_.size()),
+      deviations_(arcs_.size()),
+      areas_(arcs_.size()),
+      in_conflict_(graph_.parts),
+      check_(graph_, drawing_, arcs_, options.tolerance) {
+    find_rings();
+}
+
+void WallRounds::find_rings() {
+    for (std::size_t c = 0; c < cluster_.contours.size(); ++c) {
+        const Contour& contour = *cluster_.contours[c];
+        const ArcGraph::Outline& outline = graph_.graph.outlines[c];
+        first_ring_.push_back(static_cast<std::uint32_t>(rings_.size()));
+        rings_.push_back({&outline.exterior, contour.exterior.area(), contour.key.level});
+        for (std::size_t i = 0; i < outline.interiors.size(); ++i)
+            rings_.push_back({&outline.interiors[i], contour.interiors[i].area(), contour.key.level});
+    }
+    first_ring_.push_back(static_cast<std::uint32_t>(rings_.size()));
+    first_of_arc_.assign(arcs_.size() + 1, 0);
+    for (const Ring& ring : rings_)
+        for (const ArcUse& use : *ring.uses)
+            ++first_of_arc_[use.arc + 1];
+    std::partial_sum(first_of_arc_.begin(), first_of_arc_.end(), first_of_arc_.begin());
+    rings_of_.resize(first_of_arc_.back());
+    std::vector<std::uint32_t> next = first_of_arc_;
+    for (std::uint32_t r = 0; r < rings_.size(); ++r)
+        for (const ArcUse& use : *rings_[r].uses)
+            rings_of_[next[use.arc]++] = r;
+}
+
+void WallRounds::settle() {
+    for (round_ = 0;; ++round_) {
+        const std::vector<std::uint32_t> changed = drawing_.draw();
+        if (changed.empty())
+            return;
+        collect(changed);
+        in_conflict_.assign(in_conflict_.size(), false);
+        for (const auto& [a, b] : check_.conflicts(changed))
+            resolve(a, b);
+        check_deviations(changed);
+        check_areas();
+    }
+}
+
+void WallRounds::collect(const std::vector<std::uint32_t>& changed) {
+    const FinePoint origin = fine(cluster_.contours.front()->exterior.start());
+    for (const std::uint32_t arc : changed) {
+        DrawnChain drawn = drawing_.arc(arc);
+        Int128 twice = 0;
+        for (std::size_t i = 0; i + 1 < drawn.vertices.size(); ++i)
+            twice += turn(origin, drawn.vertices[i], drawn.vertices[i + 1]);
+        areas_[arc] = twice;
+        arcs_[arc] = std::move(drawn.vertices);
+        spans_[arc] = std::move(drawn.arcs);
+        deviations_[arc] = drawn.deviation;
+        for (std::uint32_t k = first_of_arc_[arc]; k < first_of_arc_[arc + 1]; ++k) {
+            const std::uint32_t ring = rings_of_[k];
+            if (!std::exchange(rings_[ring].waits, true))
+                waiting_rings_.push_back(ring);
+        }
+    }
+}
+
+/// A node that has gone so far that an arc on which it stands leaves its trace goes back: the chains that end
+/// there take a simpler form, or the arc's own.
+void WallRounds::check_deviations(const std::vector<std::uint32_t>& changed) {
+    for (const std::uint32_t arc : changed) {
+        if (deviations_[arc] <= options_.tolerance)
+            continue;
+        const std::uint32_t own = graph_.chain_of[arc];
+        bool any = false;
+        for (const std::uint32_t node : graph_.ends[arc])
+            for (std::uint32_t e = graph_.first_end[node]; e < graph_.first_end[node + 1]; ++e) {
+                const std::uint32_t other = graph_.chain_of[graph_.arc_ends[e] / 2];
+                if (other != own && graph_.chains[other].rank >= graph_.chains[own].rank &&
+                    drawing_.form(other) == WallDrawing::Form::fitted) {
+                    simplify(other);
+                    any = true;
+                }
+            }
+        if (!any)
+            simplify(own);
+    }
+}
+
+void WallRounds::simplify(std::uint32_t chain) {
+    while (drawing_.simplify(chain) && round_ >= patient_rounds)
+        continue;
+    in_conflict_[graph_.part_of[chain]] = true;
+}
+
+/// Of two chains in each other's way the one that was drawn later gives way; of two of one rank, both.
+void WallRounds::resolve(std::uint32_t a, std::uint32_t b) {
+    using Form = WallDrawing::Form;
+    const bool a_fixed = drawing_.form(a) == Form::traced;
+    const bool b_fixed = drawing_.form(b) == Form::traced;
+    const bool settled = drawing_.drawn(a) == Form::traced && drawing_.drawn(b) == Form::traced;
+    const int rank_a = graph_.chains[a].rank;
+    const int rank_b = graph_.chains[b].rank;
+    if (!a_fixed && (b_fixed || rank_a >= rank_b))
+        simplify(a);
+    if (!b_fixed && a != b && (a_fixed || rank_b >= rank_a))
+        simplify(b);
+    // Others have brought them into each other's way.
+    if (settled)
+        for (const std::uint32_t chain : {a, b})
+            trace_part(graph_.part_of[chain]);
+}
+
+void WallRounds::trace_part(std::uint32_t part) {
+    for (std::uint32_t c = 0; c < graph_.chains.size(); ++c)
+        while (graph_.part_of[c] == part && drawing_.simplify(c))
+            in_conflict_[part] = true;
+}
+
+void WallRounds::append(FineRing& to, const ArcUse& use, std::uint32_t number,
+                        std::vector<ArcSpan>& ring_spans) const {
+    const std::vector<FinePoint>& points = arcs_[use.arc];
+    const auto begin = static_cast<std::uint32_t>(to.size());
+    const auto last = static_cast<std::uint32_t>(points.size() - 1);
+    for (const ArcSpan& span : spans_[use.arc])
+        ring_spans.push_back(
+            {number, begin + (use.reversed ? last - span.first - span.edges : span.first), span.edges});
+    if (use.reversed)
+        to.insert(to.end(), points.rbegin(), points.rend() - 1);
+    else
+        to.insert(to.end(), points.begin(), points.end() - 1);
+}
+
+WallOutline WallRounds::outline(std::size_t contour) const {
+    WallOutline result{{}, {true, 0, 0}};
+    Int128 twice = 0;
+    std::int64_t traced = 0;
+    const std::uint32_t first = first_ring_[contour];
+    for (std::uint32_t r = first; r < first_ring_[contour + 1]; ++r) {
+        const Ring& ring = rings_[r];
+        FineRing& points = r == first ? result.polygon.exterior : result.polygon.interiors.emplace_back();
+        for (const ArcUse& use : *ring.uses) {
+            append(points, use, r - first, result.polygon.arcs);
+            result.quality.deviation = std::max(result.quality.deviation, deviations_[use.arc]);
+            if (r == first && drawing_.form(graph_.chain_of[use.arc]) != WallDrawing::Form::fitted)
+                result.quality.fitted = false;
+        }
+        twice += twice_area(*ring.uses);
+        traced += ring.traced;
+    }
+    constexpr double unit = 2.0 * FinePoint::steps * FinePoint::steps;
+    result.quality.area_change = static_cast<double>(twice) / unit / static_cast<double>(traced) - 1;
+    return result;
+}
+
+}  // namespace d2b

@@ -1,0 +1,173 @@
+#include <algorithm>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "outline/outline_checks.hpp"
+#include "outline/packed_outline.hpp"
+#include "outline/walls.hpp"
+#include "support/trace_grid.hpp"
+
+namespace d2b {
+namespace {
+
+using test::trace_grid;
+using test::TraceGrid;
+
+/// Contours of a grid without the roots, as detection leaves them.
+std::vector<Contour> without_roots(const ContourSet& set) {
+    std::vector<Contour> contours;
+    std::int64_t roots = 0;
+    for (const Contour& contour : set.contours) {
+        if (contour.key.level == 0) {
+            ++roots;
+            continue;
+        }
+        Contour kept = contour;
+        kept.parent = kept.key.level == 1 ? -1 : kept.parent - roots;
+        contours.push_back(kept);
+    }
+    return contours;
+}
+
+void raise(TraceGrid& grid, LatticeBox box, double z) {
+    for (std::int32_t row = box.low.row; row < box.high.row; ++row)
+        for (std::int32_t col = box.low.col; col < box.high.col; ++col)
+            grid.z[static_cast<std::size_t>(row * grid.cols + col)] = z;
+}
+
+/// Two houses of 12 x 12 cells with so many cells between them.
+std::vector<Contour> two_houses(std::int32_t gap, bool with_tower = false) {
+    TraceGrid grid{20, 28 + gap, {}, {}};
+    grid.z.assign(static_cast<std::size_t>(grid.rows) * static_cast<std::size_t>(grid.cols), 0);
+    raise(grid, {{4, 2}, {16, 14}}, 10);
+    raise(grid, {{4, 14 + gap}, {16, 26 + gap}}, 10);
+    if (with_tower)
+        raise(grid, {{9, 7}, {11, 9}}, 20);
+    Context context;
+    return without_roots(trace_grid(grid, {5, 15}, {}, context));
+}
+
+TEST(WallClusters, HousesACellApartAreTogetherAndFarOnesAreNot) {
+    EXPECT_EQ(wall_clusters(two_houses(1), {}).size(), 1U);
+    EXPECT_EQ(wall_clusters(two_houses(20), {}).size(), 2U);
+    // Both walls may leave their traces by 1.5 cells.
+    EXPECT_EQ(wall_clusters(two_houses(3), {}).size(), 1U);
+    EXPECT_EQ(wall_clusters(two_houses(5), {}).size(), 2U);
+}
+
+TEST(WallClusters, WideCellsReachFewerColumns) {
+    const WallOptions wide{Walls::automatic, 1.5, {{2, 0}, {0, 0.5}}};
+    EXPECT_EQ(wall_clusters(two_houses(1), wide).size(), 1U);
+    EXPECT_EQ(wall_clusters(two_houses(3), wide).size(), 2U);
+}
+
+TEST(WallClusters, WhatStandsOnAHouseIsWithIt) {
+    const std::vector<Contour> contours = two_houses(20, true);
+    ASSERT_EQ(contours.size(), 3U);
+    const std::vector<WallCluster> clusters = wall_clusters(contours, {});
+    ASSERT_EQ(clusters.size(), 2U);
+    EXPECT_EQ(clusters[0].numbers, (std::vector<std::uint32_t>{0, 2}));
+    EXPECT_EQ(clusters[0].parents, (std::vector<std::int32_t>{-1, 0}));
+    EXPECT_EQ(clusters[0].contours[1], &contours[2]);
+    EXPECT_EQ(clusters[1].numbers, (std::vector<std::uint32_t>{1}));
+    EXPECT_EQ(fit_walls(clusters[0], {}).footprints.size(), 1U);
+    EXPECT_TRUE(fit_walls(clusters[1], {}).footprints.empty());
+}
+
+/// Ragged houses of some levels all over a grid.
+std::vector<Contour> village(unsigned seed) {
+    std::mt19937 random(seed);
+    TraceGrid grid{150, 150, std::vector<double>(150 * 150, 0), {}};
+    for (int house = 0; house < 40; ++house) {
+        const LatticePoint at{static_cast<std::int32_t>(random() % 130),
+                              static_cast<std::int32_t>(random() % 130)};
+        const auto rows = static_cast<std::int32_t>(4 + random() % 14);
+        const auto cols = static_cast<std::int32_t>(4 + random() % 14);
+        for (std::int32_t row = 0; row < rows; ++row)
+            raise(grid,
+                  {{at.row + row, at.col + row / 3 % 2},
+                   {at.row + row + 1, at.col + cols + static_cast<std::int32_t>(random() % 3)}},
+                  10.0 + 10.0 * static_cast<double>(house % 3));
+    }
+    Context context;
+    return without_roots(trace_grid(grid, {5, 15, 25}, {}, context));
+}
+
+void expect_same(const FinePolygon& a, const FinePolygon& b) {
+    EXPECT_EQ(a.exterior, b.exterior);
+    EXPECT_EQ(a.interiors, b.interiors);
+}
+
+class Village : public testing::TestWithParam<unsigned> {};
+
+TEST_P(Village, IsTheSameWithAnyNumberOfThreads) {
+    const std::vector<Contour> contours = village(GetParam());
+    Executor one(1);
+    const RegularOutlines alone(contours, {}, one);
+    for (const int threads : {2, 5}) {
+        Executor several(threads);
+        const RegularOutlines shared(contours, {}, several);
+        for (std::size_t i = 0; i < contours.size(); ++i) {
+            expect_same(shared.polygon(i), alone.polygon(i));
+            EXPECT_EQ(shared.quality(i).deviation, alone.quality(i).deviation);
+            if (contours[i].key.level == 1)
+                expect_same(shared.footprint(i), alone.footprint(i));
+        }
+    }
+}
+
+TEST_P(Village, AClusterAloneIsDrawnAsAmongAll) {
+    const std::vector<Contour> contours = village(GetParam());
+    Executor executor(2);
+    const RegularOutlines all(contours, {}, executor);
+    const std::vector<WallCluster> clusters = wall_clusters(contours, {});
+    ASSERT_GT(clusters.size(), 2U);
+    for (const WallCluster& cluster : clusters) {
+        std::vector<Contour> own;
+        for (std::size_t i = 0; i < cluster.contours.size(); ++i) {
+            own.push_back(*cluster.contours[i]);
+            own.back().parent = cluster.parents[i];
+        }
+        ASSERT_EQ(wall_clusters(own, {}).size(), 1U);
+        const RegularOutlines alone(own, {}, executor);
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            expect_same(alone.polygon(i), all.polygon(cluster.numbers[i]));
+            expect_same(alone.traced(i), all.traced(cluster.numbers[i]));
+            if (own[i].key.level == 1)
+                expect_same(alone.footprint(i), all.footprint(cluster.numbers[i]));
+        }
+    }
+}
+
+TEST_P(Village, FootprintsAreThoseOfTheLowLevelsAlone) {
+    const std::vector<Contour> contours = village(GetParam());
+    std::vector<Contour> low;
+    for (const Contour& contour : contours)
+        if (contour.key.level == 1)
+            low.push_back(contour);
+    Executor executor;
+    const RegularOutlines all(contours, {}, executor);
+    const RegularOutlines alone(low, {}, executor);
+    for (std::size_t i = 0; i < low.size(); ++i) {
+        expect_same(all.footprint(i), alone.polygon(i));
+        EXPECT_EQ(all.footprint_quality(i).fitted, alone.quality(i).fitted);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, Village, testing::Range(0U, 6U));
+
+TEST(PackedOutline, GivesBackWhatWasPutIn) {
+    const FinePolygon polygon{{{-5, 7}, {1LL << 40, -(1LL << 39)}, {1024, 2048}},
+                              {{{0, 0}, {63, -64}, {64, -65}}},
+                              {{1, 0, 4000000000U}}};
+    const FinePolygon back = PackedOutline(polygon).polygon();
+    expect_same(back, polygon);
+    ASSERT_EQ(back.arcs.size(), 1U);
+    EXPECT_EQ(back.arcs[0].ring, 1U);
+    EXPECT_EQ(back.arcs[0].edges, 4000000000U);
+    EXPECT_TRUE(PackedOutline(FinePolygon{}).polygon().exterior.empty());
+}
+
+}  // namespace
+}  // namespace d2b
