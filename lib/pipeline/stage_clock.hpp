@@ -16,8 +16,12 @@ class StageClock {
     StageClock(const StageClock&) = delete;
     StageClock& operator=(const StageClock&) = delete;
     ~StageClock() {
-        tally_.seconds[stage_] +=
+        constexpr double worth_a_call = 1e-3;  // memory does not grow unseen in less
+        const double seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+        tally_.seconds[stage_] += seconds;
+        if (seconds < worth_a_call && tally_.peak_memory_bytes[stage_] > 0)
+            return;
         rusage usage{};
         getrusage(RUSAGE_SELF, &usage);
         tally_.peak_memory_bytes[stage_] = static_cast<std::int64_t>(usage.ru_maxrss) * 1024;

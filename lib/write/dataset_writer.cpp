@@ -94,26 +94,35 @@ void DatasetWriter::begin(const std::string& path, Mode mode, std::span<const La
         open_layer(specs_[i]);
     if (mode == Mode::create) {
         make_tables();
+        put_indices_off();
         return;
     }
     // A driver that still had layers or metadata to write at its end would write them after a rollback, too.
     OgrCall call(target_);
     GDALFlushCache(dataset_.get());
     call.check(true, "creating the layers");
+    put_indices_off();
 }
 
 void DatasetWriter::make_tables() {
-    if (!transactions_ || layers_.size() < 2)
+    if (!transactions_)
         return;
     // SQL drivers make the table of a layer when it is first used, in the order of the features, which is
-    // not that of the layers. Reading makes it too, and leaves spatial indices, which are quicker made at the
-    // end, for later.
+    // not that of the layers. Reading makes it too, and leaves spatial indices for later.
     OgrCall call(target_);
     for (const LayerWriter& layer : layers_) {
         OGR_L_ResetReading(layer.handle());
         const FeatureHandle none(OGR_L_GetNextFeature(layer.handle()));
     }
     call.check(true, "creating the layers");
+}
+
+void DatasetWriter::put_indices_off() {
+    const NameValueList chosen(options_.layer_options);
+    if (format_.name != "GPKG" || !transactions_ || mode_ == Mode::extend || chosen.has("SPATIAL_INDEX"))
+        return;
+    for (LayerWriter& layer : layers_)
+        layer.index_at_end(dataset_.get());
 }
 
 void DatasetWriter::remove_layer(const std::string& name) {
@@ -190,8 +199,10 @@ void DatasetWriter::write_pending() {
 
 void DatasetWriter::close() {
     write_pending();
-    for (const LayerWriter& layer : layers_)
+    for (LayerWriter& layer : layers_) {
+        layer.finish();
         counts_.emplace_back(layer.name(), layer.expected());
+    }
     if (in_transaction_ && mode_ != Mode::create)
         check_counts(target_, dataset_.get(), counts_);
     commit();

@@ -41,6 +41,7 @@ class DatasetWriter {
   private:
     void open(const std::string& path, Mode mode);
     void make_tables();
+    void put_indices_off();
     void start_transaction();
     void commit();
     void remove_layer(const std::string& name);

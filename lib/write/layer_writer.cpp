@@ -48,6 +48,16 @@ LayerWriter LayerWriter::adopt(OGRLayerH layer, const LayerSpec& spec, const Lay
     return writer;
 }
 
+void LayerWriter::index_at_end(GDALDatasetH dataset) {
+    index_ = SpatialIndex::begin(dataset, layer_, *target_);
+}
+
+void LayerWriter::finish() {
+    if (index_)
+        index_->finish();
+    index_.reset();
+}
+
 void LayerWriter::set(int field, const FieldValue& value) {
     OGRFeatureH feature = feature_.get();
     if (const auto* integer = std::get_if<std::int64_t>(&value))
@@ -79,6 +89,8 @@ void LayerWriter::add(const Feature& feature) {
     }
     done = done && OGR_L_CreateFeature(layer_, feature_.get()) == OGRERR_NONE;
     call.check(done, doing_);
+    if (index_)
+        index_->add(OGR_F_GetFID(feature_.get()), feature.parts);
     ++expected_;
 }
 

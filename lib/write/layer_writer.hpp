@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "core/options.hpp"
 #include "write/ogr_call.hpp"
 #include "write/ogr_handles.hpp"
+#include "write/spatial_index.hpp"
 #include "write/vector_format.hpp"
 #include "write/wkb.hpp"
 
@@ -29,8 +31,12 @@ class LayerWriter {
     /// A layer that is there. @throws OutputError where its fields, geometries or CRS do not fit
     static LayerWriter adopt(OGRLayerH layer, const LayerSpec& spec, const LayerSetting& setting);
 
+    /// Of a new layer of a GeoPackage that is empty yet: its index is made when it is finished.
+    void index_at_end(GDALDatasetH dataset);
     /// @throws OutputError
     void add(const Feature& feature);
+    /// After the last feature. @throws OutputError
+    void finish();
 
     [[nodiscard]] const std::string& name() const { return name_; }  ///< as the driver calls it
     /// Features that the layer should hold now.
@@ -51,6 +57,7 @@ class LayerWriter {
     std::int64_t next_fid_ = OGRNullFID;  ///< where the driver does not put new features at the end by itself
     FeatureHandle feature_;
     MultiPolygonWkb wkb_;
+    std::optional<SpatialIndex> index_;
 };
 
 }  // namespace d2b

@@ -1,0 +1,185 @@
+#include "write/spatial_index.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace d2b {
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+float below(double value) {
+    const auto near = static_cast<float>(value);
+    return static_cast<double>(near) > value ? std::nextafter(near, -infinity) : near;
+}
+
+float above(double value) {
+    const auto near = static_cast<float>(value);
+    return static_cast<double>(near) < value ? std::nextafter(near, infinity) : near;
+}
+
+/// An SQL identifier or text, in quotes of this kind.
+std::string quoted(const std::string& text, char quote) {
+    std::string result(1, quote);
+    for (const char c : text)
+        result.append(c == quote ? 2 : 1, c);
+    return result + quote;
+}
+
+/// Calls `use` for each row of a query, with its texts. @return whether it could be run
+bool query(GDALDatasetH dataset, const std::string& sql,
+           const std::function<void(const std::vector<std::string>&)>& use) {
+    OGRLayerH rows = GDALDatasetExecuteSQL(dataset, sql.c_str(), nullptr, nullptr);
+    if (rows == nullptr)
+        return false;
+    while (const FeatureHandle row{OGR_L_GetNextFeature(rows)}) {
+        std::vector<std::string> texts;
+        for (int i = 0; i < OGR_F_GetFieldCount(row.get()); ++i)
+            texts.emplace_back(OGR_F_GetFieldAsString(row.get(), i));
+        use(texts);
+    }
+    GDALDatasetReleaseResultSet(dataset, rows);
+    return true;
+}
+
+void append_hex(std::string& text, const std::vector<std::byte>& bytes) {
+    static constexpr std::string_view digits = "0123456789ABCDEF";
+    constexpr unsigned nibble = 4;
+    constexpr unsigned low = 15;
+    for (const std::byte byte : bytes) {
+        text += digits[std::to_integer<unsigned>(byte) >> nibble];
+        text += digits[std::to_integer<unsigned>(byte) & low];
+    }
+}
+
+/// Gathers rows into statements of some size.
+class Inserts {
+  public:
+    Inserts(std::string head, std::function<void(const std::string&)> run)
+        : head_(std::move(head)), run_(std::move(run)) {}
+
+    void add(const std::string& row) {
+        constexpr std::size_t most = 1 << 16;
+        sql_ += sql_.empty() ? head_ + "(" : ",(";
+        sql_ += row + ")";
+        if (sql_.size() > most)
+            flush();
+    }
+    void flush() {
+        if (!sql_.empty())
+            run_(sql_);
+        sql_.clear();
+    }
+
+  private:
+    std::string head_;
+    std::function<void(const std::string&)> run_;
+    std::string sql_;
+};
+
+}  // namespace
+
+bool SpatialIndex::run(const std::string& sql) const {
+    const GdalMessages messages;
+    if (OGRLayerH rows = GDALDatasetExecuteSQL(dataset_, sql.c_str(), nullptr, nullptr))
+        GDALDatasetReleaseResultSet(dataset_, rows);
+    return !messages.failed();
+}
+
+std::optional<SpatialIndex> SpatialIndex::begin(GDALDatasetH dataset, OGRLayerH layer,
+                                                const WriteTarget& target) {
+    const GdalMessages quiet;
+    const std::string table = OGR_L_GetName(layer);
+    const std::string column = OGR_L_GetGeometryColumn(layer);
+    SpatialIndex index(dataset, target);
+    index.name_ = "rtree_" + table + "_" + column;
+    const std::string nodes = quoted(index.name_ + "_node", '"');
+    const auto look_at_root = [&] {
+        query(dataset, "SELECT length(data) FROM " + nodes + " WHERE nodeno = 1",
+              [&](const auto& row) { index.node_bytes_ = std::stoul(row[0]); });
+        return index.node_bytes_ > 0;
+    };
+    // GDAL makes indices that it has put off before it runs any SQL; if not, it is asked to.
+    if (!look_at_root() &&
+        !(index.run("SELECT CreateSpatialIndex(" + quoted(table, '\'') + ", " + quoted(column, '\'') + ")") &&
+          look_at_root()))
+        return std::nullopt;
+    // Where SQLite defends its own tables, they cannot be written.
+    if (!index.run("UPDATE " + nodes + " SET data = data WHERE nodeno = 1"))
+        return std::nullopt;
+    index.rest_triggers(table);
+    return index;
+}
+
+void SpatialIndex::rest_triggers(const std::string& table) {
+    std::vector<std::string> names;
+    query(dataset_,
+          "SELECT name, sql FROM sqlite_master WHERE type = 'trigger' AND tbl_name = " + quoted(table, '\'') +
+              " ORDER BY rowid",
+          [&](const auto& row) {
+              if (!row[0].starts_with(name_))
+                  return;
+              names.push_back(row[0]);
+              triggers_.push_back(row[1]);
+          });
+    for (const std::string& name : names)
+        static_cast<void>(run("DROP TRIGGER " + quoted(name, '"')));
+}
+
+void SpatialIndex::add(std::int64_t id, const std::vector<WorldPolygon>& parts) {
+    double low_x = std::numeric_limits<double>::infinity();
+    double low_y = low_x;
+    double high_x = -low_x;
+    double high_y = -low_x;
+    for (const WorldPolygon& part : parts)
+        for (const Position& p : part.exterior) {
+            low_x = std::min(low_x, p.x);
+            high_x = std::max(high_x, p.x);
+            low_y = std::min(low_y, p.y);
+            high_y = std::max(high_y, p.y);
+        }
+    boxes_.push_back({id, below(low_x), above(high_x), below(low_y), above(high_y)});
+}
+
+void SpatialIndex::fill(const PackedRtree& tree) const {
+    const auto insert = [&](const std::string& sql) {
+        OgrCall call(*target_);
+        call.check(run(sql), "filling the spatial index");
+    };
+    const auto head = [&](const char* table) {
+        return "INSERT INTO " + quoted(name_ + table, '"') + " VALUES ";
+    };
+    Inserts entries(head("_rowid"), insert);
+    for (const PackedRtree::Entry& entry : tree.entries)
+        entries.add(std::to_string(entry.id) + "," + std::to_string(entry.leaf));
+    entries.flush();
+    Inserts nodes("INSERT OR REPLACE INTO " + quoted(name_ + "_node", '"') + " VALUES ", insert);
+    Inserts parents(head("_parent"), insert);
+    for (const PackedRtree::Node& node : tree.nodes) {
+        std::string row = std::to_string(node.number) + ",X'";
+        append_hex(row, node.bytes);
+        nodes.add(row + "'");
+        if (node.parent != 0)
+            parents.add(std::to_string(node.number) + "," + std::to_string(node.parent));
+    }
+    nodes.flush();
+    parents.flush();
+}
+
+void SpatialIndex::finish() {
+    // What has filled it meanwhile in spite of all will have done it well.
+    bool empty = true;
+    query(dataset_, "SELECT 1 FROM " + quoted(name_ + "_rowid", '"') + " LIMIT 1",
+          [&](const auto&) { empty = false; });
+    if (empty && !boxes_.empty())
+        fill(pack_rtree(std::move(boxes_), node_bytes_));
+    for (const std::string& sql : triggers_) {
+        OgrCall call(*target_);
+        call.check(run(sql), "keeping the spatial index up to date");
+    }
+}
+
+}  // namespace d2b

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/feature_sink.hpp"
+#include "write/ogr_call.hpp"
+#include "write/ogr_handles.hpp"
+#include "write/packed_rtree.hpp"
+
+namespace d2b {
+
+/// The spatial index of a new layer of a GeoPackage, made in one go when all features are there. GDAL
+/// declares it on the empty table, so that what others see is GDAL's own; its triggers rest until it is
+/// filled.
+class SpatialIndex {
+  public:
+    /// @returns nothing where GDAL or SQLite does not allow it; then all is as it was, and GDAL makes the
+    /// index
+    [[nodiscard]] static std::optional<SpatialIndex> begin(GDALDatasetH dataset, OGRLayerH layer,
+                                                           const WriteTarget& target);
+
+    void add(std::int64_t id, const std::vector<WorldPolygon>& parts);
+    /// @throws OutputError
+    void finish();
+
+  private:
+    SpatialIndex(GDALDatasetH dataset, const WriteTarget& target) : dataset_(dataset), target_(&target) {}
+
+    [[nodiscard]] bool run(const std::string& sql) const;
+    void rest_triggers(const std::string& table);
+    void fill(const PackedRtree& tree) const;
+
+    GDALDatasetH dataset_;
+    const WriteTarget* target_;
+    std::string name_;  ///< of the virtual table
+    std::size_t node_bytes_ = 0;
+    std::vector<std::string> triggers_;  ///< that have to be created again
+    std::vector<IndexedBox> boxes_;
+};
+
+}  // namespace d2b
