@@ -23,6 +23,14 @@ struct Grid {
         prefer_large_pages(values.data(), values.capacity() * sizeof(T));
         values.resize(index(rows, 0), value);
     }
+    /// The same sooner, where the memory comes from the system.
+    Grid(std::int32_t row_count, std::int32_t col_count, T value, Executor& threads)
+        : rows(row_count), cols(col_count) {
+        values.reserve(index(rows, 0));
+        prefer_large_pages(values.data(), values.capacity() * sizeof(T));
+        get_pages(values.data(), values.capacity() * sizeof(T), threads);
+        values.resize(index(rows, 0), value);
+    }
 
     [[nodiscard]] std::size_t size() const { return values.size(); }
     [[nodiscard]] bool holds(std::int32_t row, std::int32_t col) const {

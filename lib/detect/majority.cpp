@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "core/row_bands.hpp"
@@ -102,13 +103,16 @@ void vote(const Mask& now, const Mask& elevated, Radius radius, Shares shares, R
         const std::span<const std::uint8_t> is = now.row(r);
         const std::span<const std::uint8_t> may = elevated.row(r);
         const std::span<std::uint8_t> out = next.row(r);
+        // A hundred times half a number fits into the number. Nothing branches: several cells are done at once.
+        using Signed = std::make_signed_t<Pair>;
+        const auto keep = static_cast<Signed>(shares.keep);
+        const auto gain = static_cast<Signed>(shares.gain);
         for (std::size_t c = 0; c < out.size(); ++c) {
-            if (may[c] == 0)
-                continue;
-            const auto buildings = static_cast<std::int64_t>(counts[c] >> WindowCounts<Pair>::half);
-            const auto all = static_cast<std::int64_t>(
-                counts[c] & (std::numeric_limits<Pair>::max() >> WindowCounts<Pair>::half));
-            out[c] = 100 * buildings > (is[c] != 0 ? shares.keep : shares.gain) * all ? 1 : 0;
+            const auto buildings = static_cast<Signed>(counts[c] >> WindowCounts<Pair>::half);
+            const auto all =
+                static_cast<Signed>(counts[c] & (std::numeric_limits<Pair>::max() >> WindowCounts<Pair>::half));
+            const Signed share = is[c] != 0 ? keep : gain;
+            out[c] = static_cast<std::uint8_t>(may[c] & (100 * buildings > share * all ? 1 : 0));
         }
     }
 }
@@ -119,7 +123,7 @@ Mask voted(const Mask& now, const Mask& elevated, double reach_m, const CellSize
     const std::int64_t largest = (2 * std::int64_t{radius.up} + 1) * (2 * std::int64_t{radius.side} + 1);
     const auto vote_in =
         largest <= std::numeric_limits<std::uint16_t>::max() ? vote<std::uint32_t> : vote<std::uint64_t>;
-    Mask next(now.rows, now.cols);
+    Mask next(now.rows, now.cols, 0, threads);
     // A band begins by counting the rows of its first window.
     const std::int32_t least = 8 * std::min(radius.up, now.rows);
     for_row_bands(
@@ -137,7 +141,8 @@ Mask grow_by_majority(Mask seeds, const Mask& elevated, const CellSize& cell, Ex
 }
 
 Mask smooth_border(const Mask& mask, const Mask& within, const CellSize& cell, Executor& threads) {
-    Mask result = voted(mask, Mask(mask.rows, mask.cols, 1), border_reach_m, cell, border_shares, threads);
+    Mask result =
+        voted(mask, Mask(mask.rows, mask.cols, 1, threads), border_reach_m, cell, border_shares, threads);
     for_row_bands(threads, mask.rows, mask.cols, [&](RowBand band) {
         for (std::size_t i = mask.index(band.begin, 0); i < mask.index(band.end, 0); ++i)
             result.values[i] &= within.values[i];

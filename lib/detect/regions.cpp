@@ -115,11 +115,13 @@ void edge_links(const Mask& mask, std::int32_t r, std::uint8_t value, std::vecto
     links.resize(static_cast<std::size_t>(mask.cols));
     const std::span<const std::uint8_t> here = mask.row(r);
     const std::span<const std::uint8_t> up = mask.row(std::max(r - 1, 0));
-    const int other = value ^ 1;
-    const int has_up = r > 0 ? link_up : 0;
+    const std::uint8_t other = value ^ 1;
+    const std::uint8_t has_up = r > 0 ? 1 : 0;
+    static_assert(link_in == 1 && link_left == 2 && link_up == 4);
+    // Bytes and shifts alone, so that many cells are done at once.
     const auto link = [&](std::size_t c, int left) {
         const int in = here[c] ^ other;
-        return static_cast<std::uint8_t>(in * (link_in + left * link_left + (up[c] ^ other) * has_up));
+        return static_cast<std::uint8_t>(in | (in & left) << 1 | (in & (up[c] ^ other) & has_up) << 2);
     };
     if (!links.empty())
         links[0] = link(0, 0);
@@ -159,7 +161,7 @@ std::vector<LabelRange> label_ranges(const Regions& regions) {
 }
 
 Mask mask_of(const Regions& regions, Executor& threads) {
-    Mask result(regions.rows, regions.cols);
+    Mask result(regions.rows, regions.cols, 0, threads);
     for_row_bands(threads, regions.rows, regions.cols, [&](RowBand band) {
         for (std::int32_t r = band.begin; r < band.end; ++r)
             for (const RegionRun& run : regions.row(r))
@@ -170,7 +172,7 @@ Mask mask_of(const Regions& regions, Executor& threads) {
 }
 
 Grid<Label> label_grid(const Regions& regions, std::span<const Label> number, Executor& threads) {
-    Grid<Label> result(regions.rows, regions.cols);
+    Grid<Label> result(regions.rows, regions.cols, 0, threads);
     for_row_bands(threads, regions.rows, regions.cols, [&](RowBand band) {
         for (std::int32_t r = band.begin; r < band.end; ++r)
             for (const RegionRun& run : regions.row(r))

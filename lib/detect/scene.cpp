@@ -11,7 +11,7 @@ double Scene::side() const {
 }
 
 Mask elevated_cells(const Scene& scene, double min_height, Executor& threads) {
-    Mask result(scene.surface.rows, scene.surface.cols);
+    Mask result(scene.surface.rows, scene.surface.cols, 0, threads);
     const auto least = static_cast<float>(min_height);
     for_row_bands(threads, result.rows, result.cols, [&](RowBand band) {
         const std::size_t begin = result.index(band.begin, 0);

@@ -74,7 +74,7 @@ void flag_row(const MetreGrid& surface, std::int32_t r, const Thresholds& thresh
 
 Grid<std::uint8_t> smoothness(const MetreGrid& surface, double side, double noise, Executor& threads) {
     const Thresholds thresholds(side, noise);
-    Grid<std::uint8_t> result(surface.rows, surface.cols);
+    Grid<std::uint8_t> result(surface.rows, surface.cols, 0, threads);
     for_row_bands(threads, surface.rows, surface.cols, [&](RowBand band) {
         for (std::int32_t r = band.begin; r < band.end; ++r)
             flag_row(surface, r, thresholds, result.row(r));

@@ -26,14 +26,14 @@ Factor factor_for(const CellSize& cell, double wanted) {
     return {cells(cell.down), cells(cell.across)};
 }
 
-AlignedGrid blocks_of(const AlignedGrid& fine, Factor factor, float value) {
+AlignedGrid blocks_of(const AlignedGrid& fine, Factor factor, float value, Executor& threads) {
     AlignedGrid blocks;
     blocks.first_row = block_of(fine.first_row, factor.down);
     blocks.first_col = block_of(fine.first_col, factor.across);
     blocks.cell = {fine.cell.across * factor.across, fine.cell.down * factor.down};
-    blocks.grid =
-        MetreGrid(block_of(fine.first_row + fine.grid.rows - 1, factor.down) - blocks.first_row + 1,
-                  block_of(fine.first_col + fine.grid.cols - 1, factor.across) - blocks.first_col + 1, value);
+    blocks.grid = MetreGrid(
+        block_of(fine.first_row + fine.grid.rows - 1, factor.down) - blocks.first_row + 1,
+        block_of(fine.first_col + fine.grid.cols - 1, factor.across) - blocks.first_col + 1, value, threads);
     return blocks;
 }
 
@@ -66,7 +66,7 @@ void spread_blocks(std::span<const float> blocks, std::int32_t first, std::int32
 
 AlignedGrid lowest_of_blocks(const AlignedGrid& shape, const MetreGrid& values, Factor factor,
                              Executor& threads) {
-    AlignedGrid blocks = blocks_of(shape, factor, no_value);
+    AlignedGrid blocks = blocks_of(shape, factor, no_value, threads);
     const auto cols = static_cast<std::size_t>(values.cols);
     for_row_bands(threads, blocks.grid.rows, values.cols, [&](RowBand band) {
         std::vector<float> lowest(cols);

@@ -36,7 +36,7 @@ inline constexpr Factor twice{2, 2};  ///< from a level of a pyramid to the next
 [[nodiscard]] Factor factor_for(const CellSize& cell, double wanted);
 
 /// An empty grid of the blocks that cover `fine`.
-[[nodiscard]] AlignedGrid blocks_of(const AlignedGrid& fine, Factor factor, float value);
+[[nodiscard]] AlignedGrid blocks_of(const AlignedGrid& fine, Factor factor, float value, Executor& threads);
 
 /// Lowers blocks to the lowest of a row of cells; NaN and `no_value` lower nothing.
 /// @param first number of the row's first cell on the raster's grid; blocks begin with the one that holds it

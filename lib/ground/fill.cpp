@@ -1,7 +1,7 @@
 #include "ground/fill.hpp"
 
 #include <algorithm>
-#include <atomic>
+#include <bit>
 #include <cmath>
 #include <span>
 #include <utility>
@@ -12,22 +12,11 @@
 namespace d2b::ground {
 namespace {
 
-/// 1 where a cell has no value; empty where all have one.
 using Gaps = Grid<std::uint8_t>;
 
-Gaps gaps_of(const MetreGrid& grid, Executor& threads) {
-    Gaps gaps(grid.rows, grid.cols);
-    std::atomic<bool> any = false;
-    for_row_bands(threads, grid.rows, grid.cols, [&](RowBand band) {
-        std::uint8_t found = 0;
-        for (std::size_t k = grid.index(band.begin, 0); k < grid.index(band.end, 0); ++k) {
-            gaps.values[k] = grid.values[k] == no_value ? 1 : 0;
-            found = found | gaps.values[k];
-        }
-        if (found != 0)
-            any = true;
-    });
-    return any ? std::move(gaps) : Gaps();
+void mark_gaps(std::span<const float> cells, std::span<std::uint8_t> gaps) {
+    for (std::size_t j = 0; j < cells.size(); ++j)
+        gaps[j] = cells[j] == no_value ? 1 : 0;
 }
 
 /// Adds a row of cells to the sums and numbers of its blocks of two.
@@ -50,23 +39,37 @@ void add_row(std::span<const float> cells, bool odd, std::span<float> sums, std:
         add(first + 2 * pairs, first + pairs);
 }
 
-/// The mean of each block's values; `no_value` where it has none.
-AlignedGrid means_of_blocks(const AlignedGrid& fine, Executor& threads) {
-    AlignedGrid coarse = blocks_of(fine, twice, 0.0F);
+/// The mean of each block's values; `no_value` where it has none. Marks the gaps of the cells as well.
+/// @param means of blocks_of(fine), any values
+void take_means(const AlignedGrid& fine, AlignedGrid& means, Gaps& gaps, Executor& threads) {
     const bool odd = block_of(fine.first_col, 2) * 2 != fine.first_col;
-    for_row_bands(threads, coarse.grid.rows, fine.grid.cols, [&](RowBand band) {
-        std::vector<float> counts(static_cast<std::size_t>(coarse.grid.cols));
+    for_row_bands(threads, means.grid.rows, fine.grid.cols, [&](RowBand band) {
+        std::vector<float> counts(static_cast<std::size_t>(means.grid.cols));
         for (std::int32_t row = band.begin; row < band.end; ++row) {
-            const std::int32_t first = 2 * (coarse.first_row + row) - fine.first_row;
-            const auto sums = coarse.grid.row(row);
+            const std::int32_t first = 2 * (means.first_row + row) - fine.first_row;
+            const auto sums = means.grid.row(row);
+            std::fill(sums.begin(), sums.end(), 0.0F);
             std::fill(counts.begin(), counts.end(), 0.0F);
-            for (std::int32_t i = std::max(first, 0); i < std::min(first + 2, fine.grid.rows); ++i)
+            for (std::int32_t i = std::max(first, 0); i < std::min(first + 2, fine.grid.rows); ++i) {
                 add_row(fine.grid.row(i), odd, sums, counts);
+                mark_gaps(fine.grid.row(i), gaps.row(i));
+            }
             for (std::size_t k = 0; k < counts.size(); ++k)
                 sums[k] = counts[k] > 0 ? sums[k] / counts[k] : no_value;
         }
     });
-    return coarse;
+}
+
+bool any_gap(const MetreGrid& grid) {
+    return std::find(grid.values.begin(), grid.values.end(), no_value) != grid.values.end();
+}
+
+/// Makes the pyramid's next level, if it has none of that number yet.
+void add_level(const AlignedGrid& fine, std::size_t level, Pyramid& pyramid, Executor& threads) {
+    if (level < pyramid.coarser.size())
+        return;
+    pyramid.gaps.emplace_back(fine.grid.rows, fine.grid.cols, 0, threads);
+    pyramid.coarser.push_back(blocks_of(fine, twice, 0.0F, threads));
 }
 
 /// The level above between the centres of its cells.
@@ -101,6 +104,14 @@ class FromAbove {
     Between across_;
 };
 
+/// The first value where `first` is 1, the second where it is 0. By bits, as compilers make a branch of a
+/// condition.
+float chosen(std::uint8_t first, float a, float b) {
+    const std::uint32_t mask = 0U - first;
+    return std::bit_cast<float>((std::bit_cast<std::uint32_t>(a) & mask) |
+                                (std::bit_cast<std::uint32_t>(b) & ~mask));
+}
+
 /// Old values of two rows.
 struct TwoRows {
     std::vector<float> above;
@@ -111,26 +122,28 @@ struct TwoRows {
 /// @param gaps_first the row of the gaps that is the grid's first
 void smooth(MetreGrid& grid, const Gaps& gaps, std::int32_t gaps_first, TwoRows& old) {
     const auto cols = static_cast<std::size_t>(grid.cols);
-    auto& [above, here] = old;
-    above.assign(grid.row(0).begin(), grid.row(0).end());
-    here.resize(cols);
+    old.above.assign(grid.row(0).begin(), grid.row(0).end());
+    old.here.resize(cols);
     for (std::int32_t i = 0; i < grid.rows; ++i) {
         float* out = grid.row(i).data();
         const float* below = grid.row(std::min(i + 1, grid.rows - 1)).data();
         const std::uint8_t* open = gaps.row(gaps_first + i).data();
-        std::copy_n(out, cols, here.data());
+        const float* above = old.above.data();
+        float* here = old.here.data();
+        std::copy_n(out, cols, here);
         if (i + 1 == grid.rows)
-            below = here.data();
+            below = here;
         const auto mean = [&](std::size_t j, std::size_t left, std::size_t right) {
             return 0.25F * ((above[j] + below[j]) + (here[left] + here[right]));
         };
-        for (std::size_t j = 1; j + 1 < cols; ++j)
-            out[j] = open[j] ? mean(j, j - 1, j + 1) : out[j];
+        for (std::size_t j = 1; j + 1 < cols; ++j) {
+            out[j] = chosen(open[j], mean(j, j - 1, j + 1), here[j]);
+        }
         if (open[0])
             out[0] = mean(0, 0, std::min<std::size_t>(1, cols - 1));
         if (cols > 1 && open[cols - 1])
             out[cols - 1] = mean(cols - 1, cols - 2, cols - 1);
-        above.swap(here);
+        old.above.swap(old.here);
     }
 }
 
@@ -164,16 +177,17 @@ Between::Between(std::int32_t first, std::int32_t cells, std::int32_t coarse_fir
     }
 }
 
-void fill_gaps(AlignedGrid& surface, int sweeps, Executor& threads) {
-    std::vector<AlignedGrid> coarser;
-    const auto level = [&](std::size_t k) -> AlignedGrid& { return k == 0 ? surface : coarser[k - 1]; };
-    std::vector<Gaps> gaps{gaps_of(surface.grid, threads)};
-    while (gaps.back().size() > 0 && level(coarser.size()).grid.size() > 1) {
-        coarser.push_back(means_of_blocks(level(coarser.size()), threads));
-        gaps.push_back(gaps_of(coarser.back().grid, threads));
+void fill_gaps(AlignedGrid& surface, int sweeps, Pyramid& pyramid, Executor& threads) {
+    const auto level = [&](std::size_t k) -> AlignedGrid& {
+        return k == 0 ? surface : pyramid.coarser[k - 1];
+    };
+    std::size_t levels = 0;
+    for (; level(levels).grid.size() > 1 && any_gap(level(levels).grid); ++levels) {
+        add_level(level(levels), levels, pyramid, threads);
+        take_means(level(levels), pyramid.coarser[levels], pyramid.gaps[levels], threads);
     }
-    for (std::size_t k = coarser.size(); k-- > 0;)
-        fill_level(level(k), gaps[k], level(k + 1), sweeps, threads);
+    for (std::size_t k = levels; k-- > 0;)
+        fill_level(level(k), pyramid.gaps[k], level(k + 1), sweeps, threads);
 }
 
 }  // namespace d2b::ground

@@ -8,11 +8,18 @@
 
 namespace d2b::ground {
 
+/// The coarser levels of a grid whose gaps are filled. Kept from one filling to the next, so that memory is
+/// asked for once.
+struct Pyramid {
+    std::vector<AlignedGrid> coarser;
+    std::vector<Grid<std::uint8_t>> gaps;  ///< 1 where a cell has no value, of the grid itself and each level
+};
+
 /// Fills cells without a value from those around them: means of blocks of 2 x 2 cells, of blocks of those,
 /// and so on up; down again, gaps take the bilinear value of the level above and are smoothed. Far gaps are
 /// filled from coarse blocks, narrow ones from near cells alone.
 /// @param sweeps of smoothing at each level
-void fill_gaps(AlignedGrid& surface, int sweeps, Executor& threads);
+void fill_gaps(AlignedGrid& surface, int sweeps, Pyramid& pyramid, Executor& threads);
 
 /// The value of `coarse` between the centres of its cells, at the centre of each of the `cells` after
 /// `first_col` of a row: the weights for bilinear interpolation, computed once for all rows.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "ground/estimate.hpp"
@@ -78,9 +79,8 @@ Terrain estimate(const MetreGrid& surface, const CellSize& cell, double width, c
     for (const Pit& pit : pits)
         lowest.grid.at(pit.row, pit.col) = lowest_above(pit, lowest, surface, place, factor);
     const AlignedGrid terrain = working_terrain(lowest, width, rules, threads);
-    lowest = {};
     context.progress(0.9);
-    return refine(surface, place, terrain, pits, factor, rules, threads);
+    return refine(surface, place, terrain, pits, factor, rules, std::move(lowest.grid), threads);
 }
 
 double support(const CellSize& cell, double width, const Rules& rules) {

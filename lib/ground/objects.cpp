@@ -13,7 +13,6 @@ namespace {
 
 constexpr double widest_in_cells = 30;
 constexpr double neighbour_slope = 0.5;
-constexpr std::int32_t tile_side = 640;
 constexpr std::int32_t most_around_tile = 60;  ///< or one window's, where that sees farther
 
 Radius in_cells(double metres, const CellSize& cell) {
@@ -33,16 +32,26 @@ std::int32_t reach_of(std::span<const Step> steps) {
     return sum;
 }
 
-/// Lowers the limits of the cells that one opening cut off by more than the windows allow.
-void set_limits(const MetreGrid& before, const MetreGrid& after, float rise, MetreGrid& limits) {
-    const float* old = before.values.data();
-    const float* now = after.values.data();
-    float* out = limits.values.data();
-    for (std::size_t k = 0; k < after.size(); ++k) {
-        const float limit = now[k] + rise;
-        const float lower = limit < out[k] ? limit : out[k];
-        out[k] = old[k] > limit ? lower : out[k];
+/// Lowers the limits of the cells that one opening, from `surface` to `next`, cut off by more than the
+/// windows allow.
+void set_limits(OpenedPart& part, float rise) {
+    for (std::int32_t i = 0; i < part.tile.rows; ++i) {
+        const float* old = part.row(part.surface, i).data();
+        const float* now = part.row(part.next, i).data();
+        const auto out = part.limits.row(i);
+        for (std::size_t j = 0; j < out.size(); ++j) {
+            const float limit = now[j] + rise;
+            const float lower = limit < out[j] ? limit : out[j];
+            out[j] = old[j] > limit ? lower : out[j];
+        }
     }
+}
+
+bool has_gaps(const MetreGrid& grid) {
+    int gaps = 0;
+    for (const float value : grid.values)
+        gaps |= value == no_value ? 1 : 0;
+    return gaps != 0;
 }
 
 void lower_row(std::span<const float> by, std::span<float> limits) {
@@ -63,21 +72,24 @@ MetreGrid open_whole(const MetreGrid& surface, std::span<const Step> steps, Open
                      Executor& threads) {
     const std::vector<Tile> tiles = tiles_of(surface.rows, surface.cols, tile_side);
     MetreGrid left;
+    MetreGrid into;
     while (!steps.empty()) {
         const std::span<const Step> now = first_steps(steps);
         const MetreGrid& from = left.size() == 0 ? surface : left;
-        MetreGrid into(surface.rows, surface.cols);
+        if (into.size() == 0)
+            into = MetreGrid(surface.rows, surface.cols, 0, threads);
         threads.for_each_in_room<OpenedPart>(tiles.size(), [&](std::size_t t, OpenedPart& part) {
             const Tile& tile = tiles[t];
             open_part(from, tile, now, open, part);
-            for (std::int32_t i = tile.row; i < tile.row + tile.rows; ++i) {
-                const auto col = static_cast<std::size_t>(tile.col);
-                const auto opened = part.row(part.surface, i, tile);
-                std::copy(opened.begin(), opened.end(), into.row(i).begin() + tile.col);
-                lower_row(part.row(part.limits, i, tile), limits.row(i).subspan(col, opened.size()));
+            for (std::int32_t i = 0; i < tile.rows; ++i) {
+                const auto opened = part.row(part.surface, i);
+                std::copy(opened.begin(), opened.end(), into.row(tile.row + i).begin() + tile.col);
+                lower_row(
+                    part.limits.row(i),
+                    limits.row(tile.row + i).subspan(static_cast<std::size_t>(tile.col), opened.size()));
             }
         });
-        left = std::move(into);
+        std::swap(left, into);
         steps = steps.subspan(now.size());
     }
     return left;
@@ -128,16 +140,16 @@ Chain chain_of(const Windows& windows, const CellSize& cell) {
 
 void open_part(const MetreGrid& surface, const Tile& tile, std::span<const Step> steps, Opening open,
                OpenedPart& part) {
+    part.tile = tile;
     part.place = widened(tile, reach_of(steps), surface);
     copy_tile(surface, part.place, part.surface);
-    const std::vector<float>& values = part.surface.values;
-    part.workspace.gaps = std::find(values.begin(), values.end(), no_value) != values.end();
-    part.limits.rows = part.place.rows;
-    part.limits.cols = part.place.cols;
-    part.limits.values.assign(values.size(), no_value);
+    part.workspace.gaps = has_gaps(part.surface);
+    part.limits.rows = tile.rows;
+    part.limits.cols = tile.cols;
+    part.limits.values.assign(part.limits.index(tile.rows, 0), no_value);
     for (const Step& step : steps) {
         open(part.surface, step.radius, step.outside, part.workspace, part.next);
-        set_limits(part.surface, part.next, step.rise, part.limits);
+        set_limits(part, step.rise);
         std::swap(part.surface, part.next);
     }
 }

@@ -38,16 +38,16 @@ struct Chain {
 /// A part of a grid without objects up to some width, and the height above which a cell was part of one;
 /// `no_value` where it was of none. Kept from one part to the next, so that memory is asked for once.
 struct OpenedPart {
-    Tile place;  ///< the part that was asked for and what its windows see around it; only the former is right
-    MetreGrid surface;
-    MetreGrid limits;
+    Tile tile;          ///< the part that was asked for
+    Tile place;         ///< and what its windows see around it
+    MetreGrid surface;  ///< of `place`, but right in `tile` alone
+    MetreGrid limits;   ///< of `tile`
     MetreGrid next;
     Workspace workspace;
 
-    /// The values of one of the grids in a row of the part. @param row of the whole grid
-    [[nodiscard]] std::span<const float> row(const MetreGrid& grid, std::int32_t row,
-                                             const Tile& tile) const {
-        return grid.row(row - place.row)
+    /// The surface in a row of the part. @param grid `surface` or `next` @param i from the tile's first row
+    [[nodiscard]] std::span<const float> row(const MetreGrid& grid, std::int32_t i) const {
+        return grid.row(tile.row - place.row + i)
             .subspan(static_cast<std::size_t>(tile.col - place.col), static_cast<std::size_t>(tile.cols));
     }
 };

@@ -11,8 +11,6 @@
 namespace d2b::ground {
 namespace {
 
-constexpr std::int32_t tile_side = 512;
-
 Radius at_least_a_cell(double metres, const CellSize& cell) {
     return {std::max(1, static_cast<std::int32_t>(std::lround(metres / cell.down))),
             std::max(1, static_cast<std::int32_t>(std::lround(metres / cell.across)))};

@@ -15,7 +15,6 @@
 namespace d2b::ground {
 namespace {
 
-constexpr std::int32_t tile_side = 640;
 constexpr float above_all_limits = std::numeric_limits<float>::infinity();
 
 /// What opening by small windows leaves of a surface, but `above_all_limits` where a cell is of a small
@@ -37,22 +36,23 @@ Tile cells_of(const Tile& tile, const AlignedGrid& fine, const AlignedGrid& bloc
 
 SmallOpened open_small(const AlignedGrid& surface, Factor factor, const Windows& windows, Executor& threads) {
     const Chain chain = chain_of(windows, surface.cell);
-    SmallOpened result{MetreGrid(surface.grid.rows, surface.grid.cols), blocks_of(surface, factor, no_value),
-                       chain.next_radius};
+    SmallOpened result{MetreGrid(surface.grid.rows, surface.grid.cols, 0, threads),
+                       blocks_of(surface, factor, no_value, threads), chain.next_radius};
     MetreGrid& blocks = result.blocks.grid;
     const std::vector<Tile> tiles =
         tiles_of(blocks.rows, blocks.cols, tile_side / std::max(factor.down, factor.across));
     threads.for_each_in_room<OpenedPart>(tiles.size(), [&](std::size_t t, OpenedPart& part) {
         const Tile cells = cells_of(tiles[t], surface, result.blocks, factor);
         open_part(surface.grid, cells, chain.steps, opened_by_rectangle, part);
-        for (std::int32_t i = cells.row; i < cells.row + cells.rows; ++i) {
-            const auto opened = part.row(part.surface, i, cells);
-            const auto limits = part.row(part.limits, i, cells);
-            const float* z = surface.grid.row(i).data() + cells.col;
-            float* out = result.surface.row(i).data() + cells.col;
+        for (std::int32_t i = 0; i < cells.rows; ++i) {
+            const auto opened = part.row(part.surface, i);
+            const auto limits = part.limits.row(i);
+            const float* z = surface.grid.row(cells.row + i).data() + cells.col;
+            float* out = result.surface.row(cells.row + i).data() + cells.col;
             for (std::size_t j = 0; j < opened.size(); ++j)
                 out[j] = z[j] <= limits[j] ? opened[j] : above_all_limits;
-            const std::int32_t row = block_of(surface.first_row + i, factor.down) - result.blocks.first_row;
+            const std::int32_t row =
+                block_of(surface.first_row + cells.row + i, factor.down) - result.blocks.first_row;
             lower_blocks(opened, surface.first_col + cells.col, factor.across,
                          blocks.row(row).subspan(static_cast<std::size_t>(tiles[t].col),
                                                  static_cast<std::size_t>(tiles[t].cols)));
@@ -141,10 +141,11 @@ AlignedGrid without_objects(const AlignedGrid& surface, double width, const Rule
 
 AlignedGrid working_terrain(const AlignedGrid& surface, double width, const Rules& rules, Executor& threads) {
     AlignedGrid terrain = without_objects(surface, width, rules, threads);
-    fill_gaps(terrain, rules.sweeps, threads);
+    Pyramid pyramid;
+    fill_gaps(terrain, rules.sweeps, pyramid, threads);
     for (int round = 0; round < rules.rounds; ++round) {
         test_again(surface, terrain, rules, threads);
-        fill_gaps(terrain, rules.sweeps, threads);
+        fill_gaps(terrain, rules.sweeps, pyramid, threads);
     }
     return terrain;
 }

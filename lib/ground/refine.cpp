@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/row_bands.hpp"
@@ -100,9 +101,12 @@ void mark_outliers(const Pit& pit, std::int32_t col, std::int32_t cols, std::spa
 }  // namespace
 
 Terrain refine(const MetreGrid& surface, const GridPlace& place, const AlignedGrid& working,
-               const std::vector<Pit>& pits, Factor factor, const Rules& rules, Executor& threads) {
+               const std::vector<Pit>& pits, Factor factor, const Rules& rules, MetreGrid room,
+               Executor& threads) {
     const Refinement refinement(surface, place, working, factor, rules);
-    Terrain terrain{MetreGrid(surface.rows, surface.cols), Grid<std::uint8_t>(surface.rows, surface.cols)};
+    if (room.rows != surface.rows || room.cols != surface.cols)
+        room = MetreGrid(surface.rows, surface.cols, 0, threads);
+    Terrain terrain{std::move(room), Grid<std::uint8_t>(surface.rows, surface.cols, 0, threads)};
     for_row_bands(threads, surface.rows, surface.cols, [&](RowBand band) {
         Refinement::Rows rows = refinement.rows_for(band);
         for (std::int32_t i = band.begin; i < band.end; ++i) {

@@ -6,6 +6,7 @@
 
 #include "core/row_bands.hpp"
 #include "ground/down_pass.hpp"
+#include "ground/narrow_pass.hpp"
 
 namespace d2b::ground {
 namespace {
@@ -41,9 +42,22 @@ void along_rows(const MetreGrid& from, MetreGrid& into, std::int32_t radius) {
     }
 }
 
+template <typename Pick, std::int32_t radius = widest_narrow>
+void narrow_pass(const MetreGrid& from, MetreGrid& into, Line line, std::int32_t wanted) {
+    if constexpr (radius > 0)
+        if (wanted < radius)
+            return narrow_pass<Pick, radius - 1>(from, into, line, wanted);
+    if (line == Line::row)
+        NarrowPass<Pick, radius>::along_rows(from, into);
+    else
+        NarrowPass<Pick, radius>::down_columns(from, into);
+}
+
 template <typename Pick>
 void pass(const MetreGrid& from, MetreGrid& into, Line line, std::int32_t radius) {
-    if (line == Line::row)
+    if (radius <= widest_narrow && (line == Line::row || line == Line::column))
+        narrow_pass<Pick>(from, into, line, radius);
+    else if (line == Line::row)
         along_rows<Pick>(from, into, radius);
     else
         DownPass<Pick>(from, into, radius, line == Line::column ? 0 : (line == Line::right_diagonal ? 1 : -1))

@@ -19,6 +19,11 @@ AlignedGrid plane(std::int32_t rows, std::int32_t cols, float down, float across
     return surface;
 }
 
+void fill(AlignedGrid& surface, int sweeps) {
+    Pyramid pyramid;
+    fill_gaps(surface, sweeps, pyramid, test::threads());
+}
+
 TEST(Fill, KeepsWhatIsKnownAndStaysBetweenItsValues) {
     for (unsigned seed = 0; seed < 30; ++seed) {
         AlignedGrid surface;
@@ -27,7 +32,7 @@ TEST(Fill, KeepsWhatIsKnownAndStaysBetweenItsValues) {
         surface.grid = test::random_surface(seed, static_cast<std::int32_t>(2 + seed % 9),
                                             static_cast<std::int32_t>(3 + seed), 2);
         const MetreGrid before = surface.grid;
-        fill_gaps(surface, 3, test::threads());
+        fill(surface, 3);
         for (std::size_t k = 0; k < before.size(); ++k) {
             if (before.values[k] != no_value) {
                 EXPECT_EQ(surface.grid.values[k], before.values[k]);
@@ -42,7 +47,7 @@ TEST(Fill, OneKnownCellFillsEverything) {
     AlignedGrid surface;
     surface.grid = MetreGrid(37, 21, no_value);
     surface.grid.at(30, 2) = 12.5F;
-    fill_gaps(surface, 2, test::threads());
+    fill(surface, 2);
     for (const float z : surface.grid.values)
         EXPECT_EQ(z, 12.5F);
 }
@@ -53,7 +58,7 @@ TEST(Fill, AGapInAPlaneIsFilledWithThePlane) {
     for (std::int32_t i = 24; i < 40; ++i)
         for (std::int32_t j = 24; j < 40; ++j)
             surface.grid.at(i, j) = no_value;
-    fill_gaps(surface, 3, test::threads());
+    fill(surface, 3);
     for (std::size_t k = 0; k < whole.size(); ++k)
         EXPECT_NEAR(surface.grid.values[k], whole.values[k], 0.6) << k;
 }
@@ -68,11 +73,24 @@ TEST(Fill, FarCellsChangeNothing) {
     for (std::int32_t i = 0; i < 72; ++i)
         for (std::int32_t j = 0; j < 65; ++j)
             part.grid.at(i, j) = surface.grid.at(24 + i, 31 + j);
-    fill_gaps(surface, 2, test::threads());
-    fill_gaps(part, 2, test::threads());
+    fill(surface, 2);
+    fill(part, 2);
     for (std::int32_t i = 32; i < 72; ++i)
         for (std::int32_t j = 32; j < 65; ++j)
             ASSERT_EQ(part.grid.at(i, j), surface.grid.at(24 + i, 31 + j));
+}
+
+TEST(Fill, WhatAPyramidHeldBeforeDoesNotShow) {
+    Pyramid pyramid;
+    for (unsigned seed = 0; seed < 9; ++seed) {
+        AlignedGrid surface;
+        surface.grid = test::random_surface(seed, 40, 33, seed % 3 == 0 ? 1000000 : 1 + seed);
+        surface.grid.at(3, 4) = 5;
+        AlignedGrid again = surface;
+        fill(surface, 3);
+        fill_gaps(again, 3, pyramid, test::threads());
+        EXPECT_EQ(again.grid.values, surface.grid.values);
+    }
 }
 
 TEST(Between, FindsTheCentresOfCoarseCells) {

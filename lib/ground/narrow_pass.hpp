@@ -1,0 +1,68 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+#include "core/grid.hpp"
+
+namespace d2b::ground {
+
+inline constexpr std::int32_t widest_narrow = 3;
+
+/// The values picked from windows of 2 * radius + 1 cells along rows or down columns, each window looked at
+/// cell by cell: for narrow ones that takes fewer steps than any sharing between windows.
+template <typename Pick, std::int32_t radius>
+class NarrowPass {
+  public:
+    static void along_rows(const MetreGrid& from, MetreGrid& into) {
+        const std::int32_t inner = std::max(from.cols - radius, radius);
+        for (std::int32_t i = 0; i < from.rows; ++i) {
+            const float* in = from.row(i).data();
+            float* out = into.row(i).data();
+            for (std::int32_t j = radius; j < inner; ++j)
+                out[j] = picked([&](std::int32_t k) { return in[j + k]; });
+            // Beyond an end its own value stands: it changes no pick of a window that holds it.
+            const auto at_end = [&](std::int32_t j) {
+                out[j] = picked([&](std::int32_t k) { return in[std::clamp(j + k, 0, from.cols - 1)]; });
+            };
+            for (std::int32_t j = 0; j < std::min(radius, from.cols); ++j)
+                at_end(j);
+            for (std::int32_t j = inner; j < from.cols; ++j)
+                at_end(j);
+        }
+    }
+
+    static void down_columns(const MetreGrid& from, MetreGrid& into) {
+        for (std::int32_t i = 0; i < from.rows; ++i)
+            across(from, i, into.row(i).data(), std::make_integer_sequence<std::int32_t, radius>());
+    }
+
+  private:
+    template <std::int32_t... k>
+    static void across(const MetreGrid& from, std::int32_t i, float* out,
+                       std::integer_sequence<std::int32_t, k...> /*rows*/) {
+        const auto row = [&](std::int32_t r) { return from.row(std::clamp(r, 0, from.rows - 1)).data(); };
+        const std::int32_t cols = from.cols;
+        down(cols, out, row(i), row(i - 1 - k)..., row(i + 1 + k)...);
+    }
+    template <typename... Row>
+    static void down(std::int32_t cols, float* out, const float* here, Row... rows) {
+        [[maybe_unused]] const Pick pick;
+        for (std::int32_t j = 0; j < cols; ++j) {
+            float found = here[j];
+            ((found = pick(rows[j], found)), ...);
+            out[j] = found;
+        }
+    }
+    template <typename Value>
+    static float picked(const Value& value) {
+        const Pick pick;
+        float found = value(0);
+        for (std::int32_t k = 1; k <= radius; ++k)
+            found = pick(pick(value(-k), value(k)), found);
+        return found;
+    }
+};
+
+}  // namespace d2b::ground
