@@ -2,55 +2,107 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <limits>
+#include <span>
+#include <utility>
+
+#include "core/row_bands.hpp"
 
 namespace d2b {
 namespace {
 
 using Values = std::vector<float>;
 
-/// The terrain in the cells on both sides of each label's border, a value an edge and side.
-std::vector<Values> along_borders(const MetreGrid& terrain, const Grid<Label>& labels, Label count) {
-    std::vector<Values> along(count + std::size_t{1});
-    const auto look = [&](std::size_t i, std::size_t j) {
-        if (labels.values[i] == labels.values[j])
+/// The terrain in the cells on both sides of labels' borders, a value an edge and side.
+class BorderTerrain {
+  public:
+    BorderTerrain(const MetreGrid& terrain, const Grid<Label>& labels) : terrain_(terrain), labels_(labels) {}
+
+    struct Value {
+        Label label;
+        float terrain;
+    };
+
+    [[nodiscard]] std::vector<Value> in(RowBand band) const {
+        std::vector<Value> values;
+        std::vector<std::uint8_t> edges(static_cast<std::size_t>(labels_.cols));
+        for (std::int32_t r = band.begin; r < band.end; ++r) {
+            const std::size_t row = labels_.index(r, 0);
+            const std::size_t above = labels_.index(std::max(r - 1, 0), 0);
+            find_edges(labels_.row(r), labels_.values.data() + above, edges);
+            for (auto edge = std::find(edges.begin(), edges.end(), 1); edge != edges.end();
+                 edge = std::find(edge + 1, edges.end(), 1)) {
+                const auto c = static_cast<std::size_t>(edge - edges.begin());
+                if (c > 0)
+                    look(row + c - 1, row + c, values);
+                look(above + c, row + c, values);
+            }
+        }
+        return values;
+    }
+
+  private:
+    /// 1 where a cell has another label than the one to the left or above. Nothing branches: most cells have
+    /// no edge, and many are looked at at once.
+    static void find_edges(std::span<const Label> here, const Label* above,
+                           std::vector<std::uint8_t>& edges) {
+        const auto differ = [](Label a, Label b) { return a != b ? 1 : 0; };
+        if (!here.empty())
+            edges[0] = static_cast<std::uint8_t>(differ(here[0], above[0]));
+        for (std::size_t c = 1; c < here.size(); ++c)
+            edges[c] = static_cast<std::uint8_t>(differ(here[c], here[c - 1]) | differ(here[c], above[c]));
+    }
+
+    void look(std::size_t i, std::size_t j, std::vector<Value>& values) const {
+        if (labels_.values[i] == labels_.values[j])
             return;
-        for (const Label label : {labels.values[i], labels.values[j]})
+        for (const Label label : {labels_.values[i], labels_.values[j]})
             if (label != 0)
                 for (const std::size_t cell : {i, j})
-                    if (!std::isnan(terrain.values[cell]))
-                        along[label].push_back(terrain.values[cell]);
-    };
-    const auto width = static_cast<std::size_t>(labels.cols);
-    for (std::int32_t r = 0; r < labels.rows; ++r)
-        for (std::int32_t c = 0; c < labels.cols; ++c) {
-            const std::size_t i = labels.index(r, c);
-            if (c > 0)
-                look(i - 1, i);
-            if (r > 0)
-                look(i - width, i);
-        }
+                    if (!std::isnan(terrain_.values[cell]))
+                        values.push_back({label, terrain_.values[cell]});
+    }
+
+    const MetreGrid& terrain_;
+    const Grid<Label>& labels_;
+};
+
+std::vector<Values> along_borders(const MetreGrid& terrain, const Grid<Label>& labels, Label count,
+                                  Executor& threads) {
+    const BorderTerrain border(terrain, labels);
+    const std::vector<RowBand> bands = row_bands(labels.rows, labels.cols);
+    std::vector<std::vector<BorderTerrain::Value>> found(bands.size());
+    threads.for_each(bands.size(), [&](std::size_t i) { found[i] = border.in(bands[i]); });
+    std::vector<Values> along(count + std::size_t{1});
+    for (std::vector<BorderTerrain::Value>& some : found)
+        for (const auto& [label, z] : std::exchange(some, {}))
+            along[label].push_back(z);
     return along;
 }
 
 }  // namespace
 
-std::vector<double> ground_levels(const MetreGrid& terrain, const Grid<Label>& labels, Label count) {
+std::vector<double> ground_levels(const MetreGrid& terrain, const Grid<Label>& labels, Label count,
+                                  Executor& threads) {
     constexpr std::size_t tenth = 10;
-    std::vector<Values> along = along_borders(terrain, labels, count);
+    constexpr std::size_t labels_at_once = 64;
+    std::vector<Values> along = along_borders(terrain, labels, count, threads);
     // What fills the whole raster has no border: then all of it counts.
     if (!labels.values.empty() && labels.values.front() != 0)
         if (Values& values = along[labels.values.front()]; values.empty())
             std::copy_if(terrain.values.begin(), terrain.values.end(), std::back_inserter(values),
                          [](float z) { return !std::isnan(z); });
     std::vector<double> result(along.size(), std::numeric_limits<double>::quiet_NaN());
-    for (std::size_t label = 1; label < along.size(); ++label)
-        if (Values& values = along[label]; !values.empty()) {
-            const auto rank = values.begin() + static_cast<std::ptrdiff_t>(values.size() / tenth);
-            std::nth_element(values.begin(), rank, values.end());
-            result[label] = static_cast<double>(*rank);
-        }
+    threads.for_pieces(along.size(), labels_at_once, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t label = begin; label < end; ++label)
+            if (Values& values = along[label]; !values.empty()) {
+                const auto rank = values.begin() + static_cast<std::ptrdiff_t>(values.size() / tenth);
+                std::nth_element(values.begin(), rank, values.end());
+                result[label] = static_cast<double>(*rank);
+            }
+    });
     return result;
 }
 

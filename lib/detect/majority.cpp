@@ -103,14 +103,15 @@ void vote(const Mask& now, const Mask& elevated, Radius radius, Shares shares, R
         const std::span<const std::uint8_t> is = now.row(r);
         const std::span<const std::uint8_t> may = elevated.row(r);
         const std::span<std::uint8_t> out = next.row(r);
-        // A hundred times half a number fits into the number. Nothing branches: several cells are done at once.
+        // A hundred times half a number fits into the number. Nothing branches: several cells are done at
+        // once.
         using Signed = std::make_signed_t<Pair>;
         const auto keep = static_cast<Signed>(shares.keep);
         const auto gain = static_cast<Signed>(shares.gain);
         for (std::size_t c = 0; c < out.size(); ++c) {
             const auto buildings = static_cast<Signed>(counts[c] >> WindowCounts<Pair>::half);
-            const auto all =
-                static_cast<Signed>(counts[c] & (std::numeric_limits<Pair>::max() >> WindowCounts<Pair>::half));
+            const auto all = static_cast<Signed>(
+                counts[c] & (std::numeric_limits<Pair>::max() >> WindowCounts<Pair>::half));
             const Signed share = is[c] != 0 ? keep : gain;
             out[c] = static_cast<std::uint8_t>(may[c] & (100 * buildings > share * all ? 1 : 0));
         }

@@ -53,4 +53,17 @@ void write_grid(RasterSink& sink, const MetreGrid& grid) {
     }
 }
 
+void write_values(RasterSink& sink, std::int32_t rows, std::int32_t cols,
+                  const std::function<float(std::size_t i)>& value) {
+    std::vector<float> values;
+    std::size_t next = 0;
+    for (std::int32_t r = 0; r < rows; r += rows_at_once) {
+        const std::int32_t some = std::min(rows_at_once, rows - r);
+        values.resize(static_cast<std::size_t>(some) * static_cast<std::size_t>(cols));
+        for (float& each : values)
+            each = value(next++);
+        sink.write(some, values);
+    }
+}
+
 }  // namespace d2b

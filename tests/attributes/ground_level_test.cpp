@@ -1,9 +1,14 @@
 #include "attributes/ground_level.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
+#include <vector>
 
 #include <gtest/gtest.h>
+
+#include "support/test_threads.hpp"
 
 namespace d2b {
 namespace {
@@ -33,7 +38,7 @@ struct Scene {
 TEST(GroundLevel, IsTheTenthPercentileAlongTheBorder) {
     const Scene scene;
     // Both sides of 20 edges: 1 to 20, and 100 twenty times. A tenth of 40 values lies below the fifth.
-    const std::vector<double> ground = ground_levels(scene.terrain, scene.labels, 1);
+    const std::vector<double> ground = ground_levels(scene.terrain, scene.labels, 1, test::threads());
     ASSERT_EQ(ground.size(), 2U);
     EXPECT_EQ(ground[1], 5);
 }
@@ -41,9 +46,9 @@ TEST(GroundLevel, IsTheTenthPercentileAlongTheBorder) {
 TEST(GroundLevel, LeavesOutWhatIsNotKnown) {
     Scene scene;
     scene.terrain.at(0, 1) = nan;  // that of 1: of 39 values the fourth is 5
-    EXPECT_EQ(ground_levels(scene.terrain, scene.labels, 1)[1], 5);
+    EXPECT_EQ(ground_levels(scene.terrain, scene.labels, 1, test::threads())[1], 5);
     scene.terrain = MetreGrid(7, 7, nan);
-    EXPECT_TRUE(std::isnan(ground_levels(scene.terrain, scene.labels, 1)[1]));
+    EXPECT_TRUE(std::isnan(ground_levels(scene.terrain, scene.labels, 1, test::threads())[1]));
 }
 
 TEST(GroundLevel, EachLabelHasItsOwn) {
@@ -52,7 +57,7 @@ TEST(GroundLevel, EachLabelHasItsOwn) {
     terrain.values = {4, 3, 8, 9};
     Grid<Label> labels(1, 4);
     labels.values = {0, 1, 2, 2};
-    const std::vector<double> ground = ground_levels(terrain, labels, 3);
+    const std::vector<double> ground = ground_levels(terrain, labels, 3, test::threads());
     EXPECT_EQ(ground[1], 3);
     EXPECT_EQ(ground[2], 3);                // its neighbour's foot is beside it
     EXPECT_TRUE(std::isnan(ground[3]));     // no such cell
@@ -64,11 +69,47 @@ TEST(GroundLevel, OfWhatFillsTheRasterCountsAllOfIt) {
     for (std::size_t i = 0; i < 20; ++i)
         terrain.values[i] = 20 - static_cast<float>(i);
     const Grid<Label> labels(2, 10, 1);
-    EXPECT_EQ(ground_levels(terrain, labels, 1)[1], 3);  // of 1 to 20 the third
+    EXPECT_EQ(ground_levels(terrain, labels, 1, test::threads())[1], 3);  // of 1 to 20 the third
+}
+
+TEST(GroundLevel, BandsAndThreadsDoNotShow) {
+    constexpr std::int32_t rows = 70, cols = 20000;  // bands of sixteen rows
+    std::mt19937 random(8);
+    MetreGrid terrain(rows, cols);
+    Grid<Label> labels(rows, cols);
+    for (std::int32_t i = 0; i < rows; ++i)
+        for (std::int32_t j = 0; j < cols; ++j) {
+            terrain.at(i, j) = random() % 20 == 0 ? nan : static_cast<float>(random() % 1000);
+            labels.at(i, j) = random() % 9 == 0 ? 0 : static_cast<Label>(1 + (i / 23) * 40 + j / 510);
+        }
+    std::vector<std::vector<float>> beside(200);
+    const auto look = [&](std::int32_t i, std::int32_t j, std::int32_t y, std::int32_t x) {
+        if (!labels.holds(y, x) || labels.at(i, j) == labels.at(y, x))
+            return;
+        for (const float z : {terrain.at(i, j), terrain.at(y, x)})
+            if (!std::isnan(z))
+                beside[labels.at(i, j)].push_back(z);  // each edge is seen from both of its sides
+    };
+    for (std::int32_t i = 0; i < rows; ++i)
+        for (std::int32_t j = 0; j < cols; ++j) {
+            look(i, j, i - 1, j);
+            look(i, j, i + 1, j);
+            look(i, j, i, j - 1);
+            look(i, j, i, j + 1);
+        }
+    for (const int count : {1, 2, 5}) {
+        Executor threads(count);
+        const std::vector<double> ground = ground_levels(terrain, labels, 160, threads);
+        for (Label label = 1; label <= 160; ++label) {
+            std::vector<float> sorted = beside[label];
+            std::sort(sorted.begin(), sorted.end());
+            ASSERT_EQ(ground[label], static_cast<double>(sorted[sorted.size() / 10])) << label;
+        }
+    }
 }
 
 TEST(GroundLevel, OfNothingIsNothing) {
-    EXPECT_EQ(ground_levels(MetreGrid(), Grid<Label>(), 0).size(), 1U);
+    EXPECT_EQ(ground_levels(MetreGrid(), Grid<Label>(), 0, test::threads()).size(), 1U);
 }
 
 }  // namespace

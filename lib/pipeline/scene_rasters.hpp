@@ -1,0 +1,14 @@
+#pragma once
+
+#include "detect/detection.hpp"
+#include "detect/scene.hpp"
+#include "pipeline/pipeline.hpp"
+
+namespace d2b {
+
+/// Writes what is asked for of the terrain, the heights above it, and those of plants: what rises by more
+/// than `min_height` metres and is no building. Rows are made as they are written. @throws OutputError
+void write_scene_rasters(const Sinks& sinks, const Scene& scene, const Detection& detection,
+                         double min_height);
+
+}  // namespace d2b
