@@ -17,11 +17,11 @@ Grid<std::uint8_t> flags_of(const MetreGrid& surface, double side, double noise 
 
 using test::unknown;
 
-constexpr int row = smooth_along_row;
-constexpr int column = smooth_along_column;
+constexpr int along_row = smooth_along_row;
+constexpr int along_column = smooth_along_column;
 constexpr int any = smooth_any_way;
 constexpr int enough = smooth_enough;
-constexpr int all = row | column | any | enough;
+constexpr int all = along_row | along_column | any | enough;
 
 MetreGrid surface_of(std::int32_t rows, std::int32_t cols, const test::Shape& z) {
     MetreGrid grid(rows, cols);
@@ -42,23 +42,23 @@ TEST(Smoothness, PlanesAreSmoothInsideAndBendAtTheBorder) {
             EXPECT_EQ(flags.at(r, c), all) << r << ' ' << c;
     // The border continues outwards, so that a slope ends there: 0.75 m along the row, 0.25 m along the
     // column.
-    EXPECT_EQ(flags.at(2, 0), column | any | enough);
-    EXPECT_EQ(flags.at(2, 39), column | any | enough);
-    EXPECT_EQ(flags.at(0, 2), row | any | enough);
-    EXPECT_EQ(flags.at(5, 2), row | any | enough);
+    EXPECT_EQ(flags.at(2, 0), along_column | any | enough);
+    EXPECT_EQ(flags.at(2, 39), along_column | any | enough);
+    EXPECT_EQ(flags.at(0, 2), along_row | any | enough);
+    EXPECT_EQ(flags.at(5, 2), along_row | any | enough);
     EXPECT_EQ(flags.at(0, 0), 0);
 }
 
 TEST(Smoothness, StepBendsAcrossAlone) {
     const auto flags = flags_of(surface_of(5, 10, [](auto, auto c) { return c < 5 ? 0.0F : 3.0F; }), 1);
     for (std::int32_t c = 0; c < 10; ++c)
-        EXPECT_EQ(flags.at(2, c), c == 4 || c == 5 ? column | any | enough : all) << c;
+        EXPECT_EQ(flags.at(2, c), c == 4 || c == 5 ? along_column | any | enough : all) << c;
 }
 
 TEST(Smoothness, RidgesAreSmoothAlong) {
     const auto ridge = flags_of(
         surface_of(11, 11, [](auto, auto c) { return -0.5F * static_cast<float>(std::abs(c - 5)); }), 1);
-    EXPECT_EQ(ridge.at(5, 5), column | any | enough);
+    EXPECT_EQ(ridge.at(5, 5), along_column | any | enough);
     EXPECT_EQ(ridge.at(5, 4), all);
     for (const int sign : {1, -1}) {
         const auto diagonal = flags_of(surface_of(11, 11,
@@ -115,8 +115,8 @@ TEST(Smoothness, UnknownCellsBendWhateverMeetsThem) {
         flags_of(surface_of(7, 7, [](auto r, auto c) { return r == 3 && c == 3 ? unknown : 1.0F; }), 1);
     EXPECT_EQ(flags.at(3, 3), 0);
     for (const std::int32_t beside : {2, 4}) {
-        EXPECT_EQ(flags.at(3, beside), column | any | enough);
-        EXPECT_EQ(flags.at(beside, 3), row | any | enough);
+        EXPECT_EQ(flags.at(3, beside), along_column | any | enough);
+        EXPECT_EQ(flags.at(beside, 3), along_row | any | enough);
         EXPECT_EQ(flags.at(beside, beside), all);
     }
 }
@@ -125,9 +125,10 @@ TEST(Smoothness, OneCellOneRowOneColumnNone) {
     EXPECT_EQ(flags_of(MetreGrid(1, 1, 7.0F), 1).values, std::vector<std::uint8_t>{all});
     EXPECT_EQ(flags_of(MetreGrid(1, 1, unknown), 1).values, std::vector<std::uint8_t>{0});
     const MetreGrid step = surface_of(1, 5, [](auto, auto c) { return c < 2 ? 0.0F : 2.0F; });
-    const std::vector<std::uint8_t> across{all, column | any | enough, column | any | enough, all, all};
+    const std::vector<std::uint8_t> across{all, along_column | any | enough, along_column | any | enough, all,
+                                           all};
     EXPECT_EQ(flags_of(step, 1).values, across);
-    const std::vector<std::uint8_t> down{all, row | any | enough, row | any | enough, all, all};
+    const std::vector<std::uint8_t> down{all, along_row | any | enough, along_row | any | enough, all, all};
     EXPECT_EQ(flags_of(test::transposed(step), 1).values, down);
     EXPECT_EQ(flags_of(MetreGrid(), 1).size(), 0U);
 }
