@@ -44,7 +44,7 @@ class ArcCutter {
         const std::pair backwards(arc_.back(), arc_[arc_.size() - 2]);
         const bool reversed = backwards < forwards;
         const auto [from, to] = reversed ? backwards : forwards;
-        std::uint32_t& known = known_[4 * from + static_cast<std::size_t>(net_.way(from, to))];
+        std::uint32_t& known = known_[4 * std::size_t{from} + static_cast<std::size_t>(net_.way(from, to))];
         if (known == nowhere) {
             known = static_cast<std::uint32_t>(arcs_.size());
             Arc& arc = arcs_.emplace_back();

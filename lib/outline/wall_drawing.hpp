@@ -80,7 +80,7 @@ class WallDrawing {
                                                      const std::vector<WallPiece>& pieces);
     void land_traced(std::uint32_t chain);
     [[nodiscard]] DrawnChain joined_arc(const Chain& chain, std::size_t k) const;
-    [[nodiscard]] std::uint32_t end_node(const Chain& chain, bool last) const {
+    [[nodiscard]] static std::uint32_t end_node(const Chain& chain, bool last) {
         return last ? chain.nodes.back() : chain.nodes.front();
     }
 

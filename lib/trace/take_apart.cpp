@@ -56,7 +56,7 @@ class Cutter {
     [[nodiscard]] bool is_last() const { return band_.end_row() == frame_.window.row + frame_.window.rows; }
     [[nodiscard]] RunRow cut(std::span<const Count> counts, std::span<const Label> labels) const;
     [[nodiscard]] RunRow squares_above(std::int32_t row) const;
-    [[nodiscard]] TraceLine line_of_points(std::int32_t line, const Holders& above, RunRow squares) const;
+    [[nodiscard]] TraceLine line_of_points(std::int32_t number, const Holders& above, RunRow squares) const;
     void add_share(TraceLine& line, const PointShare& share) const;
     [[nodiscard]] static std::vector<double> outside_of(const Row<Count>& row);
 

@@ -36,8 +36,10 @@ bool query(GDALDatasetH dataset, const std::string& sql,
     if (rows == nullptr)
         return false;
     while (const FeatureHandle row{OGR_L_GetNextFeature(rows)}) {
+        const int fields = OGR_F_GetFieldCount(row.get());
         std::vector<std::string> texts;
-        for (int i = 0; i < OGR_F_GetFieldCount(row.get()); ++i)
+        texts.reserve(static_cast<std::size_t>(fields));
+        for (int i = 0; i < fields; ++i)
             texts.emplace_back(OGR_F_GetFieldAsString(row.get(), i));
         use(texts);
     }
