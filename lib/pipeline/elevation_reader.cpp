@@ -10,7 +10,7 @@ namespace {
 // Some 4 MiB of elevations, in whole multiples of the usual block heights; more where blocks are higher.
 constexpr std::int64_t points_a_band = 1 << 19;
 constexpr std::int32_t usual_block_rows = 64;
-constexpr std::int64_t most_points_a_band = 1 << 23;
+constexpr std::int64_t most_points_a_band = 1 << 21;
 constexpr std::int64_t points_ahead = 1 << 21;  // a thread
 
 std::int32_t band_rows(const DemInfo& info) {

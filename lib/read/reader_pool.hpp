@@ -13,7 +13,8 @@
 namespace d2b {
 
 /// A raster that several threads read at a time: GDAL's datasets serve one each, so it is opened again for
-/// those who would have to wait, where that is cheap and safe; else they wait.
+/// those who would have to wait, where that is cheap and safe; else they wait. Those who want rows of the
+/// same blocks get the same reader, one after the other, so that no block is decoded twice.
 class ReaderPool {
   public:
     /// @param path to open it again @param context gets what GDAL warns of; it must outlive the pool
@@ -29,10 +30,12 @@ class ReaderPool {
             : source(std::move(raster)), bands(source.band, options, info, context) {}
         OpenRaster source;
         BandReader bands;
+        std::int32_t block_row = -1;  ///< of blocks, that it has decoded last and holds in its cache
     };
     using ReaderPtr = std::unique_ptr<Reader>;
 
-    [[nodiscard]] ReaderPtr take();
+    [[nodiscard]] ReaderPtr take(std::int32_t block_row);
+    [[nodiscard]] ReaderPtr idle_with(std::int32_t block_row);
     [[nodiscard]] ReaderPtr reopen() const;
     void give_back(ReaderPtr reader, const std::vector<std::string>& warnings);
 
@@ -44,6 +47,7 @@ class ReaderPool {
     std::condition_variable returned_;
     bool may_reopen_;
     std::vector<ReaderPtr> idle_;
+    std::vector<std::int32_t> at_work_;  ///< rows of blocks that readers who are not idle decode
 };
 
 }  // namespace d2b
