@@ -7,24 +7,24 @@
 
 namespace d2b {
 
-/// Puts a chain's arcs into their order for good and finds its trace, nodes and steps: the same whatever
-/// divides it into arcs.
+/// Puts the arcs of chains into their order for good and finds their traces, nodes and steps: the same
+/// whatever divides a chain into arcs.
 class ChainTracer {
   public:
-    /// @param graph with arcs and their ends @param chain its arcs in either direction, from anywhere on
-    ChainTracer(const WallGraph& graph, Chain& chain) : graph_(graph), chain_(chain) {}
-    void trace();
+    /// @param graph with arcs and their ends
+    explicit ChainTracer(const WallGraph& graph) : graph_(graph) {}
+    /// @param chain its arcs in either direction, from anywhere on
+    void trace(Chain& chain);
 
   private:
-    void gather();
-    [[nodiscard]] bool runs_backwards() const;
-    void reverse();
-    void rotate();
-    void find_nodes();
-    void find_corners();
+    void gather(const Chain& chain);
+    [[nodiscard]] bool runs_backwards(const Chain& chain) const;
+    static void reverse(Chain& chain);
+    void rotate(Chain& chain);
+    void find_nodes(Chain& chain);
+    void find_corners(Chain& chain);
 
     const WallGraph& graph_;
-    Chain& chain_;
     std::vector<LatticePoint> points_;  // a closed chain's without repetition
     std::vector<std::size_t> begins_;   // of arcs among these
     std::vector<std::uint32_t> steps_;  // before each point, and of all

@@ -19,6 +19,13 @@ std::uint64_t sort_key(std::int32_t first, std::int32_t second) {
 LatticeNet::LatticeNet(std::span<const Contour* const> contours) {
     std::vector<LatticePoint> corners;
     std::vector<std::size_t> ends;
+    std::size_t count = 0;
+    for (const Contour* contour : contours) {
+        count += contour->exterior.corner_count();
+        for (const PackedRing& ring : contour->interiors)
+            count += ring.corner_count();
+    }
+    corners.reserve(count);
     const auto add = [&](const PackedRing& packed) {
         const LatticeRing ring = packed.corners();
         corners.insert(corners.end(), ring.begin(), ring.end());

@@ -18,12 +18,15 @@ SegmentGrid::SegmentGrid(const Arcs& arcs, const LatticeBox& box, std::size_t ed
 
 void SegmentGrid::update(std::uint32_t arc) {
     ++versions_[arc];
-    for (std::uint32_t i = 0; i + 1 < (*arcs_)[arc].size(); ++i)
-        for_buckets(segment({arc, i}), [&](std::int64_t row, std::int64_t col) {
+    for (std::uint32_t i = 0; i + 1 < (*arcs_)[arc].size(); ++i) {
+        const FineSegment edge = segment({arc, i});
+        const Box box = box_of(edge);
+        for_buckets(edge, [&](std::int64_t row, std::int64_t col) {
             std::uint32_t& head = heads_[slot(row, col)];
-            entries_.push_back({{arc, i}, versions_[arc], head});
+            entries_.push_back({box, {arc, i}, versions_[arc], head});
             head = static_cast<std::uint32_t>(entries_.size() - 1);
         });
+    }
 }
 
 }  // namespace d2b

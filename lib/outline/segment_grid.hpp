@@ -29,11 +29,16 @@ class SegmentGrid {
     [[nodiscard]] FineSegment segment(Edge e) const {
         return {(*arcs_)[e.arc][e.index], (*arcs_)[e.arc][e.index + 1]};
     }
-    /// Calls visit(edge) for all edges in the buckets that a segment passes, some more than once: all that
-    /// meet it are among them.
+    /// Calls visit(edge) for edges near a segment, some more than once: all that meet it are among them.
     template <typename Visit>
     void near(const FineSegment& segment, const Visit& visit) const {
-        for_buckets(segment, [&](std::int64_t row, std::int64_t col) { in_bucket(row, col, visit); });
+        const Box box = box_of(segment);
+        for_buckets(segment, [&](std::int64_t row, std::int64_t col) {
+            for (std::uint32_t i = heads_[slot(row, col)]; i != none; i = entries_[i].next)
+                if (const Entry& entry = entries_[i];
+                    entry.box.overlaps(box) && entry.version == versions_[entry.edge.arc])
+                    visit(entry.edge);
+        });
     }
     template <typename Visit>
     void in_bucket(std::int64_t row, std::int64_t col, const Visit& visit) const {
@@ -53,13 +58,29 @@ class SegmentGrid {
 
   private:
     static constexpr std::uint32_t none = 0xffffffff;
+    /// Rows and columns of an edge in 64ths of a cell from the grid's, rounded downwards.
+    struct Box {
+        std::int32_t top;
+        std::int32_t bottom;
+        std::int32_t left;
+        std::int32_t right;
+        [[nodiscard]] bool overlaps(const Box& other) const {
+            return top <= other.bottom && other.top <= bottom && left <= other.right && other.left <= right;
+        }
+    };
     struct Entry {
+        Box box;
         Edge edge;
         std::uint32_t version;  // of the arc when this was entered
         std::uint32_t next;     // in the bucket
     };
     [[nodiscard]] std::size_t slot(std::int64_t row, std::int64_t col) const {
         return static_cast<std::size_t>(row * cols_ + col);
+    }
+    [[nodiscard]] Box box_of(const FineSegment& s) const {
+        const auto coarse = [](std::int64_t v) { return static_cast<std::int32_t>(v >> 4); };
+        return {coarse(std::min(s.a.row, s.b.row) - low_.row), coarse(std::max(s.a.row, s.b.row) - low_.row),
+                coarse(std::min(s.a.col, s.b.col) - low_.col), coarse(std::max(s.a.col, s.b.col) - low_.col)};
     }
     template <typename Visit>
     void for_buckets(const FineSegment& segment, const Visit& visit) const;

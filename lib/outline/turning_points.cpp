@@ -76,10 +76,10 @@ double dominant_direction(const WallSamples& samples, const std::vector<std::siz
         if (sums.n < 3)
             continue;
         const Vec along = sums.direction();
-        const double angle = 4 * std::atan2(along.y, along.x);
+        const auto doubled = [](Vec v) { return Vec{v.x * v.x - v.y * v.y, 2 * v.x * v.y}; };
         // The direction of a longer stretch is known better by the power of three of its length.
         const double weight = sums.xx + sums.yy;
-        sum = sum + weight * Vec{std::cos(angle), std::sin(angle)};
+        sum = sum + weight * doubled(doubled(along));  // four times its angle
     }
     return sum == Vec{} ? 0 : std::atan2(sum.y, sum.x) / 4;
 }

@@ -8,6 +8,8 @@ namespace d2b {
 namespace {
 
 constexpr double largest_area_change = 0.02;
+constexpr double least_gain =
+    0.1;  // share of an area asked for that moving walls has brought: else it is in vain
 
 double in_cells(Int128 twice) {
     return static_cast<double>(twice) / (2.0 * FinePoint::steps * FinePoint::steps);
@@ -39,14 +41,16 @@ void WallRounds::check_areas() {
         ring.waits = false;
         const auto before = static_cast<double>(ring.traced);
         const double after = in_cells(twice_area(*ring.uses));
-        if (std::abs(after - before) > largest_area_change * std::abs(before))
+        if (std::abs(after - before) > largest_area_change * std::abs(before)) {
             correct(ring, before - after, moved);
+            let_wait(r);
+        }
     }
 }
 
 /// Moves the walls that are a ring's own for the most part, or gives what was drawn last of it a simpler
 /// form, where its area is not kept.
-void WallRounds::correct(const Ring& ring, double missing, std::vector<Wall>& moved) {
+void WallRounds::correct(Ring& ring, double missing, std::vector<Wall>& moved) {
     // 1 where the ring lies on the left of the wall and grows as that goes right
     std::vector<std::pair<Wall, double>> right;
     double whole = 0;
@@ -67,12 +71,16 @@ void WallRounds::correct(const Ring& ring, double missing, std::vector<Wall>& mo
     if (std::ranges::any_of(
             right, [&](const auto& entry) { return std::ranges::find(moved, entry.first) != moved.end(); }))
         return;
-    if (std::abs(missing) >= whole) {
+    // What came of the last time says how much has to be asked for.
+    const double gain = ring.asked == 0 ? 1 : (ring.missing - missing) / ring.asked;
+    if (gain < least_gain || std::abs(missing) >= whole) {
         simplify_last(ring);
         return;
     }
+    ring.missing = missing;
+    ring.asked = missing / std::clamp(gain, 0.5, 1.25);
     for (const auto& [wall, sign] : right) {
-        drawing_.shift(wall, -sign * missing / whole);
+        drawing_.shift(wall, -sign * ring.asked / whole);
         moved.push_back(wall);
     }
 }

@@ -1,6 +1,7 @@
 #include "outline/wall_check.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace d2b {
 namespace {
@@ -33,9 +34,11 @@ WallCheck::WallCheck(const WallGraph& graph, const WallDrawing& drawing, const S
       grid_(arcs, box_of(graph.graph, tolerance), edges_of(graph.graph)),
       tolerance_(tolerance),
       changed_(arcs.size()),
+      as_traced_(arcs.size()),
+      in_conflict_(arcs.size()),
       node_waits_(graph.nodes.size()),
       first_of_part_(graph.parts + 1),
-      part_waits_(graph.parts, true),
+      part_waits_(graph.parts, 1),
       west_(graph.parts) {
     const auto part = [&](std::uint32_t arc) { return graph_.part_of[graph_.chain_of[arc]]; };
     for (std::uint32_t arc = 0; arc < arcs.size(); ++arc)
@@ -49,12 +52,20 @@ WallCheck::WallCheck(const WallGraph& graph, const WallDrawing& drawing, const S
 }
 
 WallCheck::Conflicts WallCheck::conflicts(const std::vector<std::uint32_t>& changed) {
-    update(changed);
+    tested_.clear();
+    for (const std::uint32_t arc : changed)
+        update(arc);
+    for (const std::uint32_t arc : conflicting_) {
+        in_conflict_[arc] = 0;
+        if (std::exchange(changed_[arc], std::uint8_t{1}) == 0)
+            tested_.push_back(arc);
+    }
+    conflicting_.clear();
     Conflicts found;
-    for (const std::uint32_t arc : changed)
+    for (const std::uint32_t arc : tested_)
         check_arc(arc, found);
-    for (const std::uint32_t arc : changed)
-        changed_[arc] = false;
+    for (const std::uint32_t arc : tested_)
+        changed_[arc] = 0;
     // The other two tests rest on this one.
     if (found.empty()) {
         check_nodes(found);
@@ -65,17 +76,21 @@ WallCheck::Conflicts WallCheck::conflicts(const std::vector<std::uint32_t>& chan
     return found;
 }
 
-void WallCheck::update(const std::vector<std::uint32_t>& changed) {
-    for (const std::uint32_t arc : changed) {
-        grid_.update(arc);
-        changed_[arc] = true;
-        part_waits_[graph_.part_of[graph_.chain_of[arc]]] = true;
-        for (const std::uint32_t node : graph_.ends[arc]) {
-            if (!node_waits_[node])
-                waiting_nodes_.push_back(node);
-            node_waits_[node] = true;
-        }
-    }
+void WallCheck::update(std::uint32_t arc) {
+    grid_.update(arc);
+    changed_[arc] = 1;
+    tested_.push_back(arc);
+    as_traced_[arc] = traced(arc) ? 1 : 0;
+    part_waits_[graph_.part_of[graph_.chain_of[arc]]] = 1;
+    for (const std::uint32_t node : graph_.ends[arc])
+        if (std::exchange(node_waits_[node], std::uint8_t{1}) == 0)
+            waiting_nodes_.push_back(node);
+}
+
+/// To be tested again, whether it changes or not.
+void WallCheck::keep(std::uint32_t arc) {
+    if (std::exchange(in_conflict_[arc], std::uint8_t{1}) == 0)
+        conflicting_.push_back(arc);
 }
 
 /// Whether two edges may have their common point in common: neighbours in an arc, or first at a node.
@@ -97,7 +112,7 @@ bool WallCheck::joined(Edge e, Edge f) const {
     return node != WallGraph::nobody && node == node_at(f, common);
 }
 
-bool WallCheck::in_conflict(Edge e, const FineSegment& s, Edge f, const FineSegment& t) const {
+bool WallCheck::conflict(Edge e, const FineSegment& s, Edge f, const FineSegment& t) const {
     if (!meet(s, t))
         return false;
     const int shared =
@@ -108,23 +123,28 @@ bool WallCheck::in_conflict(Edge e, const FineSegment& s, Edge f, const FineSegm
     return overlap_from(common, s.a == common ? s.b : s.a, t.a == common ? t.b : t.a);
 }
 
-void WallCheck::check_arc(std::uint32_t arc, Conflicts& found) const {
-    const bool traced = as_traced(arc);
+void WallCheck::check_arc(std::uint32_t arc, Conflicts& found) {
+    const bool exact = as_traced_[arc] != 0;
     const std::uint32_t chain = graph_.chain_of[arc];
     for (std::uint32_t i = 0; i + 1 < arcs_[arc].size(); ++i) {
         const Edge e{arc, i};
         const FineSegment s = grid_.segment(e);
-        if (s.a == s.b)
+        if (s.a == s.b) {
             found.emplace_back(chain, chain);
+            keep(arc);
+        }
         grid_.near(s, [&](Edge f) {
             // Of two that have changed, the first one's turn is enough.
-            if (f.arc == arc ? f.index <= i : changed_[f.arc] && f.arc < arc)
+            if (f.arc == arc ? f.index <= i : changed_[f.arc] != 0 && f.arc < arc)
                 return;
-            if (traced && as_traced(f.arc))
+            if (exact && as_traced_[f.arc] != 0)
                 return;
             const FineSegment t = grid_.segment(f);
-            if (boxes_meet(s, t) && in_conflict(e, s, f, t))
-                found.emplace_back(std::minmax(chain, chain_of(f)));
+            if (!conflict(e, s, f, t))
+                return;
+            found.emplace_back(std::minmax(chain, chain_of(f)));
+            keep(arc);
+            keep(f.arc);
         });
     }
 }
@@ -142,18 +162,21 @@ std::int32_t WallCheck::side_before(std::uint32_t end) const {
     return end % 2 == 0 ? graph_.sides[end / 2].right : graph_.sides[end / 2].left;
 }
 
+/// Nodes that are not in order wait on.
 void WallCheck::check_nodes(Conflicts& found) {
-    for (const std::uint32_t node : waiting_nodes_) {
-        node_waits_[node] = false;
+    std::erase_if(waiting_nodes_, [&](std::uint32_t node) {
+        const std::size_t before = found.size();
         check_node(node, found);
-    }
-    waiting_nodes_.clear();
+        if (found.size() == before)
+            node_waits_[node] = 0;
+        return found.size() == before;
+    });
 }
 
 void WallCheck::check_node(std::uint32_t node, Conflicts& found) {
     ends_.assign(graph_.arc_ends.begin() + graph_.first_end[node],
                  graph_.arc_ends.begin() + graph_.first_end[node + 1]);
-    if (std::ranges::all_of(ends_, [&](std::uint32_t end) { return as_traced(end / 2); }))
+    if (std::ranges::all_of(ends_, [&](std::uint32_t end) { return as_traced_[end / 2] != 0; }))
         return;
     const auto& first = arcs_[ends_.front() / 2];
     const FinePoint at = ends_.front() % 2 == 0 ? first.front() : first.back();

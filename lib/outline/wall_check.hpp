@@ -27,7 +27,11 @@ class WallCheck {
     WallCheck(const WallGraph& graph, const WallDrawing& drawing, const SegmentGrid::Arcs& arcs,
               double tolerance);
 
-    /// Takes notice of arcs that are drawn anew.
+    /// Whether an arc is of interest although it has not changed: it may come in the way of others now.
+    [[nodiscard]] bool notices(std::uint32_t arc) const {
+        return in_conflict_[arc] != 0 || (as_traced_[arc] != 0) != traced(arc);
+    }
+    /// Takes notice of arcs that are drawn anew. Those that were in conflict are tested again.
     /// @param changed sorted
     /// @return pairs of chains that are in each other's way, sorted
     [[nodiscard]] Conflicts conflicts(const std::vector<std::uint32_t>& changed);
@@ -35,14 +39,15 @@ class WallCheck {
   private:
     using Edge = SegmentGrid::Edge;
 
-    [[nodiscard]] std::uint32_t chain_of(Edge e) const { return graph_.chain_of[e.arc]; }
-    [[nodiscard]] bool as_traced(std::uint32_t arc) const {
+    [[nodiscard]] bool traced(std::uint32_t arc) const {
         return drawing_.drawn(graph_.chain_of[arc]) == WallDrawing::Form::traced;
     }
-    void update(const std::vector<std::uint32_t>& changed);
+    [[nodiscard]] std::uint32_t chain_of(Edge e) const { return graph_.chain_of[e.arc]; }
+    void update(std::uint32_t arc);
+    void keep(std::uint32_t arc);
     [[nodiscard]] bool joined(Edge e, Edge f) const;
-    [[nodiscard]] bool in_conflict(Edge e, const FineSegment& s, Edge f, const FineSegment& t) const;
-    void check_arc(std::uint32_t arc, Conflicts& found) const;
+    [[nodiscard]] bool conflict(Edge e, const FineSegment& s, Edge f, const FineSegment& t) const;
+    void check_arc(std::uint32_t arc, Conflicts& found);
     void check_nodes(Conflicts& found);
     void check_node(std::uint32_t node, Conflicts& found);
     /// The westernmost vertex of a part, the lowest of these on the map.
@@ -67,14 +72,18 @@ class WallCheck {
     const SegmentGrid::Arcs& arcs_;
     SegmentGrid grid_;
     double tolerance_;
-    std::vector<bool> changed_;     // arcs, this time
-    std::vector<bool> node_waits_;  // to be checked
+    std::vector<std::uint8_t> changed_;      // arcs, this time
+    std::vector<std::uint8_t> as_traced_;    // arcs
+    std::vector<std::uint8_t> in_conflict_;  // arcs, since they were tested last
+    std::vector<std::uint32_t> conflicting_;
+    std::vector<std::uint32_t> tested_;     // arcs, this time
+    std::vector<std::uint8_t> node_waits_;  // to be checked
     std::vector<std::uint32_t> waiting_nodes_;
     std::vector<std::uint32_t> ends_;       // at a node, in order
     std::vector<std::uint32_t> part_arcs_;  // arcs, those of one part after the other
     std::vector<std::uint32_t> first_of_part_;
-    std::vector<bool> part_waits_;  // has changed since its westernmost vertex was found
-    std::vector<West> west_;        // of each part
+    std::vector<std::uint8_t> part_waits_;  // has changed since its westernmost vertex was found
+    std::vector<West> west_;                // of each part
 };
 
 }  // namespace d2b

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "outline/wall_check.hpp"
 
@@ -57,9 +58,8 @@ std::pair<std::uint32_t, std::int32_t> WallCheck::west_of(FinePoint place) const
 
 void WallCheck::find_west() {
     for (std::uint32_t part = 0; part < graph_.parts; ++part) {
-        if (!part_waits_[part])
+        if (std::exchange(part_waits_[part], std::uint8_t{0}) == 0)
             continue;
-        part_waits_[part] = false;
         West& w = west_[part] = {};
         for (std::uint32_t k = first_of_part_[part]; k < first_of_part_[part + 1]; ++k) {
             const std::uint32_t arc = part_arcs_[k];

@@ -151,11 +151,10 @@ void Course::place_as(std::size_t k, const Course& other, std::size_t of_other) 
     nodes_[k].at = there.at;
 }
 
-DrawnChain Course::cut(const Standing& from, const Standing& to) const {
-    DrawnChain result;
+void Course::cut(const Standing& from, const Standing& to, DrawnChain& arc) const {
     const auto add = [&](FinePoint point, std::size_t step) {
-        result.vertices.push_back(point);
-        result.steps.push_back(step);
+        arc.vertices.push_back(point);
+        arc.steps.push_back(step);
     };
     add(*from.point, from.step);
     // From a node round to itself, or to one before it on the same edge.
@@ -167,11 +166,10 @@ DrawnChain Course::cut(const Standing& from, const Standing& to) const {
     for (bool first = true; edge != to.edge || (first && around); first = false) {
         edge = edge + 1 < edges() ? edge + 1 : 0;
         const FinePoint next = drawn_.vertices[edge];
-        if (next != result.vertices.back() && next != *to.point)
+        if (next != arc.vertices.back() && next != *to.point)
             add(next, drawn_.steps[edge]);
     }
     add(*to.point, to.step);
-    return result;
 }
 
 /// Brings the steps of an arc into ascending order between those of its nodes.
@@ -207,24 +205,23 @@ void Course::add_circles(DrawnChain& arc) const {
     }
 }
 
-/// A ring on which nothing stands.
-DrawnChain Course::whole_ring(const WallSamples& samples) const {
-    DrawnChain ring = drawn_;
-    ring.vertices.push_back(drawn_.vertices.front());
-    ring.steps.push_back(drawn_.steps.front() + samples.steps());
-    return ring;
-}
-
-DrawnChain Course::arc(std::size_t k, const WallSamples& samples) const {
-    if (closed_ && nodes_.size() == 1 && !nodes_.front().point)
-        return whole_ring(samples);
+void Course::arc(std::size_t k, const WallSamples& samples, DrawnChain& drawn) const {
+    if (closed_ && nodes_.size() == 1 && !nodes_.front().point) {
+        // A ring on which nothing stands.
+        drawn = drawn_;
+        drawn.vertices.push_back(drawn_.vertices.front());
+        drawn.steps.push_back(drawn_.steps.front() + samples.steps());
+        return;
+    }
     const Standing& from = nodes_[k];
     const Standing& to = nodes_[k + 1 < nodes_.size() ? k + 1 : 0];
-    DrawnChain drawn = cut(from, to);
+    drawn.vertices.clear();
+    drawn.steps.clear();
+    drawn.arcs.clear();
+    cut(from, to, drawn);
     match(drawn, from.step, to.step, samples.steps());
     drawn.deviation = deviation(samples, shape_, origin_, drawn, false);
     add_circles(drawn);
-    return drawn;
 }
 
 }  // namespace d2b

@@ -27,9 +27,9 @@ class Course {
     void place_as(std::size_t k, const Course& other, std::size_t of_other);
     void take_away(std::size_t k) { nodes_[k].point.reset(); }
 
-    /// The drawing of an arc, from node to node, with its own deviation from the trace and its arcs of
+    /// Gives the drawing of an arc, from node to node, with its own deviation from the trace and its arcs of
     /// circles as far as no node divides them. @param samples of the chain
-    [[nodiscard]] DrawnChain arc(std::size_t k, const WallSamples& samples) const;
+    void arc(std::size_t k, const WallSamples& samples, DrawnChain& drawn) const;
 
   private:
     struct Standing {
@@ -45,8 +45,7 @@ class Course {
     [[nodiscard]] double wanted(const Standing& node, const std::optional<Line>& wall) const;
     void bound(std::size_t k, double& low, double& high) const;
     void stand(Standing& node, double at);
-    [[nodiscard]] DrawnChain whole_ring(const WallSamples& samples) const;
-    [[nodiscard]] DrawnChain cut(const Standing& from, const Standing& to) const;
+    void cut(const Standing& from, const Standing& to, DrawnChain& arc) const;
     void match(DrawnChain& arc, std::size_t first, std::size_t last, std::size_t steps) const;
     void add_circles(DrawnChain& arc) const;
 

@@ -14,83 +14,80 @@ WallDrawing::WallDrawing(const WallGraph& graph, const WallCluster& cluster, con
       plain_(graph.nodes.size()),
       reset_(graph.nodes.size()) {}
 
+/// What is drawn for its own sake places its ends anew. Whatever changes places the nodes on it anew; what
+/// ends there is of higher rank and has its turn later.
 std::vector<std::uint32_t> WallDrawing::draw() {
-    find_waiting();
-    for (const std::uint32_t c : drawn_)
+    drawn_.clear();
+    reset_.assign(reset_.size(), 0);
+    for (std::uint32_t c = 0; c < states_.size(); ++c) {
+        State& state = states_[c];
+        state.waiting = state.waiting || (!first_ && state.form != state.drawn);
+        if (state.waiting && !graph_.chains[c].closed)
+            for (const bool last : {false, true})
+                reset(end_node(graph_.chains[c], last));
+    }
+    for (std::uint32_t c = 0; c < states_.size(); ++c) {
+        if (!states_[c].waiting && (!std::exchange(states_[c].lands, false) || ends_where_it_did(c)))
+            continue;
         draw_chain(c);
+        drawn_.push_back(c);
+        const Chain& chain = graph_.chains[c];
+        for (std::size_t k = chain.closed ? 0 : 1; k + 1 < chain.nodes.size(); ++k)
+            reset(chain.nodes[k]);
+    }
     std::vector<std::uint32_t> changed = changed_arcs();
-    reset_.assign(reset_.size(), false);
     first_ = false;
     return changed;
 }
 
-/// A chain that is drawn places its ends anew, and all that ends on it is drawn again; what is drawn again
-/// for that alone keeps its other end.
-void WallDrawing::find_waiting() {
-    std::vector<std::uint32_t> open;
-    for (std::uint32_t c = 0; c < states_.size(); ++c) {
-        State& state = states_[c];
-        if (!first_ && state.form == state.drawn && !state.waiting)
-            continue;
-        if (first_ && !state.waiting)
-            continue;
-        state.waiting = true;
-        open.push_back(c);
-        if (!graph_.chains[c].closed && !first_)
-            for (const bool last : {false, true})
-                reset(end_node(graph_.chains[c], last), open);
-    }
-    while (!open.empty()) {
-        const Chain& chain = graph_.chains[open.back()];
-        open.pop_back();
-        for (std::size_t k = chain.closed ? 0 : 1; k + 1 < chain.nodes.size() && !first_; ++k)
-            reset(chain.nodes[k], open);
-    }
-    drawn_.clear();
-    for (std::uint32_t c = 0; c < states_.size(); ++c)
-        if (states_[c].waiting)
-            drawn_.push_back(c);
-}
-
-void WallDrawing::wait(std::uint32_t chain, std::vector<std::uint32_t>& open) {
-    if (!std::exchange(states_[chain].waiting, true))
-        open.push_back(chain);
-}
-
-void WallDrawing::reset(std::uint32_t node, std::vector<std::uint32_t>& open) {
+/// Takes a node away; all that ends there looks where to end.
+void WallDrawing::reset(std::uint32_t node) {
     const WallGraph::Node& n = graph_.nodes[node];
-    if (n.owner == WallGraph::nobody || reset_[node])
+    if (first_ || n.owner == WallGraph::nobody || std::exchange(reset_[node], std::uint8_t{1}) != 0)
         return;
-    reset_[node] = true;
     if (states_[n.owner].drawn == Form::fitted)
         states_[n.owner].course.take_away(n.place);
     for (std::uint32_t e = graph_.first_end[node]; e < graph_.first_end[node + 1]; ++e)
         if (const std::uint32_t chain = graph_.chain_of[graph_.arc_ends[e] / 2]; chain != n.owner)
-            wait(chain, open);
+            states_[chain].lands = true;
+}
+
+bool WallDrawing::ends_where_it_did(std::uint32_t c) {
+    const State& state = states_[c];
+    if (state.form != state.drawn)
+        return false;
+    if (state.drawn == Form::traced)
+        return true;
+    const Chain& chain = graph_.chains[c];
+    const std::optional<ChainEnds> before = state.ends;
+    const std::optional<ChainEnds> now =
+        state.drawn == Form::fitted
+            ? land_ends(chain, moved_piece(c, 0), moved_piece(c, state.pieces.size() - 1))
+            : ChainEnds{land(end_node(chain, false), {}), land(end_node(chain, true), {})};
+    return now == before;
 }
 
 /// Those of all chains that have been drawn, and those beside nodes that have been placed anew.
 std::vector<std::uint32_t> WallDrawing::changed_arcs() const {
-    std::vector<std::uint32_t> changed;
-    if (first_) {
-        for (std::uint32_t arc = 0; arc < graph_.chain_of.size(); ++arc)
-            changed.push_back(arc);
-        return changed;
-    }
-    for (const std::uint32_t c : drawn_) {
-        const Chain& chain = graph_.chains[c];
-        for (const ArcUse& use : chain.arcs)
-            changed.push_back(use.arc);
-        if (!chain.closed)
+    std::vector<std::uint8_t> marked(graph_.chain_of.size(), first_ ? 1 : 0);
+    if (!first_)
+        for (const std::uint32_t c : drawn_) {
+            const Chain& chain = graph_.chains[c];
+            for (const ArcUse& use : chain.arcs)
+                marked[use.arc] = 1;
             for (const bool last : {false, true}) {
                 const std::uint32_t node = end_node(chain, last);
                 for (std::uint32_t e = graph_.first_end[node]; e < graph_.first_end[node + 1]; ++e)
-                    if (reset_[node])
-                        changed.push_back(graph_.arc_ends[e] / 2);
+                    if (reset_[node] != 0)
+                        marked[graph_.arc_ends[e] / 2] = 1;
             }
-    }
-    std::sort(changed.begin(), changed.end());
-    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+        }
+    std::vector<std::uint32_t> changed;
+    if (drawn_.empty() && !first_)
+        return changed;
+    for (std::uint32_t arc = 0; arc < marked.size(); ++arc)
+        if (marked[arc] != 0)
+            changed.push_back(arc);
     return changed;
 }
 
@@ -126,23 +123,21 @@ void WallDrawing::draw_chain(std::uint32_t c) {
 /// Places the ends of a chain that is drawn as it was traced but for these.
 void WallDrawing::land_traced(std::uint32_t c) {
     const Chain& chain = graph_.chains[c];
+    const LatticePoint origin = chain.trace.front();
+    states_[c].ends = ChainEnds{land(end_node(chain, false), {}), land(end_node(chain, true), {})};
     for (const bool last : {false, true}) {
-        const std::uint32_t node = end_node(chain, last);
-        const LatticePoint origin = chain.trace.front();
-        const Vec moved = options_.shape.from_fine(land(node, {}), origin) -
-                          options_.shape.from_fine(fine(graph_.nodes[node].at), origin);
+        const FinePoint landed = last ? states_[c].ends->last : states_[c].ends->first;
+        const Vec moved = options_.shape.from_fine(landed, origin) -
+                          options_.shape.from_fine(fine(graph_.nodes[end_node(chain, last)].at), origin);
         if (d2b::length(moved) > options_.tolerance)
             simplify(c);
     }
 }
 
-DrawnChain WallDrawing::joined_arc(const Chain& chain, std::size_t k) const {
-    DrawnChain drawn;
-    const ArcUse use = chain.arcs[k];
-    for (const LatticePoint point : graph_.graph.arcs[use.arc])
-        drawn.vertices.push_back(fine(point));
+/// Lets an arc as it was traced end on what the chain ends on.
+void WallDrawing::join(const Chain& chain, std::size_t k, DrawnChain& drawn) const {
     const auto land = [&](bool last) {
-        FinePoint& end = last != use.reversed ? drawn.vertices.back() : drawn.vertices.front();
+        FinePoint& end = last != chain.arcs[k].reversed ? drawn.vertices.back() : drawn.vertices.front();
         const FinePoint landed = place(end_node(chain, last));
         const LatticePoint origin = chain.trace.front();
         drawn.deviation = std::max(drawn.deviation, d2b::length(options_.shape.from_fine(landed, origin) -
@@ -153,29 +148,30 @@ DrawnChain WallDrawing::joined_arc(const Chain& chain, std::size_t k) const {
         land(false);
     if (k + 1 == chain.arcs.size())
         land(true);
-    return drawn;
 }
 
-DrawnChain WallDrawing::arc(std::uint32_t arc) const {
+void WallDrawing::arc(std::uint32_t arc, DrawnChain& drawn) const {
     const std::uint32_t c = graph_.chain_of[arc];
     const State& state = states_[c];
     const Chain& chain = graph_.chains[c];
     const std::size_t k = graph_.place_of[arc];
-    DrawnChain drawn;
-    if (state.drawn == Form::traced) {
-        drawn.vertices = fine(graph_.graph.arcs[arc]);
-        return drawn;
+    if (state.drawn != Form::fitted) {
+        drawn.vertices.clear();
+        for (const LatticePoint point : graph_.graph.arcs[arc])
+            drawn.vertices.push_back(fine(point));
+        drawn.arcs.clear();
+        drawn.deviation = 0;
+        if (state.drawn == Form::joined)
+            join(chain, k, drawn);
+        return;
     }
-    if (state.drawn == Form::joined)
-        return joined_arc(chain, k);
-    drawn = state.course.arc(k, *state.samples);
+    state.course.arc(k, *state.samples, drawn);
     if (!chain.arcs[k].reversed)
-        return drawn;
+        return;
     const auto last = static_cast<std::uint32_t>(drawn.vertices.size() - 1);
     std::reverse(drawn.vertices.begin(), drawn.vertices.end());
     for (ArcSpan& span : drawn.arcs)
         span.first = last - span.first - span.edges;
-    return drawn;
 }
 
 bool WallDrawing::simplify(std::uint32_t c) {

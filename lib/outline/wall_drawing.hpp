@@ -7,6 +7,7 @@
 #include "outline/wall_clusters.hpp"
 #include "outline/wall_course.hpp"
 #include "outline/wall_options.hpp"
+#include "outline/wall_shape.hpp"
 
 namespace d2b {
 
@@ -32,8 +33,8 @@ class WallDrawing {
     [[nodiscard]] Form form(std::uint32_t chain) const { return states_[chain].form; }
     /// The form in which it is drawn; traced: it and its nodes are where they were traced.
     [[nodiscard]] Form drawn(std::uint32_t chain) const { return states_[chain].drawn; }
-    /// An arc as it is drawn, in its own direction; steps are not set.
-    [[nodiscard]] DrawnChain arc(std::uint32_t arc) const;
+    /// Gives an arc as it is drawn, in its own direction; steps are of no use.
+    void arc(std::uint32_t arc, DrawnChain& drawn) const;
     /// The next simpler form of a chain, and of those that need one with it. @return false: it is traced
     /// already
     bool simplify(std::uint32_t chain);
@@ -51,23 +52,27 @@ class WallDrawing {
     void shift(Wall wall, double cells);
 
   private:
+    struct Shift {
+        double cells = 0;
+        int times = 0;  ///< that it has been changed
+    };
     struct State {
         Form form = Form::fitted;
         Form drawn = Form::fitted;
-        bool waiting = true;            ///< to be drawn
+        bool waiting = true;            ///< to be drawn for its own sake
+        bool lands = false;             ///< where it ends may have moved
         std::size_t tried = 0;          ///< prices of walls
         std::vector<WallPiece> pieces;  ///< found when the chain is first drawn
-        std::vector<double> shift;      ///< of each, in cells
-        std::vector<int> shifts;        ///< how often that has been changed
+        std::vector<Shift> shifts;      ///< of each
         double direction = 0;
+        std::optional<ChainEnds> ends;       ///< of an open chain that is not traced
         std::optional<WallSamples> samples;  ///< where it is fitted
         Course course;                       ///< where it is drawn fitted
     };
     [[nodiscard]] bool can_adopt(const Chain& chain, const std::vector<bool>& adopted) const;
     void adopt_chain(std::uint32_t chain, WallDrawing& low, std::uint32_t low_chain);
-    void wait(std::uint32_t chain, std::vector<std::uint32_t>& open);
-    void reset(std::uint32_t node, std::vector<std::uint32_t>& open);
-    void find_waiting();
+    void reset(std::uint32_t node);
+    [[nodiscard]] bool ends_where_it_did(std::uint32_t chain);
     [[nodiscard]] std::vector<std::uint32_t> changed_arcs() const;
     void draw_chain(std::uint32_t chain);
     [[nodiscard]] bool fit(std::uint32_t chain);
@@ -76,10 +81,11 @@ class WallDrawing {
     [[nodiscard]] double reference_direction(std::uint32_t chain, double own) const;
     [[nodiscard]] FinePoint place(std::uint32_t node) const;
     [[nodiscard]] FinePoint land(std::uint32_t node, const std::optional<Line>& wall);
-    [[nodiscard]] std::optional<ChainEnds> land_ends(const Chain& chain,
-                                                     const std::vector<WallPiece>& pieces);
+    [[nodiscard]] WallPiece moved_piece(std::uint32_t chain, std::size_t i) const;
+    [[nodiscard]] std::optional<ChainEnds> land_ends(const Chain& chain, const WallPiece& first,
+                                                     const WallPiece& last);
     void land_traced(std::uint32_t chain);
-    [[nodiscard]] DrawnChain joined_arc(const Chain& chain, std::size_t k) const;
+    void join(const Chain& chain, std::size_t k, DrawnChain& drawn) const;
     [[nodiscard]] static std::uint32_t end_node(const Chain& chain, bool last) {
         return last ? chain.nodes.back() : chain.nodes.front();
     }
@@ -89,7 +95,7 @@ class WallDrawing {
     WallOptions options_;
     std::vector<State> states_;
     std::vector<bool> plain_;           ///< nodes that stay nearest to their trace
-    std::vector<bool> reset_;           ///< nodes that are placed anew this time
+    std::vector<std::uint8_t> reset_;   ///< nodes that are placed anew this time
     std::vector<std::uint32_t> drawn_;  ///< chains, this time
     bool first_ = true;                 ///< nothing has been drawn
 };

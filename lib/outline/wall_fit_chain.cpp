@@ -33,7 +33,17 @@ bool has_area(const DrawnChain& drawn, const WallSamples& samples, const CellSha
 
 }  // namespace
 
-std::optional<ChainEnds> WallDrawing::land_ends(const Chain& chain, const std::vector<WallPiece>& pieces) {
+/// A wall that is planned, where it has been moved to.
+WallPiece WallDrawing::moved_piece(std::uint32_t c, std::size_t i) const {
+    const State& state = states_[c];
+    WallPiece piece = state.pieces[i];
+    if (state.shifts[i].cells != 0)
+        shift_wall(piece, *state.samples, state.shifts[i].cells);
+    return piece;
+}
+
+std::optional<ChainEnds> WallDrawing::land_ends(const Chain& chain, const WallPiece& first,
+                                                const WallPiece& last) {
     if (chain.closed)
         return {};
     // Lines are seen from this chain's first point, those of the owner from its own.
@@ -45,8 +55,8 @@ std::optional<ChainEnds> WallDrawing::land_ends(const Chain& chain, const std::v
         return Line{options_.shape.from_fine(fine(chain.trace.front()), origin) + piece.line.through,
                     piece.line.along};
     };
-    return ChainEnds{land(chain.nodes.front(), line(pieces.front(), chain.nodes.front())),
-                     land(chain.nodes.back(), line(pieces.back(), chain.nodes.back()))};
+    return ChainEnds{land(chain.nodes.front(), line(first, chain.nodes.front())),
+                     land(chain.nodes.back(), line(last, chain.nodes.back()))};
 }
 
 double WallDrawing::reference_direction(std::uint32_t c, double own) const {
@@ -84,8 +94,7 @@ bool WallDrawing::plan(std::uint32_t c, const std::vector<std::size_t>& points, 
     find_arcs(*state.samples, style, *pieces);
     settle_ends(*state.samples, *pieces);
     state.pieces = std::move(*pieces);
-    state.shift.assign(state.pieces.size(), 0);
-    state.shifts.assign(state.pieces.size(), 0);
+    state.shifts.assign(state.pieces.size(), {});
     return true;
 }
 
@@ -95,12 +104,13 @@ bool WallDrawing::join_walls(std::uint32_t c) {
     State& state = states_[c];
     const WallSamples& samples = *state.samples;
     const LatticePoint origin = chain.trace.front();
-    std::vector<WallPiece> pieces = state.pieces;
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-        if (state.shift[i] != 0)
-            shift_wall(pieces[i], samples, state.shift[i]);
+    std::vector<WallPiece> pieces;
+    pieces.reserve(state.pieces.size());
+    for (std::size_t i = 0; i < state.pieces.size(); ++i)
+        pieces.push_back(moved_piece(c, i));
+    state.ends = land_ends(chain, pieces.front(), pieces.back());
     DrawnChain drawn = draw_walls(samples, {options_.walls, options_.tolerance, 1}, options_.shape, origin,
-                                  pieces, land_ends(chain, pieces));
+                                  pieces, state.ends);
     const double limit = options_.tolerance - snapping;
     if (drawn.deviation > limit && state.tried + 1 >= tried_prices.size())
         keep_near(samples, {options_.walls, limit, 1}, options_.shape, origin, drawn);
@@ -152,7 +162,7 @@ std::vector<WallDrawing::Wall> WallDrawing::walls_along(std::uint32_t arc) const
             return last > first ? last - first : 0;
         };
         const std::size_t along = common(0, 0) + (chain.closed ? common(round, 0) + common(0, round) : 0);
-        if (state.shifts[i] < most_shifts &&
+        if (state.shifts[i].times < most_shifts &&
             static_cast<double>(along) >= most * static_cast<double>(piece.last - piece.first))
             walls.push_back({c, i});
     }
@@ -166,8 +176,8 @@ double WallDrawing::length(Wall wall) const {
 
 void WallDrawing::shift(Wall wall, double cells) {
     State& state = states_[wall.chain];
-    ++state.shifts[wall.piece];
-    state.shift[wall.piece] += cells;
+    ++state.shifts[wall.piece].times;
+    state.shifts[wall.piece].cells += cells;
     state.waiting = true;
 }
 

@@ -12,7 +12,8 @@ namespace {
 
 class Builder {
   public:
-    Builder(const WallCluster& cluster, WallGraph& result) : cluster_(cluster), walls_(result) {}
+    Builder(const WallCluster& cluster, WallGraph& result)
+        : cluster_(cluster), walls_(result), tracer_(result) {}
     void find_sides();
     void find_nodes();
     void find_mates();
@@ -29,6 +30,7 @@ class Builder {
 
     const WallCluster& cluster_;
     WallGraph& walls_;
+    ChainTracer tracer_;
     std::vector<std::uint32_t> mate_;  // of an arc end: the one that it goes on with
 };
 
@@ -134,7 +136,7 @@ void Builder::walk(std::uint32_t from_end) {
         end = mate_[end ^ 1U];
     } while (end != nobody && end != from_end);
     chain.closed = end == from_end;
-    ChainTracer(walls_, chain).trace();
+    tracer_.trace(chain);
     for (std::uint32_t k = 0; k < chain.arcs.size(); ++k)
         walls_.place_of[chain.arcs[k].arc] = k;
     walls_.chains.push_back(std::move(chain));

@@ -26,10 +26,6 @@ std::size_t nearest_step(const WallSamples& samples, Vec place, std::size_t low,
 void match_trace(const WallSamples& samples, const CellShape& shape, LatticePoint origin, DrawnChain& chain) {
     constexpr std::size_t reach = 8;
     const std::size_t n = chain.vertices.size();
-    std::vector<Vec> vertices;
-    vertices.reserve(n + 1);
-    for (const FinePoint vertex : chain.vertices)
-        vertices.push_back(shape.from_fine(vertex, origin));
     const std::size_t end = samples.closed() ? 2 * samples.steps() - 1 : samples.steps();
     for (std::size_t k = samples.closed() ? 0 : 1; k + (samples.closed() ? 0 : 1) < n; ++k) {
         const std::size_t hint = chain.steps[k];
@@ -37,7 +33,8 @@ void match_trace(const WallSamples& samples, const CellShape& shape, LatticePoin
         std::size_t high = std::min(hint + reach, end);
         if (k > 0 && samples.closed())
             high = std::min(high, chain.steps.front() + samples.steps());
-        chain.steps[k] = nearest_step(samples, vertices[k], std::min(low, high), high);
+        chain.steps[k] =
+            nearest_step(samples, shape.from_fine(chain.vertices[k], origin), std::min(low, high), high);
     }
     chain.deviation = deviation(samples, shape, origin, chain, samples.closed());
 }

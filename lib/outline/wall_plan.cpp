@@ -17,15 +17,9 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 class Planner {
   public:
-    Planner(const WallSamples& samples, const WallStyle& style, double direction)
-        : samples_(samples), style_(style) {
-        for (std::size_t f = 0; f < WallPiece::free; ++f) {
-            const double angle = direction + std::array{0.0, 0.5, 0.25, 0.75}[f] * std::numbers::pi;
-            directions_[f] = {std::cos(angle), std::sin(angle)};
-        }
-    }
+    Planner(const WallSamples& samples, const WallStyle& style) : samples_(samples), style_(style) {}
     /// @param points steps in ascending order; walls begin and end at the first and the last
-    std::optional<std::vector<WallPiece>> plan(const std::vector<std::size_t>& points);
+    std::optional<std::vector<WallPiece>> plan(const std::vector<std::size_t>& points, double direction);
 
   private:
     struct State {
@@ -34,7 +28,15 @@ class Planner {
         std::size_t family = 0;  // of the wall before
     };
     using States = std::array<State, families>;
+    /// The cheapest wall before one of a family.
+    using Before = std::array<std::size_t, families>;
 
+    void turn_to(double direction) {
+        const double c = std::cos(direction);
+        const double s = std::sin(direction);
+        const double half = std::numbers::sqrt2 / 2;
+        directions_ = {Vec{c, s}, Vec{-s, c}, half * Vec{c - s, c + s}, half * Vec{-c - s, c - s}};
+    }
     [[nodiscard]] bool allowed(std::size_t family) const {
         const bool fixed = family < WallPiece::free;
         switch (style_.walls) {
@@ -49,8 +51,8 @@ class Planner {
     [[nodiscard]] Line line(std::size_t family, const WallSamples::Sums& sums) const {
         return {sums.mean, family < WallPiece::free ? directions_[family] : sums.direction()};
     }
-    [[nodiscard]] static std::size_t best_before(const States& states, std::size_t family);
-    void extend(std::size_t from, std::size_t to, const WallSamples::Sums& sums);
+    void find_before(std::size_t point);
+    void extend(std::size_t from, std::size_t to, const WallSamples::Sums& sums, double least);
     [[nodiscard]] std::vector<WallPiece> trace_back(const std::vector<std::size_t>& points) const;
 
     const WallSamples& samples_;
@@ -58,25 +60,32 @@ class Planner {
     std::array<Vec, WallPiece::free> directions_{};
     const std::vector<std::size_t>* points_ = nullptr;
     std::vector<States> states_;
+    std::vector<Before> before_;
 };
 
-/// The cheapest wall before one of a family: neighbours are not parallel.
-std::size_t Planner::best_before(const States& states, std::size_t family) {
-    std::size_t best = family == 0 ? 1 : 0;
-    for (std::size_t f = 0; f < families; ++f)
-        if ((f != family || f == WallPiece::free) && states[f].cost < states[best].cost)
-            best = f;
-    return best;
+/// Neighbours are not parallel.
+void Planner::find_before(std::size_t point) {
+    const States& states = states_[point];
+    for (std::size_t family = 0; family < families; ++family) {
+        std::size_t best = family == 0 ? 1 : 0;
+        for (std::size_t f = 0; f < families; ++f)
+            if ((f != family || f == WallPiece::free) && states[f].cost < states[best].cost)
+                best = f;
+        before_[point][family] = best;
+    }
 }
 
-void Planner::extend(std::size_t from, std::size_t to, const WallSamples::Sums& sums) {
+/// @param least squares from the best line of any direction
+void Planner::extend(std::size_t from, std::size_t to, const WallSamples::Sums& sums, double least) {
     for (std::size_t f = 0; f < families; ++f) {
         if (!allowed(f))
             continue;
-        const std::size_t before = from == 0 ? 0 : best_before(states_[from], f);
-        const double spent = from == 0 ? 0 : states_[from][before].cost;
-        const double squares = f < WallPiece::free ? sums.squares(directions_[f]) : sums.least_squares();
-        const double cost = spent + style_.price * prices[f] + squares / variance;
+        const std::size_t before = before_[from][f];
+        const double spent = (from == 0 ? 0 : states_[from][before].cost) + style_.price * prices[f];
+        if (!(spent + least / variance < states_[to][f].cost))
+            continue;
+        const double squares = f < WallPiece::free ? sums.squares(directions_[f]) : least;
+        const double cost = spent + squares / variance;
         if (!(cost < states_[to][f].cost))
             continue;
         const double limit = style_.tolerance - 0.05;
@@ -110,19 +119,25 @@ std::vector<WallPiece> Planner::trace_back(const std::vector<std::size_t>& point
     return pieces;
 }
 
-std::optional<std::vector<WallPiece>> Planner::plan(const std::vector<std::size_t>& points) {
+std::optional<std::vector<WallPiece>> Planner::plan(const std::vector<std::size_t>& points,
+                                                    double direction) {
+    turn_to(direction);
     points_ = &points;
     states_.assign(points.size(), {});
-    for (std::size_t to = 1; to < points.size(); ++to)
+    before_.assign(points.size(), {});
+    for (std::size_t to = 1; to < points.size(); ++to) {
         for (std::size_t from = to; from-- > 0 && to - from <= window;) {
             if (points[to] - points[from] > samples_.steps())
                 break;
             const WallSamples::Sums sums = samples_.sums(points[from], points[to]);
+            const double least = sums.least_squares();
             // Walls between all points in between would be cheaper, and even more so from farther off.
-            if (sums.least_squares() / variance > 12.0 * static_cast<double>(to - from) + 60)
+            if (least / variance > 12.0 * static_cast<double>(to - from) + 60)
                 break;
-            extend(from, to, sums);
+            extend(from, to, sums, least);
         }
+        find_before(to);
+    }
     const States& last = states_.back();
     if (std::ranges::all_of(last, [](const State& state) { return state.cost == infinite; }))
         return {};
@@ -182,13 +197,14 @@ std::optional<std::vector<WallPiece>> plan_walls(const WallSamples& samples, std
                                                  const WallStyle& style, double& direction) {
     if (samples.closed())
         points.push_back(samples.steps());
-    std::optional<std::vector<WallPiece>> pieces = Planner(samples, style, direction).plan(points);
+    Planner planner(samples, style);
+    std::optional<std::vector<WallPiece>> pieces = planner.plan(points, direction);
     if (!pieces || pieces->size() < 2)
         return pieces;
     direction = adjusted(direction, *pieces, samples);
     if (samples.closed())
         points = restarted(points, *pieces, samples.steps());
-    std::optional<std::vector<WallPiece>> again = Planner(samples, style, direction).plan(points);
+    std::optional<std::vector<WallPiece>> again = planner.plan(points, direction);
     return again ? again : pieces;
 }
 

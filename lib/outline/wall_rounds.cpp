@@ -49,7 +49,7 @@ void WallRounds::find_rings() {
 
 void WallRounds::settle() {
     for (round_ = 0;; ++round_) {
-        const std::vector<std::uint32_t> changed = drawing_.draw();
+        std::vector<std::uint32_t> changed = drawing_.draw();
         if (changed.empty())
             return;
         collect(changed);
@@ -61,23 +61,33 @@ void WallRounds::settle() {
     }
 }
 
-void WallRounds::collect(const std::vector<std::uint32_t>& changed) {
+/// Takes over what is drawn. @param changed arcs that may have changed; those that have not are left out
+void WallRounds::collect(std::vector<std::uint32_t>& changed) {
+    std::erase_if(changed, [&](std::uint32_t arc) {
+        drawing_.arc(arc, drawn_);
+        deviations_[arc] = drawn_.deviation;
+        spans_[arc].assign(drawn_.arcs.begin(), drawn_.arcs.end());
+        if (drawn_.vertices == arcs_[arc])
+            return drawn_.deviation <= options_.tolerance && !check_.notices(arc);
+        arcs_[arc].swap(drawn_.vertices);
+        add_area(arc);
+        for (std::uint32_t k = first_of_arc_[arc]; k < first_of_arc_[arc + 1]; ++k)
+            let_wait(rings_of_[k]);
+        return false;
+    });
+}
+
+void WallRounds::add_area(std::uint32_t arc) {
     const FinePoint origin = fine(cluster_.contours.front()->exterior.start());
-    for (const std::uint32_t arc : changed) {
-        DrawnChain drawn = drawing_.arc(arc);
-        Int128 twice = 0;
-        for (std::size_t i = 0; i + 1 < drawn.vertices.size(); ++i)
-            twice += turn(origin, drawn.vertices[i], drawn.vertices[i + 1]);
-        areas_[arc] = twice;
-        arcs_[arc] = std::move(drawn.vertices);
-        spans_[arc] = std::move(drawn.arcs);
-        deviations_[arc] = drawn.deviation;
-        for (std::uint32_t k = first_of_arc_[arc]; k < first_of_arc_[arc + 1]; ++k) {
-            const std::uint32_t ring = rings_of_[k];
-            if (!std::exchange(rings_[ring].waits, true))
-                waiting_rings_.push_back(ring);
-        }
-    }
+    Int128 twice = 0;
+    for (std::size_t i = 0; i + 1 < arcs_[arc].size(); ++i)
+        twice += turn(origin, arcs_[arc][i], arcs_[arc][i + 1]);
+    areas_[arc] = twice;
+}
+
+void WallRounds::let_wait(std::uint32_t ring) {
+    if (!std::exchange(rings_[ring].waits, true))
+        waiting_rings_.push_back(ring);
 }
 
 /// A node that has gone so far that an arc on which it stands leaves its trace goes back: the chains that end

@@ -31,10 +31,14 @@ class WallRounds {
         std::int64_t traced = 0;  // area, in cells
         int level = 0;
         bool waits = false;  // to be measured
+        double missing = 0;  // area, when walls were moved last
+        double asked = 0;    // of them
     };
 
     void find_rings();
-    void collect(const std::vector<std::uint32_t>& changed);
+    void collect(std::vector<std::uint32_t>& changed);
+    void add_area(std::uint32_t arc);
+    void let_wait(std::uint32_t ring);
     void check_deviations(const std::vector<std::uint32_t>& changed);
     void resolve(std::uint32_t a, std::uint32_t b);
     void trace_part(std::uint32_t part);
@@ -45,7 +49,7 @@ class WallRounds {
 
     void check_areas();
     [[nodiscard]] Int128 twice_area(const std::vector<ArcUse>& ring) const;
-    void correct(const Ring& ring, double missing, std::vector<Wall>& moved);
+    void correct(Ring& ring, double missing, std::vector<Wall>& moved);
     void simplify_last(const Ring& ring);
     void append(FineRing& to, const ArcUse& use, std::uint32_t number,
                 std::vector<ArcSpan>& ring_spans) const;
@@ -64,6 +68,7 @@ class WallRounds {
     std::vector<std::uint32_t> first_of_arc_;
     std::vector<std::uint32_t> waiting_rings_;
     std::vector<bool> in_conflict_;  // parts, this round
+    DrawnChain drawn_;
     WallCheck check_;
     int round_ = 0;
 };

@@ -67,13 +67,19 @@ void WallSamples::add_up() {
     }
 }
 
-double WallSamples::Sums::least_squares() const {
-    return std::max(0.0, (xx + yy - std::sqrt((xx - yy) * (xx - yy) + 4 * xy * xy)) / 2);
-}
-
+/// Half of the angle of (xx - yy, 2 xy).
 Vec WallSamples::Sums::direction() const {
-    const double angle = std::atan2(2 * xy, xx - yy) / 2;
-    return {std::cos(angle), std::sin(angle)};
+    const double c = xx - yy;
+    const double s = 2 * xy;
+    const double r = std::sqrt(c * c + s * s);
+    if (r == 0)
+        return {1, 0};
+    if (c >= 0) {
+        const double cosine = std::sqrt((1 + c / r) / 2);
+        return {cosine, s / r / (2 * cosine)};
+    }
+    const double sine = std::copysign(std::sqrt((1 - c / r) / 2), s);
+    return {s / r / (2 * sine), sine};
 }
 
 WallSamples::Sums WallSamples::sums(std::size_t first, std::size_t last) const {

@@ -102,7 +102,9 @@ class WallSamples {
         [[nodiscard]] double squares(Vec along) const {
             return along.y * along.y * xx - 2 * along.x * along.y * xy + along.x * along.x * yy;
         }
-        [[nodiscard]] double least_squares() const;
+        [[nodiscard]] double least_squares() const {
+            return std::max(0.0, (xx + yy - std::sqrt((xx - yy) * (xx - yy) + 4 * xy * xy)) / 2);
+        }
         /// The direction with the least sum of squares.
         [[nodiscard]] Vec direction() const;
     };

@@ -70,6 +70,10 @@ class Drawer {
     void add_wall(const std::vector<WallPiece>& pieces, std::size_t i, const std::optional<ChainEnds>& ends);
     void whole_circle(const WallPiece& piece);
     DrawnChain& chain() { return chain_; }
+    void reserve(std::size_t vertices) {
+        chain_.vertices.reserve(vertices);
+        chain_.steps.reserve(vertices);
+    }
 
   private:
     void round_off(const WallPiece& piece, std::size_t first_vertex);
@@ -206,6 +210,7 @@ DrawnChain draw_walls(const WallSamples& samples, const WallStyle& style, const 
                       LatticePoint origin, const std::vector<WallPiece>& pieces,
                       const std::optional<ChainEnds>& ends) {
     Drawer drawer(samples, style, shape, origin);
+    drawer.reserve(2 * pieces.size() + 2);
     if (pieces.size() == 1 && pieces.front().circle && !ends) {
         drawer.whole_circle(pieces.front());
     } else {

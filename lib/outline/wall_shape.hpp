@@ -27,6 +27,8 @@ void settle_ends(const WallSamples& samples, std::vector<WallPiece>& pieces);
 struct ChainEnds {
     FinePoint first;
     FinePoint last;
+
+    friend bool operator==(const ChainEnds&, const ChainEnds&) = default;
 };
 
 /// Lets walls meet: vertices are where neighbours intersect; where these are nearly parallel, a short wall
