@@ -16,7 +16,7 @@ def table(head, lines):
 
 def row_line(row):
     beside = f"{row.beside_seconds():.3g}" if row.beside else ""
-    processor = f"{processor_ratio(row):.2f}" if row.beside else ""
+    processor = f"{processor_ratio(row):.2f}" if row.beside and not row.at_least else ""
     sign = ">=" if row.at_least else "<="
     return [row.what, f"{row.ours.median():.3g}", beside, processor, f"{row.ours.peak():.0f}",
             f"{row.figure(row):.2f}{row.unit}", f"{sign} {row.asked}", "yes" if row.met() else "**no**"]
@@ -67,6 +67,7 @@ def machine():
 
 def as_json(contenders, reports):
     return {"machine": machine(),
-            "cities": {f"{preset} {size}": report for (preset, size), report in reports.items()},
+            "results": {f"{preset} {size}": report for (preset, size), report in reports.items()},
             "contenders": [{"name": c.name, "command": command_text(c), "seconds": c.seconds,
-                            "processor": c.processor, "peak_mebibytes": c.mebibytes, "reports": c.reports} for c in contenders]}
+                            "processor": c.processor, "peak_mebibytes": c.mebibytes,
+                            "stages": [report["stages"] for report in c.reports]} for c in contenders]}
