@@ -58,7 +58,7 @@ struct FineSegment {
 
 /// Whether two segments that begin in one point have another one in common. Exact.
 [[nodiscard]] inline bool overlap_from(FinePoint common, FinePoint s, FinePoint t) {
-    if (turn(common, s, t) != 0)
+    if (side(common, s, t) != 0)
         return false;
     return static_cast<Int128>(s.row - common.row) * (t.row - common.row) +
                static_cast<Int128>(s.col - common.col) * (t.col - common.col) >
@@ -72,7 +72,7 @@ struct FineSegment {
     const auto half = [&](FinePoint p) {
         return p.row > from.row || (p.row == from.row && p.col < from.col) ? 0 : 1;
     };
-    return half(to) != half(than) ? half(to) < half(than) : turn(from, to, than) > 0;
+    return half(to) != half(than) ? half(to) < half(than) : side(from, to, than) > 0;
 }
 
 }  // namespace d2b

@@ -7,7 +7,7 @@
 
 namespace d2b {
 
-/// A drawn polygon in some five bytes a vertex: from each vertex the way to the next one.
+/// A drawn polygon in some four bytes a vertex: from each vertex the way to the next one.
 class PackedOutline {
   public:
     PackedOutline() = default;

@@ -13,7 +13,9 @@ constexpr std::size_t longest_look = 512;  // steps; bounds the time that a long
 
 void divide(const WallSamples& samples, std::size_t begin, std::size_t end,
             std::vector<std::size_t>& points) {
-    std::vector<std::pair<std::size_t, std::size_t>> open{{begin, end}};
+    std::vector<std::pair<std::size_t, std::size_t>> open;
+    open.reserve(16);
+    open.emplace_back(begin, end);
     while (!open.empty()) {
         const auto [first, last] = open.back();
         open.pop_back();
@@ -41,7 +43,9 @@ void divide(const WallSamples& samples, std::size_t begin, std::size_t end,
 
 std::vector<std::size_t> turning_points(const WallSamples& samples) {
     const std::size_t n = samples.steps();
-    std::vector<std::size_t> points{0};
+    std::vector<std::size_t> points;
+    points.reserve(32);
+    points.push_back(0);
     std::size_t begin = 0;
     while (begin < n) {
         std::size_t end = n;

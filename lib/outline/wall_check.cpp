@@ -113,6 +113,8 @@ bool WallCheck::joined(Edge e, Edge f) const {
 }
 
 bool WallCheck::conflict(Edge e, const FineSegment& s, Edge f, const FineSegment& t) const {
+    if (e.arc == f.arc && e.index + 1 == f.index)
+        return overlap_from(s.b, s.a, t.b);  // most of all
     if (!meet(s, t))
         return false;
     const int shared =

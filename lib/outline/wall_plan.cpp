@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 
@@ -24,12 +25,11 @@ class Planner {
   private:
     struct State {
         double cost = infinite;
-        std::size_t from = 0;
-        std::size_t family = 0;  // of the wall before
+        std::uint32_t from = 0;
+        std::uint8_t family = 0;  // of the wall before
+        std::uint8_t before = 0;  // the cheapest family to stand before a wall of this one
     };
     using States = std::array<State, families>;
-    /// The cheapest wall before one of a family.
-    using Before = std::array<std::size_t, families>;
 
     void turn_to(double direction) {
         const double c = std::cos(direction);
@@ -60,18 +60,17 @@ class Planner {
     std::array<Vec, WallPiece::free> directions_{};
     const std::vector<std::size_t>* points_ = nullptr;
     std::vector<States> states_;
-    std::vector<Before> before_;
 };
 
 /// Neighbours are not parallel.
 void Planner::find_before(std::size_t point) {
-    const States& states = states_[point];
+    States& states = states_[point];
     for (std::size_t family = 0; family < families; ++family) {
-        std::size_t best = family == 0 ? 1 : 0;
-        for (std::size_t f = 0; f < families; ++f)
+        std::uint8_t best = family == 0 ? 1 : 0;
+        for (std::uint8_t f = 0; f < families; ++f)
             if ((f != family || f == WallPiece::free) && states[f].cost < states[best].cost)
                 best = f;
-        before_[point][family] = best;
+        states[family].before = best;
     }
 }
 
@@ -80,7 +79,7 @@ void Planner::extend(std::size_t from, std::size_t to, const WallSamples::Sums& 
     for (std::size_t f = 0; f < families; ++f) {
         if (!allowed(f))
             continue;
-        const std::size_t before = before_[from][f];
+        const std::uint8_t before = states_[from][f].before;
         const double spent = (from == 0 ? 0 : states_[from][before].cost) + style_.price * prices[f];
         if (!(spent + least / variance < states_[to][f].cost))
             continue;
@@ -90,7 +89,7 @@ void Planner::extend(std::size_t from, std::size_t to, const WallSamples::Sums& 
             continue;
         const double limit = style_.tolerance - 0.05;
         if (samples_.near((*points_)[from], (*points_)[to], line(f, sums), limit))
-            states_[to][f] = {cost, from, before};
+            states_[to][f] = {cost, static_cast<std::uint32_t>(from), before, 0};
     }
 }
 
@@ -124,7 +123,6 @@ std::optional<std::vector<WallPiece>> Planner::plan(const std::vector<std::size_
     turn_to(direction);
     points_ = &points;
     states_.assign(points.size(), {});
-    before_.assign(points.size(), {});
     for (std::size_t to = 1; to < points.size(); ++to) {
         for (std::size_t from = to; from-- > 0 && to - from <= window;) {
             if (points[to] - points[from] > samples_.steps())

@@ -69,7 +69,7 @@ void WallRounds::collect(std::vector<std::uint32_t>& changed) {
         spans_[arc].assign(drawn_.arcs.begin(), drawn_.arcs.end());
         if (drawn_.vertices == arcs_[arc])
             return drawn_.deviation <= options_.tolerance && !check_.notices(arc);
-        arcs_[arc].swap(drawn_.vertices);
+        arcs_[arc].assign(drawn_.vertices.begin(), drawn_.vertices.end());
         add_area(arc);
         for (std::uint32_t k = first_of_arc_[arc]; k < first_of_arc_[arc + 1]; ++k)
             let_wait(rings_of_[k]);
