@@ -94,7 +94,7 @@ TEST(JsonReport, keepsTheOrderOfItsKeys) {
     for (const auto& [key, value] : json.items())
         keys.push_back(key);
     EXPECT_EQ(keys, (std::vector<std::string>{"version", "input", "units", "levels", "output", "dropped",
-                                              "stages", "warnings"}));
+                                              "threads", "stages", "warnings"}));
     EXPECT_EQ(json["levels"], Json::array());
     EXPECT_EQ(json["warnings"], Json::array());
 }
