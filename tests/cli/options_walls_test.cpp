@@ -66,8 +66,8 @@ TEST_F(OptionEffect, regularize__worksOnContoursOfThePresetThesis) {
 TEST_F(OptionEffect, regularize_tolerance) {
     preset_ = "buildings";
     const auto moved = [&](double cells) {
-        run_well({"-q", "-overwrite", "-regularize_tolerance", number_text(cells), "--", sample("courtyard_utm.tif"),
-                  "out.gpkg"});
+        run_well({"-q", "-overwrite", "-regularize_tolerance", number_text(cells), "--",
+                  sample("courtyard_utm.tif"), "out.gpkg"});
         return buildings().records[0].number("moved_m");
     };
     for (const double cells : {0.8, 1.0, 3.0})

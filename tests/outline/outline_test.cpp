@@ -1,4 +1,3 @@
-#include "outline/noding.hpp"
 #include "outline/outline.hpp"
 
 #include <cmath>
@@ -8,6 +7,7 @@
 
 #include "geometry/geos.hpp"
 #include "outline/arc_graph.hpp"
+#include "outline/noding.hpp"
 #include "outline/outline_checks.hpp"
 #include "outline/simplify.hpp"
 #include "support/random_grid.hpp"

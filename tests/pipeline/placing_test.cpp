@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include "core/crs.hpp"
-#include "core/crs.hpp"
 #include "geometry/geos.hpp"
 #include "pipeline/pipeline_case.hpp"
 #include "support/random_grid.hpp"
