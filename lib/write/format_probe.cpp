@@ -106,8 +106,17 @@ FormatProbe probe_format(GDALDriverH driver, const std::string& destination) {
         result.several_layers = says_yes(driver, GDAL_DCAP_MULTIPLE_VECTOR_LAYERS);
         return result;
     }
+    const std::string name = probe_name(driver, destination);
+    // The format of most runs has no surprises, and a trial takes longer than a small raster.
+    if (EQUAL(GDALGetDriverShortName(driver), "GPKG")) {
+        const std::size_t dot = name.find('.');
+        result.several_layers = result.transactions = true;
+        if (dot != std::string::npos)
+            result.suffixes = {name.substr(dot)};
+        return result;
+    }
     const MemoryFolder memory;
-    const std::string file = memory.file(probe_name(driver, destination));
+    const std::string file = memory.file(name);
     result.several_layers = writes_two(driver, file, result.transactions);
     VSIStatBufL status{};
     result.folder = VSIStatL(file.c_str(), &status) == 0 && VSI_ISDIR(status.st_mode);

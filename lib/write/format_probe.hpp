@@ -19,6 +19,7 @@ struct FormatProbe {
 /// Writes two layers of one feature into /vsimem/ under a name with the destination's extension, and looks
 /// what became of them. Capabilities do not tell: the Shapefile, CSV and FlatGeobuf drivers hold several
 /// layers in a folder and one in a file, and some of them say yes to a second layer and put it elsewhere.
+/// GeoPackage is known.
 [[nodiscard]] FormatProbe probe_format(GDALDriverH driver, const std::string& destination);
 
 }  // namespace d2b
