@@ -5,38 +5,26 @@
 #include <cstddef>
 #include <cstdlib>
 #include <limits>
+#include <optional>
 #include <utility>
-
-#include "core/crs/position_math.hpp"
 
 namespace d2b {
 
 double EdgeBends::around(std::span<const Position> corners, const LonLat& lon_lat,
                          const GeodesicPolygon& polygon) {
-    Position low = corners[0];
-    Position high = corners[0];
-    for (const Position& p : corners) {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-    constexpr int most_levels = 8;
-    Tile tile;
-    while (tile.level < most_levels && tile_size(tile.level) < std::max(high.x - low.x, high.y - low.y))
-        ++tile.level;
-    const double size = tile_size(tile.level);
-    if (tile.level == most_levels)
+    constexpr int levels = 8;
+    const std::optional<MapTile> tile = tile_around(corners, tile_, levels);
+    if (!tile)
         return std::numeric_limits<double>::infinity();  // every edge is looked at
-    tile.col = std::llround((low.x + high.x) / 2 / size);
-    tile.row = std::llround((low.y + high.y) / 2 / size);
-    const auto [found, is_new] = bends_.try_emplace(tile);
+    const auto [found, is_new] = bends_.try_emplace(*tile);
     if (is_new)
-        found->second = measure(tile, lon_lat, polygon);
+        found->second = measure(*tile, lon_lat, polygon);
     return found->second;
 }
 
 /// From chords in four directions on a lattice of 5 x 5 places that reaches a tile's size to all sides of the
 /// tile's centre (a ring no larger than the tile reaches that far), doubled for what lies between.
-double EdgeBends::measure(const Tile& tile, const LonLat& lon_lat, const GeodesicPolygon& polygon) const {
+double EdgeBends::measure(const MapTile& tile, const LonLat& lon_lat, const GeodesicPolygon& polygon) const {
     constexpr int n = 5;
     const double size = tile_size(tile.level);
     std::array<Position, std::size_t{n} * n> places;

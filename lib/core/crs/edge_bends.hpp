@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cmath>
-#include <cstdint>
 #include <map>
 #include <span>
 
 #include "core/crs/geodesic_polygon.hpp"
 #include "core/crs/lon_lat.hpp"
+#include "core/crs/position_math.hpp"
 #include "core/feature_sink.hpp"
 
 namespace d2b {
@@ -27,20 +27,12 @@ class EdgeBends {
                                 const GeodesicPolygon& polygon);
 
   private:
-    /// Tiles double in size from level to level.
-    struct Tile {
-        int level = 0;
-        std::int64_t col = 0;
-        std::int64_t row = 0;
-        auto operator<=>(const Tile&) const = default;
-    };
-
     [[nodiscard]] double tile_size(int level) const { return std::ldexp(tile_, level); }
-    [[nodiscard]] double measure(const Tile& tile, const LonLat& lon_lat,
+    [[nodiscard]] double measure(const MapTile& tile, const LonLat& lon_lat,
                                  const GeodesicPolygon& polygon) const;
 
     double tile_;
-    std::map<Tile, double> bends_;
+    std::map<MapTile, double> bends_;
 };
 
 }  // namespace d2b

@@ -5,8 +5,6 @@
 #include <cstddef>
 #include <numbers>
 
-#include "core/crs/position_math.hpp"
-
 namespace d2b {
 namespace {
 
@@ -206,28 +204,15 @@ Geodesy::Measure LocalMetric::ring(std::span<const Position> corners) const {
 
 const LocalMetric* LocalMetrics::around(std::span<const Position> corners, const LonLat& lon_lat) {
     constexpr int levels = 3;
-    Position low = corners[0];
-    Position high = corners[0];
-    for (const Position& p : corners) {
-        if (!is_finite(p))
-            return nullptr;
-        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-    const double needed = std::max(high.x - low.x, high.y - low.y);
-    Tile tile;
-    while (tile.level < levels && std::ldexp(tile_, tile.level) < needed)
-        ++tile.level;
-    const double size = std::ldexp(tile_, tile.level);
-    const Position place{std::round((low.x + high.x) / 2 / size), std::round((low.y + high.y) / 2 / size)};
-    constexpr double farthest = 1e6;
-    if (tile.level == levels || std::max(std::abs(place.x), std::abs(place.y)) > farthest)
+    const std::optional<MapTile> tile = tile_around(corners, tile_, levels);
+    if (!tile)
         return nullptr;
-    tile.col = static_cast<std::int64_t>(place.x);
-    tile.row = static_cast<std::int64_t>(place.y);
-    const auto [found, is_new] = metrics_.try_emplace(tile);
-    if (is_new)
-        found->second = LocalMetric::fit({place.x * size, place.y * size}, size, lon_lat);
+    const auto [found, is_new] = metrics_.try_emplace(*tile);
+    if (is_new) {
+        const double size = std::ldexp(tile_, tile->level);
+        found->second = LocalMetric::fit(
+            {static_cast<double>(tile->col) * size, static_cast<double>(tile->row) * size}, size, lon_lat);
+    }
     return found->second ? &*found->second : nullptr;
 }
 

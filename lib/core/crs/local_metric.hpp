@@ -1,13 +1,13 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <map>
 #include <optional>
 #include <span>
 
 #include "core/crs.hpp"
 #include "core/crs/lon_lat.hpp"
+#include "core/crs/position_math.hpp"
 #include "core/feature_sink.hpp"
 
 namespace d2b {
@@ -57,16 +57,8 @@ class LocalMetrics {
     [[nodiscard]] const LocalMetric* around(std::span<const Position> corners, const LonLat& lon_lat);
 
   private:
-    /// Tiles double in size from level to level.
-    struct Tile {
-        int level = 0;
-        std::int64_t col = 0;
-        std::int64_t row = 0;
-        auto operator<=>(const Tile&) const = default;
-    };
-
     double tile_;
-    std::map<Tile, std::optional<LocalMetric>> metrics_;
+    std::map<MapTile, std::optional<LocalMetric>> metrics_;
 };
 
 }  // namespace d2b

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <optional>
+#include <span>
 
 #include "core/feature_sink.hpp"
 
@@ -17,6 +21,40 @@ namespace d2b {
 /// @param share of the way along an edge from its start
 [[nodiscard]] inline Position point_along(const Position& start, const Position& along, double share) {
     return {start.x + along.x * share, start.y + along.y * share};
+}
+
+/// A square of a fixed grid over a CRS, whose tiles double in size from level to level.
+struct MapTile {
+    int level = 0;
+    std::int64_t col = 0;
+    std::int64_t row = 0;
+    auto operator<=>(const MapTile&) const = default;
+};
+
+/// The tile around whose centre a ring lies: on the lowest level where it is no larger than a tile.
+/// @param corners at least one @param smallest side of the tiles of level 0
+/// @returns nothing where no level below `levels` will do, or a position is not finite or too far away
+[[nodiscard]] inline std::optional<MapTile> tile_around(std::span<const Position> corners, double smallest,
+                                                        int levels) {
+    constexpr double farthest = 1e15;  // tiles, which are counted exactly
+    Position low = corners[0];
+    Position high = corners[0];
+    for (const Position& p : corners) {
+        if (!is_finite(p))
+            return std::nullopt;
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    MapTile tile;
+    while (tile.level < levels && std::ldexp(smallest, tile.level) < std::max(high.x - low.x, high.y - low.y))
+        ++tile.level;
+    const double size = std::ldexp(smallest, tile.level);
+    const Position place{(low.x + high.x) / 2 / size, (low.y + high.y) / 2 / size};
+    if (tile.level == levels || !(std::max(std::abs(place.x), std::abs(place.y)) < farthest))
+        return std::nullopt;
+    tile.col = std::llround(place.x);
+    tile.row = std::llround(place.y);
+    return tile;
 }
 
 }  // namespace d2b
