@@ -73,6 +73,20 @@ void stack_parts(const ContourTable& table, std::vector<ContourRecord>& records)
     }
 }
 
+/// Heights of every part above the ground of its stack, which is the base of level 1.
+void measure_parts(const ContourTable& table, double metres, std::vector<ContourRecord>& records) {
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        ContourRecord& record = records[i];
+        record.height_m = record.min_height_m = unknown;
+        if (record.level == 0 || table.building[i] < 0)
+            continue;
+        const auto building = static_cast<std::size_t>(table.building[i]);
+        const double ground = records[static_cast<std::size_t>(table.buildings[building])].base;
+        record.height_m = (record.top - ground) * metres;
+        record.min_height_m = (record.base - ground) * metres;
+    }
+}
+
 BuildingRecord building_record(const ContourTable& table, std::size_t b, const ContourRecord& base,
                                const AttributeContext& context) {
     const Contour& contour = table.contours[static_cast<std::size_t>(table.buildings[b])];
@@ -106,6 +120,7 @@ Records make_records(const ContourTable& table, const AttributeContext& context)
     for (std::size_t i = 0; i < table.contours.size(); ++i)
         records.contours.push_back(contour_record(table, i, total[i], context));
     stack_parts(table, records.contours);
+    measure_parts(table, context.metres, records.contours);
     for (std::size_t b = 0; b < table.buildings.size(); ++b)
         records.buildings.push_back(building_record(
             table, b, records.contours[static_cast<std::size_t>(table.buildings[b])], context));

@@ -20,9 +20,11 @@ struct ContourRecord {
     std::int64_t building_id = 0;  ///< 0: none
     std::int32_t level = 0;
     double threshold = 0;
-    double base = 0;    ///< where its part of the stack begins ...
-    double top = 0;     ///< ... and ends
-    double tier_z = 0;  ///< mean of the points that no child holds
+    double base = 0;          ///< where its part of the stack begins ...
+    double top = 0;           ///< ... and ends
+    double height_m = 0;      ///< of the top above the ground of the stack; NaN in level 0
+    double min_height_m = 0;  ///< of the base above it
+    double tier_z = 0;        ///< mean of the points that no child holds
     std::int64_t points = 0;
     double lowest = 0;
     double mean = 0;

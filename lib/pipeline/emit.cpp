@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "attributes/attribute_table.hpp"
+#include "pipeline/layer_styles.hpp"
 #include "pipeline/placer.hpp"
 #include "pipeline/stage_clock.hpp"
 
@@ -112,6 +113,8 @@ void Emitter::begin() {
                           "What may be a building, with the reason for the doubt, from " + source,
                           building_fields, write.with_z, with_arcs});
     }
+    give_styles(layers, {buildings_layer_, contours_layer_, doubtful_layer_}, emission_,
+                context_.report.units.vertical_metres);
     const StageClock clock(context_.report, Stage::write);
     sink_.begin(layers, emission_.provenance);
 }
