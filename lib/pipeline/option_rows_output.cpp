@@ -118,7 +118,14 @@ std::vector<OptionRow> report() {
                               {.help = "Print the man page and exit."}));
     rows.push_back(switch_row("options_md", [](auto& r) -> auto& { return r.tool.options_markdown; },
                               {.help = "Print the reference of the options in Markdown and exit."}));
-    rows[rows.size() - 2].hidden = rows.back().hidden = true;
+    rows.push_back(switch_row("options_json", [](auto& r) -> auto& { return r.tool.options_json; },
+                              {.help = "Print the table of options as JSON and exit."}));
+    rows.push_back(switch_row("bash_completion", [](auto& r) -> auto& { return r.tool.bash_completion; },
+                              {.help = "Print a script that completes command lines in Bash and exit."}));
+    // Programs ask for these when the tool is built, installed or shown in a dialog.
+    for (OptionRow& row : rows)
+        row.hidden = row.name == "man" || row.name == "options_md" || row.name == "options_json" ||
+                     row.name == "bash_completion";
     return rows;
 }
 

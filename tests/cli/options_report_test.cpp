@@ -1,9 +1,11 @@
+#include <fstream>
 #include <regex>
 #include <thread>
 
 #include <nlohmann/json.hpp>
 
 #include "cli/option_effect.hpp"
+#include "pipeline/option_table.hpp"
 
 namespace d2b::test {
 namespace {
@@ -103,6 +105,32 @@ TEST_F(OptionEffect, options_md) {
     const std::string text = run_well({"-options_md"});
     EXPECT_TRUE(text.starts_with("# Options of dem2buildings\n"));
     expect_has(text, "`-lod <n>`");
+}
+
+TEST_F(OptionEffect, options_json) {
+    const auto json = nlohmann::json::parse(run_well({"-options_json"}));
+    ASSERT_EQ(json["options"].size(), option_table().size());
+    for (const auto& option : json["options"])
+        if (option["name"] == "lod") {
+            EXPECT_EQ(option["kind"], "whole");
+            EXPECT_EQ(option["lowest"], 1);
+            EXPECT_EQ(option["highest"], 10000);
+            EXPECT_EQ(option["default"], "4");
+        }
+}
+
+TEST_F(OptionEffect, bash_completion) {
+    std::ofstream(path("complete.sh")) << run_well({"-bash_completion"});
+    const std::string ask =
+        ". ./complete.sh; COMP_WORDS=(dem2buildings $0 \"$1\"); COMP_CWORD=2; "
+        "_dem2buildings; echo ${COMPREPLY[*]}";
+    const auto completed = [&](const std::string& before, const std::string& word) {
+        return run_tool({"/bin/bash", "-c", ask, before, word}, {.working_directory = folder_.string()}).out;
+    };
+    EXPECT_EQ(completed("-preset", "th"), "thesis\n");
+    EXPECT_EQ(completed("-q", "-max"), "-max_building_width\n");
+    EXPECT_EQ(completed("-q", "comp"), "complete.sh\n");
+    EXPECT_EQ(completed("-lod", ""), "\n");
 }
 
 }  // namespace d2b::test

@@ -65,6 +65,8 @@ TEST(OptionTable, holdsTheseOptions) {
                                          "p",
                                          "man",
                                          "options_md",
+                                         "options_json",
+                                         "bash_completion",
                                          "ground",
                                          "max_building_width",
                                          "min_height",
@@ -288,6 +290,8 @@ TEST(Options, ofTheReport) {
     EXPECT_TRUE(parse_command_line({"-version"}).tool.version);
     EXPECT_TRUE(parse_command_line({"-man"}).tool.man_page);
     EXPECT_TRUE(parse_command_line({"-options_md"}).tool.options_markdown);
+    EXPECT_TRUE(parse_command_line({"-options_json"}).tool.options_json);
+    EXPECT_TRUE(parse_command_line({"-bash_completion"}).tool.bash_completion);
 }
 
 TEST(Options, everyOptionChangesWhatItShows) {
@@ -327,6 +331,8 @@ TEST(Options, everyOptionChangesWhatItShows) {
                                            {"-version"},
                                            {"-man"},
                                            {"-options_md"},
+                                           {"-options_json"},
+                                           {"-bash_completion"},
                                            {"-preset", "thesis"},
                                            {"-ground", "none"},
                                            {"-max_building_width", "90"},

@@ -17,8 +17,7 @@ bool asks_for_text(const std::vector<GivenOption>& given, Request& request) {
         Request asked;
         if (option.row->arity == Arity::none)
             option.row->apply(asked, {});
-        const ToolOptions& tool = asked.tool;
-        if (tool.help || tool.version || tool.man_page || tool.options_markdown) {
+        if (asked.tool.prints_text()) {
             request = asked;
             return true;
         }

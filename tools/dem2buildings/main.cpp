@@ -70,6 +70,10 @@ int run_tool(const std::vector<std::string>& arguments) {
         std::cout << man_page();
     else if (request.tool.options_markdown)
         std::cout << options_markdown();
+    else if (request.tool.options_json)
+        std::cout << options_json();
+    else if (request.tool.bash_completion)
+        std::cout << bash_completion();
     else
         process(request);
     return exit_code::done;
