@@ -15,13 +15,18 @@ LAYERS = ("buildings", "contours", "doubtful")
 class WithItsStyle(QgsProcessingLayerPostProcessorInterface):
     """Processing loads layers without the style that their file holds."""
 
+    # Processing owns and ends what is behind it, but Python must hold on to what is in front, or nothing of this
+    # class is left when it is called, after the end of the algorithm.
+    kept = []
+
+    @classmethod
+    def make(cls):
+        cls.kept.append(cls())
+        return cls.kept[-1]
+
     def postProcessLayer(self, layer, _context, _feedback):
         layer.loadDefaultStyle()
         layer.triggerRepaint()
-
-
-# Processing does not own it, and calls it when the algorithm is gone.
-with_its_style = WithItsStyle()
 
 
 class ExtractBuildings(QgsProcessingAlgorithm):
@@ -99,6 +104,6 @@ class ExtractBuildings(QgsProcessingAlgorithm):
             if context.project() is None:
                 continue
             details = QgsProcessingContext.LayerDetails(table, context.project(), name.upper())
-            details.setPostProcessor(with_its_style)
+            details.setPostProcessor(WithItsStyle.make())
             context.addLayerToLoadOnCompletion(place, details)
         return results
