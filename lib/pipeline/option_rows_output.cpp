@@ -59,6 +59,13 @@ std::vector<OptionRow> also_written() {
         "write_canopy", "<file.tif>", [](auto& r) -> auto& { return r.options.write.canopy; },
         {.help = "Also write the heights of trees as a GeoTIFF, in metres; 0 elsewhere.",
          .details = "All that rises above -min_height and is no building, as wind models take it."}));
+    rows.push_back(text_row(
+        "preview", "<file.png>", [](auto& r) -> auto& { return r.options.write.preview; },
+        {.help = "Also write a picture of the result over the shaded relief.",
+         .details =
+             "Contours, or buildings where no contours are written, in the colours of their heights above "
+             "the ground, with the number of buildings and points and the distance of the stack to the "
+             "input; so -lod and -nf can be judged at a glance."}));
     return rows;
 }
 

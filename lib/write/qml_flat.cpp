@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/height_classes.hpp"
 #include "core/number_text.hpp"
 #include "write/qml_parts.hpp"
-#include "write/qml_style.hpp"
 #include "write/xml_text.hpp"
 
 namespace d2b::qml {

@@ -1,6 +1,6 @@
+#include "core/height_classes.hpp"
 #include "core/number_text.hpp"
 #include "write/qml_parts.hpp"
-#include "write/qml_style.hpp"
 
 namespace d2b::qml {
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,16 +7,6 @@
 #include "core/feature_sink.hpp"
 
 namespace d2b {
-
-/// Heights of one colour in the legend: from `from` m to the next class's, the last without end. Fixed, so
-/// that maps of two cities, or of two runs, can be laid side by side.
-struct HeightClass {
-    double from;
-    std::array<unsigned char, 3> colour;
-};
-[[nodiscard]] std::span<const HeightClass> height_classes();
-/// "below 3 m", "3 to 6 m", "100 m and more"
-[[nodiscard]] std::string class_label(std::size_t index);
 
 /// The first line of a style of ours. QGIS does not keep it: what a user saves is the user's.
 inline constexpr std::string_view style_mark = "<!-- The default style of dem2buildings -->\n";

@@ -82,7 +82,8 @@ TEST(OptionTable, holdsTheseOptions) {
                                          "write_doubtful",
                                          "write_ground",
                                          "write_height",
-                                         "write_canopy"};
+                                         "write_canopy",
+                                         "preview"};
     EXPECT_EQ(names, expected);
 }
 
@@ -349,6 +350,7 @@ TEST(Options, everyOptionChangesWhatItShows) {
                                            {"-write_doubtful"},
                                            {"-write_ground", "x"},
                                            {"-write_height", "x"},
+                                           {"-preview", "x"},
                                            {"-write_canopy", "x"}};
     std::set<std::string> seen{"p"};  // no effect
     for (const Texts& arguments : command_lines) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/height_classes.hpp"
 #include "write/layer_metadata.hpp"
 #include "write/ogr_feature_sink.hpp"
 #include "write/qml_style.hpp"

@@ -12,6 +12,7 @@
 #include "dem2buildings/help.hpp"
 #include "dem2buildings/interrupt.hpp"
 #include "dem2buildings/json_report.hpp"
+#include "dem2buildings/preview.hpp"
 #include "dem2buildings/progress.hpp"
 #include "dem2buildings/side_rasters.hpp"
 #include "geometry/geos.hpp"
@@ -41,9 +42,12 @@ void process(const Request& request) {
     const SideSources side_sources = open_side_sources(options, source->info(), context);
     const auto sink = open_sink(options.write, context);
     const SideSinks side_sinks = open_side_sinks(options, source->info(), context);
+    Preview preview(options, *sink, *source, context);
     options.write.layers = layers_for(options.write);
     run(options, {*source, side_sources.terrain.get(), side_sources.mask.get(), side_sources.ndvi.get()},
-        {*sink, side_sinks.ground.get(), side_sinks.height.get(), side_sinks.canopy.get()}, context);
+        {preview.features(), side_sinks.ground.get(), side_sinks.height.get(), side_sinks.canopy.get()},
+        context);
+    preview.publish();
     if (!quiet) {
         progress.update(1);
         std::cout << summary(context.report, options.write.layers, options.write.destination);
