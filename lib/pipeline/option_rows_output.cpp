@@ -103,8 +103,33 @@ std::vector<OptionRow> output() {
     return rows;
 }
 
+namespace {
+
+OptionRow sweep() {
+    OptionRow row = described(
+        "sweep", "lod=<from>..<to>,nf=<from>..<to>",
+        {.help =
+             "Try every level of detail with every noise factor and print a table; nothing else is written.",
+         .details = "The destination is left out. For each trial: buildings, contours, points of these, the "
+                    "distance of "
+                    "the stack to the input (root mean square), seconds. With -preview a contact sheet. Of "
+                    "more than six "
+                    "values six are tried, spread evenly; a third number is the step: nf=5..60..5. The input "
+                    "is read "
+                    "once and kept in memory."});
+    row.apply = [](Request& request, OptionValues texts) {
+        request.tool.sweep_plan = parse_sweep(texts[0]);
+        request.tool.sweep = texts[0];
+    };
+    row.show = [](const Request& request) { return request.tool.sweep; };
+    return row;
+}
+
+}  // namespace
+
 std::vector<OptionRow> report() {
     std::vector<OptionRow> rows;
+    rows.push_back(sweep());
     rows.push_back(whole_row("threads", "<n>", {.lowest = 0, .highest = 1024},
                              [](auto& r) -> auto& { return r.options.run.threads; },
                              {.help = "Threads to work with; 0 takes as many as there are cores.",

@@ -11,13 +11,16 @@
 
 #include "core/options.hpp"
 #include "pipeline/option_values.hpp"
+#include "pipeline/sweep_plan.hpp"
 
 namespace d2b {
 
 /// What a command-line tool does beside the run; the library itself never looks at it.
 struct ToolOptions {
-    bool quiet = false;  ///< no progress, no summary
-    bool json = false;   ///< the report to stdout as JSON; implies quiet
+    bool quiet = false;      ///< no progress, no summary
+    bool json = false;       ///< the report to stdout as JSON; implies quiet
+    std::string sweep{};     ///< as given; "" for one run
+    SweepPlan sweep_plan{};  ///< what it stands for
     bool help = false;
     bool version = false;
     bool man_page = false;          ///< the man page to stdout

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/height_classes.hpp"
+#include "preview/contact_sheet.hpp"
 #include "preview/map_frame.hpp"
 
 namespace d2b::test {
@@ -51,6 +52,19 @@ TEST(Canvas, LettersStandWhereTheyShould) {
     EXPECT_EQ(image.at(2, 4), red);  // its foot
     EXPECT_EQ(image.at(5, 0), red);  // the 1
     EXPECT_EQ(text_width(2, "l1"), 16);
+}
+
+TEST(ContactSheet, HoldsItsPicturesRowByRow) {
+    const auto picture = [](std::uint8_t grey) { return Image{2, 1, std::vector<std::uint8_t>(6, grey)}; };
+    const Image sheet = contact_sheet({picture(1), picture(2), picture(3)}, 2);
+    EXPECT_EQ(sheet.width, 2 + 4 + 2);
+    EXPECT_EQ(sheet.height, 1 + 4 + 1);
+    EXPECT_EQ(sheet.at(0, 0)[0], 1);
+    EXPECT_EQ(sheet.at(7, 0)[0], 2);
+    EXPECT_EQ(sheet.at(1, 5)[0], 3);
+    EXPECT_NE(sheet.at(3, 0)[0], 2);
+    EXPECT_EQ(sheet.at(6, 5), sheet.at(3, 0));
+    EXPECT_EQ(sheet.rgb.size(), 8U * 6 * 3);
 }
 
 TEST(MapFrame, CellsKeepTheirShapeAndPlacesTheirPixels) {

@@ -15,6 +15,7 @@
 #include "dem2buildings/preview.hpp"
 #include "dem2buildings/progress.hpp"
 #include "dem2buildings/side_rasters.hpp"
+#include "dem2buildings/sweep.hpp"
 #include "geometry/geos.hpp"
 #include "pipeline/pipeline.hpp"
 #include "pipeline/preset.hpp"
@@ -40,11 +41,21 @@ void process(const Request& request) {
     catch_interrupts();
     const auto source = open_dem(options.read, context);
     const SideSources side_sources = open_side_sources(options, source->info(), context);
+    const Sources sources{*source, side_sources.terrain.get(), side_sources.mask.get(),
+                          side_sources.ndvi.get()};
+    if (!request.tool.sweep.empty()) {
+        options.write.layers = Layers::both;
+        const std::vector<Trial> trials = run_sweep(options, sources, request.tool.sweep_plan, context);
+        if (!quiet)
+            progress.update(1);
+        std::cout << (request.tool.json ? sweep_json(trials) : sweep_table(trials));
+        return;
+    }
     const auto sink = open_sink(options.write, context);
     const SideSinks side_sinks = open_side_sinks(options, source->info(), context);
     Preview preview(options, *sink, *source, context);
     options.write.layers = layers_for(options.write);
-    run(options, {*source, side_sources.terrain.get(), side_sources.mask.get(), side_sources.ndvi.get()},
+    run(options, sources,
         {preview.features(), side_sinks.ground.get(), side_sinks.height.get(), side_sinks.canopy.get()},
         context);
     preview.publish();

@@ -19,18 +19,21 @@ PreviewLook look_of(const Options& options, const DemInfo& dem, std::string head
     return look;
 }
 
-Preview::Preview(const Options& options, FeatureSink& features, DemSource& dem, Context& context)
-    : features_(features) {
+RasterTarget picture_target(const Options& options) {
     const WriteOptions& write = options.write;
-    if (write.preview.empty())
-        return;
-    RasterTarget target{
-        write.preview, write.overwrite, {options.read.source, write.destination}, RasterFormat::png};
-    for (const std::string& name : {options.ground.terrain, options.detect.mask, options.detect.ndvi,
-                                    write.ground, write.height, write.canopy})
+    RasterTarget target{write.preview, write.overwrite, {options.read.source}, RasterFormat::png};
+    for (const std::string& name : {write.destination, options.ground.terrain, options.detect.mask,
+                                    options.detect.ndvi, write.ground, write.height, write.canopy})
         if (!name.empty())
             target.in_use.push_back(name);
-    file_ = open_picture(target, context);
+    return target;
+}
+
+Preview::Preview(const Options& options, FeatureSink& features, DemSource& dem, Context& context)
+    : features_(features) {
+    if (options.write.preview.empty())
+        return;
+    file_ = open_picture(picture_target(options), context);
     std::string heading = "lod " + std::to_string(options.levels.lod);
     if (!options.levels.fixed.empty() || options.levels.interval)
         heading = "given levels";

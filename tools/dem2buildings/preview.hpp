@@ -29,6 +29,8 @@ class Preview {
     std::optional<PreviewSink> sink_;
 };
 
+/// Where the picture goes.
+[[nodiscard]] RasterTarget picture_target(const Options& options);
 /// What a picture of the DEM needs to know of it. @param heading what was tried, or ""
 [[nodiscard]] PreviewLook look_of(const Options& options, const DemInfo& dem, std::string heading);
 /// The CRS of the DEM, or that of -a_srs.

@@ -8,7 +8,7 @@ from qgis.core import (QgsProcessingParameterBoolean, QgsProcessingParameterCrs,
                        QgsProcessingParameterVectorLayer)
 
 # What the dialog does itself: it shows progress, and its file dialog has asked whether to replace a file.
-LEFT_OUT = {"q", "json", "help", "version", "overwrite", "f", "srcwin", "projwin", "if"}
+LEFT_OUT = {"q", "json", "sweep", "help", "version", "overwrite", "f", "srcwin", "projwin", "if"}
 # The first that are looked at; the others are advanced.
 BASIC = ("preset", "ground", "min_height", "min_area", "lod", "nf", "layers")
 TERRAIN = "_model"
