@@ -79,11 +79,11 @@ class DeskCase(unittest.TestCase):
         return job.renderedImage()
 
     def difference(self, picture, name):
-        """To the expected picture. D2B_DESK_PICTURES=<folder> keeps the new ones; look at them and copy them to
-        expected/ when they are better."""
+        """To the expected picture, which the documents show. D2B_DESK_PICTURES=<folder> keeps the new ones; look at
+        them and copy them to docs/pictures/ when they are better."""
         keep = os.environ.get("D2B_DESK_PICTURES")
         if keep:
-            picture.save(str(pathlib.Path(keep) / name))
-        expected = QImage(str(HERE / "expected" / name))
+            picture.save(str(pathlib.Path(keep) / f"qgis_{name}"))
+        expected = QImage(str(SOURCE / "docs/pictures" / f"qgis_{name}"))
         self.assertFalse(expected.isNull(), f"there is no picture {name}")
         return share_of_difference(picture, expected)
