@@ -107,7 +107,7 @@ LevelPlan plan_levels(ElevationReader& reader, const FoundBuildings& found,
 /// Bands are taken apart on all threads; what is found goes through the tracer in order.
 template <typename Count>
 void trace_bands(ElevationReader& reader, const TraceFrame& frame, const LevelPlan& plan,
-                 const FoundBuildings* found, const TraceOptions& options, StackSink& sink,
+                 const FoundBuildings* found, const TraceOptions& options, ContourSink& sink,
                  Context& context) {
     Tracer tracer(frame, options, sink);
     // Each band needs the last rows of the one before it, which may be in another thread's hands.
@@ -140,19 +140,19 @@ void trace_bands(ElevationReader& reader, const TraceFrame& frame, const LevelPl
         });
 }
 
-ContourSet trace_contours(ElevationReader& reader, const TraceFrame& frame, const LevelPlan& plan,
-                          const FoundBuildings* found, const Options& options, const SquareArea& area,
-                          Context& context) {
-    ContourStore store(options.filter, area, frame.range, context);
+std::unique_ptr<StoredContours> trace_contours(ElevationReader& reader, const TraceFrame& frame,
+                                               const LevelPlan& plan, const FoundBuildings* found,
+                                               const Options& options, const SquareArea& area,
+                                               Context& context) {
+    // Footprints that were found stand on nothing.
+    ContourStore store({options.filter, area, frame.range, frame.fixed, found == nullptr},
+                       context.make_spool(), context);
     if (plan.level_count() <= 255)
         trace_bands<std::uint8_t>(reader, frame, plan, found, options.trace, store, context);
     else
         trace_bands<std::uint16_t>(reader, frame, plan, found, options.trace, store, context);
     const StageClock clock(context.report, Stage::filter);
-    ContourSet set = store.finish();
-    if (found != nullptr)
-        drop_roots(set);
-    return set;
+    return store.finish();
 }
 
 LatticeBox lattice_frame(const Window& window, TraceMode mode) {
@@ -160,19 +160,10 @@ LatticeBox lattice_frame(const Window& window, TraceMode mode) {
     return {{window.row, window.col}, {window.row + window.rows - less, window.col + window.cols - less}};
 }
 
-/// @param buildings labels above are doubtful and have no contours
-void report_result(const Records& records, const LevelPlan& plan, const ContourSet& set, Label buildings,
-                   RunReport& report) {
+void report_levels(const LevelPlan& plan, RunReport& report) {
     for (int level = 0; level < plan.level_count(); ++level)
         report.levels.push_back(
             {level, plan.footprints && level > 0 ? no_threshold : plan.threshold(1, level), 0, 0});
-    for (std::size_t i = 0; i < records.contours.size(); ++i) {
-        if (set.contours[i].label > buildings)
-            continue;
-        LevelReport& level = report.levels[static_cast<std::size_t>(records.contours[i].level)];
-        ++level.contours;
-        level.points += records.contours[i].points;
-    }
 }
 
 void warn_of_large_tolerance(double tolerance, const Georeference& georeference, Context& context) {
@@ -190,7 +181,7 @@ double wall_tolerance(double cell_size_m) {
     return cell_size_m > 0 ? std::min(most_cells, most_m / cell_size_m) : most_cells;
 }
 
-void warn_of_nothing(const LevelPlan& plan, const Records& records, Context& context) {
+void warn_of_nothing(const LevelPlan& plan, std::size_t buildings, Context& context) {
     const RunReport& report = context.report;
     if (report.valid_points == 0)
         context.warn("'" + report.input + "' has no valid point; the layers are empty.");
@@ -200,7 +191,7 @@ void warn_of_nothing(const LevelPlan& plan, const Records& records, Context& con
     else if (!plan.footprints && plan.level_count() == 1)
         context.warn(
             "No threshold lies between the lowest and the highest elevation; no building was found.");
-    else if (records.buildings.empty())
+    else if (buildings == 0)
         context.warn(
             plan.footprints
                 ? "No building was found; -min_height, -min_area or -min_confidence may hide some."
@@ -239,31 +230,25 @@ void run(const Options& user_options, const Sources& sources, const Sinks& sinks
     }
     const FoundBuildings* buildings = found ? &*found : nullptr;
     const TraceFrame frame{info.window, plan.level_count(), statistics.fixed_point(), statistics.range()};
-    const ContourSet set = trace_contours(reader, frame, plan, buildings, options, area, context);
+    const auto contours = trace_contours(reader, frame, plan, buildings, options, area, context);
 
-    const Label last_building = found ? found->buildings : std::numeric_limits<Label>::max();
-    Records records;
-    {
-        const StageClock clock(report, Stage::attributes);
-        const FixedPoint fixed = statistics.fixed_point();
-        records = make_records({set.contours, set.building, set.buildings, set.percentiles,
-                                found ? found->footprints : std::vector<Footprint>{}},
-                               {plan, fixed, report.units.vertical_metres,
-                                lattice_frame(info.window, options.trace.mode), sinks.features.first_id()});
-        report.stack_rmse_m = stack_rmse(set.contours, fixed, last_building) * report.units.vertical_metres;
-    }
-    report_result(records, plan, set, last_building, report);
-    warn_of_nothing(plan, records, context);
+    const std::vector<Footprint> footprints = found ? std::move(found->footprints) : std::vector<Footprint>();
+    const RecordMaker records(*contours,
+                              {plan, frame.fixed, footprints, report.units.vertical_metres,
+                               lattice_frame(info.window, options.trace.mode), sinks.features.first_id()});
+    report_levels(plan, report);
+    warn_of_nothing(plan, records.buildings(), context);
     const Emission emission{options,
                             georeference,
                             crs,
                             target,
-                            set,
+                            *contours,
                             make_provenance(options, info, crs, target, report),
                             report.units.vertical,
                             info.window,
-                            last_building,
-                            cell_size_m(info.window, area)};
+                            found ? found->buildings : std::numeric_limits<Label>::max(),
+                            cell_size_m(info.window, area),
+                            frame.fixed};
     emit(emission, records, sinks.features, context);
     const StageClock clock(report, Stage::write);
     for (RasterSink* raster : {sinks.ground, sinks.height, sinks.canopy})

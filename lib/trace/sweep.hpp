@@ -32,7 +32,7 @@ class Sweep {
     void link(std::int32_t line, const OutsideRows& outside);
     /// Hands out what ended above the line, the highest levels first; then the row below becomes the row
     /// above.
-    void finish_ended(StackSink& sink);
+    void finish_ended(ContourSink& sink);
 
     [[nodiscard]] RunRow& current() { return current_; }
     [[nodiscard]] const RunRow& previous() const { return previous_; }
@@ -57,7 +57,7 @@ class Sweep {
     void add_ring(std::uint32_t component, const std::vector<Corner>& outline);
     [[nodiscard]] Corner corner(std::int32_t col, double outside = nothing_outside) const;
     [[nodiscard]] double lowest(std::span<const double> row, std::int32_t from, std::int32_t to) const;
-    void finish(std::uint32_t root, StackSink& sink);
+    void finish(std::uint32_t root, ContourSink& sink);
 
     std::int32_t first_col_;
     std::int32_t line_ = 0;

@@ -25,7 +25,7 @@ void Sweep::add_ring(std::uint32_t component, const std::vector<Corner>& outline
     }
 }
 
-void Sweep::finish_ended(StackSink& sink) {
+void Sweep::finish_ended(ContourSink& sink) {
     for (auto level = previous_.levels.rbegin(); level != previous_.levels.rend(); ++level)
         for (const Run& run : *level) {
             const std::uint32_t root = components_.find(run.component);
@@ -38,30 +38,26 @@ void Sweep::finish_ended(StackSink& sink) {
     current_.clear();
 }
 
-void Sweep::finish(std::uint32_t root, StackSink& sink) {
+void Sweep::finish(std::uint32_t root, ContourSink& sink) {
     Component& c = components_[root];
     c.last_row = -1;
     const std::int32_t level = c.level;
-    Stack stack;
-    if (c.sample)
-        stack.sample = std::move(*c.sample);
-    stack.standing_on_it = std::move(c.standing_on_it);
     const std::uint32_t below = c.below;
-    ContourNode node = components_.finish(root);
-    std::sort(node.contour.interiors.begin(), node.contour.interiors.end(),
+    FinishedContour finished = components_.finish(root);
+    std::sort(finished.contour.interiors.begin(), finished.contour.interiors.end(),
               [](const PackedRing& a, const PackedRing& b) { return a.start() < b.start(); });
-    if (level > 1) {
-        components_.hang(std::move(node), components_.find(below));
-        return;
-    }
-    stack.contours = components_.flatten(std::move(node));
-    const Taken taken = sink.take(std::move(stack));
+    PointStats points = finished.contour.own;
+    points.merge(finished.contour.above);
+    const std::int64_t name = sink.take(std::move(finished));
     if (level == 0)
         return;
-    Component& ground = components_[components_.find(below)];
-    ground.own.merge(taken.fallen);
-    if (taken.handle >= 0)
-        ground.standing_on_it.push_back(taken.handle);
+    Component& lower = components_[components_.find(below)];
+    if (name < 0) {
+        lower.own.merge(points);
+        return;
+    }
+    lower.above.merge(points);
+    lower.standing_on_it.push_back(name);
 }
 
 }  // namespace d2b

@@ -19,6 +19,7 @@
 #include "pipeline/preset.hpp"
 #include "read/gdal_command_line.hpp"
 #include "read/gdal_dem_source.hpp"
+#include "write/file_spool.hpp"
 #include "write/ogr_feature_sink.hpp"
 
 namespace d2b {
@@ -35,6 +36,7 @@ void process(const Request& request) {
             progress.update(share);
         return !interrupted();
     };
+    context.make_spool = [] { return std::make_unique<FileSpool>(); };
     start_gdal();
     catch_interrupts();
     const auto source = open_dem(options.read, context);
