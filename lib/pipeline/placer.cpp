@@ -138,13 +138,11 @@ Placer::Parts Placer::in_target_crs(Parts parts) {
     return parts;
 }
 
-/// An outline that stands as it was traced, on exact positions, is valid (docs/method.md), and GEOS needs the
-/// product of its vertices and its holes to find that.
-bool Placer::is_exact_and_vast(const Placed& placed) const {
-    constexpr std::int64_t most_checked = 20'000;  // vertices
-    const bool exact =
-        placement_.georeference.axis_parallel() && !transform_ && placed.status == OutlineStatus::traced;
-    return exact && vertices_of(placed.parts) > most_checked;
+/// An outline that stands as it was traced, on exact positions, is valid (docs/method.md). GEOS would need a
+/// fifth of a run to find that, and for vast ones the product of their vertices and their holes.
+bool Placer::is_valid_as_traced(const Placed& placed, Form form) const {
+    return placed.status == OutlineStatus::traced && form != Form::tier && !transform_ &&
+           placement_.georeference.is_exact(placement_.window);
 }
 
 Placed Placer::place(std::size_t contour, Form form) {
@@ -169,7 +167,7 @@ Placed Placer::place(std::size_t contour, Form form) {
             return in_target_crs(parts);
         };
         placed.parts = in_target_crs(parts);
-        if (!is_exact_and_vast(placed))
+        if (!is_valid_as_traced(placed, form))
             placed.parts = checked(std::move(placed.parts), traced, geos_, placed.status, tally_);
     }
     // Measured in the CRS of the DEM, where edges are straight; a repaired polygon is known in that of the

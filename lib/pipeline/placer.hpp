@@ -74,7 +74,7 @@ class Placer {
     [[nodiscard]] Placed place(std::size_t contour, Form form);
     [[nodiscard]] Parts shape(std::size_t contour, bool tier, const Draw& draw);
     [[nodiscard]] Parts in_target_crs(Parts parts);
-    [[nodiscard]] bool is_exact_and_vast(const Placed& placed) const;
+    [[nodiscard]] bool is_valid_as_traced(const Placed& placed, Form form) const;
 
     Placement placement_;
     Geos geos_;
