@@ -54,7 +54,8 @@ class Sweep {
     void close_gap(Run& head_run, Run& tail_run, std::int32_t from, std::int32_t to, std::uint32_t component,
                    std::span<const double> outside);
     void pass_sides(Run& run, const OutsideRows& outside);
-    void add_ring(std::uint32_t component, const std::vector<Corner>& outline);
+    void add_outline(std::uint32_t component, std::span<const Corner> outline);
+    void add_ring(Component& c, std::span<const Corner> corners);
     [[nodiscard]] Corner corner(std::int32_t col, double outside = nothing_outside) const;
     [[nodiscard]] double lowest(std::span<const double> row, std::int32_t from, std::int32_t to) const;
     void finish(std::uint32_t root, ContourSink& sink);
@@ -70,6 +71,7 @@ class Sweep {
         pinches_;  ///< columns of this line and level where squares may meet in a corner
     Arms arms_;
     Components components_;
+    LatticeRing ring_;  ///< room to work in
 };
 
 }  // namespace d2b

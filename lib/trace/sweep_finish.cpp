@@ -7,22 +7,28 @@
 
 namespace d2b {
 
-void Sweep::add_ring(std::uint32_t component, const std::vector<Corner>& outline) {
+void Sweep::add_outline(std::uint32_t component, std::span<const Corner> outline) {
     Component& c = components_[component];
-    for (const auto& corners : split_at_pinches(outline)) {
-        LatticeRing ring;
-        ring.reserve(corners.size());
-        for (const Corner& corner : corners)
-            ring.push_back(corner.at);
-        PackedRing packed(ring);
-        if (packed.area() < 0) {
-            c.interiors.push_back(std::move(packed));
-            continue;
-        }
-        c.exterior = std::move(packed);
-        for (const Corner& corner : corners)
-            c.lowest_outside = std::min(c.lowest_outside, corner.outside);
+    if (std::ranges::none_of(outline, &Corner::pinch)) {
+        add_ring(c, outline);
+        return;
     }
+    for (const std::vector<Corner>& corners : split_at_pinches(outline))
+        add_ring(c, corners);
+}
+
+void Sweep::add_ring(Component& c, std::span<const Corner> corners) {
+    ring_.clear();
+    for (const Corner& corner : corners)
+        ring_.push_back(corner.at);
+    PackedRing packed(ring_);
+    if (packed.area() < 0) {
+        c.interiors.push_back(std::move(packed));
+        return;
+    }
+    c.exterior = std::move(packed);
+    for (const Corner& corner : corners)
+        c.lowest_outside = std::min(c.lowest_outside, corner.outside);
 }
 
 void Sweep::finish_ended(ContourSink& sink) {
