@@ -26,6 +26,8 @@ RecordMaker::RecordMaker(const ContourList& contours, const AttributeContext& co
             continue;
         const auto building = static_cast<std::size_t>(head.building);
         stacks_.resize(std::max(stacks_.size(), building + 1));
+        if (head.key.level == 1)
+            stacks_[building].base = parts_[i].base;
         ++stacks_[building].parts;
         stacks_[building].levels = std::max(stacks_[building].levels, head.key.level);
     }
@@ -75,6 +77,9 @@ ContourRecord RecordMaker::contour(std::size_t i, const Contour& contour) const 
     record.threshold = threshold(head);
     record.base = parts_[i].base;
     record.top = parts_[i].top;
+    const double ground = head.building < 0 ? unknown : stacks_[static_cast<std::size_t>(head.building)].base;
+    record.height_m = (record.top - ground) * context_.metres;
+    record.min_height_m = (record.base - ground) * context_.metres;
     record.tier_z = head.tier_z;
     record.points = total.n;
     record.lowest = total.n > 0 ? total.lowest : unknown;
@@ -86,7 +91,7 @@ ContourRecord RecordMaker::contour(std::size_t i, const Contour& contour) const 
 BuildingRecord RecordMaker::building(std::size_t i, const Contour& contour, const ContourRecord& record,
                                      const Percentiles& percentiles) const {
     const ContourHead& head = contours_.head(i);
-    const StackSize& stack = stacks_[static_cast<std::size_t>(head.building)];
+    const StackFacts& stack = stacks_[static_cast<std::size_t>(head.building)];
     BuildingRecord building;
     building.id = record.building_id;
     building.ground = ground_of(head.label, head.lowest_outside);

@@ -20,9 +20,11 @@ struct ContourRecord {
     std::int64_t building_id = 0;  ///< 0: none
     std::int32_t level = 0;
     double threshold = 0;
-    double base = 0;    ///< where its part of the stack begins ...
-    double top = 0;     ///< ... and ends
-    double tier_z = 0;  ///< mean of the points that no child holds
+    double base = 0;          ///< where its part of the stack begins ...
+    double top = 0;           ///< ... and ends
+    double height_m = 0;      ///< of the top above the ground of the stack; NaN in level 0
+    double min_height_m = 0;  ///< of the base above it
+    double tier_z = 0;        ///< mean of the points that no child holds
     std::int64_t points = 0;
     double lowest = 0;
     double mean = 0;
@@ -94,10 +96,11 @@ class RecordMaker {
         double base = 0;
         double top = 0;
     };
-    /// How many contours a building has, and its highest level.
-    struct StackSize {
+    /// Of a building: how many contours it has, its highest level, and where it stands.
+    struct StackFacts {
         std::int64_t parts = 0;
         std::int32_t levels = 0;
+        double base = 0;
     };
     [[nodiscard]] double ground_of(Label label, double lowest_outside) const;
     [[nodiscard]] double threshold(const ContourHead& head) const {
@@ -108,7 +111,7 @@ class RecordMaker {
     const ContourList& contours_;
     AttributeContext context_;
     std::vector<Part> parts_;
-    std::vector<StackSize> stacks_;
+    std::vector<StackFacts> stacks_;
 };
 
 /// Root mean square of the distances between the points of all stacks and the stacked surface: at a point,

@@ -100,6 +100,7 @@ struct WriteOptions {
     std::string ground;  ///< GeoTIFF of the terrain; "": none
     std::string height;  ///< GeoTIFF of the heights above it
     std::string canopy;  ///< GeoTIFF of the heights of what is no building
+    std::string preview;  ///< PNG of the result over the shaded relief
 };
 
 struct RunOptions {

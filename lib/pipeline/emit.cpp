@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "attributes/attribute_table.hpp"
+#include "pipeline/layer_styles.hpp"
 #include "pipeline/placer.hpp"
 #include "pipeline/stage_clock.hpp"
 
@@ -115,6 +116,8 @@ void Emitter::begin() {
                           "What may be a building, with the reason for the doubt, from " + source,
                           building_fields, write.with_z, with_arcs});
     }
+    give_styles(layers, {buildings_layer_, contours_layer_, doubtful_layer_}, emission_,
+                context_.report.units.vertical_metres);
     const StageClock clock(context_.report, Stage::write);
     sink_.begin(layers, emission_.provenance);
 }
@@ -223,7 +226,7 @@ void emit(const Emission& emission, const RecordMaker& records, FeatureSink& sin
         [&](std::size_t k, std::vector<Drawn> drawn) {
             for (std::size_t i = 0; i < drawn.size(); ++i)
                 emitter.add(k * piece + i, std::move(drawn[i]));
-            context.progress(0.6 + 0.35 * static_cast<double>(k * piece) / static_cast<double>(count));
+            context.progress(static_cast<double>(k * piece) / static_cast<double>(count));
         });
     emitter.finish();
 }

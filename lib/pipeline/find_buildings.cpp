@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "attributes/ground_level.hpp"
+#include "core/progress_span.hpp"
 #include "core/row_bands.hpp"
 #include "detect/detection.hpp"
 #include "detect/merge_strips.hpp"
@@ -195,6 +196,8 @@ FoundBuildings find_buildings(const Options& options, const Sources& sources, co
     StripMerger merger;
     SeamRows above;
     for (const Strip& strip : strips) {
+        const ProgressSpan span(context, static_cast<double>(strip.own.begin) / job.window().rows,
+                                static_cast<double>(strip.own.end) / job.window().rows);
         StripFound here = find_in_strip(job, strip);
         const StageClock clock(context.report, Stage::detect);
         add_to_labels(here.labels, merger.add(here.objects), job.threads());

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "core/number_text.hpp"
+#include "core/progress_span.hpp"
 #include "core/units.hpp"
 #include "detect/one_label.hpp"
 #include "levels/building_levels.hpp"
@@ -28,6 +29,23 @@ namespace {
 
 constexpr double coarsest_cell_m = 3.0;
 constexpr double no_threshold = std::numeric_limits<double>::quiet_NaN();
+
+/// Shares of a run that are done at the end of its parts.
+struct Milestones {
+    double read;
+    double found;
+    double traced;
+    double drawn;
+};
+constexpr Milestones of_buildings{0.1, 0.55, 0.7, 0.97};
+constexpr Milestones of_thesis{0.3, 0.3, 0.6, 0.97};
+
+/// What `work` gives, where its progress is a part of the whole.
+template <typename Work>
+auto within(Context& context, double begin, double end, const Work& work) {
+    const ProgressSpan span(context, begin, end);
+    return work();
+}
 
 int thread_count(const RunOptions& options) {
     return options.threads > 0 ? options.threads
@@ -80,7 +98,8 @@ ElevationStatistics collect_statistics(ElevationReader& reader, const Window& wi
         },
         [&](const ElevationBand& band, const ElevationStatistics& of_band) {
             statistics.merge(of_band);
-            context.progress(0.3 * (band.shape.first_row + band.shape.rows - window.row) / window.rows);
+            context.progress(static_cast<double>(band.shape.first_row + band.shape.rows - window.row) /
+                             window.rows);
         });
     return statistics;
 }
@@ -135,8 +154,8 @@ void trace_bands(ElevationReader& reader, const TraceFrame& frame, const LevelPl
                 const StageClock clock(context.report, Stage::trace);
                 tracer.trace(std::move(lines));
             }
-            context.progress(0.3 + 0.3 * (band.shape.first_row + band.shape.rows - frame.window.row) /
-                                       frame.window.rows);
+            context.progress(static_cast<double>(band.shape.first_row + band.shape.rows - frame.window.row) /
+                             frame.window.rows);
         });
 }
 
@@ -220,17 +239,23 @@ void run(const Options& user_options, const Sources& sources, const Sinks& sinks
         options.outline.wall_tolerance = wall_tolerance(cell_size_m(info.window, area));
 
     ElevationReader reader(sources.dem, context);
-    const ElevationStatistics statistics = collect_statistics(reader, info.window, context);
+    const Milestones at = detects_buildings(options) ? of_buildings : of_thesis;
+    const ElevationStatistics statistics =
+        within(context, 0, at.read, [&] { return collect_statistics(reader, info.window, context); });
     LevelPlan plan = plan_global_levels(statistics, options.levels, context);
     std::optional<FoundBuildings> found;
     if (detects_buildings(options)) {
-        found = find_buildings(options, sources, sinks, reader, cell_steps(info.window, georeference, crs),
-                               report.units.vertical_metres, context);
+        found = within(context, at.read, at.found, [&] {
+            return find_buildings(options, sources, sinks, reader, cell_steps(info.window, georeference, crs),
+                                  report.units.vertical_metres, context);
+        });
         plan = plan_levels(reader, *found, statistics, plan, options.levels, info.window, context);
     }
     const FoundBuildings* buildings = found ? &*found : nullptr;
     const TraceFrame frame{info.window, plan.level_count(), statistics.fixed_point(), statistics.range()};
-    const auto contours = trace_contours(reader, frame, plan, buildings, options, area, context);
+    const auto contours = within(context, at.found, at.traced, [&] {
+        return trace_contours(reader, frame, plan, buildings, options, area, context);
+    });
 
     const std::vector<Footprint> footprints = found ? std::move(found->footprints) : std::vector<Footprint>();
     const RecordMaker records(*contours,
@@ -249,7 +274,7 @@ void run(const Options& user_options, const Sources& sources, const Sinks& sinks
                             found ? found->buildings : std::numeric_limits<Label>::max(),
                             cell_size_m(info.window, area),
                             frame.fixed};
-    emit(emission, records, sinks.features, context);
+    within(context, at.traced, at.drawn, [&] { emit(emission, records, sinks.features, context); });
     const StageClock clock(report, Stage::write);
     for (RasterSink* raster : {sinks.ground, sinks.height, sinks.canopy})
         if (raster != nullptr)

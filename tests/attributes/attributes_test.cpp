@@ -66,6 +66,12 @@ TEST(Records, ContoursOfAPodiumWithATower) {
     EXPECT_EQ(tower.base, 10);
     EXPECT_DOUBLE_EQ(tower.tier_z, (5 * 20 + 30) / 6.0);
     EXPECT_DOUBLE_EQ(tower.top, (5 * 20 + 30) / 6.0);
+    EXPECT_TRUE(std::isnan(root.height_m));
+    EXPECT_EQ(level1.min_height_m, 0);
+    EXPECT_EQ(level1.height_m, 7);
+    EXPECT_EQ(level2.min_height_m, 7);
+    EXPECT_EQ(tower.min_height_m, 9);
+    EXPECT_DOUBLE_EQ(tower.height_m, (5 * 20 + 30) / 6.0 - 1);
     EXPECT_EQ(tower.lowest, 20);
     EXPECT_EQ(tower.highest, 30);
     EXPECT_DOUBLE_EQ(level1.mean, (18 * 10 + 5 * 20 + 30) / 24.0);
@@ -74,6 +80,7 @@ TEST(Records, ContoursOfAPodiumWithATower) {
 TEST(Records, BuildingOfAPodiumWithATowerInFeet) {
     const test::Records records = records_of(podium(), {4, 8, 15}, 0.3048);
     ASSERT_EQ(records.buildings.size(), 1U);
+    EXPECT_DOUBLE_EQ(records.contours[1].height_m, 7 * 0.3048);
     const BuildingRecord& building = records.buildings[0];
     EXPECT_EQ(building.ground, 1);
     EXPECT_EQ(building.roof, 30);

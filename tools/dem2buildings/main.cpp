@@ -12,8 +12,10 @@
 #include "dem2buildings/help.hpp"
 #include "dem2buildings/interrupt.hpp"
 #include "dem2buildings/json_report.hpp"
+#include "dem2buildings/preview.hpp"
 #include "dem2buildings/progress.hpp"
 #include "dem2buildings/side_rasters.hpp"
+#include "dem2buildings/sweep.hpp"
 #include "geometry/geos.hpp"
 #include "pipeline/pipeline.hpp"
 #include "pipeline/preset.hpp"
@@ -41,11 +43,24 @@ void process(const Request& request) {
     catch_interrupts();
     const auto source = open_dem(options.read, context);
     const SideSources side_sources = open_side_sources(options, source->info(), context);
+    const Sources sources{*source, side_sources.terrain.get(), side_sources.mask.get(),
+                          side_sources.ndvi.get()};
+    if (!request.tool.sweep.empty()) {
+        options.write.layers = Layers::both;
+        const std::vector<Trial> trials = run_sweep(options, sources, request.tool.sweep_plan, context);
+        if (!quiet)
+            progress.update(1);
+        std::cout << (request.tool.json ? sweep_json(trials) : sweep_table(trials));
+        return;
+    }
     const auto sink = open_sink(options.write, context);
     const SideSinks side_sinks = open_side_sinks(options, source->info(), context);
+    Preview preview(options, *sink, *source, context);
     options.write.layers = layers_for(options.write);
-    run(options, {*source, side_sources.terrain.get(), side_sources.mask.get(), side_sources.ndvi.get()},
-        {*sink, side_sinks.ground.get(), side_sinks.height.get(), side_sinks.canopy.get()}, context);
+    run(options, sources,
+        {preview.features(), side_sinks.ground.get(), side_sinks.height.get(), side_sinks.canopy.get()},
+        context);
+    preview.publish();
     if (!quiet) {
         progress.update(1);
         std::cout << summary(context.report, options.write.layers, options.write.destination);
@@ -72,6 +87,10 @@ int run_tool(const std::vector<std::string>& arguments) {
         std::cout << man_page();
     else if (request.tool.options_markdown)
         std::cout << options_markdown();
+    else if (request.tool.options_json)
+        std::cout << options_json();
+    else if (request.tool.bash_completion)
+        std::cout << bash_completion();
     else
         process(request);
     return exit_code::done;
