@@ -45,6 +45,7 @@ std::vector<int> values_of(const std::string& text, const NumberRange& range) {
     if (parts.size() > 3)
         refuse(text);
     std::vector<int> numbers;
+    numbers.reserve(parts.size());
     for (const std::string& part : parts)
         numbers.push_back(parse_whole("sweep", range, part));
     if (parts.size() == 1)

@@ -81,8 +81,8 @@ void Canvas::outline(const std::vector<Spot>& ring, Colour colour) {
         const Spot& a = ring[i];
         const Spot& b = ring[(i + 1) % ring.size()];
         const double length = std::max(std::abs(b.x - a.x), std::abs(b.y - a.y)) * fineness;
-        const double steps = std::min(std::max(1.0, std::ceil(length)), most_steps);
-        for (double step = 0; step < steps; ++step)
+        const auto steps = static_cast<int>(std::clamp(std::ceil(length), 1.0, most_steps));
+        for (int step = 0; step < steps; ++step)
             set(static_cast<int>(std::floor((a.x + (b.x - a.x) * step / steps) * fineness)),
                 static_cast<int>(std::floor((a.y + (b.y - a.y) * step / steps) * fineness)), colour);
     }
@@ -101,7 +101,7 @@ void Canvas::text(int x, int y, int size, std::string_view text, Colour colour) 
 
 Image Canvas::shown() const {
     Image image{width(), height(), {}};
-    image.rgb.reserve(fine_.rgb.size() / (fineness * fineness));
+    image.rgb.reserve(fine_.rgb.size() / fineness / fineness);
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x)
             for (std::size_t band = 0; band < 3; ++band) {

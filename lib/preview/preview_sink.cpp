@@ -34,11 +34,11 @@ std::string one_decimal(double value) {
 
 }  // namespace
 
-PreviewSink::PreviewSink(FeatureSink& features, DemSource& dem, const Crs& crs, PreviewLook look,
+PreviewSink::PreviewSink(FeatureSink& features, DemSource& dem, Crs crs, PreviewLook look,
                          const Context& context, Taken taken)
     : features_(features),
       dem_(dem),
-      crs_(crs),
+      crs_(std::move(crs)),
       look_(std::move(look)),
       context_(context),
       taken_(std::move(taken)),

@@ -30,8 +30,8 @@ class PreviewSink final : public FeatureSink {
 
     /// @param features must outlive this, as must the DEM and the context @param crs of the DEM @param taken
     /// called in finish(), before the features' own
-    PreviewSink(FeatureSink& features, DemSource& dem, const Crs& crs, PreviewLook look,
-                const Context& context, Taken taken);
+    PreviewSink(FeatureSink& features, DemSource& dem, Crs crs, PreviewLook look, const Context& context,
+                Taken taken);
 
     void begin(std::span<const LayerSpec> layers, const Provenance& provenance) override;
     void add(std::size_t layer, const Feature& feature) override;

@@ -28,6 +28,7 @@ class Samples {
         const std::int64_t at = middle(std::clamp(number, 0, rows_ - 1), window_.rows, rows_);
         dem_.read(window_.row + static_cast<std::int32_t>(at), 1, buffer_);
         std::vector<double> elevations;
+        elevations.reserve(static_cast<std::size_t>(cols_));
         for (int col = 0; col < cols_; ++col)
             elevations.push_back(buffer_[static_cast<std::size_t>(middle(col, window_.cols, cols_))]);
         return elevations;

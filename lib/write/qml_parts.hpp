@@ -24,7 +24,7 @@ struct Columns {
 /// What is written on the features, on maps of large scale.
 [[nodiscard]] std::string labeling(const LayerSpec& spec, const Columns& columns);
 /// Solids in the colours of the renderer. They stand at their elevations, whatever the terrain of the scene.
-[[nodiscard]] std::string renderer_3d(const LayerStyle& style, const Columns& columns);
+[[nodiscard]] std::string renderer_3d(const LayerSpec& spec, const Columns& columns);
 
 /// "255,237,160,255"
 [[nodiscard]] std::string colour_text(std::size_t height_class);

@@ -58,13 +58,16 @@ std::string filter(std::size_t height_class, const std::string& height) {
 
 }  // namespace
 
-std::string renderer_3d(const LayerStyle& style, const Columns& columns) {
+std::string renderer_3d(const LayerSpec& spec, const Columns& columns) {
+    const LayerStyle& style = spec.style;
     // Each solid reaches from where the one below it ends to where its own points are: neighbours meet in a
     // plane that cannot be seen, and no two walls stand in one place.
     const std::string thickness =
         columns.min_height.empty() ? columns.height : "(" + columns.height + " - " + columns.min_height + ")";
     const std::string extrusion = scaled(thickness, style.metre_scale);
-    const std::string altitude = scaled(columns.top, style.vertical_scale) + " - " + extrusion;
+    // To an absolute altitude QGIS adds the Z of the vertices, of which all of a feature are the same.
+    const std::string altitude = scaled(columns.top, style.vertical_scale) + " - " + extrusion +
+                                 (spec.with_z ? " - z(point_n($geometry, 1))" : "");
     std::string text =
         " <renderer-3d type=\"rulebased\" layer=\"\">\n"
         "  <vector-layer-3d-tiling zoom-levels-count=\"3\" show-bounding-boxes=\"0\"/>\n"

@@ -46,7 +46,7 @@ std::string qml_style(const LayerSpec& spec, const std::vector<std::string>& col
     text += "<qgis version=\"3.16.0\" labelsEnabled=\"" + std::string(fields.label.empty() ? "0" : "1") +
             "\" hasScaleBasedVisibilityFlag=\"0\">\n";
     if (!fields.top.empty() && !fields.height.empty())
-        text += qml::renderer_3d(style, fields);
+        text += qml::renderer_3d(spec, fields);
     text += qml::renderer(fields);
     if (!fields.label.empty())
         text += qml::labeling(spec, fields);

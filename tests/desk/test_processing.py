@@ -99,7 +99,8 @@ class Toolbox(DeskCase):
 
     def test_defaults_are_left_to_the_program(self):
         algorithm = self.algorithm()
-        given = {one.name(): one.defaultValue() for one in algorithm.parameterDefinitions() if one.defaultValue() is not None}
+        given = {one.name(): one.defaultValue() for one in algorithm.parameterDefinitions()
+                 if one.defaultValue() is not None}
         _, log = self.log_of(**given)
         self.assertIn(f"{TOOL} -overwrite -- ", log)
 
@@ -129,6 +130,12 @@ class Toolbox(DeskCase):
             details.postProcessor().postProcessLayer(layer, context, Feedback())
             self.assertEqual(layer.renderer().type(), "graduatedSymbol")
             self.assertGreater(layer.featureCount(), 300)
+
+    def test_a_file_of_one_layer_is_loaded_too(self):
+        target = str(self.folder / "one.geojson")
+        results, well, _ = self.run_it(OUTPUT=target)
+        self.assertTrue(well)
+        self.assertEqual(results, {"OUTPUT": target, "BUILDINGS": target})
 
     def test_progress_goes_from_nothing_to_all(self):
         feedback = Feedback()

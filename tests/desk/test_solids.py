@@ -95,6 +95,16 @@ class Solids(DeskCase):
             self.assertAlmostEqual(bottom, grounds[feature["bldg_id"]], places=4)
             self.assertAlmostEqual(top, feature["top"], places=4)
 
+    def test_the_z_of_vertices_does_not_lift_the_stack(self):
+        # QGIS adds the altitude to the Z of a vertex.
+        path = self.make("z.gpkg", "-3d")
+        layer = self.layer(path, "contours")
+        for feature, bottom, top in self.solids(layer).values():
+            z = feature.geometry().vertexAt(0).z()
+            self.assertGreater(z, 200)
+            self.assertAlmostEqual(bottom + z, feature["base"], places=4)
+            self.assertAlmostEqual(top + z, feature["top"], places=4)
+
     def test_feet_become_units_of_the_map(self):
         # Elevations in feet on a map in metres; the root, every valid point, is no solid.
         path = self.make("hotel.gpkg", "-preset", "thesis", sample="hotel_70x85.tif")

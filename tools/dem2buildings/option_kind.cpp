@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <array>
+
 #include "dem2buildings/help.hpp"
 
 namespace d2b {
@@ -8,14 +11,14 @@ struct Kind {
     std::string_view kind;
 };
 
-constexpr Kind kinds[] = {{"<raster>", "raster"},
-                          {"<polygons>", "vector"},
-                          {"<raster or polygons>", "dataset"},
-                          {"auto|none|<terrain model>", "terrain"},
-                          {"<crs>", "crs"},
-                          {"<xmin> <ymin> <xmax> <ymax>", "extent"},
-                          {"<file.tif>", "file:tif"},
-                          {"<file.png>", "file:png"}};
+constexpr std::array kinds{Kind{"<raster>", "raster"},
+                           Kind{"<polygons>", "vector"},
+                           Kind{"<raster or polygons>", "dataset"},
+                           Kind{"auto|none|<terrain model>", "terrain"},
+                           Kind{"<crs>", "crs"},
+                           Kind{"<xmin> <ymin> <xmax> <ymax>", "extent"},
+                           Kind{"<file.tif>", "file:tif"},
+                           Kind{"<file.png>", "file:png"}};
 
 }  // namespace
 

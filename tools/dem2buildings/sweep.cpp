@@ -13,6 +13,7 @@
 namespace d2b {
 namespace {
 
+using Json = nlohmann::ordered_json;
 constexpr std::size_t width = 11;
 
 std::string aligned(const std::string& text) {
@@ -43,7 +44,6 @@ std::string sweep_table(const std::vector<Trial>& trials) {
 }
 
 std::string sweep_json(const std::vector<Trial>& trials) {
-    using Json = nlohmann::ordered_json;
     Json rows = Json::array();
     for (const Trial& trial : trials)
         rows.push_back(Json{{"lod", trial.lod},

@@ -99,7 +99,10 @@ class ExtractBuildings(QgsProcessingAlgorithm):
             table = name if prefix is None else prefix if name == "buildings" else f"{prefix}_{name}"
             place = f"{target}|layername={table}"
             if not QgsVectorLayer(place, table, "ogr").isValid():
-                continue
+                # A file that is one layer, whatever its name.
+                place = target
+                if name != LAYERS[0] or not QgsVectorLayer(place, table, "ogr").isValid():
+                    continue
             results[name.upper()] = place
             if context.project() is None:
                 continue

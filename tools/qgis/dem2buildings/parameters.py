@@ -1,7 +1,7 @@
 """Parameters of the dialog, made of the program's table of options, and command lines made of them."""
 
-from qgis.core import (QgsProcessingParameterBoolean, QgsProcessingParameterCrs, QgsProcessingParameterDefinition,
-                       QgsProcessingParameterEnum, QgsProcessingParameterExtent,
+from qgis.core import (QgsProcessingException, QgsProcessingParameterBoolean, QgsProcessingParameterCrs,
+                       QgsProcessingParameterDefinition, QgsProcessingParameterEnum, QgsProcessingParameterExtent,
                        QgsProcessingParameterFileDestination, QgsProcessingParameterMapLayer,
                        QgsProcessingParameterNumber, QgsProcessingParameterRasterDestination,
                        QgsProcessingParameterRasterLayer, QgsProcessingParameterString,
@@ -94,9 +94,11 @@ def _plain(value):
     return str(int(value)) if float(value) == int(value) else repr(float(value))
 
 
-def _file_of(layer):
-    """What GDAL opens of a layer; None where the layer has no place of its own."""
-    return layer.source().split("|")[0] if layer is not None else None
+def _file_of(layer, name):
+    """What GDAL opens of a layer."""
+    if layer is None:
+        raise QgsProcessingException(f"There is no such layer as {name} names.")
+    return layer.source().split("|")[0]
 
 
 def _values(algorithm, option, given, context):
@@ -107,7 +109,7 @@ def _values(algorithm, option, given, context):
     if kind == "switch":
         return [] if algorithm.parameterAsBool(given, name, context) else None
     if kind == "terrain" and given.get(name + TERRAIN):
-        return [_file_of(algorithm.parameterAsRasterLayer(given, name + TERRAIN, context))]
+        return [_file_of(algorithm.parameterAsRasterLayer(given, name + TERRAIN, context), name)]
     if kind in ("choice", "terrain"):
         word = option["words"][algorithm.parameterAsEnum(given, name, context)]
         return None if word == option["default"] else [word]
@@ -120,9 +122,9 @@ def _values(algorithm, option, given, context):
         crs = algorithm.parameterAsCrs(given, name, context)
         return [crs.authid() or crs.toWkt()]
     if kind == "raster":
-        return [_file_of(algorithm.parameterAsRasterLayer(given, name, context))]
+        return [_file_of(algorithm.parameterAsRasterLayer(given, name, context), name)]
     if kind in ("vector", "dataset"):
-        return [_file_of(algorithm.parameterAsLayer(given, name, context))]
+        return [_file_of(algorithm.parameterAsLayer(given, name, context), name)]
     if kind.startswith("file:"):
         return [algorithm.parameterAsFileOutput(given, name, context)]
     return [algorithm.parameterAsString(given, name, context)]
