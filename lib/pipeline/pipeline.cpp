@@ -27,6 +27,7 @@ namespace d2b {
 namespace {
 
 constexpr double coarsest_cell_m = 3.0;
+constexpr double emitted = 0.95;  // the share done before the result is put in its place
 constexpr double no_threshold = std::numeric_limits<double>::quiet_NaN();
 
 int thread_count(const RunOptions& options) {
@@ -194,7 +195,7 @@ void warn_of_nothing(const LevelPlan& plan, const Records& records, Context& con
     const RunReport& report = context.report;
     if (report.valid_points == 0)
         context.warn("'" + report.input + "' has no valid point; the layers are empty.");
-    else if (report.minimum == report.maximum)
+    else if (report.minimum == report.maximum && records.buildings.empty())
         context.warn("All valid points of '" + report.input +
                      "' have the same elevation; no building was found.");
     else if (!plan.footprints && plan.level_count() == 1)
@@ -211,7 +212,7 @@ void warn_of_nothing(const LevelPlan& plan, const Records& records, Context& con
 
 void run(const Options& user_options, const Sources& sources, const Sinks& sinks, Context& context) {
     Options options = with_preset(user_options);
-    context.threads = std::make_unique<Executor>(thread_count(options.run));
+    context.threads = std::make_unique<Executor>(thread_count(options.run), context.stop);
     const DemInfo& info = sources.dem.info();
     const Crs crs = dem_crs(options, info);
     const Crs target = target_crs(options, crs);
@@ -265,12 +266,14 @@ void run(const Options& user_options, const Sources& sources, const Sinks& sinks
                             last_building,
                             cell_size_m(info.window, area)};
     emit(emission, records, sinks.features, context);
+    context.progress(emitted);
     const StageClock clock(report, Stage::write);
     for (RasterSink* raster : {sinks.ground, sinks.height, sinks.canopy})
         if (raster != nullptr)
             raster->finish();
     sinks.features.finish();
-    context.progress(1);
+    if (context.on_progress)
+        context.on_progress(1);  // the result is there; nobody can stop it any more
 }
 
 }  // namespace d2b
