@@ -18,6 +18,7 @@ struct Context {
     RunReport report;
     std::function<void(const std::string&)> on_warning;  ///< may be empty
     std::function<bool(double)> on_progress;  ///< share done, 0 to 1; false asks to stop; may be empty
+    std::function<bool()> stop;               ///< true asks to stop; any thread asks, and often; may be empty
     std::unique_ptr<Executor> threads = std::make_unique<Executor>();  ///< never empty
     /// Where what is finished waits for its turn: in memory, or in a file (write/file_spool.hpp).
     std::function<std::unique_ptr<Spool>()> make_spool = [] { return std::make_unique<MemorySpool>(); };

@@ -204,7 +204,7 @@ void warn_of_nothing(const LevelPlan& plan, std::size_t buildings, Context& cont
     const RunReport& report = context.report;
     if (report.valid_points == 0)
         context.warn("'" + report.input + "' has no valid point; the layers are empty.");
-    else if (report.minimum == report.maximum)
+    else if (report.minimum == report.maximum && records.buildings.empty())
         context.warn("All valid points of '" + report.input +
                      "' have the same elevation; no building was found.");
     else if (!plan.footprints && plan.level_count() == 1)
@@ -221,7 +221,7 @@ void warn_of_nothing(const LevelPlan& plan, std::size_t buildings, Context& cont
 
 void run(const Options& user_options, const Sources& sources, const Sinks& sinks, Context& context) {
     Options options = with_preset(user_options);
-    context.threads = std::make_unique<Executor>(thread_count(options.run));
+    context.threads = std::make_unique<Executor>(thread_count(options.run), context.stop);
     const DemInfo& info = sources.dem.info();
     const Crs crs = dem_crs(options, info);
     const Crs target = target_crs(options, crs);
@@ -275,12 +275,14 @@ void run(const Options& user_options, const Sources& sources, const Sinks& sinks
                             cell_size_m(info.window, area),
                             frame.fixed};
     within(context, at.traced, at.drawn, [&] { emit(emission, records, sinks.features, context); });
+    context.progress(at.drawn);
     const StageClock clock(report, Stage::write);
     for (RasterSink* raster : {sinks.ground, sinks.height, sinks.canopy})
         if (raster != nullptr)
             raster->finish();
     sinks.features.finish();
-    context.progress(1);
+    if (context.on_progress)
+        context.on_progress(1);  // the result is there; nobody can stop it any more
 }
 
 }  // namespace d2b
