@@ -5,6 +5,8 @@
 #include <limits>
 #include <thread>
 
+#include "core/error.hpp"
+
 namespace d2b {
 namespace {
 
@@ -60,7 +62,8 @@ struct Executor::Pool {
     }
 };
 
-Executor::Executor(int threads) : pool_(std::make_unique<Pool>()) {
+Executor::Executor(int threads, std::function<bool()> stop)
+    : stop_(std::move(stop)), pool_(std::make_unique<Pool>()) {
     for (int thread = 1; thread < threads; ++thread)
         pool_->threads.emplace_back(
             [pool = pool_.get(), thread] { pool->serve(static_cast<std::size_t>(thread)); });
@@ -78,6 +81,11 @@ Executor::~Executor() {
 
 int Executor::threads() const {
     return static_cast<int>(pool_->threads.size()) + 1;
+}
+
+void Executor::check_stop() const {
+    if (stop_ && stop_())
+        throw Cancelled();
 }
 
 void Executor::run(const Body& body) {
@@ -106,6 +114,7 @@ void Executor::indexed(std::size_t count, const Indexed& work) {
     run([&](std::size_t thread) {
         for (std::size_t i = next++; i < std::min(count, failure.limit()); i = next++)
             try {
+                check_stop();
                 work(i, thread);
             } catch (...) {
                 failure.keep(i, std::current_exception());
@@ -127,6 +136,7 @@ void Executor::pipelined(std::size_t count, std::size_t window, const Indexed& m
         const std::size_t i = next++;
         lock.unlock();
         try {
+            check_stop();
             make(i, thread);
         } catch (...) {
             failure.keep(i, std::current_exception());

@@ -17,7 +17,9 @@ namespace d2b {
 class Executor {
   public:
     /// @param threads the caller's included; 1 starts none
-    explicit Executor(int threads = 1);
+    /// @param stop asked before each piece of work, by any thread; where it says true the work ends with a
+    /// Cancelled
+    explicit Executor(int threads = 1, std::function<bool()> stop = {});
     Executor(const Executor&) = delete;
     Executor& operator=(const Executor&) = delete;
     ~Executor();
@@ -70,11 +72,13 @@ class Executor {
 
     /// Runs body on all threads, the caller's is 0; on the caller's alone where the others are busy.
     void run(const Body& body);
+    void check_stop() const;
     void indexed(std::size_t count, const Indexed& work);
     void pipelined(std::size_t count, std::size_t window, const Indexed& make,
                    const std::function<void(std::size_t)>& take);
 
     struct Pool;
+    std::function<bool()> stop_;
     std::unique_ptr<Pool> pool_;
 };
 

@@ -39,8 +39,9 @@ SmallOpened open_small(const AlignedGrid& surface, Factor factor, const Windows&
     SmallOpened result{MetreGrid(surface.grid.rows, surface.grid.cols, 0, threads),
                        blocks_of(surface, factor, no_value, threads), chain.next_radius};
     MetreGrid& blocks = result.blocks.grid;
-    const std::vector<Tile> tiles =
-        tiles_of(blocks.rows, blocks.cols, tile_side / std::max(factor.down, factor.across));
+    // Near a pole cells of degrees are so narrow that a block of them is wider than a tile.
+    const std::int32_t side = std::max(tile_side / std::max(factor.down, factor.across), 1);
+    const std::vector<Tile> tiles = tiles_of(blocks.rows, blocks.cols, side);
     threads.for_each_in_room<OpenedPart>(tiles.size(), [&](std::size_t t, OpenedPart& part) {
         const Tile cells = cells_of(tiles[t], surface, result.blocks, factor);
         open_part(surface.grid, cells, chain.steps, opened_by_rectangle, part);

@@ -1,5 +1,6 @@
 #include "pipeline/square_area.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -8,6 +9,9 @@ namespace d2b {
 namespace {
 
 constexpr int block_shift = 8;
+// Windows are counted in cells. Beside a pole, or where a unit is wrong, there would be millions of them in a
+// window.
+constexpr double finest_cell_m = 0.001;
 
 /// Remembers what it has measured; copies share it.
 class Measured {
@@ -62,7 +66,8 @@ CellSize cell_steps(const Window& window, const Georeference& georeference, cons
         const WorldRing ring{georeference.position(middle), georeference.position(to)};
         return geodesy.ring(ring).perimeter_m / 2;
     };
-    return {length({middle.row, middle.col + 1}), length({middle.row + 1, middle.col})};
+    return {std::max(finest_cell_m, length({middle.row, middle.col + 1})),
+            std::max(finest_cell_m, length({middle.row + 1, middle.col}))};
 }
 
 double cell_size_m(const Window& window, const SquareArea& area) {

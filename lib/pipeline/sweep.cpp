@@ -85,6 +85,8 @@ std::vector<Trial> sweep(const Options& options, const Sources& sources, const S
                 if (warned.insert(text).second)
                     context.warn(text);
             };
+            of_trial.stop = context.stop;
+            of_trial.make_spool = context.make_spool;
             of_trial.on_progress = [&, done = trials.size()](double share) {
                 return !context.on_progress || context.on_progress((static_cast<double>(done) + share) / all);
             };

@@ -95,6 +95,23 @@ void check_length(GDALDatasetH dataset, const ReadOptions& options) {
                          "; it is truncated, so copy it again.");
 }
 
+/// A text grid has a digit and a blank a cell. GDAL would look for what is missing again and again: for hours
+/// where the header speaks of a million rows.
+void check_text_length(GDALDatasetH dataset, const ReadOptions& options) {
+    const GDALDriverH driver = GDALGetDatasetDriver(dataset);
+    if (driver == nullptr || std::string_view(GDALGetDriverShortName(driver)) != "AAIGrid")
+        return;
+    const GUIntBig needed = 2 * static_cast<GUIntBig>(GDALGetRasterXSize(dataset)) *
+                                static_cast<GUIntBig>(GDALGetRasterYSize(dataset)) -
+                            1;
+    VSIStatBufL status{};
+    if (VSIStatExL(GDALGetDescription(dataset), &status, VSI_STAT_SIZE_FLAG) == 0 &&
+        static_cast<GUIntBig>(status.st_size) < needed)
+        throw InputError("'" + options.source + "' has " + std::to_string(status.st_size) +
+                         " bytes where its header promises " + std::to_string(needed) +
+                         " at least; it is truncated, so copy it again.");
+}
+
 }  // namespace
 
 OpenRaster open_raster(const ReadOptions& options, const std::string& path, Context& context) {
@@ -103,6 +120,7 @@ OpenRaster open_raster(const ReadOptions& options, const std::string& path, Cont
     raster.band = pick_band(raster.dataset.get(), options);
     check_kind(raster.band, options, context);
     check_length(raster.dataset.get(), options);
+    check_text_length(raster.dataset.get(), options);
     return raster;
 }
 
@@ -114,6 +132,7 @@ OpenRaster open_first_band(const std::string& name, const std::string& path, Con
     if (GDALDataTypeIsComplex(GDALGetRasterDataType(raster.band)) != FALSE)
         throw InputError("Band 1 of '" + name + "' holds complex numbers; give a raster of real numbers.");
     check_length(raster.dataset.get(), options);
+    check_text_length(raster.dataset.get(), options);
     return raster;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <fstream>
 #include <sys/stat.h>
 #include <system_error>
 
@@ -44,7 +45,28 @@ std::vector<std::string> files_of(GDALDatasetH dataset, const fs::path& path, co
     return files;
 }
 
-std::int64_t largest_id(GDALDatasetH dataset, const std::vector<std::string>& names, bool any_name) {
+/// Removing it is no good advice where a disk or a lock is to blame.
+[[noreturn]] void refuse_unopened(const Destination& destination, const VectorFormat& format,
+                                  const GdalMessages& messages) {
+    std::error_code error;
+    std::ifstream file(destination.path, std::ios::binary);
+    char first = 0;
+    const bool unreadable = fs::is_regular_file(destination.path, error) &&
+                            fs::file_size(destination.path, error) > 0 && !file.get(first);
+    const std::array<const char*, 2> drivers{format.name.c_str(), nullptr};
+    const bool ours = format.transactions && GDALIdentifyDriverEx(destination.path.c_str(), GDAL_OF_VECTOR,
+                                                                  drivers.data(), nullptr) != nullptr;
+    if (unreadable || ours)
+        throw OutputError("Cannot write \"" + destination.name + "\": it exists and cannot be opened (" +
+                          messages.reason_for(destination.path) + ").");
+    throw OptionError("\"" + destination.name + "\" exists and is not a dataset of format " + format.name +
+                      "; remove it first.");
+}
+
+std::int64_t largest_id(const Destination& destination, GDALDatasetH dataset,
+                        const std::vector<std::string>& names, bool any_name) {
+    // A layer ends where it cannot be read on; ids that follow would then be given twice.
+    const GdalMessages messages;
     std::int64_t largest = 0;
     for (int i = 0; i < GDALDatasetGetLayerCount(dataset); ++i) {
         OGRLayerH layer = GDALDatasetGetLayer(dataset, i);
@@ -58,6 +80,9 @@ std::int64_t largest_id(GDALDatasetH dataset, const std::vector<std::string>& na
             largest = std::max<std::int64_t>(largest, OGR_F_GetFieldAsInteger64(feature.get(), field));
         OGR_L_SetIgnoredFields(layer, nullptr);
     }
+    if (messages.failed())
+        throw OutputError("Cannot append to \"" + destination.name + "\": its features cannot be read (" +
+                          messages.reason_for(destination.path) + ").");
     return largest;
 }
 
@@ -73,8 +98,7 @@ ExistingDataset inspect_existing(const Destination& destination, const VectorFor
         open_dataset(format, destination.path, GDAL_OF_UPDATE);
     const DatasetHandle dataset = open_dataset(format, destination.path, GDAL_OF_READONLY);
     if (!dataset)
-        throw OptionError("\"" + destination.name + "\" exists and is not a dataset of format " +
-                          format.name + "; remove it first.");
+        refuse_unopened(destination, format, messages);
     for (int i = 0; i < GDALDatasetGetLayerCount(dataset.get()); ++i)
         existing.layers.emplace_back(OGR_L_GetName(GDALDatasetGetLayer(dataset.get(), i)));
     if (destination.local)
@@ -83,7 +107,7 @@ ExistingDataset inspect_existing(const Destination& destination, const VectorFor
     if (!format.transactions)
         refuse_foreign(destination, existing, dataset.get(), format, options, names);
     if (options.append)
-        existing.largest_id = largest_id(dataset.get(), names, !format.several_layers);
+        existing.largest_id = largest_id(destination, dataset.get(), names, !format.several_layers);
     require_writable(destination, format, options, names);
     return existing;
 }
@@ -108,7 +132,7 @@ std::optional<ExistingDataset> inspect_database(const Destination& destination, 
                 "\"; say -overwrite to replace it, -append to add to it, or -nln for another name.");
     }
     if (options.append)
-        existing.largest_id = largest_id(dataset.get(), names, false);
+        existing.largest_id = largest_id(destination, dataset.get(), names, false);
     return existing;
 }
 

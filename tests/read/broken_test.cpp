@@ -93,6 +93,15 @@ TEST_F(ReadBroken, aTruncatedUncompressedFileReadInANarrowWindow) {
     expect_has(message<InputError>("dem.bil"), "Rows 9 to 9 of '" + path("dem.bil") + "' cannot be read: ");
 }
 
+TEST_F(ReadBroken, aTextGridThatClaimsATrillionCells) {
+    write_text(path("claim.asc"),
+               "ncols 1000000\nnrows 1000000\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3\n");
+    EXPECT_EQ(message<InputError>("claim.asc"),
+              quoted("claim.asc") +
+                  " has 69 bytes where its header promises 1999999999999 at least; it is truncated, "
+                  "so copy it again.");
+}
+
 TEST_F(ReadBroken, aMosaicWhosePartIsMissing) {
     options_.source =
         R"(<VRTDataset rasterXSize="1" rasterYSize="1"><VRTRasterBand dataType="Byte" band="1">)"

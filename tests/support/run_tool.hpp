@@ -5,6 +5,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <fcntl.h>
 #include <memory>
@@ -13,6 +14,8 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <sys/resource.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -37,6 +40,8 @@ struct ToolResult {
     int status = 0;  ///< of exit; 128 + the signal where one ended it, as shells say
     std::string out;
     std::string err;
+    double cpu_seconds = 0;
+    std::int64_t peak_bytes = 0;
 };
 
 namespace run_tool_detail {
@@ -129,16 +134,24 @@ class SpawnAttributes {
     posix_spawnattr_t attributes_{};
 };
 
-inline int wait_for(pid_t process, const std::optional<Kill>& signal) {
+inline double seconds(const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+/// Waits, and notes how it ended and what it took.
+inline void wait_for(pid_t process, const std::optional<Kill>& signal, ToolResult& result) {
     if (signal) {
         std::this_thread::sleep_for(signal->after);
         ::kill(process, signal->signal);
     }
     int status = 0;
-    while (waitpid(process, &status, 0) < 0)
+    rusage usage{};
+    while (wait4(process, &status, 0, &usage) < 0)
         if (errno != EINTR)
             throw std::runtime_error("cannot wait for the tool");
-    return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+    result.status = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+    result.cpu_seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+    result.peak_bytes = std::int64_t{usage.ru_maxrss} * 1024;
 }
 
 }  // namespace run_tool_detail
@@ -171,7 +184,7 @@ inline ToolResult run_tool(std::vector<std::string> command, const ToolSetup& se
                      pointers(command).data(), pointers(environment).data()) != 0)
         throw std::runtime_error("cannot start " + command[0]);
     ToolResult result;
-    result.status = wait_for(process, setup.kill);
+    wait_for(process, setup.kill, result);
     result.out = text_of(out.get());
     result.err = text_of(err.get());
     return result;

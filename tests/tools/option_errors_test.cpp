@@ -29,6 +29,13 @@ TEST(OptionErrors, wholeNumbers) {
          {{"-nf", "2147483648"}, "-nf must be a whole number from 0 to 1000000000, not '2147483648'."}});
 }
 
+// Found by tests/fuzz: it came through as an exception of Boost's that named all options there are.
+TEST(OptionErrors, anOptionWithoutAName) {
+    for (const char* option : {"-=", "--=", "-=rcwin", "--=x"})
+        EXPECT_EQ(refusal({option, "a.tif", "b.gpkg"}),
+                  "An option has no name before its =; dem2buildings --help lists all.");
+}
+
 TEST(OptionErrors, numbers) {
     for (const char* text : {"x", "nan", "inf", "-inf", "1e999", "5m", "1,5"})
         EXPECT_EQ(refusal({"-snodata", text}), std::string("-snodata must be a number, not '") + text + "'.");

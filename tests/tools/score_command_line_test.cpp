@@ -37,6 +37,11 @@ TEST(ScoreCommandLine, readsOptionsAnywhere) {
     EXPECT_TRUE(request.quiet);
 }
 
+TEST(ScoreCommandLine, refusesAnOptionWithoutAName) {
+    EXPECT_EQ(refusal({"-=x", "a.gpkg", "b.gpkg"}),
+              "An option has no name before its =; dem2buildings_score --help lists all.");
+}
+
 TEST(ScoreCommandLine, hasDefaults) {
     const ScoreRequest request = parse_score_command_line({"a", "b"});
     EXPECT_EQ(request.min_object_m2, 50);

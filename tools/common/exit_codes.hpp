@@ -6,6 +6,5 @@ namespace d2b::exit_code {
 inline constexpr int done = 0;
 inline constexpr int failed = 1;
 inline constexpr int wrong_usage = 2;
-inline constexpr int cancelled = 130;  // what a shell reports of a program that SIGINT ended
 
 }  // namespace d2b::exit_code

@@ -32,9 +32,6 @@ int run_guarded(const std::vector<std::string>& arguments, const std::string& me
     } catch (const OptionError& error) {
         print_line("ERROR: ", error.what());
         return exit_code::wrong_usage;
-    } catch (const Cancelled& error) {
-        print_line("ERROR: ", error.what());
-        return exit_code::cancelled;
     } catch (const std::bad_alloc&) {
         print_line("ERROR: ", "There is not enough memory; " + memory_advice + ".");
     } catch (const std::exception& error) {

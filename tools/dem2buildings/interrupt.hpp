@@ -2,11 +2,14 @@
 
 namespace d2b {
 
-/// Lets Ctrl-C (SIGINT) ask for an end instead of ending the process. A second one ends it.
-/// Nothing changes where the process was started with SIGINT ignored.
+/// Lets Ctrl-C (SIGINT), SIGTERM and SIGHUP ask for an end instead of ending the process. A second one of the
+/// same kind ends it. Nothing changes for a signal that the process was started with ignored.
 void catch_interrupts();
 
-/// Whether Ctrl-C has been pressed.
+/// Whether one of them has come. Any thread may ask.
 [[nodiscard]] bool interrupted();
+
+/// What a shell reports of a program that the signal ended: 130 for SIGINT, 143 for SIGTERM.
+[[nodiscard]] int interrupt_status();
 
 }  // namespace d2b

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <exception>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "common/run_guarded.hpp"
 #include "core/context.hpp"
 #include "core/crs.hpp"
+#include "core/error.hpp"
 #include "core/version.hpp"
 #include "dem2buildings/command_line.hpp"
 #include "dem2buildings/help.hpp"
@@ -21,6 +23,7 @@
 #include "pipeline/preset.hpp"
 #include "read/gdal_command_line.hpp"
 #include "read/gdal_dem_source.hpp"
+#include "write/file_spool.hpp"
 #include "write/ogr_feature_sink.hpp"
 
 namespace d2b {
@@ -37,8 +40,9 @@ void process(const Request& request) {
             progress.update(share);
         return !interrupted();
     };
+    context.make_spool = [] { return std::make_unique<FileSpool>(); };
+    context.stop = interrupted;
     start_gdal();
-    catch_interrupts();
     const auto source = open_dem(options.read, context);
     const SideSources side_sources = open_side_sources(options, source->info(), context);
     const Sources sources{*source, side_sources.terrain.get(), side_sources.mask.get(),
@@ -67,6 +71,20 @@ void process(const Request& request) {
         std::cout << json_report(context.report);
 }
 
+/// After a signal the run ends with a Cancelled, or with an error where the signal broke off a read.
+int process_interruptibly(const Request& request) {
+    catch_interrupts();
+    try {
+        process(request);
+    } catch (const std::exception&) {
+        if (!interrupted())
+            throw;
+        print_line("ERROR: ", Cancelled().what());
+        return interrupt_status();
+    }
+    return exit_code::done;
+}
+
 int run_tool(const std::vector<std::string>& arguments) {
     if (arguments.empty()) {
         std::cerr << short_usage();
@@ -90,7 +108,7 @@ int run_tool(const std::vector<std::string>& arguments) {
     else if (request.tool.bash_completion)
         std::cout << bash_completion();
     else
-        process(request);
+        return process_interruptibly(request);
     return exit_code::done;
 }
 

@@ -59,7 +59,7 @@ std::string man_page() {
             roff_item("0", "Done; also where nothing was found, with a warning.") +
             roff_item("1", "Failed: the input cannot be read, the output not written, or memory is short.") +
             roff_item("2", "Wrong usage: an option, or one that does not fit the input or the destination.") +
-            roff_item("130", "Interrupted.");
+            roff_item("130", "Interrupted (SIGINT); 143 after SIGTERM, 129 after SIGHUP.");
     text += roff_section("EXAMPLES") + roff_example("dem2buildings dsm.tif buildings.gpkg") +
             roff_example("dem2buildings -fl 10 20 30 -te 84000 446000 85000 447000 dsm.tif buildings.gpkg") +
             roff_example("dem2buildings -layers buildings -t_srs EPSG:4326 dsm.tif buildings.geojson");

@@ -94,6 +94,10 @@ std::vector<po::option> take_several(Strings& arguments) {
 }
 
 std::vector<po::option> parse(const Strings& arguments) {
+    // Boost takes "-=x" for the beginning of every name there is.
+    for (const std::string& argument : arguments)
+        if (argument.starts_with("-=") || argument.starts_with("--="))
+            throw OptionError("An option has no name before its =; dem2buildings --help lists all.");
     namespace style = po::command_line_style;
     const po::options_description description = describe_options();
     po::command_line_parser parser(arguments);

@@ -52,6 +52,10 @@ const ScoreOption* find(const std::string& name) {
 }
 
 std::vector<po::option> parse(const std::vector<std::string>& arguments) {
+    // Boost takes "-=x" for the beginning of every name there is.
+    for (const std::string& argument : arguments)
+        if (argument.starts_with("-=") || argument.starts_with("--="))
+            throw OptionError("An option has no name before its =; dem2buildings_score --help lists all.");
     namespace style = po::command_line_style;
     po::options_description description;
     for (const ScoreOption& option : score_options()) {

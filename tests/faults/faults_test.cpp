@@ -1,0 +1,140 @@
+#include <fstream>
+#include <sys/mount.h>
+#include <unistd.h>
+
+#include "faults/faulty_case.hpp"
+
+namespace d2b::test {
+namespace {
+
+/// One call of many fails: the run fails with a sentence and leaves all as it was, or all is there.
+class Faults : public FaultyTest {
+  protected:
+    void SetUp() override {
+        if (D2B_SANITIZED != 0)
+            GTEST_SKIP() << "the sanitizers' libraries do not go with a preloaded one";
+        FaultyTest::SetUp();
+    }
+    ToolResult run_with(const std::string& fault, const std::string& files,
+                        const Arguments& arguments) const {
+        return run(arguments, {.environment = {"LD_PRELOAD=" D2B_SHIM, "D2B_FAULT=" + fault,
+                                               "D2B_FAULT_PATH=" + files, "D2B_FAULT_COUNT=" + counter_}});
+    }
+    /// Calls that a run without a fault makes.
+    long calls(const std::string& kind, const std::string& files, const Arguments& arguments) const {
+        const ToolResult result = run_with(kind + ":0:EIO", files, arguments);
+        EXPECT_EQ(result.status, 0) << result.err;
+        long count = 0;
+        std::ifstream(counter_) >> count;
+        std::filesystem::remove(counter_);
+        return count;
+    }
+    void prepare(const std::string& destination, bool existing) const {
+        std::filesystem::remove_all(path(destination));
+        if (existing)
+            run_well({"-q", "-f", format_, "-layers", layers_, "small.tif", destination});
+    }
+    /// Lets some of the calls fail, from the first to the last.
+    void try_all(const std::string& kind, const std::string& destination, bool existing,
+                 const std::string& files, const std::vector<std::string>& errors) {
+        SCOPED_TRACE(kind + " " + destination + (existing ? " existing" : " new"));
+        const Arguments arguments{"-q",      "-overwrite", "-f",      format_,
+                                  "-layers", layers_,      "dem.tif", destination};
+        prepare(destination, existing);
+        const int old = features(destination);
+        const long count = calls(kind, files, arguments);
+        const int whole = features(destination);
+        ASSERT_GT(count, 0);
+        for (const std::string& error : errors)
+            for (long k = 0; k < steps_; ++k) {
+                const long nth = 1 + k * (count - 1) / (steps_ - 1);
+                SCOPED_TRACE(error + " at call " + std::to_string(nth) + " of " + std::to_string(count));
+                prepare(destination, existing);
+                const auto before = names();
+                const ToolResult result =
+                    run_with(kind + ":" + std::to_string(nth) + ":" + error, files, arguments);
+                std::filesystem::remove(counter_);
+                ASSERT_TRUE(result.status == 0 || result.status == 1) << result.status << result.err;
+                if (result.status == 0) {
+                    EXPECT_EQ(features(destination), whole);
+                    ++survived_;
+                    continue;
+                }
+                EXPECT_NE(result.err.find("ERROR: "), std::string::npos);
+                EXPECT_EQ(features(destination), old) << result.err;
+                EXPECT_EQ(names(), before);
+                ++failed_;
+            }
+    }
+    void use(const std::string& format, const std::string& layers = "both") {
+        format_ = format;
+        layers_ = layers;
+    }
+
+    const long steps_ = 6;
+    int failed_ = 0;
+    int survived_ = 0;
+    std::string format_ = "GPKG";
+    std::string layers_ = "both";
+    const std::string counter_ = testing::TempDir() + "d2b_calls_" + std::to_string(::getpid());
+};
+
+TEST_F(Faults, writesOfANewGeoPackage) {
+    try_all("write", "out.gpkg", false, "out.gpkg", {"EIO", "ENOSPC", "short"});
+    EXPECT_GE(failed_, 2 * steps_ - 2);
+}
+
+TEST_F(Faults, writesOfAnExistingGeoPackage) {
+    try_all("write", "out.gpkg", true, "out.gpkg", {"EIO", "ENOSPC", "short"});
+    EXPECT_GE(failed_, 2 * steps_ - 4);
+}
+
+TEST_F(Faults, writesOfFilesThatHideThem) {
+    use("GeoJSON", "buildings");
+    try_all("write", "out.geojson", false, "out.geojson", {"ENOSPC", "short"});
+    try_all("write", "out.geojson", true, "out.geojson", {"EIO"});
+    use("FlatGeobuf", "buildings");
+    try_all("write", "out.fgb", false, "out.fgb", {"ENOSPC", "short"});
+    use("ESRI Shapefile");
+    try_all("write", "shapes", false, "/shapes/", {"ENOSPC", "EIO"});
+    try_all("write", "shapes", true, "/shapes/", {"ENOSPC"});
+    EXPECT_GT(failed_, 5 * steps_);
+}
+
+TEST_F(Faults, syncs) {
+    try_all("sync", "out.gpkg", false, "out.gpkg", {"EIO"});
+    use("GeoJSON", "buildings");
+    try_all("sync", "out.geojson", true, "out.geojson", {"EIO"});
+    EXPECT_GE(failed_, 2 * steps_ - 2);
+}
+
+TEST_F(Faults, readsOfTheRaster) {
+    try_all("read", "out.gpkg", false, "dem.tif", {"EIO", "short"});
+    try_all("read", "out.gpkg", true, "dem.tif", {"EIO"});
+    EXPECT_GT(failed_, steps_);
+}
+
+TEST_F(Faults, readsOfTheDestination) {
+    try_all("read", "out.gpkg", true, "out.gpkg", {"EIO"});
+    EXPECT_GT(failed_, 0);
+}
+
+/// A disk of its own, where root may make one.
+TEST_F(Faults, aDiskThatIsFull) {
+    const std::string disk = path("disk");
+    std::filesystem::create_directory(disk);
+    if (::mount("d2b", disk.c_str(), "tmpfs", 0, "size=24k") != 0)
+        GTEST_SKIP() << "no disk can be mounted here";
+    for (const char* name :
+         {"disk/a.gpkg", "disk/a.geojson", "disk/a.fgb", "disk/shapes.shp", "disk/a.gml"}) {
+        const ToolResult result = run({"-q", "-layers", "contours", "-lod", "8", "dem.tif", name});
+        EXPECT_EQ(result.status, 1) << name;
+        EXPECT_TRUE(result.err.starts_with("ERROR: Cannot write \"" + std::string(name) + "\": "))
+            << result.err;
+        EXPECT_TRUE(std::filesystem::is_empty(disk)) << name;
+    }
+    ::umount(disk.c_str());
+}
+
+}  // namespace
+}  // namespace d2b::test

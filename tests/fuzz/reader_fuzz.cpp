@@ -1,0 +1,63 @@
+// A damaged file is read or refused with a sentence; nothing else happens.
+#include <array>
+
+#include <cpl_conv.h>
+#include <cpl_vsi.h>
+
+#include "core/error.hpp"
+#include "fuzz/bytes.hpp"
+#include "read/gdal_dem_source.hpp"
+
+namespace d2b::test {
+namespace {
+
+void start() {
+    static const bool started = [] {
+        // A virtual raster may name other files: none of a network.
+        CPLSetConfigOption("CPL_CURL_ENABLE_VSIMEM", "NO");
+        CPLSetConfigOption("CPL_VSIL_CURL_ALLOWED_EXTENSIONS", "none");
+        CPLSetConfigOption("GDAL_HTTP_CONNECTTIMEOUT", "1");
+        start_gdal();
+        return true;
+    }();
+    static_cast<void>(started);
+}
+
+void read_some(DemSource& source) {
+    const Window& window = source.info().window;
+    demand(window.rows > 0 && window.cols > 0, "a window has cells");
+    demand(window.row >= 0 && window.row + std::int64_t{window.rows} <= source.info().rows, "it lies inside");
+    const std::int32_t rows = std::min(window.rows, 8);
+    if (std::int64_t{rows} * window.cols > 1 << 20)
+        return;
+    std::vector<double> elevations(static_cast<std::size_t>(rows) * static_cast<std::size_t>(window.cols));
+    source.read(window.row, rows, elevations);
+    source.read(window.row + window.rows - rows, rows, elevations);
+    for (const double z : elevations)
+        demand(z - z == 0 || z != z, "elevations are numbers or not known");
+}
+
+}  // namespace
+}  // namespace d2b::test
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace d2b::test;
+    start();
+    Bytes bytes(data, size);
+    static constexpr std::array drivers{"GTiff", "AAIGrid", "VRT"};
+    d2b::ReadOptions options;
+    options.source = "/vsimem/fuzzed";
+    options.drivers = {drivers[bytes.below(drivers.size())]};
+    std::string text = bytes.rest();
+    VSIFCloseL(VSIFileFromMemBuffer(options.source.c_str(), reinterpret_cast<GByte*>(text.data()),
+                                    text.size(), FALSE));
+    try {
+        d2b::Context context;
+        read_some(*d2b::open_dem(options, context));
+    } catch (const d2b::Error& error) {
+        const std::string what = error.what();
+        demand(!what.empty() && what.find('\n') == std::string::npos, "an error is a sentence");
+    }
+    VSIUnlink(options.source.c_str());
+    return 0;
+}

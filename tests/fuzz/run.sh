@@ -1,0 +1,22 @@
+#!/bin/sh
+# Runs the libFuzzer targets of a build, as many at a time as there are processors, on their seeds and on what earlier
+# runs have found worth keeping.
+#   run.sh <build folder> <seconds a target> [<corpus folder>]
+set -eu
+build=$(cd "$1" && pwd)
+seconds=$2
+seeds=$(cd "$(dirname "$0")" && pwd)/seeds
+corpus=${3:-$build/corpus}
+mkdir -p "$corpus"
+cd "$corpus"
+# What a target prints goes to a file a target; libFuzzer leaves the input that breaks it as crash-* in the corpus folder.
+for target in engine outlines reader command_line; do echo "$target"; done |
+    xargs -P "$(nproc)" -I '{}' sh -c '
+        mkdir -p "{}"
+        if UBSAN_OPTIONS=print_stacktrace=1 "$1/tests/fuzz/{}_fuzz" -max_total_time="$2" -timeout=60 -rss_limit_mb=4096 \
+            -max_len=1000 -print_final_stats=1 -artifact_prefix="{}_" "{}" "$3/{}" < /dev/null > "{}.log" 2>&1; then
+            echo "fuzz {}: $(grep -m 1 "^Done" "{}.log")"
+        else
+            tail -n 60 "{}.log"
+            exit 255
+        fi' sh "$build" "$seconds" "$seeds"
