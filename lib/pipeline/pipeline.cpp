@@ -204,7 +204,7 @@ void warn_of_nothing(const LevelPlan& plan, std::size_t buildings, Context& cont
     const RunReport& report = context.report;
     if (report.valid_points == 0)
         context.warn("'" + report.input + "' has no valid point; the layers are empty.");
-    else if (report.minimum == report.maximum && records.buildings.empty())
+    else if (report.minimum == report.maximum && buildings == 0)
         context.warn("All valid points of '" + report.input +
                      "' have the same elevation; no building was found.");
     else if (!plan.footprints && plan.level_count() == 1)

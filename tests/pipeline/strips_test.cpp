@@ -63,11 +63,11 @@ struct Found {
     Context context;
 };
 
-void find(const StripSize& size, bool doubtful, Found& found) {
+void find(const StripSize& size, bool keep_doubtful, Found& found) {
     test::MemorySource dem = tall_town();
     Options options;
     options.ground.max_building_width = 40;  // strips see 200 rows on either side
-    options.write.doubtful = doubtful;
+    options.write.doubtful = keep_doubtful;
     options = with_preset(options);
     test::MemorySink features;
     found.context.threads = std::make_unique<Executor>(2);
