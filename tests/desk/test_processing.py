@@ -152,7 +152,11 @@ class Toolbox(DeskCase):
         target = self.make("kept.gpkg", sample="hotel_70x85.tif")
         before = target.read_bytes()
         feedback = Feedback(cancel_at=5)
-        results, _, _ = self.run_it(feedback, INPUT=str(self.folder / "town.tif"), OUTPUT=str(target))
+        # Enough to do for the request to arrive in time.
+        large = str(self.folder / "large.vrt")
+        subprocess.run(["gdal_translate", "-q", "-of", "VRT", "-outsize", "300%", "300%",
+                        str(self.folder / "town.tif"), large], check=True)
+        results, _, _ = self.run_it(feedback, INPUT=large, OUTPUT=str(target), threads=1)
         self.assertTrue(feedback.isCanceled())
         self.assertEqual(results, {})
         self.assertEqual(target.read_bytes(), before)
