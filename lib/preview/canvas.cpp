@@ -27,6 +27,12 @@ int first_pixel(double place, int width) {
     return static_cast<int>(std::clamp(std::ceil(place - 0.5), 0.0, static_cast<double>(width)));
 }
 
+/// The pixel that a place is in, or one far outside.
+int pixel_at(double place) {
+    constexpr double far = 1e9;
+    return static_cast<int>(std::clamp(std::floor(place), -far, far));
+}
+
 }  // namespace
 
 Canvas::Canvas(int width, int height, Colour paper)
@@ -83,8 +89,8 @@ void Canvas::outline(const std::vector<Spot>& ring, Colour colour) {
         const double length = std::max(std::abs(b.x - a.x), std::abs(b.y - a.y)) * fineness;
         const auto steps = static_cast<int>(std::clamp(std::ceil(length), 1.0, most_steps));
         for (int step = 0; step < steps; ++step)
-            set(static_cast<int>(std::floor((a.x + (b.x - a.x) * step / steps) * fineness)),
-                static_cast<int>(std::floor((a.y + (b.y - a.y) * step / steps) * fineness)), colour);
+            set(pixel_at((a.x + (b.x - a.x) * step / steps) * fineness),
+                pixel_at((a.y + (b.y - a.y) * step / steps) * fineness), colour);
     }
 }
 

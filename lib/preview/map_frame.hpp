@@ -6,7 +6,8 @@
 
 namespace d2b {
 
-/// How a DEM's window lies in a picture: its rows and columns run along the sides, cells keep their shape.
+/// How a DEM's window lies in a picture: its rows and columns run along the sides, whatever way they run on
+/// the ground, and cells keep their shape.
 class MapFrame {
   public:
     /// @param longest side of the picture, in pixels

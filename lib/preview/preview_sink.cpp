@@ -107,7 +107,7 @@ void PreviewSink::write_caption() {
         const std::string from = number_text(height_classes()[i].from) + (i == 0 ? " m" : "");
         canvas_.box(x, y, letter_height * size, letter_height * size, height_classes()[i].colour);
         canvas_.text(x + (letter_height + 1) * size, y, size, from, ink);
-        x += (letter_height + 2) * size + text_width(size, from);
+        x += (letter_height + 4) * size + text_width(size, from);
     }
 }
 

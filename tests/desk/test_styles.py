@@ -2,6 +2,7 @@
 
 import shutil
 import sqlite3
+import subprocess
 import unittest
 
 from desk_case import DeskCase
@@ -28,6 +29,8 @@ class Styles(DeskCase):
         shutil.copy(self.town, copy)
         with sqlite3.connect(copy) as file:
             file.execute("DELETE FROM layer_styles")
+            # From version 3.32 on QGIS also reads the names of fields here.
+            file.execute("DELETE FROM gpkg_data_columns")
         return copy
 
     def test_layers_arrive_whole(self):
@@ -40,6 +43,12 @@ class Styles(DeskCase):
                                      layer.extent().xMaximum(), layer.extent().yMaximum()), box):
                 self.assertAlmostEqual(got, written, places=6)
             self.assertGreater(layer.extent().width(), 500)
+
+    def test_the_file_is_a_valid_geopackage(self):
+        """By GDAL's own checker, which knows the specification, tables of metadata and fields included."""
+        checked = subprocess.run(["/usr/bin/python3", "-m", "osgeo_utils.samples.validate_gpkg", str(self.town)],
+                                 capture_output=True, text=True)
+        self.assertEqual((checked.returncode, checked.stdout), (0, ""), checked.stderr)
 
     def test_colours_are_classes_of_height_in_metres(self):
         for name in ("buildings", "contours"):

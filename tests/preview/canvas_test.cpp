@@ -39,6 +39,7 @@ TEST(Canvas, WhatIsOutsideIsLeftOut) {
     const std::vector<Spot> far{{-1e7, -1e7}, {1e7, -1e7}, {1e7, 1e7}, {-1e7, 1e7}};
     canvas.fill(Rings{far}, red);
     canvas.outline(far, white);
+    canvas.outline({{-1e300, 5}, {1e15, 1e300}, {7, -1e300}}, white);
     canvas.text(-50, 50, 4, "out", white);
     EXPECT_EQ(canvas.shown().at(1, 1), red);
 }

@@ -1,0 +1,23 @@
+# For .ci: an empty Debian in a folder, with the package sources of this machine. Read this file, as root.
+
+# make_root suite folder
+make_root() {
+    mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' | head -1)
+    debootstrap --variant=minbase "$1" "$2" "$mirror" >/dev/null
+    # How packages are reached from here: proxies, certificates.
+    cp -r /etc/apt/apt.conf.d/. "$2/etc/apt/apt.conf.d/"
+    cp /etc/resolv.conf "$2/etc/resolv.conf"
+    for folder in /usr/local/share/ca-certificates /etc/ssl/certs; do
+        if [ -d "$folder" ]; then
+            mkdir -p "$2$folder"
+            cp -rL "$folder/." "$2$folder/"
+        fi
+    done
+    mount -t proc proc "$2/proc" || true
+}
+
+# drop_root folder
+drop_root() {
+    umount "$1/proc" 2>/dev/null || true
+    rm -rf "$1"
+}
