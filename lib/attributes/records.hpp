@@ -8,7 +8,7 @@
 #include "core/elevation_sample.hpp"
 #include "levels/level_plan.hpp"
 #include "outline/outline.hpp"
-#include "trace/contour.hpp"
+#include "trace/contour_list.hpp"
 
 namespace d2b {
 
@@ -20,9 +20,11 @@ struct ContourRecord {
     std::int64_t building_id = 0;  ///< 0: none
     std::int32_t level = 0;
     double threshold = 0;
-    double base = 0;    ///< where its part of the stack begins ...
-    double top = 0;     ///< ... and ends
-    double tier_z = 0;  ///< mean of the points that no child holds
+    double base = 0;          ///< where its part of the stack begins ...
+    double top = 0;           ///< ... and ends
+    double height_m = 0;      ///< of the top above the ground of the stack; NaN in level 0
+    double min_height_m = 0;  ///< of the base above it
+    double tier_z = 0;        ///< mean of the points that no child holds
     std::int64_t points = 0;
     double lowest = 0;
     double mean = 0;
@@ -61,41 +63,69 @@ struct Footprint {
     std::string_view doubt;
 };
 
-/// The contours of a run with what relates them, sorted by key.
-struct ContourTable {
-    const std::vector<Contour>& contours;
-    const std::vector<std::int64_t>& building;    ///< a contour: index of its building, -1 in level 0
-    const std::vector<std::int64_t>& buildings;   ///< a building: its contour of level 1
-    const std::vector<Percentiles>& percentiles;  ///< a building
-    /// by label; empty where nothing was detected: then the ground is the lowest point beside a building
-    const std::vector<Footprint>& footprints;
-};
-
-struct Records {
-    std::vector<ContourRecord> contours;
-    std::vector<BuildingRecord> buildings;
-};
-
 struct AttributeContext {
     const LevelPlan& plan;
     const FixedPoint& fixed;
+    /// by label; empty where nothing was detected: then the ground is the lowest point beside a building
+    const std::vector<Footprint>& footprints;
     double metres = 1;  ///< in one vertical unit
     LatticeBox frame;   ///< of the lattice: what touches it is cut by the raster's edge
     std::int64_t first_id = 1;
 };
 
-/// All attributes that need no coordinates: areas, perimeters and status are filled in with the outlines.
+/// Makes records of contours, one at a time: all attributes that need no coordinates. Areas, perimeters and
+/// status are filled in with the outlines.
 ///
 /// The stack stands without gaps: a contour's part begins where that of the contour below ends (level 1: at
 /// the ground) and ends at the mean of the points that no child holds, or at the children's threshold where
 /// that is lower or there are no such points.
-[[nodiscard]] Records make_records(const ContourTable& table, const AttributeContext& context);
+class RecordMaker {
+  public:
+    /// @param contours they and what the context refers to stay the caller's and must outlive this
+    RecordMaker(const ContourList& contours, const AttributeContext& context);
+
+    [[nodiscard]] std::size_t buildings() const { return stacks_.size(); }
+    /// @param i of the contour in the list
+    [[nodiscard]] ContourRecord contour(std::size_t i, const Contour& contour) const;
+    /// @param record of the same contour, which is of level 1
+    [[nodiscard]] BuildingRecord building(std::size_t i, const Contour& contour, const ContourRecord& record,
+                                          const Percentiles& percentiles) const;
+
+  private:
+    struct Part {
+        double base = 0;
+        double top = 0;
+    };
+    /// Of a building: how many contours it has, its highest level, and where it stands.
+    struct StackFacts {
+        std::int64_t parts = 0;
+        std::int32_t levels = 0;
+        double base = 0;
+    };
+    [[nodiscard]] double ground_of(Label label, double lowest_outside) const;
+    [[nodiscard]] double threshold(const ContourHead& head) const {
+        return context_.plan.threshold(head.label, head.key.level);
+    }
+    void stack_parts();
+
+    const ContourList& contours_;
+    AttributeContext context_;
+    std::vector<Part> parts_;
+    std::vector<StackFacts> stacks_;
+};
 
 /// Root mean square of the distances between the points of all stacks and the stacked surface: at a point,
 /// the mean of its highest contour's own points. In the DEM's vertical unit.
-/// @param last_building labels above are left out
-[[nodiscard]] double stack_rmse(const std::vector<Contour>& contours, const FixedPoint& fixed,
-                                Label last_building);
+class StackRmse {
+  public:
+    /// @param own of a contour above level 0
+    void add(const PointStats& own, const FixedPoint& fixed);
+    [[nodiscard]] double value() const;
+
+  private:
+    double scatter_ = 0;
+    std::int64_t points_ = 0;
+};
 
 [[nodiscard]] std::string_view status_name(OutlineStatus status);
 

@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/executor.hpp"
 #include "core/report.hpp"
+#include "core/spool.hpp"
 
 namespace d2b {
 
@@ -19,6 +20,8 @@ struct Context {
     std::function<bool(double)> on_progress;  ///< share done, 0 to 1; false asks to stop; may be empty
     std::function<bool()> stop;               ///< true asks to stop; any thread asks, and often; may be empty
     std::unique_ptr<Executor> threads = std::make_unique<Executor>();  ///< never empty
+    /// Where what is finished waits for its turn: in memory, or in a file (write/file_spool.hpp).
+    std::function<std::unique_ptr<Spool>()> make_spool = [] { return std::make_unique<MemorySpool>(); };
 
     void warn(std::string text) {
         if (on_warning)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace d2b {
@@ -32,9 +33,18 @@ void ElevationSample::add(double elevation, const ElevationRange& range) {
 }
 
 void ElevationSample::add(std::span<const double> elevations, const ElevationRange& range) {
-    for (const double elevation : elevations)
-        if (!std::isnan(elevation))
-            add(elevation, range);
+    const auto known = [](double elevation) { return !std::isnan(elevation); };
+    if (!histogram_.empty()) {
+        for (const double elevation : elevations)
+            if (known(elevation))
+                add(elevation, range);
+        return;
+    }
+    const std::size_t before = values_.size();
+    std::ranges::copy_if(elevations, std::back_inserter(values_), known);
+    size_ += static_cast<std::int64_t>(values_.size() - before);
+    if (values_.size() > largest_list)
+        make_histogram(range);
 }
 
 void ElevationSample::make_histogram(const ElevationRange& range) {
@@ -62,8 +72,8 @@ void ElevationSample::merge(ElevationSample& other, const ElevationRange& range)
 
 std::vector<double> ElevationSample::percentiles(const std::vector<double>& shares,
                                                  const ElevationRange& range) const {
-    std::vector<double> sorted = values_;
-    std::sort(sorted.begin(), sorted.end());
+    std::vector<double> values = values_;
+    auto ranked = values.begin();  // what comes before has its place
     std::vector<double> result;
     std::int64_t below = 0;
     std::uint32_t bin = 0;
@@ -71,7 +81,12 @@ std::vector<double> ElevationSample::percentiles(const std::vector<double>& shar
         const auto rank = std::max<std::int64_t>(
             1, static_cast<std::int64_t>(std::ceil(share * static_cast<double>(size_))));
         if (histogram_.empty()) {
-            result.push_back(sorted[static_cast<std::size_t>(rank - 1)]);
+            const auto at = values.begin() + (rank - 1);
+            if (at >= ranked) {
+                std::nth_element(ranked, at, values.end());
+                ranked = at + 1;
+            }
+            result.push_back(*at);
             continue;
         }
         while (below + histogram_[bin] < rank)

@@ -43,6 +43,24 @@ struct FieldSpec {
     std::string description;
 };
 
+/// How a GIS shows a layer by default; fields by their names in the layer's spec. Without a title a layer has
+/// no style.
+struct LayerStyle {
+    std::string title{};   ///< of the legend; "" for no style
+    std::string colour{};  ///< field of heights in m that gives the colour; "" for one look for all
+    std::string label{};   ///< field that is written on large maps; "" for none
+    double label_scale = 2500;
+    std::string order{};  ///< field by which features are drawn, low to high; "" for any order
+
+    // The solid, for 3D: it ends at elevation `top`, `height` metres above the ground, and begins at
+    // `min_height`, or at the ground where that is "". Without a top there is none.
+    std::string top{};
+    std::string height{};
+    std::string min_height{};
+    double vertical_scale = 1;  ///< units of the map in one vertical unit
+    double metre_scale = 1;     ///< units of the map in a metre
+};
+
 struct LayerSpec {
     std::string name;
     std::string title;
@@ -51,6 +69,7 @@ struct LayerSpec {
     bool with_z = false;  ///< every vertex carries Feature::z
     bool with_arcs =
         false;  ///< runs of vertices that stand for arcs are written as such where the format has curves
+    LayerStyle style = {};
 };
 
 /// std::monostate is NULL.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 namespace d2b {
 
@@ -24,6 +26,17 @@ Position Georeference::step(double rows, double cols) const {
 
 double Georeference::cell_area() const {
     return std::abs(transform_[1] * transform_[5] - transform_[2] * transform_[4]);
+}
+
+bool Georeference::is_exact(const Window& window) const {
+    constexpr double roundings = 8;  // more than happen on the way to a coordinate
+    const auto keeps_apart = [](double origin, double step, std::int64_t steps) {
+        const double largest = std::abs(origin) + std::abs(step) * (static_cast<double>(steps) + 1);
+        return std::abs(step) > roundings * std::numeric_limits<double>::epsilon() * largest;
+    };
+    return axis_parallel() &&
+           keeps_apart(transform_[0], transform_[1], std::int64_t{window.col} + window.cols) &&
+           keeps_apart(transform_[3], transform_[5], std::int64_t{window.row} + window.rows);
 }
 
 WorldRing Georeference::ring(const FineRing& ring) const {

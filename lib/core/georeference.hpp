@@ -26,6 +26,9 @@ class Georeference {
     [[nodiscard]] double cell_area() const;
     /// Whether rows and columns run along the axes.
     [[nodiscard]] bool axis_parallel() const { return transform_[2] == 0 && transform_[4] == 0; }
+    /// Whether rows and columns run along the axes and neighbouring ones of a window have coordinates that
+    /// rounding keeps apart, in their order: what is valid on the lattice is so in coordinates.
+    [[nodiscard]] bool is_exact(const Window& window) const;
 
   private:
     [[nodiscard]] WorldRing ring(const FineRing& ring) const;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
+#include <span>
 
 namespace d2b {
 namespace {
@@ -80,6 +82,31 @@ LatticeRing PackedRing::corners() const {
         (along_column ? at.row : at.col) += take_varint(steps_, byte);
         along_column = !along_column;
     }
+    return ring;
+}
+
+void PackedRing::save(ByteWriter& writer) const {
+    writer.put(start_);
+    writer.put(corner_count_);
+    writer.put(points_);
+    writer.put(area_);
+    writer.put(box_);
+    writer.put(static_cast<std::uint64_t>(steps_.size()));
+    writer.put_bytes(std::as_bytes(std::span(steps_)));
+}
+
+PackedRing PackedRing::load(ByteReader& reader) {
+    PackedRing ring;
+    ring.start_ = reader.take<LatticePoint>();
+    ring.corner_count_ = reader.take<std::uint32_t>();
+    ring.points_ = reader.take<std::int64_t>();
+    ring.area_ = reader.take<std::int64_t>();
+    ring.box_ = reader.take<LatticeBox>();
+    const auto size = static_cast<std::size_t>(reader.take<std::uint64_t>());
+    const std::span<const std::byte> steps = reader.take_bytes(size);
+    ring.steps_.resize(size);
+    if (size > 0)
+        std::memcpy(ring.steps_.data(), steps.data(), size);
     return ring;
 }
 

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/byte_record.hpp"
+
 namespace d2b {
 
 /// A corner of the lattice on which outlines run, in rows and columns of the whole raster.
@@ -89,6 +91,9 @@ class PackedRing {
     /// Unit squares inside; negative for interior rings.
     [[nodiscard]] std::int64_t area() const { return area_; }
     [[nodiscard]] const LatticeBox& box() const { return box_; }
+
+    void save(ByteWriter& writer) const;
+    [[nodiscard]] static PackedRing load(ByteReader& reader);
 
   private:
     LatticePoint start_;

@@ -97,9 +97,10 @@ struct WriteOptions {
     bool with_z = false;
     bool doubtful = false;  ///< also a layer of what may be a building
     FieldNames fields = FieldNames::own;
-    std::string ground;  ///< GeoTIFF of the terrain; "": none
-    std::string height;  ///< GeoTIFF of the heights above it
-    std::string canopy;  ///< GeoTIFF of the heights of what is no building
+    std::string ground;   ///< GeoTIFF of the terrain; "": none
+    std::string height;   ///< GeoTIFF of the heights above it
+    std::string canopy;   ///< GeoTIFF of the heights of what is no building
+    std::string preview;  ///< PNG of the result over the shaded relief
 };
 
 struct RunOptions {

@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <optional>
+#include <numeric>
 #include <utility>
 
 #include "filter/noise.hpp"
@@ -7,28 +7,18 @@
 namespace d2b {
 namespace {
 
-std::optional<Reason> noise(const PackedRing& hole, std::int32_t level, const FilterOptions& options,
-                            const SquareArea& square_area) {
-    if (level == 1 && options.keep_footprints)
-        return {};
-    if (hole.points() < options.noise_factor)
-        return Reason::hole_short;
-    const double least = options.min_area_m2.value_or(0);
-    if (least > 0 && static_cast<double>(-hole.area()) * square_area(hole.start()) < least)
-        return Reason::hole_small;
-    return {};
-}
+using RingOf = std::function<LatticeRing(std::size_t)>;
 
-/// Whether any of the keys, sorted, is of the level and lies in the ring: the rows of the ring are searched.
-bool any_inside(const std::vector<ContourKey>& keys, std::int32_t level, const PackedRing& hole) {
-    const LatticeBox box = hole.box();
-    std::optional<LatticeRing> ring;
-    for (std::int32_t row = box.low.row; row < box.high.row; ++row) {
-        auto key = std::lower_bound(keys.begin(), keys.end(), ContourKey{level, {row, box.low.col}});
-        for (; key != keys.end() && *key < ContourKey{level, {row, box.high.col}}; ++key) {
-            if (!ring)
-                ring = hole.corners();
-            if (contains(*ring, key->first))
+/// Whether any of the keys, sorted, is of the level and lies in the hole: the rows of its box are searched.
+bool any_inside(std::span<const ContourKey> keys, std::int32_t level, const Hole& hole, std::size_t number,
+                const RingOf& ring_of) {
+    LatticeRing ring;
+    for (std::int32_t row = hole.low.row; row < hole.high.row; ++row) {
+        auto key = std::ranges::lower_bound(keys, ContourKey{level, {row, hole.low.col}});
+        for (; key != keys.end() && *key < ContourKey{level, {row, hole.high.col}}; ++key) {
+            if (ring.empty())
+                ring = ring_of(number);
+            if (contains(ring, key->first))
                 return true;
         }
     }
@@ -37,32 +27,30 @@ bool any_inside(const std::vector<ContourKey>& keys, std::int32_t level, const P
 
 }  // namespace
 
-void fill_holes(std::vector<Contour>& contours, const FilterOptions& options, const SquareArea& square_area,
-                Context& context) {
-    std::vector<ContourKey> keys;
-    keys.reserve(contours.size());
-    for (const Contour& contour : contours)
-        keys.push_back(contour.key);
+std::vector<bool> fill_holes(std::span<const ContourKey> keys, std::span<const Hole> holes,
+                             const RingOf& ring_of, Context& context) {
+    std::vector<std::uint32_t> order(holes.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return holes[i].level; });
+    std::vector<bool> filled(holes.size());
     // An interior ring starts at the first square inside it: of the level below, those that remain.
     std::vector<ContourKey> remaining_below;
     std::vector<ContourKey> remaining;
-    for (std::size_t i = 0; i < contours.size(); ++i) {
-        const std::int32_t level = contours[i].key.level;
-        if (i == 0 || level != contours[i - 1].key.level) {
-            std::sort(remaining.begin(), remaining.end());
+    std::int32_t level = 0;
+    for (const std::uint32_t i : order) {
+        const Hole& hole = holes[i];
+        for (; level < hole.level; ++level) {
+            std::ranges::sort(remaining);
             remaining_below = std::exchange(remaining, {});
         }
-        std::erase_if(contours[i].interiors, [&](const PackedRing& hole) {
-            const auto reason = noise(hole, level, options, square_area);
-            const bool fill =
-                reason && !any_inside(keys, level, hole) && !any_inside(remaining_below, level - 1, hole);
-            if (fill)
-                context.report.count(*reason);
-            else
-                remaining.push_back({level, hole.start()});
-            return fill;
-        });
+        filled[i] = hole.reason && !any_inside(keys, level, hole, i, ring_of) &&
+                    !any_inside(remaining_below, level - 1, hole, i, ring_of);
+        if (filled[i])
+            context.report.count(*hole.reason);
+        else
+            remaining.push_back({level, hole.start});
     }
+    return filled;
 }
 
 }  // namespace d2b

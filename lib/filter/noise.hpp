@@ -1,6 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <optional>
+#include <span>
+#include <vector>
 
 #include "core/context.hpp"
 #include "core/options.hpp"
@@ -11,26 +15,33 @@ namespace d2b {
 /// Square metres of a unit square at a place; constant on a projected grid.
 using SquareArea = std::function<double(LatticePoint)>;
 
-/// What is left of a stack; empty where its lowest contour is noise.
-struct FilteredStack {
-    Stack stack;
-    PointStats fallen;  ///< points that no contour of the stack holds any more
+/// Why a contour is noise, if it is: its exterior ring passes fewer grid points than the noise factor
+/// (Chittineni 2003, 4.2), or it is smaller than the smallest area as traced. A root never is, and a
+/// footprint that was found by other means is not.
+[[nodiscard]] std::optional<Reason> contour_noise(const Contour& contour, const FilterOptions& options,
+                                                  const SquareArea& square_area);
+
+/// The same for a hole in a contour that is kept.
+[[nodiscard]] std::optional<Reason> hole_noise(const PackedRing& hole, std::int32_t level,
+                                               const FilterOptions& options, const SquareArea& square_area);
+
+/// A hole in a contour that is kept: of its ring what is asked for often.
+struct Hole {
+    std::int32_t level = 0;
+    LatticePoint start;            ///< the first square inside it
+    LatticePoint low;              ///< of its box
+    LatticePoint high;             ///< of its box
+    std::optional<Reason> reason;  ///< why it may be filled
 };
 
-/// Drops noise from the low level to the high: a contour whose exterior ring passes fewer grid points than
-/// the noise factor (Chittineni 2003, 4.2), or that is smaller than the smallest area as traced, is dropped
-/// with all above it; a root never is, and a
-/// footprint that was found by other means is not. The points of what is dropped go to the contour below.
-/// Counted in the report.
-[[nodiscard]] FilteredStack drop_noise(Stack&& stack, const FilterOptions& options,
-                                       const SquareArea& square_area, Context& context);
-
-/// Fills holes that are noise, from the low level to the high: one whose ring passes fewer grid points than
-/// the noise factor, or that is smaller than the smallest area, where no contour stands in it and no hole of
-/// the level below that remains lies in it. So contours stay nested and siblings disjoint. Counted in the
+/// Fills holes that are noise, from the low level to the high: those in which no contour stands and no hole
+/// of the level below that remains lies. So contours stay nested and siblings disjoint. Counted in the
 /// report.
-/// @param contours all that are kept, sorted by key
-void fill_holes(std::vector<Contour>& contours, const FilterOptions& options, const SquareArea& square_area,
-                Context& context);
+/// @param keys of all contours that are kept, sorted
+/// @param ring of a hole, by its index
+/// @return for each hole whether it is filled
+[[nodiscard]] std::vector<bool> fill_holes(std::span<const ContourKey> keys, std::span<const Hole> holes,
+                                           const std::function<LatticeRing(std::size_t)>& ring,
+                                           Context& context);
 
 }  // namespace d2b

@@ -30,7 +30,7 @@ Drawing choose_drawing(const OutlineOptions& options, const Georeference& georef
 }
 
 struct Outliner::Impl {
-    const std::vector<Contour>& contours;
+    const ContourList& contours;
     std::optional<CornerIndex> corners;
     std::optional<ArcGraph> arcs;
     std::optional<RegularOutlines> walls;
@@ -45,19 +45,19 @@ OutlineQuality quality_of(const WallQuality& quality) {
 
 }  // namespace
 
-Outliner::Outliner(const std::vector<Contour>& contours, Drawing drawing, const OutlineOptions& options,
-                   const Georeference& georeference, double x_stretch, Executor& executor)
+Outliner::Outliner(const ContourList& contours, Drawing drawing, const OutlineOptions& options,
+                   const Georeference& georeference, double x_stretch, Context& context)
     : impl_(std::make_unique<Impl>(Impl{contours, {}, {}, {}})) {
     if (drawing == Drawing::noded || drawing == Drawing::simplified)
-        impl_->corners.emplace(contours);
+        impl_->corners.emplace(fetch_all(contours));
     if (drawing == Drawing::simplified) {
-        impl_->arcs = build_arc_graph(contours);
+        impl_->arcs = build_arc_graph(fetch_all(contours));
         simplify(impl_->arcs->arcs, options.simplify, georeference);
     }
     if (drawing == Drawing::regularized) {
         const WallOptions walls{options.walls, options.wall_tolerance.value_or(1.5),
                                 cell_shape(georeference, x_stretch)};
-        impl_->walls.emplace(contours, walls, executor);
+        impl_->walls.emplace(contours, walls, context.make_spool(), *context.threads);
     }
 }
 
@@ -92,7 +92,7 @@ FinePolygon Outliner::footprint(std::size_t contour) const {
 FinePolygon Outliner::traced(std::size_t contour) const {
     if (impl_->walls)
         return impl_->walls->traced(contour);
-    const LatticePolygon polygon = traced_polygon(impl_->contours[contour]);
+    const LatticePolygon polygon = traced_polygon(impl_->contours.fetch(contour));
     return fine(impl_->corners ? impl_->corners->noded(polygon) : polygon);
 }
 

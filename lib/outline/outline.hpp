@@ -2,12 +2,11 @@
 
 #include <cstddef>
 #include <memory>
-#include <vector>
 
-#include "core/executor.hpp"
+#include "core/context.hpp"
 #include "core/georeference.hpp"
 #include "core/options.hpp"
-#include "trace/contour.hpp"
+#include "trace/contour_list.hpp"
 
 namespace d2b {
 
@@ -34,11 +33,11 @@ struct OutlineQuality {
 /// threads.
 class Outliner {
   public:
-    /// @param contours all that are kept, sorted by key; they stay the caller's and must outlive this
+    /// @param contours they stay the caller's and must outlive this
     /// @param x_stretch length on the ground of a unit of x over that of a unit of y: what is a right angle
-    /// @param executor fits walls; it is not kept
-    Outliner(const std::vector<Contour>& contours, Drawing drawing, const OutlineOptions& options,
-             const Georeference& georeference, double x_stretch, Executor& executor);
+    /// @param context its threads fit walls, which wait in a spool of its
+    Outliner(const ContourList& contours, Drawing drawing, const OutlineOptions& options,
+             const Georeference& georeference, double x_stretch, Context& context);
     Outliner(Outliner&&) noexcept;
     Outliner& operator=(Outliner&&) noexcept;
     ~Outliner();

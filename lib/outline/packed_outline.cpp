@@ -8,37 +8,40 @@ namespace {
 /// Numbers in groups of seven bits, small ones in few, whatever their sign.
 class NumberWriter {
   public:
+    explicit NumberWriter(ByteWriter& writer) : writer_(writer) {}
     void put(std::int64_t value) {
         auto rest = (static_cast<std::uint64_t>(value) << 1) ^ static_cast<std::uint64_t>(value >> 63);
         for (; rest >= 0x80; rest >>= 7)
-            bytes.push_back(static_cast<std::uint8_t>(rest | 0x80));
-        bytes.push_back(static_cast<std::uint8_t>(rest));
+            writer_.put(static_cast<std::uint8_t>(rest | 0x80));
+        writer_.put(static_cast<std::uint8_t>(rest));
     }
-    std::vector<std::uint8_t> bytes;
+
+  private:
+    ByteWriter& writer_;
 };
 
 class NumberReader {
   public:
-    explicit NumberReader(const std::vector<std::uint8_t>& bytes) : bytes_(bytes) {}
+    explicit NumberReader(ByteReader& reader) : reader_(reader) {}
     std::int64_t take() {
         std::uint64_t value = 0;
         unsigned shift = 0;
-        for (; (bytes_[at_] & 0x80) != 0; shift += 7)
-            value |= static_cast<std::uint64_t>(bytes_[at_++] & 0x7f) << shift;
-        value |= static_cast<std::uint64_t>(bytes_[at_++]) << shift;
+        auto byte = reader_.take<std::uint8_t>();
+        for (; (byte & 0x80) != 0; byte = reader_.take<std::uint8_t>(), shift += 7)
+            value |= static_cast<std::uint64_t>(byte & 0x7f) << shift;
+        value |= static_cast<std::uint64_t>(byte) << shift;
         return static_cast<std::int64_t>(value >> 1) ^ -static_cast<std::int64_t>(value & 1);
     }
     std::uint32_t take_small() { return static_cast<std::uint32_t>(take()); }
 
   private:
-    const std::vector<std::uint8_t>& bytes_;
-    std::size_t at_ = 0;
+    ByteReader& reader_;
 };
 
 }  // namespace
 
-PackedOutline::PackedOutline(const FinePolygon& polygon) {
-    NumberWriter writer;
+void save(const FinePolygon& polygon, ByteWriter& bytes) {
+    NumberWriter writer(bytes);
     FinePoint at;
     const auto put = [&](const FineRing& ring) {
         writer.put(static_cast<std::int64_t>(ring.size()));
@@ -58,11 +61,11 @@ PackedOutline::PackedOutline(const FinePolygon& polygon) {
         writer.put(span.first);
         writer.put(span.edges);
     }
-    bytes_.assign(writer.bytes.begin(), writer.bytes.end());  // no longer than need be
 }
 
-FinePolygon PackedOutline::polygon() const {
-    NumberReader reader(bytes_);
+FinePolygon load_outline(const Spool& spool, SpoolEntry entry) {
+    ByteReader bytes(spool, entry);
+    NumberReader reader(bytes);
     FinePoint at;
     const auto take = [&](FineRing& ring) {
         ring.resize(reader.take_small());

@@ -1,22 +1,12 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
+#include "core/byte_record.hpp"
 #include "core/lattice.hpp"
 
 namespace d2b {
 
 /// A drawn polygon in some four bytes a vertex: from each vertex the way to the next one.
-class PackedOutline {
-  public:
-    PackedOutline() = default;
-    explicit PackedOutline(const FinePolygon& polygon);
-
-    [[nodiscard]] FinePolygon polygon() const;
-
-  private:
-    std::vector<std::uint8_t> bytes_;
-};
+void save(const FinePolygon& polygon, ByteWriter& writer);
+[[nodiscard]] FinePolygon load_outline(const Spool& spool, SpoolEntry entry);
 
 }  // namespace d2b

@@ -40,19 +40,27 @@ LatticePoint conflict_reach(const WallOptions& options) {
     return {steps(options.shape.col), steps(options.shape.row)};
 }
 
-/// The edges of traces in square buckets.
+/// Rows of the lattice, end exclusive.
+struct Rows {
+    std::int64_t begin;
+    std::int64_t end;
+};
+
+/// The edges of traces in square buckets, as far as they are near some rows.
 class TraceBuckets {
   public:
-    TraceBuckets(const std::vector<Contour>& contours, const WallOptions& options);
+    TraceBuckets(LatticePoint reach, Rows rows) : reach_(reach), rows_(rows) {}
+
+    void add(const Contour& contour, std::uint32_t number);
     /// Joins the groups of edges that are near each other.
-    void join(Groups& groups) const;
+    void join(Groups& groups);
 
   private:
     struct Edge {
         LatticeBox box;  // grown so that near edges overlap
         std::uint32_t contour;
     };
-    void add(const PackedRing& packed, std::uint32_t contour, LatticePoint far);
+    void add(const PackedRing& packed, std::uint32_t number);
     void lay_out();
     template <typename Visit>
     void for_each_bucket(const LatticeBox& box, const Visit& visit) const {
@@ -66,6 +74,8 @@ class TraceBuckets {
     }
     void join_bucket(std::size_t begin, std::size_t end, Groups& groups) const;
 
+    LatticePoint reach_;
+    Rows rows_;
     std::vector<Edge> edges_;
     LatticePoint low_{std::numeric_limits<std::int32_t>::max(), std::numeric_limits<std::int32_t>::max()};
     LatticePoint high_{std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::min()};
@@ -75,33 +85,30 @@ class TraceBuckets {
     std::vector<std::uint32_t> entries_;  // edges
 };
 
-/// What stands on a contour lies inside of it: only traces of levels 0 and 1 can be near those of others.
-TraceBuckets::TraceBuckets(const std::vector<Contour>& contours, const WallOptions& options) {
-    const LatticePoint far = conflict_reach(options);
-    for (std::uint32_t i = 0; i < contours.size(); ++i) {
-        if (contours[i].key.level > 1 && contours[i].parent >= 0)
-            continue;
-        add(contours[i].exterior, i, far);
-        for (const PackedRing& ring : contours[i].interiors)
-            add(ring, i, far);
-    }
-    if (!edges_.empty())
-        lay_out();
+/// An edge with half of the way to those near it on either side.
+LatticeBox grown(LatticePoint from, LatticePoint to, LatticePoint reach) {
+    return {
+        {std::min(from.row, to.row) - reach.row / 2, std::min(from.col, to.col) - reach.col / 2},
+        {std::max(from.row, to.row) + (reach.row + 1) / 2, std::max(from.col, to.col) + (reach.col + 1) / 2}};
 }
 
-void TraceBuckets::add(const PackedRing& packed, std::uint32_t contour, LatticePoint far) {
+void TraceBuckets::add(const Contour& contour, std::uint32_t number) {
+    add(contour.exterior, number);
+    for (const PackedRing& ring : contour.interiors)
+        add(ring, number);
+}
+
+void TraceBuckets::add(const PackedRing& packed, std::uint32_t number) {
     const LatticeRing ring = packed.corners();
     LatticePoint from = ring.back();
     for (const LatticePoint to : ring) {
-        LatticeBox box{{std::min(from.row, to.row), std::min(from.col, to.col)},
-                       {std::max(from.row, to.row), std::max(from.col, to.col)}};
-        // Half of the way on either side.
-        box.low = {box.low.row - far.row / 2, box.low.col - far.col / 2};
-        box.high = {box.high.row + (far.row + 1) / 2, box.high.col + (far.col + 1) / 2};
+        const LatticeBox box = grown(from, to, reach_);
+        from = to;
+        if (box.high.row < rows_.begin || box.low.row >= rows_.end)
+            continue;
         low_ = {std::min(low_.row, box.low.row), std::min(low_.col, box.low.col)};
         high_ = {std::max(high_.row, box.high.row), std::max(high_.col, box.high.col)};
-        edges_.push_back({box, contour});
-        from = to;
+        edges_.push_back({box, number});
     }
 }
 
@@ -137,7 +144,10 @@ void TraceBuckets::join_bucket(std::size_t begin, std::size_t end, Groups& group
     }
 }
 
-void TraceBuckets::join(Groups& groups) const {
+void TraceBuckets::join(Groups& groups) {
+    if (edges_.empty())
+        return;
+    lay_out();
     for (std::size_t b = 0; b + 1 < first_.size(); ++b) {
         // Most buckets hold edges of one group.
         const auto group = [&](std::size_t i) { return groups.find(edges_[entries_[i]].contour); };
@@ -149,18 +159,57 @@ void TraceBuckets::join(Groups& groups) const {
     }
 }
 
+/// What stands on a contour lies inside of it: only traces of levels 0 and 1 can be near those of others.
+bool is_low(const ContourHead& head) {
+    return head.key.level <= 1 || head.parent < 0;
+}
+
+/// Joins contours that are near each other, a strip of rows at a time.
+void join_neighbours(const ContourList& contours, const WallOptions& options, std::int64_t rows_a_strip,
+                     Groups& groups) {
+    const LatticePoint reach = conflict_reach(options);
+    const auto first_row = [&](std::uint32_t i) {
+        return std::int64_t{contours.head(i).key.first.row} - reach.row;
+    };
+    std::vector<std::uint32_t> low;
+    for (std::uint32_t i = 0; i < contours.size(); ++i)
+        if (is_low(contours.head(i)))
+            low.push_back(i);
+    std::ranges::stable_sort(low, {}, first_row);
+    std::vector<std::uint32_t> open;  // those that reach below the strips so far
+    auto next = low.begin();
+    for (std::int64_t row = low.empty() ? 0 : first_row(low.front()); next != low.end() || !open.empty();
+         row += rows_a_strip) {
+        const Rows rows{row, row + rows_a_strip};
+        TraceBuckets buckets(reach, rows);
+        std::vector<std::uint32_t> still_open;
+        const auto add = [&](std::uint32_t i) {
+            const Contour contour = contours.fetch(i);
+            buckets.add(contour, i);
+            if (contour.exterior.box().high.row + reach.row >= rows.end)
+                still_open.push_back(i);
+        };
+        std::ranges::for_each(open, add);
+        for (; next != low.end() && first_row(*next) < rows.end; ++next)
+            add(*next);
+        open = std::move(still_open);
+        buckets.join(groups);
+    }
+}
+
 }  // namespace
 
-std::vector<WallCluster> wall_clusters(const std::vector<Contour>& contours, const WallOptions& options) {
+std::vector<ClusterPlan> wall_clusters(const ContourList& contours, const WallOptions& options,
+                                       std::int64_t rows_a_strip) {
     Groups groups(contours.size());
     for (std::uint32_t i = 0; i < contours.size(); ++i)
-        if (contours[i].key.level > 1 && contours[i].parent >= 0)
-            groups.join(i, static_cast<std::uint32_t>(contours[i].parent));
-    TraceBuckets(contours, options).join(groups);
+        if (!is_low(contours.head(i)))
+            groups.join(i, static_cast<std::uint32_t>(contours.head(i).parent));
+    join_neighbours(contours, options, rows_a_strip, groups);
     constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> cluster_of(contours.size(), nowhere);
     std::vector<std::int32_t> place(contours.size());
-    std::vector<WallCluster> clusters;
+    std::vector<ClusterPlan> clusters;
     for (std::uint32_t i = 0; i < contours.size(); ++i) {
         const std::uint32_t group = groups.find(i);  // the first of its group
         if (group == i) {
@@ -168,15 +217,23 @@ std::vector<WallCluster> wall_clusters(const std::vector<Contour>& contours, con
             clusters.emplace_back();
         }
         cluster_of[i] = cluster_of[group];
-        WallCluster& cluster = clusters[cluster_of[i]];
-        const auto parent = static_cast<std::size_t>(contours[i].parent);
-        const bool with_parent = contours[i].parent >= 0 && cluster_of[parent] == cluster_of[i];
-        place[i] = static_cast<std::int32_t>(cluster.contours.size());
-        cluster.contours.push_back(&contours[i]);
-        cluster.parents.push_back(with_parent ? place[parent] : -1);
+        ClusterPlan& cluster = clusters[cluster_of[i]];
+        const std::int64_t parent = contours.head(i).parent;
+        const bool with_parent = parent >= 0 && cluster_of[static_cast<std::size_t>(parent)] == cluster_of[i];
+        place[i] = static_cast<std::int32_t>(cluster.numbers.size());
         cluster.numbers.push_back(i);
+        cluster.parents.push_back(with_parent ? place[static_cast<std::size_t>(parent)] : -1);
     }
     return clusters;
+}
+
+FetchedCluster::FetchedCluster(const ContourList& contours, const ClusterPlan& plan) {
+    contours_.reserve(plan.numbers.size());
+    for (const std::uint32_t number : plan.numbers) {
+        contours_.push_back(contours.fetch(number));
+        cluster_.contours.push_back(&contours_.back());
+    }
+    cluster_.parents = plan.parents;
 }
 
 }  // namespace d2b

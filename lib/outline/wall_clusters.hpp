@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "outline/wall_options.hpp"
-#include "trace/contour.hpp"
+#include "trace/contour_list.hpp"
 
 namespace d2b {
 
@@ -12,15 +12,36 @@ namespace d2b {
 struct WallCluster {
     std::vector<const Contour*> contours;  ///< parents before their children
     std::vector<std::int32_t> parents;     ///< place of each one's parent among them; -1: it is not with them
-    std::vector<std::uint32_t> numbers;    ///< place of each among all contours that were divided, ascending
+};
+
+/// The same before its contours are fetched.
+struct ClusterPlan {
+    std::vector<std::uint32_t> numbers;  ///< place of each contour in the list, ascending
+    std::vector<std::int32_t> parents;   ///< as WallCluster's
 };
 
 /// Divides contours into clusters that cannot get into each other's way: what stands on one contour of level
 /// 1 is together, and so are contours whose traces come so near each other that their walls could meet. Which
-/// contours share a cluster depends on nothing but these. O(n) in corners of levels 0 and 1, but for crowds.
-/// @param contours sorted by key; they stay the caller's and must outlive the clusters
+/// contours share a cluster depends on nothing but these. O(n) in corners of levels 0 and 1, but for crowds;
+/// in memory are the corners of a strip.
+/// @param rows_a_strip that are looked at together
 /// @return sorted by their first contours
-[[nodiscard]] std::vector<WallCluster> wall_clusters(const std::vector<Contour>& contours,
-                                                     const WallOptions& options);
+[[nodiscard]] std::vector<ClusterPlan> wall_clusters(const ContourList& contours, const WallOptions& options,
+                                                     std::int64_t rows_a_strip = 4096);
+
+/// The contours of a cluster.
+class FetchedCluster {
+  public:
+    FetchedCluster(const ContourList& contours, const ClusterPlan& plan);
+    FetchedCluster(const FetchedCluster&) = delete;
+    FetchedCluster& operator=(const FetchedCluster&) = delete;
+    ~FetchedCluster() = default;
+
+    [[nodiscard]] const WallCluster& cluster() const { return cluster_; }
+
+  private:
+    std::vector<Contour> contours_;
+    WallCluster cluster_;
+};
 
 }  // namespace d2b

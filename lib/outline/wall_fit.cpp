@@ -20,9 +20,7 @@ WallCluster low_levels(const WallCluster& cluster) {
     const auto end =
         std::ranges::find_if(cluster.contours, [](const Contour* contour) { return contour->key.level > 1; });
     const auto count = end - cluster.contours.begin();
-    return {{cluster.contours.begin(), end},
-            {cluster.parents.begin(), cluster.parents.begin() + count},
-            {cluster.numbers.begin(), cluster.numbers.begin() + count}};
+    return {{cluster.contours.begin(), end}, {cluster.parents.begin(), cluster.parents.begin() + count}};
 }
 
 }  // namespace

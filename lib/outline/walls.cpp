@@ -5,17 +5,21 @@
 #include <utility>
 
 #include "outline/noding.hpp"
+#include "outline/packed_outline.hpp"
 
 namespace d2b {
 
-RegularOutlines::RegularOutlines(const std::vector<Contour>& contours, const WallOptions& options,
-                                 Executor& executor)
-    : clusters_(wall_clusters(contours, options)),
+RegularOutlines::RegularOutlines(const ContourList& contours, const WallOptions& options,
+                                 std::unique_ptr<Spool> spool, Executor& executor)
+    : contours_(contours),
+      spool_(std::move(spool)),
+      clusters_(wall_clusters(contours, options)),
       cluster_of_(contours.size()),
-      outlines_(contours.size()),
-      own_footprint_(contours.size()) {
-    const auto high = std::ranges::find_if(contours, [](const Contour& c) { return c.key.level > 1; });
-    footprints_.resize(static_cast<std::size_t>(high - contours.begin()));
+      outlines_(contours.size()) {
+    std::size_t low = 0;
+    while (low < contours.size() && contours.head(low).key.level <= 1)
+        ++low;
+    footprints_.resize(low);
     for (std::uint32_t c = 0; c < clusters_.size(); ++c)
         for (const std::uint32_t contour : clusters_[c].numbers)
             cluster_of_[contour] = c;
@@ -23,31 +27,36 @@ RegularOutlines::RegularOutlines(const std::vector<Contour>& contours, const Wal
     std::vector<std::uint32_t> order(clusters_.size());
     std::iota(order.begin(), order.end(), 0U);
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return clusters_[a].contours.size() > clusters_[b].contours.size();
+        return clusters_[a].numbers.size() > clusters_[b].numbers.size();
     });
     executor.for_each(order.size(), [&](std::size_t i) {
-        const WallCluster& cluster = clusters_[order[i]];
-        keep(cluster, fit_walls(cluster, options));
+        const ClusterPlan& plan = clusters_[order[i]];
+        const FetchedCluster fetched(contours, plan);
+        const ClusterOutlines fitted = fit_walls(fetched.cluster(), options);
+        for (std::size_t k = 0; k < plan.numbers.size(); ++k)
+            outlines_[plan.numbers[k]] = keep(fitted.outlines[k]);
+        for (std::size_t k = 0; k < fitted.footprints.size(); ++k)
+            footprints_[plan.numbers[k]] = keep(fitted.footprints[k]);
     });
 }
 
-void RegularOutlines::keep(const WallCluster& cluster, const ClusterOutlines& fitted) {
-    const auto kept = [](const WallOutline& outline) {
-        return Kept{PackedOutline(outline.polygon), outline.quality};
-    };
-    for (std::size_t i = 0; i < cluster.numbers.size(); ++i)
-        outlines_[cluster.numbers[i]] = kept(fitted.outlines[i]);
-    for (std::size_t i = 0; i < fitted.footprints.size(); ++i) {
-        footprints_[cluster.numbers[i]] = kept(fitted.footprints[i]);
-        own_footprint_[cluster.numbers[i]] = 1;
-    }
+RegularOutlines::Kept RegularOutlines::keep(const WallOutline& outline) {
+    ByteWriter writer;
+    save(outline.polygon, writer);
+    return {append(*spool_, writer), outline.quality};
+}
+
+FinePolygon RegularOutlines::fetch(const Kept& kept) const {
+    return load_outline(*spool_, kept.place);
 }
 
 FinePolygon RegularOutlines::traced(std::size_t contour) const {
-    const WallCluster& cluster = clusters_[cluster_of_[contour]];
-    const auto place = std::ranges::lower_bound(cluster.numbers, static_cast<std::uint32_t>(contour));
-    const Contour& own = *cluster.contours[static_cast<std::size_t>(place - cluster.numbers.begin())];
-    return fine(CornerIndex(cluster.contours).noded(traced_polygon(own)));
+    const ClusterPlan& plan = clusters_[cluster_of_[contour]];
+    const FetchedCluster fetched(contours_, plan);
+    const auto place = std::ranges::lower_bound(plan.numbers, static_cast<std::uint32_t>(contour));
+    const std::vector<const Contour*>& contours = fetched.cluster().contours;
+    const Contour& own = *contours[static_cast<std::size_t>(place - plan.numbers.begin())];
+    return fine(CornerIndex(contours).noded(traced_polygon(own)));
 }
 
 }  // namespace d2b

@@ -1,80 +1,139 @@
 #include "pipeline/contour_store.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace d2b {
+namespace {
 
-ContourStore::ContourStore(const FilterOptions& options, SquareArea square_area, const ElevationRange& range,
-                           Context& context)
-    : options_(options), square_area_(std::move(square_area)), range_(range), context_(context) {}
+constexpr std::int64_t on_noise = -2;  // a parent that was dropped
 
-Taken ContourStore::take(Stack&& stack) {
-    FilteredStack filtered = drop_noise(std::move(stack), options_, square_area_, context_);
-    std::vector<Contour>& kept = filtered.stack.contours;
-    if (kept.empty())
-        return {-1, filtered.fallen};
-    const auto base = static_cast<std::int64_t>(contours_.size());
-    for (const std::int64_t standing : filtered.stack.standing_on_it)
-        contours_[static_cast<std::size_t>(standing)].parent = base;
-    if (kept.front().key.level == 1) {
-        bases_.push_back(base);
-        percentiles_.push_back(filtered.stack.sample.size() > 0
-                                   ? take_percentiles(filtered.stack.sample, range_)
-                                   : Percentiles{});
-    }
-    for (Contour& contour : kept) {
-        if (contour.parent >= 0)
-            contour.parent += base;
-        contours_.push_back(std::move(contour));
-    }
-    return {base, filtered.fallen};
+}  // namespace
+
+StoredContours::Stored StoredContours::fetch_stored(std::size_t contour) const {
+    const Entry& entry = entries_[contour];
+    ByteReader reader(*spool_, entry.place);
+    Stored stored{load_contour(reader), {}};
+    if (entry.head.key.level == 1)
+        stored.percentiles = reader.take<Percentiles>();
+    stored.contour.key = entry.head.key;
+    stored.contour.label = entry.head.label;
+    stored.contour.parent = entry.head.parent;
+    std::size_t hole = entry.first_hole;
+    std::erase_if(stored.contour.interiors, [&](const PackedRing&) { return filled_[hole++]; });
+    return stored;
 }
 
-ContourSet ContourStore::finish() {
-    std::vector<std::size_t> order(contours_.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(),
-              [&](std::size_t a, std::size_t b) { return contours_[a].key < contours_[b].key; });
-    std::vector<std::int64_t> number(contours_.size());
-    for (std::size_t i = 0; i < order.size(); ++i)
-        number[order[i]] = static_cast<std::int64_t>(i);
+ContourStore::ContourStore(Settings settings, std::unique_ptr<Spool> spool, Context& context)
+    : settings_(std::move(settings)), spool_(std::move(spool)), context_(context) {}
 
-    ContourSet set;
-    std::vector<std::size_t> stack_of(contours_.size());
-    for (std::size_t i = 0; i < bases_.size(); ++i)
-        stack_of[static_cast<std::size_t>(bases_[i])] = i;
-    set.contours.reserve(contours_.size());
-    set.building.reserve(contours_.size());
-    for (const std::size_t old : order) {
-        Contour& contour = set.contours.emplace_back(std::move(contours_[old]));
-        if (contour.parent >= 0)
-            contour.parent = number[static_cast<std::size_t>(contour.parent)];
-        if (contour.key.level == 1) {
-            set.building.push_back(static_cast<std::int64_t>(set.buildings.size()));
-            set.buildings.push_back(number[old]);
-            set.percentiles.push_back(percentiles_[stack_of[old]]);
-        } else {
-            set.building.push_back(
-                contour.key.level == 0 ? -1 : set.building[static_cast<std::size_t>(contour.parent)]);
+std::int64_t ContourStore::take(FinishedContour&& finished) {
+    const Contour& contour = finished.contour;
+    if (contour.key.level == 0 && !settings_.keep_roots)
+        return -1;
+    const auto name = static_cast<std::int64_t>(entries_.size());
+    const auto reason = contour_noise(contour, settings_.options, settings_.square_area);
+    for (const std::int64_t standing : finished.standing_on_it)
+        entries_[static_cast<std::size_t>(standing)].head.parent = reason ? on_noise : name;
+    if (reason) {
+        context_.report.count(*reason);
+        return -1;
+    }
+    put_aside(contour, finished.sample.size() > 0 ? take_percentiles(finished.sample, settings_.range)
+                                                  : Percentiles{});
+    return name;
+}
+
+void ContourStore::put_aside(const Contour& contour, const Percentiles& percentiles) {
+    Entry& entry = entries_.emplace_back();
+    entry.head.key = contour.key;
+    entry.head.label = contour.label;
+    if (contour.own.n > 0)
+        entry.head.tier_z = settings_.fixed.mean(contour.own.sum, contour.own.n);
+    entry.head.lowest_outside = contour.lowest_outside;
+    ByteWriter writer;
+    save(contour, writer);
+    if (contour.key.level == 1)
+        writer.put(percentiles);
+    entry.place = append(*spool_, writer);
+    entry.first_hole = holes_.size();
+    entry.holes = contour.interiors.size();
+    for (const PackedRing& ring : contour.interiors)
+        holes_.push_back({contour.key.level, ring.start(), ring.box().low, ring.box().high,
+                          hole_noise(ring, contour.key.level, settings_.options, settings_.square_area)});
+}
+
+/// Contours come after those that stand on them.
+void ContourStore::drop_what_stands_on_noise() {
+    for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry)
+        if (entry->head.parent >= 0 &&
+            entries_[static_cast<std::size_t>(entry->head.parent)].head.parent == on_noise)
+            entry->head.parent = on_noise;
+    std::size_t kept_holes = 0;
+    for (Entry& entry : entries_) {
+        const std::size_t begin = std::exchange(entry.first_hole, kept_holes);
+        if (entry.head.parent == on_noise) {
+            context_.report.count(Reason::contour_on_dropped);
+            continue;
         }
+        for (std::size_t h = begin; h < begin + entry.holes; ++h)
+            holes_[kept_holes++] = holes_[h];
     }
-    contours_ = {};
-    fill_holes(set.contours, options_, square_area_, context_);
-    return set;
+    holes_.resize(kept_holes);
 }
 
-void drop_roots(ContourSet& set) {
-    const auto first = std::find_if(set.contours.begin(), set.contours.end(),
-                                    [](const Contour& contour) { return contour.key.level > 0; });
-    const std::int64_t roots = first - set.contours.begin();
-    set.contours.erase(set.contours.begin(), first);
-    set.building.erase(set.building.begin(), set.building.begin() + roots);
-    for (Contour& contour : set.contours)
-        contour.parent = contour.parent < roots ? -1 : contour.parent - roots;
-    for (std::int64_t& contour : set.buildings)
-        contour -= roots;
+/// Brings contours into the order of their keys.
+void ContourStore::sort() {
+    // Until they have places, `building` says as which one a contour came.
+    for (std::size_t i = 0; i < entries_.size(); ++i)
+        entries_[i].head.building = static_cast<std::int64_t>(i);
+    std::vector<std::uint32_t> place(entries_.size());
+    std::erase_if(entries_, [](const Entry& entry) { return entry.head.parent == on_noise; });
+    std::ranges::sort(entries_, {}, [](const Entry& entry) { return entry.head.key; });
+    for (std::size_t i = 0; i < entries_.size(); ++i)
+        place[static_cast<std::size_t>(entries_[i].head.building)] = static_cast<std::uint32_t>(i);
+    for (Entry& entry : entries_)
+        if (entry.head.parent >= 0)
+            entry.head.parent = place[static_cast<std::size_t>(entry.head.parent)];
+}
+
+void ContourStore::number_buildings() {
+    std::int64_t buildings = 0;
+    for (Entry& entry : entries_) {
+        ContourHead& head = entry.head;
+        if (head.key.level == 0)
+            head.building = -1;
+        else if (head.key.level == 1)
+            head.building = buildings++;
+        else
+            head.building = entries_[static_cast<std::size_t>(head.parent)].head.building;
+    }
+}
+
+std::vector<bool> ContourStore::fill() {
+    std::vector<ContourKey> keys;
+    std::vector<std::uint32_t> owner(holes_.size());
+    keys.reserve(entries_.size());
+    for (const Entry& entry : entries_) {
+        std::fill_n(owner.begin() + static_cast<std::ptrdiff_t>(entry.first_hole), entry.holes,
+                    static_cast<std::uint32_t>(keys.size()));
+        keys.push_back(entry.head.key);
+    }
+    const auto ring = [&](std::size_t hole) {
+        const Entry& entry = entries_[owner[hole]];
+        ByteReader reader(*spool_, entry.place);
+        return load_contour(reader).interiors[hole - entry.first_hole].corners();
+    };
+    return fill_holes(keys, holes_, ring, context_);
+}
+
+std::unique_ptr<StoredContours> ContourStore::finish() {
+    drop_what_stands_on_noise();
+    sort();
+    number_buildings();
+    std::vector<bool> filled = fill();
+    return std::make_unique<StoredContours>(std::move(spool_), std::exchange(entries_, {}),
+                                            std::move(filled));
 }
 
 }  // namespace d2b

@@ -1,41 +1,79 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "attributes/percentiles.hpp"
+#include "core/context.hpp"
+#include "core/options.hpp"
+#include "core/point_stats.hpp"
+#include "core/spool.hpp"
 #include "filter/noise.hpp"
+#include "trace/contour_list.hpp"
 
 namespace d2b {
 
-/// All contours that are kept, sorted by key; a contour's number is its index plus one.
-struct ContourSet {
-    std::vector<Contour> contours;         ///< parent: index into this list
-    std::vector<std::int64_t> building;    ///< a contour: index into `buildings`, -1 in level 0
-    std::vector<std::int64_t> buildings;   ///< the contours of level 1, in order
-    std::vector<Percentiles> percentiles;  ///< a building
-};
-
-/// Takes the roots out, so that footprints are the lowest contours.
-void drop_roots(ContourSet& set);
-
-/// Takes stacks as they are finished, drops their noise, and keeps the rest in about one byte a corner.
-class ContourStore : public StackSink {
+/// Contours that wait in a spool for their turn; in memory there are their heads and some bytes for each
+/// hole.
+class StoredContours : public ContourList {
   public:
-    ContourStore(const FilterOptions& options, SquareArea square_area, const ElevationRange& range,
-                 Context& context);
+    struct Entry {
+        ContourHead head;
+        SpoolEntry place;
+        std::size_t first_hole = 0;
+        std::size_t holes = 0;
+    };
+    struct Stored {
+        Contour contour;
+        Percentiles percentiles{};  ///< of a building's points; in level 1 alone
+    };
 
-    Taken take(Stack&& stack) override;
-    /// After the last stack: sorts, numbers and fills holes. The store is empty afterwards.
-    [[nodiscard]] ContourSet finish();
+    StoredContours(std::shared_ptr<const Spool> spool, std::vector<Entry> entries, std::vector<bool> filled)
+        : spool_(std::move(spool)), entries_(std::move(entries)), filled_(std::move(filled)) {}
+
+    [[nodiscard]] std::size_t size() const override { return entries_.size(); }
+    [[nodiscard]] const ContourHead& head(std::size_t contour) const override {
+        return entries_[contour].head;
+    }
+    [[nodiscard]] Contour fetch(std::size_t contour) const override { return fetch_stored(contour).contour; }
+    [[nodiscard]] Stored fetch_stored(std::size_t contour) const;
 
   private:
-    FilterOptions options_;
-    SquareArea square_area_;
-    ElevationRange range_;
+    std::shared_ptr<const Spool> spool_;
+    std::vector<Entry> entries_;
+    std::vector<bool> filled_;  ///< a hole
+};
+
+/// Takes contours as they are finished, drops noise, and puts the rest aside.
+class ContourStore : public ContourSink {
+  public:
+    struct Settings {
+        const FilterOptions& options;
+        SquareArea square_area;
+        ElevationRange range;
+        FixedPoint fixed;
+        bool keep_roots = true;  ///< else footprints are the lowest contours
+    };
+    ContourStore(Settings settings, std::unique_ptr<Spool> spool, Context& context);
+
+    std::int64_t take(FinishedContour&& finished) override;
+    /// After the last contour: drops what stands on noise, sorts, numbers and fills holes. The store is empty
+    /// afterwards.
+    [[nodiscard]] std::unique_ptr<StoredContours> finish();
+
+  private:
+    using Entry = StoredContours::Entry;
+    void put_aside(const Contour& contour, const Percentiles& percentiles);
+    void drop_what_stands_on_noise();
+    void sort();
+    void number_buildings();
+    [[nodiscard]] std::vector<bool> fill();
+
+    Settings settings_;
+    std::shared_ptr<Spool> spool_;
     Context& context_;
-    std::vector<Contour> contours_;         ///< parent: index into this list
-    std::vector<Percentiles> percentiles_;  ///< of the stacks of level 1, by the order in which they came
-    std::vector<std::int64_t> bases_;       ///< their lowest contours
+    std::vector<Entry> entries_;
+    std::vector<Hole> holes_;  ///< of one contour after the other, as they came
 };
 
 }  // namespace d2b

@@ -1,6 +1,7 @@
 #include "pipeline/elevation_reader.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "pipeline/stage_clock.hpp"
 
@@ -37,11 +38,11 @@ std::vector<BandShape> shapes_of(const Window& window, std::int32_t rows_a_band)
 }  // namespace
 
 ElevationReader::ElevationReader(DemSource& source, Context& context, std::size_t keep_bytes)
-    : source_(source), context_(context) {
+    : source_(source), context_(context), keep_bytes_(keep_bytes) {
     const Window& window = source.info().window;
     const std::size_t points = static_cast<std::size_t>(window.rows) * static_cast<std::size_t>(window.cols);
     const std::int32_t rows = band_rows(source.info());
-    keep_ = points <= keep_bytes / sizeof(double);
+    keep_ = points <= keep_bytes / sizeof(float);
     ahead_ = static_cast<std::size_t>(
         std::clamp<std::int64_t>(points_ahead / (std::int64_t{rows} * std::max(window.cols, 1)), 1, 8));
     shapes_ = shapes_of(window, rows);
@@ -49,17 +50,59 @@ ElevationReader::ElevationReader(DemSource& source, Context& context, std::size_
         kept_.resize(shapes_.size());
 }
 
-ElevationBand ElevationReader::read(std::size_t i, Tally& tally) {
+ElevationBand ElevationReader::get(std::size_t i, Tally& tally) {
     const StageClock clock(tally, Stage::read);
     ElevationBand band{shapes_[i], {}};
-    band.elevations.resize(band.shape.size());
-    source_.read(band.shape.first_row, band.shape.rows, band.elevations);
+    if (complete_ && kept_[i].narrow.empty()) {
+        band.elevations = kept_[i].wide;
+    } else if (complete_) {
+        band.elevations.assign(kept_[i].narrow.begin(), kept_[i].narrow.end());
+    } else {
+        band.elevations.resize(band.shape.size());
+        source_.read(band.shape.first_row, band.shape.rows, band.elevations);
+    }
     return band;
+}
+
+ElevationReader::Kept ElevationReader::keep(const ElevationBand& band) {
+    Kept kept;
+    kept.narrow.resize(band.elevations.size());
+    bool lossless = true;
+    for (std::size_t i = 0; i < kept.narrow.size(); ++i) {
+        const double z = band.elevations[i];
+        kept.narrow[i] = static_cast<float>(z);
+        lossless = lossless && (static_cast<double>(kept.narrow[i]) == z || std::isnan(z));
+    }
+    if (!lossless)
+        kept = {{}, band.elevations};
+    return kept;
+}
+
+void ElevationReader::put(std::size_t i, Kept&& kept) {
+    if (!keep_)
+        return;
+    kept_bytes_ += kept.bytes();
+    kept_[i] = std::move(kept);
+    if (kept_bytes_ <= keep_bytes_)
+        return;
+    keep_ = false;
+    kept_ = {};
 }
 
 void ElevationReader::for_each(const std::function<void(const ElevationBand&)>& use) {
     for_each([](std::size_t, const ElevationBand&, Tally&) { return 0; },
              [&](const ElevationBand& band, int) { use(band); });
+}
+
+void ElevationReader::for_rows(std::int32_t first_row, std::int32_t end_row,
+                               const std::function<void(const ElevationBand&)>& use) {
+    std::vector<std::size_t> some;
+    for (std::size_t i = 0; i < shapes_.size(); ++i)
+        if (shapes_[i].first_row < end_row && shapes_[i].first_row + shapes_[i].rows > first_row)
+            some.push_back(i);
+    std::vector<Tally> tallies(some.size());
+    const Merger merger{tallies, context_.report};
+    context_.threads->for_each(some.size(), [&](std::size_t i) { use(get(some[i], tallies[i])); });
 }
 
 }  // namespace d2b

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -16,7 +19,7 @@ namespace d2b {
 /// all threads.
 class ElevationReader {
   public:
-    /// @param keep_bytes most that is kept
+    /// @param keep_bytes most that is kept: 4 a point where that loses nothing, else 8
     ElevationReader(DemSource& source, Context& context, std::size_t keep_bytes = std::size_t{512} << 20);
 
     [[nodiscard]] std::size_t bands() const { return shapes_.size(); }
@@ -25,34 +28,52 @@ class ElevationReader {
     /// last: `prepare` on any thread, `use` on the caller's. @throws InputError, and what these throw
     template <typename Prepare, typename Use>
     void for_each(const Prepare& prepare, const Use& use) {
-        std::vector<Tally> tallies(static_cast<std::size_t>(context_.threads->threads()));
-        using Prepared = decltype(prepare(std::size_t{}, std::declval<const ElevationBand&>(), tallies[0]));
+        using Prepared =
+            std::decay_t<decltype(prepare(0, std::declval<const ElevationBand&>(), std::declval<Tally&>()))>;
         struct Made {
-            std::optional<ElevationBand> read;  ///< unless it was kept
+            ElevationBand band;
+            std::optional<Kept> kept;
             Prepared prepared;
         };
+        std::vector<Tally> tallies(static_cast<std::size_t>(context_.threads->threads()));
         const Merger merger{tallies, context_.report};
+        const bool keeping = keep_ && !complete_;
+        kept_bytes_ = complete_ ? kept_bytes_ : 0;
         context_.threads->in_order(
             bands(),
             [&](std::size_t i, std::size_t thread) {
-                std::optional<ElevationBand> band;
-                if (!complete_)
-                    band = read(i, tallies[thread]);
-                Prepared prepared = prepare(i, band ? *band : kept_[i], tallies[thread]);
-                return Made{std::move(band), std::move(prepared)};
+                // `prepare` may refer to the band's values, which stay where they are when it is moved.
+                ElevationBand band = get(i, tallies[thread]);
+                Prepared prepared = prepare(i, band, tallies[thread]);
+                std::optional<Kept> kept;
+                if (keeping)
+                    kept = keep(band);
+                return Made{std::move(band), std::move(kept), std::move(prepared)};
             },
             [&](std::size_t i, Made made) {
-                use(made.read ? *made.read : kept_[i], std::move(made.prepared));
-                if (keep_ && !complete_)
-                    kept_[i] = std::move(*made.read);
+                use(made.band, std::move(made.prepared));
+                if (made.kept)
+                    put(i, std::move(*made.kept));
             },
             ahead_);
         complete_ = keep_;
     }
     /// Calls `use` for each band, from the first row to the last, on this thread.
     void for_each(const std::function<void(const ElevationBand&)>& use);
+    /// Calls `use` for each band that has some of these rows, on any thread and in any order.
+    /// @param end_row exclusive
+    void for_rows(std::int32_t first_row, std::int32_t end_row,
+                  const std::function<void(const ElevationBand&)>& use);
 
   private:
+    /// The elevations of a band: as they are, or where nothing is lost by it in half of the room.
+    struct Kept {
+        std::vector<float> narrow;
+        std::vector<double> wide;
+        [[nodiscard]] std::size_t bytes() const {
+            return narrow.size() * sizeof(float) + wide.size() * sizeof(double);
+        }
+    };
     /// Also where something is thrown.
     struct Merger {
         const std::vector<Tally>& tallies;
@@ -62,15 +83,19 @@ class ElevationReader {
                 report.merge(tally);
         }
     };
-    [[nodiscard]] ElevationBand read(std::size_t i, Tally& tally);
+    [[nodiscard]] ElevationBand get(std::size_t i, Tally& tally);
+    [[nodiscard]] static Kept keep(const ElevationBand& band);
+    void put(std::size_t i, Kept&& kept);
 
     DemSource& source_;
     Context& context_;
+    std::size_t keep_bytes_;
+    std::size_t kept_bytes_ = 0;
     bool keep_;
     bool complete_ = false;  ///< all bands are kept
     std::size_t ahead_ = 1;  ///< bands a thread that are read ahead
     std::vector<BandShape> shapes_;
-    std::vector<ElevationBand> kept_;
+    std::vector<Kept> kept_;
 };
 
 }  // namespace d2b

@@ -7,14 +7,18 @@
 #include <vector>
 
 #include "attributes/attribute_table.hpp"
+#include "pipeline/layer_styles.hpp"
 #include "pipeline/placer.hpp"
 #include "pipeline/stage_clock.hpp"
 
 namespace d2b {
 namespace {
 
-/// What is drawn of a contour: nothing where its layer was not asked for.
+/// What is known of a contour, and what is drawn of it: nothing where its layer was not asked for.
 struct Drawn {
+    ContourRecord record;
+    PointStats own;
+    BuildingRecord building_record;  ///< of level 1 alone
     std::optional<Placed> building;
     std::optional<Placed> contour;
 };
@@ -22,7 +26,7 @@ struct Drawn {
 /// Draws on all threads, and hands features to the layers that were asked for.
 class Emitter {
   public:
-    Emitter(const Emission& emission, Records& records, FeatureSink& sink, Context& context);
+    Emitter(const Emission& emission, const RecordMaker& records, FeatureSink& sink, Context& context);
 
     void begin();
     /// @param thread that this runs on
@@ -35,21 +39,23 @@ class Emitter {
         return is_doubtful(contour) ? doubtful_layer_ : buildings_layer_;
     }
     [[nodiscard]] bool is_doubtful(std::size_t contour) const {
-        return emission_.set.contours[contour].label > emission_.buildings;
+        return emission_.contours.head(contour).label > emission_.buildings;
     }
-    void add_building(std::size_t contour, Placed&& placed);
+    void count(std::size_t contour, const Drawn& drawn);
+    void add_building(std::size_t contour, Drawn& drawn);
     /// @return whether it is in its layer
-    bool add_contour(std::size_t contour, Placed&& placed);
+    bool add_contour(Drawn& drawn);
     template <typename Record>
     void write(std::size_t layer, std::span<const Attribute<Record>> attributes, Record& record,
                Placed&& placed, double threshold);
 
     const Emission& emission_;
-    Records& records_;
+    const RecordMaker& records_;
     FeatureSink& sink_;
     Context& context_;
     Outliner outliner_;
-    std::vector<std::vector<std::size_t>> children_;
+    Children children_;
+    StackRmse rmse_;
     std::vector<Placer> placers_;           // one a thread
     std::vector<std::int64_t> written_id_;  // what stands on a contour that is not written stands on this
     std::optional<std::size_t> buildings_layer_;
@@ -59,21 +65,19 @@ class Emitter {
 
 Outliner timed_outliner(const Emission& emission, Context& context) {
     const StageClock clock(context.report, Stage::outline);
-    return make_outliner(emission.set.contours, emission.options.outline, emission.georeference, emission.crs,
-                         emission.window, *context.threads);
+    return make_outliner(emission.contours, emission.options.outline, emission.georeference, emission.crs,
+                         emission.window, context);
 }
 
-Emitter::Emitter(const Emission& emission, Records& records, FeatureSink& sink, Context& context)
+Emitter::Emitter(const Emission& emission, const RecordMaker& records, FeatureSink& sink, Context& context)
     : emission_(emission),
       records_(records),
       sink_(sink),
       context_(context),
       outliner_(timed_outliner(emission, context)),
-      children_(emission.options.outline.disjoint ? children_of(emission.set.contours)
-                                                  : std::vector<std::vector<std::size_t>>()),
-      written_id_(records.contours.size(), 0) {
-    const Placement placement{emission.set.contours,
-                              emission.options.outline,
+      children_(emission.options.outline.disjoint ? Children(emission.contours) : Children()),
+      written_id_(emission.contours.size(), 0) {
+    const Placement placement{emission.options.outline,
                               emission.georeference,
                               emission.crs,
                               emission.target_crs,
@@ -112,6 +116,8 @@ void Emitter::begin() {
                           "What may be a building, with the reason for the doubt, from " + source,
                           building_fields, write.with_z, with_arcs});
     }
+    give_styles(layers, {buildings_layer_, contours_layer_, doubtful_layer_}, emission_,
+                context_.report.units.vertical_metres);
     const StageClock clock(context_.report, Stage::write);
     sink_.begin(layers, emission_.provenance);
 }
@@ -119,7 +125,17 @@ void Emitter::begin() {
 Drawn Emitter::draw(std::size_t contour, std::size_t thread) {
     Placer& placer = placers_[thread];
     Drawn drawn;
-    if (records_.contours[contour].level == 1 && building_layer(contour))
+    const bool is_building = emission_.contours.head(contour).key.level == 1;
+    {
+        const StageClock clock(placer.tally(), Stage::attributes);
+        const StoredContours::Stored stored = emission_.contours.fetch_stored(contour);
+        drawn.record = records_.contour(contour, stored.contour);
+        drawn.own = stored.contour.own;
+        if (is_building)
+            drawn.building_record =
+                records_.building(contour, stored.contour, drawn.record, stored.percentiles);
+    }
+    if (is_building && building_layer(contour))
         drawn.building = placer.footprint(contour);
     if (!contours_layer_ || is_doubtful(contour))
         return drawn;
@@ -141,53 +157,64 @@ void Emitter::write(std::size_t layer, std::span<const Attribute<Record>> attrib
     sink_.add(layer, {field_values(attributes, record), std::move(placed.parts), threshold});
 }
 
-void Emitter::add_building(std::size_t contour, Placed&& placed) {
+void Emitter::count(std::size_t contour, const Drawn& drawn) {
+    if (is_doubtful(contour))
+        return;
+    LevelReport& level = context_.report.levels[static_cast<std::size_t>(drawn.record.level)];
+    ++level.contours;
+    level.points += drawn.record.points;
+    if (drawn.record.level > 0)
+        rmse_.add(drawn.own, emission_.fixed);
+}
+
+void Emitter::add_building(std::size_t contour, Drawn& drawn) {
+    Placed& placed = *drawn.building;
     if (placed.parts.empty())
         return;
     ++(is_doubtful(contour) ? context_.report.doubtful : context_.report.buildings);
     if (!contours_layer_)
         context_.report.vertices += vertices_of(placed.parts);
-    BuildingRecord& record = records_.buildings[static_cast<std::size_t>(emission_.set.building[contour])];
+    BuildingRecord& record = drawn.building_record;
     record.deviation_m =
         placed.deviation / std::sqrt(emission_.georeference.cell_area()) * emission_.cell_size_m;
     record.area_change = placed.area_change;
-    write(*building_layer(contour), building_attributes(), record, std::move(placed),
-          records_.contours[contour].threshold);
+    write(*building_layer(contour), building_attributes(), record, std::move(placed), drawn.record.threshold);
 }
 
-bool Emitter::add_contour(std::size_t contour, Placed&& placed) {
+bool Emitter::add_contour(Drawn& drawn) {
     // A contour that its children cover whole has no band of its own.
-    if (placed.parts.empty())
+    if (drawn.contour->parts.empty())
         return false;
     ++context_.report.contours;
-    context_.report.vertices += vertices_of(placed.parts);
-    ContourRecord& record = records_.contours[contour];
-    write(*contours_layer_, contour_attributes(), record, std::move(placed), record.threshold);
+    context_.report.vertices += vertices_of(drawn.contour->parts);
+    write(*contours_layer_, contour_attributes(), drawn.record, std::move(*drawn.contour),
+          drawn.record.threshold);
     return true;
 }
 
 void Emitter::add(std::size_t contour, Drawn&& drawn) {
-    ContourRecord& record = records_.contours[contour];
-    const std::int64_t parent = emission_.set.contours[contour].parent;
-    record.parent_id = parent < 0 ? 0 : written_id_[static_cast<std::size_t>(parent)];
+    count(contour, drawn);
+    const std::int64_t parent = emission_.contours.head(contour).parent;
+    drawn.record.parent_id = parent < 0 ? 0 : written_id_[static_cast<std::size_t>(parent)];
     if (drawn.building)
-        add_building(contour, std::move(*drawn.building));
-    const bool written = drawn.contour && add_contour(contour, std::move(*drawn.contour));
-    written_id_[contour] = written ? record.id : record.parent_id;
+        add_building(contour, drawn);
+    const bool written = drawn.contour && add_contour(drawn);
+    written_id_[contour] = written ? drawn.record.id : drawn.record.parent_id;
 }
 
 void Emitter::finish() {
-    for (const Placer& placer : placers_)
+    for (Placer& placer : placers_)
         context_.report.merge(placer.tally());
+    context_.report.stack_rmse_m = rmse_.value() * context_.report.units.vertical_metres;
 }
 
 }  // namespace
 
-void emit(const Emission& emission, Records& records, FeatureSink& sink, Context& context) {
+void emit(const Emission& emission, const RecordMaker& records, FeatureSink& sink, Context& context) {
     constexpr std::size_t piece = 64;  // contours that a thread draws at a time
     Emitter emitter(emission, records, sink, context);
     emitter.begin();
-    const std::size_t count = records.contours.size();
+    const std::size_t count = emission.contours.size();
     context.threads->in_order(
         (count + piece - 1) / piece,
         [&](std::size_t k, std::size_t thread) {
@@ -199,7 +226,7 @@ void emit(const Emission& emission, Records& records, FeatureSink& sink, Context
         [&](std::size_t k, std::vector<Drawn> drawn) {
             for (std::size_t i = 0; i < drawn.size(); ++i)
                 emitter.add(k * piece + i, std::move(drawn[i]));
-            context.progress(0.6 + 0.35 * static_cast<double>(k * piece) / static_cast<double>(count));
+            context.progress(static_cast<double>(k * piece) / static_cast<double>(count));
         });
     emitter.finish();
 }

@@ -15,16 +15,18 @@ struct Emission {
     const Georeference& georeference;
     const Crs& crs;
     const Crs& target_crs;  ///< kind none: the DEM's
-    const ContourSet& set;
+    const StoredContours& contours;
     Provenance provenance;
     std::string vertical_unit;
     Window window;
     Label buildings;     ///< labels above are doubtful
     double cell_size_m;  ///< side of a square of a cell's area
+    FixedPoint fixed;
 };
 
 /// Draws every outline, places it, has it checked, measures it, and hands it to the sink with its attributes,
-/// in the order of the records. Fills in areas and status. The sink is not finished. @throws Error
-void emit(const Emission& emission, Records& records, FeatureSink& sink, Context& context);
+/// in the order of the contours. What was found is added to the report. The sink is not finished.
+/// @throws Error
+void emit(const Emission& emission, const RecordMaker& records, FeatureSink& sink, Context& context);
 
 }  // namespace d2b

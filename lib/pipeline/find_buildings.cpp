@@ -1,13 +1,16 @@
 #include "pipeline/find_buildings.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "attributes/ground_level.hpp"
+#include "core/progress_span.hpp"
 #include "core/row_bands.hpp"
 #include "detect/detection.hpp"
+#include "detect/merge_strips.hpp"
 #include "ground/ground.hpp"
 #include "pipeline/scene_rasters.hpp"
 #include "pipeline/side_grids.hpp"
@@ -32,37 +35,53 @@ void for_cells(Executor& threads, const Grid<T>& grid, const Work& work) {
     });
 }
 
-MetreGrid surface_of(ElevationReader& reader, const Window& window, double metres, Executor& threads) {
-    MetreGrid surface(window.rows, window.cols, 0, threads);
-    reader.for_each(
-        [&](std::size_t, const ElevationBand& band, Tally&) {
-            float* out = surface.row(band.shape.first_row - window.row).data();
-            for (std::size_t i = 0; i < band.elevations.size(); ++i)
-                out[i] = static_cast<float>(band.elevations[i] * metres);
-            return true;
-        },
-        [](const ElevationBand&, bool) {});
+/// What the strips of a run have in common.
+struct Job {
+    const Options& options;
+    const Sources& sources;
+    const Sinks& sinks;
+    ElevationReader& reader;
+    CellSize cell;
+    double metres;  ///< in one vertical unit
+    Context& context;
+
+    [[nodiscard]] const Window& window() const { return sources.dem.info().window; }
+    [[nodiscard]] Executor& threads() const { return *context.threads; }
+};
+
+MetreGrid surface_of(const Job& job, RowBand rows) {
+    const Window& window = job.window();
+    MetreGrid surface(rows.end - rows.begin, window.cols, 0, job.threads());
+    const std::int32_t first = window.row + rows.begin;
+    job.reader.for_rows(first, window.row + rows.end, [&](const ElevationBand& band) {
+        const std::int32_t begin = std::max(band.shape.first_row, first);
+        const std::int32_t end = std::min(band.shape.first_row + band.shape.rows, window.row + rows.end);
+        for (std::int32_t row = begin; row < end; ++row)
+            std::ranges::transform(band.row(row - band.shape.first_row), surface.row(row - first).data(),
+                                   [&](double z) { return static_cast<float>(z * job.metres); });
+    });
     return surface;
 }
 
 /// The terrain that detection stands on: nowhere above the surface.
-MetreGrid terrain_below(MetreGrid& surface, const Options& options, const Sources& sources,
-                        const CellSize& cell, double metres, Context& context) {
-    if (options.ground.mode == GroundMode::none)
+MetreGrid terrain_below(const Job& job, RowBand rows, MetreGrid& surface) {
+    const GroundOptions& options = job.options.ground;
+    if (options.mode == GroundMode::none)
         return MetreGrid(surface.rows, surface.cols, 0);
-    const Window& window = sources.dem.info().window;
-    if (options.ground.mode == GroundMode::given) {
-        MetreGrid terrain = read_grid(*sources.terrain, metres, context);
-        for_cells(*context.threads, terrain, [&](Cells cells) {
+    if (options.mode == GroundMode::given) {
+        MetreGrid terrain = read_grid(*job.sources.terrain, rows, job.metres, job.context);
+        for_cells(job.threads(), terrain, [&](Cells cells) {
             for (std::size_t i = cells.begin; i < cells.end; ++i)
                 if (terrain.values[i] > surface.values[i])
                     terrain.values[i] = surface.values[i];
         });
         return terrain;
     }
-    const StageClock clock(context.report, Stage::ground);
-    Terrain terrain = estimate_ground(surface, cell, options.ground, context, {window.row, window.col});
-    for_cells(*context.threads, surface, [&](Cells cells) {
+    const StageClock clock(job.context.report, Stage::ground);
+    const Window& window = job.window();
+    Terrain terrain =
+        estimate_ground(surface, job.cell, options, job.context, {window.row + rows.begin, window.col});
+    for_cells(job.threads(), surface, [&](Cells cells) {
         for (std::size_t i = cells.begin; i < cells.end; ++i)
             if ((terrain.flags.values[i] & low_outlier) != 0)
                 surface.values[i] = unknown;  // far below the ground: neither building nor ground
@@ -70,56 +89,128 @@ MetreGrid terrain_below(MetreGrid& surface, const Options& options, const Source
     return std::move(terrain.elevation);
 }
 
-Detection detect(const Scene& scene, const DetectOptions& options, bool keep_doubtful, Context& context) {
-    const StageClock clock(context.report, Stage::detect);
-    Detection detection = detect_buildings(scene, options, context);
-    context.report.count(Reason::building_doubtful,
-                         static_cast<std::int64_t>(detection.objects.size()) - detection.buildings);
-    if (!keep_doubtful) {
-        for_cells(*context.threads, detection.labels, [&](Cells cells) {
-            for (std::size_t i = cells.begin; i < cells.end; ++i)
-                if (detection.labels.values[i] > detection.buildings)
-                    detection.labels.values[i] = 0;
-        });
-        detection.objects.resize(detection.buildings);
+/// What stands in a strip.
+struct StripFound {
+    Grid<Label> labels;
+    std::vector<SeenObject> objects;  ///< by label - 1
+};
+
+std::vector<SeenObject> seen_objects(const Detection& detection, const std::vector<double>& ground,
+                                     RowBand own) {
+    std::vector<SeenObject> seen;
+    for (std::size_t i = 0; i < detection.objects.size(); ++i)
+        seen.push_back({detection.objects[i], i < detection.buildings, ground[i + 1], 0});
+    for (std::int32_t r = own.begin; r < own.end; ++r)
+        for (const Label label : detection.labels.row(r))
+            if (label != 0)
+                ++seen[label - 1].own_cells;
+    return seen;
+}
+
+StripFound find_in_strip(const Job& job, const Strip& strip) {
+    MetreGrid surface = surface_of(job, strip.seen);
+    const MetreGrid terrain = terrain_below(job, strip.seen, surface);
+    Mask allowed;
+    MetreGrid ndvi;
+    Scene scene{surface, terrain, job.cell};
+    if (job.sources.mask != nullptr) {
+        allowed = read_mask(*job.sources.mask, strip.seen, job.context);
+        scene.allowed = &allowed;
     }
-    return detection;
+    if (job.sources.ndvi != nullptr) {
+        ndvi = read_grid(*job.sources.ndvi, strip.seen, 1, job.context);
+        scene.greenness = &ndvi;
+    }
+    Detection detection = [&] {
+        const StageClock clock(job.context.report, Stage::detect);
+        return detect_buildings(scene, job.options.detect, job.context);
+    }();
+    const RowBand own{strip.own.begin - strip.seen.begin, strip.own.end - strip.seen.begin};
+    write_scene_rasters(job.sinks, scene, detection, job.options.detect.min_height, own);
+    const StageClock clock(job.context.report, Stage::attributes);
+    const std::vector<double> ground =
+        ground_levels(terrain, detection.labels, static_cast<Label>(detection.objects.size()), job.threads());
+    std::vector<SeenObject> objects = seen_objects(detection, ground, own);
+    return {std::move(detection.labels), std::move(objects)};
+}
+
+void add_to_labels(Grid<Label>& labels, Label more, Executor& threads) {
+    if (more == 0)
+        return;
+    for_cells(threads, labels, [&](Cells cells) {
+        for (std::size_t i = cells.begin; i < cells.end; ++i)
+            labels.values[i] += labels.values[i] != 0 ? more : 0;
+    });
+}
+
+/// The two rows on both sides of the seam under a strip, as that strip saw them.
+using SeamRows = std::array<std::vector<Label>, 2>;
+
+SeamRows rows_at(const Grid<Label>& labels, std::int32_t seam) {
+    SeamRows rows;
+    for (const std::int32_t side : {0, 1})
+        if (seam > 0 && seam < labels.rows)
+            rows[static_cast<std::size_t>(side)].assign(labels.row(seam - 1 + side).begin(),
+                                                        labels.row(seam - 1 + side).end());
+    return rows;
+}
+
+void put_into(FoundBuildings& found, StripMerger::Merged&& merged, bool keep_doubtful, double metres,
+              RunReport& report) {
+    found.buildings = merged.buildings;
+    report.count(Reason::building_doubtful,
+                 static_cast<std::int64_t>(merged.objects.size()) - found.buildings);
+    if (!keep_doubtful) {
+        merged.objects.resize(merged.buildings);
+        for (Label& number : merged.number)
+            number = number > merged.buildings ? 0 : number;
+    }
+    found.ground.push_back(std::numeric_limits<double>::quiet_NaN());
+    found.footprints.emplace_back();
+    for (const SeenObject& seen : merged.objects) {
+        found.ground.push_back(seen.ground / metres);
+        found.footprints.push_back(
+            {found.ground.back(), seen.object.confidence, doubt_name(seen.object.doubt)});
+    }
+    found.labels.renumber(std::move(merged.number));
 }
 
 }  // namespace
 
 LabelBand FoundBuildings::band(const BandShape& shape, std::int32_t window_row) const {
-    const std::size_t first = labels.index(shape.first_row - window_row, 0);
-    const auto begin = labels.values.begin() + static_cast<std::ptrdiff_t>(first);
-    return {shape, {begin, begin + static_cast<std::ptrdiff_t>(shape.size())}};
+    LabelBand band{shape, std::vector<Label>(shape.size())};
+    labels.read(shape.first_row - window_row, shape.cols, band.labels);
+    return band;
 }
 
 FoundBuildings find_buildings(const Options& options, const Sources& sources, const Sinks& sinks,
-                              ElevationReader& reader, const CellSize& cell, double metres,
-                              Context& context) {
-    const Window& window = sources.dem.info().window;
-    MetreGrid surface = surface_of(reader, window, metres, *context.threads);
-    const MetreGrid terrain = terrain_below(surface, options, sources, cell, metres, context);
-    const Mask allowed = sources.mask == nullptr ? Mask() : read_mask(*sources.mask, context);
-    const MetreGrid ndvi = sources.ndvi == nullptr ? MetreGrid() : read_grid(*sources.ndvi, 1, context);
-    const Scene scene{surface, terrain, cell, sources.mask == nullptr ? nullptr : &allowed,
-                      sources.ndvi == nullptr ? nullptr : &ndvi};
-    Detection detection = detect(scene, options.detect, options.write.doubtful, context);
-    write_scene_rasters(sinks, scene, detection, options.detect.min_height);
-
-    const StageClock clock(context.report, Stage::attributes);
+                              ElevationReader& reader, const CellSize& cell, double metres, Context& context,
+                              const StripSize& size) {
+    // What stands at a seam is seen whole by both strips, and so is the ground around it.
+    constexpr double widths_around = 5;
+    const Job job{options, sources, sinks, reader, cell, metres, context};
+    const std::vector<Strip> strips =
+        strips_of(job.window(), cell, widths_around * options.ground.max_building_width, size);
     FoundBuildings found;
-    found.buildings = detection.buildings;
-    found.ground = ground_levels(terrain, detection.labels, static_cast<Label>(detection.objects.size()),
-                                 *context.threads);
-    found.footprints.emplace_back();
-    for (std::size_t i = 0; i < detection.objects.size(); ++i) {
-        double& ground = found.ground[i + 1];
-        ground /= metres;
-        found.footprints.push_back(
-            {ground, detection.objects[i].confidence, doubt_name(detection.objects[i].doubt)});
+    found.labels = LabelRows(context.make_spool());
+    StripMerger merger;
+    SeamRows above;
+    for (const Strip& strip : strips) {
+        const ProgressSpan span(context, static_cast<double>(strip.own.begin) / job.window().rows,
+                                static_cast<double>(strip.own.end) / job.window().rows);
+        StripFound here = find_in_strip(job, strip);
+        const StageClock clock(context.report, Stage::detect);
+        add_to_labels(here.labels, merger.add(here.objects), job.threads());
+        const SeamRows upper_seam = rows_at(here.labels, strip.own.begin - strip.seen.begin);
+        for (std::size_t side = 0; side < above.size(); ++side)
+            merger.compare(above[side], upper_seam[side]);
+        above = rows_at(here.labels, strip.own.end - strip.seen.begin);
+        for (std::int32_t r = strip.own.begin; r < strip.own.end; ++r)
+            found.labels.append(here.labels.row(r - strip.seen.begin));
     }
-    found.labels = std::move(detection.labels);
+    const double least = options.detect.min_area_m2 / (cell.across * cell.down);
+    put_into(found, merger.finish(strips.size() > 1 ? static_cast<std::int64_t>(std::ceil(least)) : 1),
+             options.write.doubtful, metres, context.report);
     return found;
 }
 

@@ -4,27 +4,30 @@
 
 #include "attributes/records.hpp"
 #include "core/grid.hpp"
+#include "detect/label_rows.hpp"
 #include "pipeline/elevation_reader.hpp"
 #include "pipeline/pipeline.hpp"
+#include "pipeline/strips.hpp"
 
 namespace d2b {
 
 /// What ground and detection know of a DEM.
 struct FoundBuildings {
-    Grid<Label> labels;                 ///< of the window; what is doubtful only where it is to be written
+    LabelRows labels;                   ///< of the window; what is doubtful only where it is to be written
     Label buildings = 0;                ///< labels above are doubtful
     std::vector<Footprint> footprints;  ///< by label; [0] is not used
     std::vector<double> ground;         ///< elevations in the vertical unit, by label
 
     [[nodiscard]] Label count() const { return static_cast<Label>(footprints.size() - 1); }
-    /// The labels of a band of the window.
+    /// The labels of a band of the window. From any thread.
     [[nodiscard]] LabelBand band(const BandShape& shape, std::int32_t window_row) const;
 };
 
-/// Estimates or reads the terrain, detects buildings above it, and writes the rasters that are asked for.
+/// Estimates or reads the terrain, detects buildings above it, and writes the rasters that are asked for. A
+/// large window is looked at in strips of rows, so that memory is bounded.
 /// @param metres in one vertical unit
 [[nodiscard]] FoundBuildings find_buildings(const Options& options, const Sources& sources,
                                             const Sinks& sinks, ElevationReader& reader, const CellSize& cell,
-                                            double metres, Context& context);
+                                            double metres, Context& context, const StripSize& size = {});
 
 }  // namespace d2b

@@ -22,6 +22,8 @@ constexpr std::array conflicts{
     Conflict{"fl", "i", "list the levels or give an interval"},
     Conflict{"lod", "fl", "the listed levels take the place of those of -lod"},
     Conflict{"lod", "i", "the interval takes the place of -lod"},
+    Conflict{"sweep", "fl", "the levels of a sweep are those of its lod"},
+    Conflict{"sweep", "i", "the levels of a sweep are those of its lod"},
     Conflict{"srcwin", "projwin", one_window},
     Conflict{"srcwin", "te", one_window},
     Conflict{"projwin", "te", one_window},

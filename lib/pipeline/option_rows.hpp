@@ -51,6 +51,7 @@ template <class Field>
 OptionRow whole_row(std::string name, std::string values, NumberRange range, Field field, Words words) {
     OptionRow row = described(std::move(name), std::move(values), std::move(words));
     row.range = range.text("a whole number");
+    row.numbers = range;
     row.apply = [field, range, name = row.name](Request& request, OptionValues texts) {
         field(request) = parse_whole(name, range, texts[0]);
     };
@@ -69,6 +70,7 @@ template <class Field>
 OptionRow number_row(std::string name, std::string values, NumberRange range, Field field, Words words) {
     OptionRow row = described(std::move(name), std::move(values), std::move(words));
     row.range = range.text("a number");
+    row.numbers = range;
     row.apply = [field, range, name = row.name](Request& request, OptionValues texts) {
         field(request) = parse_number(name, range, texts[0]);
     };

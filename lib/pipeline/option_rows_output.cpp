@@ -59,6 +59,13 @@ std::vector<OptionRow> also_written() {
         "write_canopy", "<file.tif>", [](auto& r) -> auto& { return r.options.write.canopy; },
         {.help = "Also write the heights of trees as a GeoTIFF, in metres; 0 elsewhere.",
          .details = "All that rises above -min_height and is no building, as wind models take it."}));
+    rows.push_back(text_row(
+        "preview", "<file.png>", [](auto& r) -> auto& { return r.options.write.preview; },
+        {.help = "Also write a picture of the result over the shaded relief.",
+         .details =
+             "Contours, or buildings where no contours are written, in the colours of their heights above "
+             "the ground, with the number of buildings and points and the distance of the stack to the "
+             "input; so -lod and -nf can be judged at a glance."}));
     return rows;
 }
 
@@ -96,8 +103,33 @@ std::vector<OptionRow> output() {
     return rows;
 }
 
+namespace {
+
+OptionRow sweep() {
+    OptionRow row = described(
+        "sweep", "lod=<from>..<to>,nf=<from>..<to>",
+        {.help =
+             "Try every level of detail with every noise factor and print a table; nothing else is written.",
+         .details = "The destination is left out. For each trial: buildings, contours, points of these, the "
+                    "distance of "
+                    "the stack to the input (root mean square), seconds. With -preview a contact sheet. Of "
+                    "more than six "
+                    "values six are tried, spread evenly; a third number is the step: nf=5..60..5. The input "
+                    "is read "
+                    "once and kept in memory."});
+    row.apply = [](Request& request, OptionValues texts) {
+        request.tool.sweep_plan = parse_sweep(texts[0]);
+        request.tool.sweep = texts[0];
+    };
+    row.show = [](const Request& request) { return request.tool.sweep; };
+    return row;
+}
+
+}  // namespace
+
 std::vector<OptionRow> report() {
     std::vector<OptionRow> rows;
+    rows.push_back(sweep());
     rows.push_back(whole_row("threads", "<n>", {.lowest = 0, .highest = 1024},
                              [](auto& r) -> auto& { return r.options.run.threads; },
                              {.help = "Threads to work with; 0 takes as many as there are cores.",
@@ -118,7 +150,14 @@ std::vector<OptionRow> report() {
                               {.help = "Print the man page and exit."}));
     rows.push_back(switch_row("options_md", [](auto& r) -> auto& { return r.tool.options_markdown; },
                               {.help = "Print the reference of the options in Markdown and exit."}));
-    rows[rows.size() - 2].hidden = rows.back().hidden = true;
+    rows.push_back(switch_row("options_json", [](auto& r) -> auto& { return r.tool.options_json; },
+                              {.help = "Print the table of options as JSON and exit."}));
+    rows.push_back(switch_row("bash_completion", [](auto& r) -> auto& { return r.tool.bash_completion; },
+                              {.help = "Print a script that completes command lines in Bash and exit."}));
+    // Programs ask for these when the tool is built, installed or shown in a dialog.
+    for (OptionRow& row : rows)
+        row.hidden = row.name == "man" || row.name == "options_md" || row.name == "options_json" ||
+                     row.name == "bash_completion";
     return rows;
 }
 

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "core/number_text.hpp"
+#include "core/progress_span.hpp"
 #include "core/units.hpp"
 #include "detect/one_label.hpp"
 #include "levels/building_levels.hpp"
@@ -27,8 +28,24 @@ namespace d2b {
 namespace {
 
 constexpr double coarsest_cell_m = 3.0;
-constexpr double emitted = 0.95;  // the share done before the result is put in its place
 constexpr double no_threshold = std::numeric_limits<double>::quiet_NaN();
+
+/// Shares of a run that are done at the end of its parts.
+struct Milestones {
+    double read;
+    double found;
+    double traced;
+    double drawn;
+};
+constexpr Milestones of_buildings{0.1, 0.55, 0.7, 0.97};
+constexpr Milestones of_thesis{0.3, 0.3, 0.6, 0.97};
+
+/// What `work` gives, where its progress is a part of the whole.
+template <typename Work>
+auto within(Context& context, double begin, double end, const Work& work) {
+    const ProgressSpan span(context, begin, end);
+    return work();
+}
 
 int thread_count(const RunOptions& options) {
     return options.threads > 0 ? options.threads
@@ -81,7 +98,8 @@ ElevationStatistics collect_statistics(ElevationReader& reader, const Window& wi
         },
         [&](const ElevationBand& band, const ElevationStatistics& of_band) {
             statistics.merge(of_band);
-            context.progress(0.3 * (band.shape.first_row + band.shape.rows - window.row) / window.rows);
+            context.progress(static_cast<double>(band.shape.first_row + band.shape.rows - window.row) /
+                             window.rows);
         });
     return statistics;
 }
@@ -108,7 +126,7 @@ LevelPlan plan_levels(ElevationReader& reader, const FoundBuildings& found,
 /// Bands are taken apart on all threads; what is found goes through the tracer in order.
 template <typename Count>
 void trace_bands(ElevationReader& reader, const TraceFrame& frame, const LevelPlan& plan,
-                 const FoundBuildings* found, const TraceOptions& options, StackSink& sink,
+                 const FoundBuildings* found, const TraceOptions& options, ContourSink& sink,
                  Context& context) {
     Tracer tracer(frame, options, sink);
     // Each band needs the last rows of the one before it, which may be in another thread's hands.
@@ -136,24 +154,24 @@ void trace_bands(ElevationReader& reader, const TraceFrame& frame, const LevelPl
                 const StageClock clock(context.report, Stage::trace);
                 tracer.trace(std::move(lines));
             }
-            context.progress(0.3 + 0.3 * (band.shape.first_row + band.shape.rows - frame.window.row) /
-                                       frame.window.rows);
+            context.progress(static_cast<double>(band.shape.first_row + band.shape.rows - frame.window.row) /
+                             frame.window.rows);
         });
 }
 
-ContourSet trace_contours(ElevationReader& reader, const TraceFrame& frame, const LevelPlan& plan,
-                          const FoundBuildings* found, const Options& options, const SquareArea& area,
-                          Context& context) {
-    ContourStore store(options.filter, area, frame.range, context);
+std::unique_ptr<StoredContours> trace_contours(ElevationReader& reader, const TraceFrame& frame,
+                                               const LevelPlan& plan, const FoundBuildings* found,
+                                               const Options& options, const SquareArea& area,
+                                               Context& context) {
+    // Footprints that were found stand on nothing.
+    ContourStore store({options.filter, area, frame.range, frame.fixed, found == nullptr},
+                       context.make_spool(), context);
     if (plan.level_count() <= 255)
         trace_bands<std::uint8_t>(reader, frame, plan, found, options.trace, store, context);
     else
         trace_bands<std::uint16_t>(reader, frame, plan, found, options.trace, store, context);
     const StageClock clock(context.report, Stage::filter);
-    ContourSet set = store.finish();
-    if (found != nullptr)
-        drop_roots(set);
-    return set;
+    return store.finish();
 }
 
 LatticeBox lattice_frame(const Window& window, TraceMode mode) {
@@ -161,19 +179,10 @@ LatticeBox lattice_frame(const Window& window, TraceMode mode) {
     return {{window.row, window.col}, {window.row + window.rows - less, window.col + window.cols - less}};
 }
 
-/// @param buildings labels above are doubtful and have no contours
-void report_result(const Records& records, const LevelPlan& plan, const ContourSet& set, Label buildings,
-                   RunReport& report) {
+void report_levels(const LevelPlan& plan, RunReport& report) {
     for (int level = 0; level < plan.level_count(); ++level)
         report.levels.push_back(
             {level, plan.footprints && level > 0 ? no_threshold : plan.threshold(1, level), 0, 0});
-    for (std::size_t i = 0; i < records.contours.size(); ++i) {
-        if (set.contours[i].label > buildings)
-            continue;
-        LevelReport& level = report.levels[static_cast<std::size_t>(records.contours[i].level)];
-        ++level.contours;
-        level.points += records.contours[i].points;
-    }
 }
 
 void warn_of_large_tolerance(double tolerance, const Georeference& georeference, Context& context) {
@@ -191,17 +200,17 @@ double wall_tolerance(double cell_size_m) {
     return cell_size_m > 0 ? std::min(most_cells, most_m / cell_size_m) : most_cells;
 }
 
-void warn_of_nothing(const LevelPlan& plan, const Records& records, Context& context) {
+void warn_of_nothing(const LevelPlan& plan, std::size_t buildings, Context& context) {
     const RunReport& report = context.report;
     if (report.valid_points == 0)
         context.warn("'" + report.input + "' has no valid point; the layers are empty.");
-    else if (report.minimum == report.maximum && records.buildings.empty())
+    else if (report.minimum == report.maximum && buildings == 0)
         context.warn("All valid points of '" + report.input +
                      "' have the same elevation; no building was found.");
     else if (!plan.footprints && plan.level_count() == 1)
         context.warn(
             "No threshold lies between the lowest and the highest elevation; no building was found.");
-    else if (records.buildings.empty())
+    else if (buildings == 0)
         context.warn(
             plan.footprints
                 ? "No building was found; -min_height, -min_area or -min_confidence may hide some."
@@ -230,43 +239,43 @@ void run(const Options& user_options, const Sources& sources, const Sinks& sinks
         options.outline.wall_tolerance = wall_tolerance(cell_size_m(info.window, area));
 
     ElevationReader reader(sources.dem, context);
-    const ElevationStatistics statistics = collect_statistics(reader, info.window, context);
+    const Milestones at = detects_buildings(options) ? of_buildings : of_thesis;
+    const ElevationStatistics statistics =
+        within(context, 0, at.read, [&] { return collect_statistics(reader, info.window, context); });
     LevelPlan plan = plan_global_levels(statistics, options.levels, context);
     std::optional<FoundBuildings> found;
     if (detects_buildings(options)) {
-        found = find_buildings(options, sources, sinks, reader, cell_steps(info.window, georeference, crs),
-                               report.units.vertical_metres, context);
+        found = within(context, at.read, at.found, [&] {
+            return find_buildings(options, sources, sinks, reader, cell_steps(info.window, georeference, crs),
+                                  report.units.vertical_metres, context);
+        });
         plan = plan_levels(reader, *found, statistics, plan, options.levels, info.window, context);
     }
     const FoundBuildings* buildings = found ? &*found : nullptr;
     const TraceFrame frame{info.window, plan.level_count(), statistics.fixed_point(), statistics.range()};
-    const ContourSet set = trace_contours(reader, frame, plan, buildings, options, area, context);
+    const auto contours = within(context, at.found, at.traced, [&] {
+        return trace_contours(reader, frame, plan, buildings, options, area, context);
+    });
 
-    const Label last_building = found ? found->buildings : std::numeric_limits<Label>::max();
-    Records records;
-    {
-        const StageClock clock(report, Stage::attributes);
-        const FixedPoint fixed = statistics.fixed_point();
-        records = make_records({set.contours, set.building, set.buildings, set.percentiles,
-                                found ? found->footprints : std::vector<Footprint>{}},
-                               {plan, fixed, report.units.vertical_metres,
-                                lattice_frame(info.window, options.trace.mode), sinks.features.first_id()});
-        report.stack_rmse_m = stack_rmse(set.contours, fixed, last_building) * report.units.vertical_metres;
-    }
-    report_result(records, plan, set, last_building, report);
-    warn_of_nothing(plan, records, context);
+    const std::vector<Footprint> footprints = found ? std::move(found->footprints) : std::vector<Footprint>();
+    const RecordMaker records(*contours,
+                              {plan, frame.fixed, footprints, report.units.vertical_metres,
+                               lattice_frame(info.window, options.trace.mode), sinks.features.first_id()});
+    report_levels(plan, report);
+    warn_of_nothing(plan, records.buildings(), context);
     const Emission emission{options,
                             georeference,
                             crs,
                             target,
-                            set,
+                            *contours,
                             make_provenance(options, info, crs, target, report),
                             report.units.vertical,
                             info.window,
-                            last_building,
-                            cell_size_m(info.window, area)};
-    emit(emission, records, sinks.features, context);
-    context.progress(emitted);
+                            found ? found->buildings : std::numeric_limits<Label>::max(),
+                            cell_size_m(info.window, area),
+                            frame.fixed};
+    within(context, at.traced, at.drawn, [&] { emit(emission, records, sinks.features, context); });
+    context.progress(at.drawn);
     const StageClock clock(report, Stage::write);
     for (RasterSink* raster : {sinks.ground, sinks.height, sinks.canopy})
         if (raster != nullptr)

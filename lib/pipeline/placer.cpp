@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "pipeline/checked.hpp"
@@ -76,19 +77,23 @@ std::int64_t vertices_of(const std::vector<WorldPolygon>& parts) {
     return static_cast<std::int64_t>(sum);
 }
 
-std::vector<std::vector<std::size_t>> children_of(const std::vector<Contour>& contours) {
-    std::vector<std::vector<std::size_t>> children(contours.size());
-    for (std::size_t i = 0; i < children.size(); ++i)
-        if (contours[i].parent >= 0)
-            children[static_cast<std::size_t>(contours[i].parent)].push_back(i);
-    return children;
+Children::Children(const ContourList& contours) : first_(contours.size() + 1) {
+    for (std::size_t i = 0; i < contours.size(); ++i)
+        if (const std::int64_t parent = contours.head(i).parent; parent >= 0)
+            ++first_[static_cast<std::size_t>(parent) + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    children_.resize(first_.back());
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    for (std::size_t i = 0; i < contours.size(); ++i)
+        if (const std::int64_t parent = contours.head(i).parent; parent >= 0)
+            children_[next[static_cast<std::size_t>(parent)]++] = static_cast<std::uint32_t>(i);
 }
 
-Outliner make_outliner(const std::vector<Contour>& contours, const OutlineOptions& options,
+Outliner make_outliner(const ContourList& contours, const OutlineOptions& options,
                        const Georeference& georeference, const Crs& crs, const Window& window,
-                       Executor& executor) {
+                       Context& context) {
     return {contours,     choose_drawing(options, georeference), options,
-            georeference, x_stretch(georeference, crs, window),  executor};
+            georeference, x_stretch(georeference, crs, window),  context};
 }
 
 Placer::Placer(const Placement& placement) : placement_(placement), geodesy_(placement.crs) {
@@ -103,7 +108,7 @@ Placer::Parts Placer::shape(std::size_t contour, bool tier, const Draw& draw) {
     std::vector<FinePolygon> polygons{draw(contour)};
     if (tier) {
         std::vector<FinePolygon> children;
-        for (const std::size_t child : placement_.children[contour])
+        for (const std::size_t child : placement_.children.of(contour))
             children.push_back(draw(child));
         polygons = geos_.difference(polygons.front(), children);
     }
@@ -133,13 +138,11 @@ Placer::Parts Placer::in_target_crs(Parts parts) {
     return parts;
 }
 
-/// An outline that stands as it was traced, on exact positions, is valid (docs/method.md), and GEOS needs the
-/// product of its vertices and its holes to find that.
-bool Placer::is_exact_and_vast(const Placed& placed) const {
-    constexpr std::int64_t most_checked = 20'000;  // vertices
-    const bool exact =
-        placement_.georeference.axis_parallel() && !transform_ && placed.status == OutlineStatus::traced;
-    return exact && vertices_of(placed.parts) > most_checked;
+/// An outline that stands as it was traced, on exact positions, is valid (docs/method.md). GEOS would need a
+/// fifth of a run to find that, and for vast ones the product of their vertices and their holes.
+bool Placer::is_valid_as_traced(const Placed& placed, Form form) const {
+    return placed.status == OutlineStatus::traced && form != Form::tier && !transform_ &&
+           placement_.georeference.is_exact(placement_.window);
 }
 
 Placed Placer::place(std::size_t contour, Form form) {
@@ -164,7 +167,7 @@ Placed Placer::place(std::size_t contour, Form form) {
             return in_target_crs(parts);
         };
         placed.parts = in_target_crs(parts);
-        if (!is_exact_and_vast(placed))
+        if (!is_valid_as_traced(placed, form))
             placed.parts = checked(std::move(placed.parts), traced, geos_, placed.status, tally_);
     }
     // Measured in the CRS of the DEM, where edges are straight; a repaired polygon is known in that of the

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/crs.hpp"
@@ -12,17 +14,29 @@
 
 namespace d2b {
 
+/// The contours that stand on each contour.
+class Children {
+  public:
+    Children() = default;
+    explicit Children(const ContourList& contours);
+    [[nodiscard]] std::span<const std::uint32_t> of(std::size_t contour) const {
+        return std::span(children_).subspan(first_[contour], first_[contour + 1] - first_[contour]);
+    }
+
+  private:
+    std::vector<std::uint32_t> children_;  ///< of one contour after the other
+    std::vector<std::size_t> first_;       ///< of a contour; one more at the end
+};
+
 /// What outlines need to become polygons of the output.
 struct Placement {
-    const std::vector<Contour>& contours;
     const OutlineOptions& options;
     const Georeference& georeference;
     const Crs& crs;
     const Crs& target_crs;  ///< kind none: the DEM's
     Window window;
     const Outliner& outliner;
-    /// of each contour: those that stand on it; may be empty where no tier is asked for
-    const std::vector<std::vector<std::size_t>>& children;
+    const Children& children;  ///< may be empty where no tier is asked for
 };
 
 /// A polygon as it is written, with its measures and what became of its outline.
@@ -50,7 +64,7 @@ class Placer {
     [[nodiscard]] Placed tier(std::size_t contour) { return place(contour, Form::tier); }
 
     /// Seconds, and what became of outlines, since it began.
-    [[nodiscard]] const Tally& tally() const { return tally_; }
+    [[nodiscard]] Tally& tally() { return tally_; }
 
   private:
     using Parts = std::vector<WorldPolygon>;
@@ -60,7 +74,7 @@ class Placer {
     [[nodiscard]] Placed place(std::size_t contour, Form form);
     [[nodiscard]] Parts shape(std::size_t contour, bool tier, const Draw& draw);
     [[nodiscard]] Parts in_target_crs(Parts parts);
-    [[nodiscard]] bool is_exact_and_vast(const Placed& placed) const;
+    [[nodiscard]] bool is_valid_as_traced(const Placed& placed, Form form) const;
 
     Placement placement_;
     Geos geos_;
@@ -72,11 +86,9 @@ class Placer {
 
 /// Without those that close rings.
 [[nodiscard]] std::int64_t vertices_of(const std::vector<WorldPolygon>& parts);
-/// The contours that stand on each.
-[[nodiscard]] std::vector<std::vector<std::size_t>> children_of(const std::vector<Contour>& contours);
 /// The outlines of a run.
-[[nodiscard]] Outliner make_outliner(const std::vector<Contour>& contours, const OutlineOptions& options,
+[[nodiscard]] Outliner make_outliner(const ContourList& contours, const OutlineOptions& options,
                                      const Georeference& georeference, const Crs& crs, const Window& window,
-                                     Executor& executor);
+                                     Context& context);
 
 }  // namespace d2b

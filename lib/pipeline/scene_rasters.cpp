@@ -30,15 +30,15 @@ class Heights {
 }  // namespace
 
 void write_scene_rasters(const Sinks& sinks, const Scene& scene, const Detection& detection,
-                         double min_height) {
+                         double min_height, RowBand rows) {
     const Heights heights(scene, detection, min_height);
     if (sinks.ground != nullptr)
-        write_grid(*sinks.ground, scene.terrain);
+        write_grid(*sinks.ground, scene.terrain, rows);
     if (sinks.height != nullptr)
-        write_values(*sinks.height, scene.surface.rows, scene.surface.cols,
+        write_values(*sinks.height, rows, scene.surface.cols,
                      [&](std::size_t i) { return heights.height(i); });
     if (sinks.canopy != nullptr)
-        write_values(*sinks.canopy, scene.surface.rows, scene.surface.cols,
+        write_values(*sinks.canopy, rows, scene.surface.cols,
                      [&](std::size_t i) { return heights.canopy(i); });
 }
 

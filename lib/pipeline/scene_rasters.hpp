@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/row_bands.hpp"
 #include "detect/detection.hpp"
 #include "detect/scene.hpp"
 #include "pipeline/pipeline.hpp"
@@ -7,8 +8,9 @@
 namespace d2b {
 
 /// Writes what is asked for of the terrain, the heights above it, and those of plants: what rises by more
-/// than `min_height` metres and is no building. Rows are made as they are written. @throws OutputError
+/// than `min_height` metres and is no building. Rows are made as they are written.
+/// @param rows of the grids @throws OutputError
 void write_scene_rasters(const Sinks& sinks, const Scene& scene, const Detection& detection,
-                         double min_height);
+                         double min_height, RowBand rows);
 
 }  // namespace d2b

@@ -58,7 +58,7 @@ void Arms::extend_tail(std::uint32_t arm, Corner turn, Corner down) {
     tail.outside = nothing_outside;
 }
 
-std::vector<Corner> Arms::join(std::uint32_t head, Corner turn, Corner up, std::uint32_t tail) {
+std::span<const Corner> Arms::join(std::uint32_t head, Corner turn, Corner up, std::uint32_t tail) {
     turn.outside = arms_[head].outside;
     const std::uint32_t first = arms_[tail].node;
     set_outside(first, arms_[tail].outside);
@@ -76,13 +76,13 @@ std::vector<Corner> Arms::join(std::uint32_t head, Corner turn, Corner up, std::
     return {};
 }
 
-std::vector<Corner> Arms::take_ring(std::uint32_t first, std::uint32_t last) {
-    std::vector<Corner> ring;
+std::span<const Corner> Arms::take_ring(std::uint32_t first, std::uint32_t last) {
+    ring_.clear();
     for (std::uint32_t node = first; node != no_index; node = nodes_[node].next)
-        ring.push_back(nodes_[node].corner);
+        ring_.push_back(nodes_[node].corner);
     nodes_[last].next = free_node_;
     free_node_ = first;
-    return ring;
+    return ring_;
 }
 
 }  // namespace d2b

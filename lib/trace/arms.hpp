@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "core/lattice.hpp"
@@ -36,8 +37,8 @@ class Arms {
     void extend_tail(std::uint32_t arm, Corner turn, Corner down);
     /// The head goes on to `turn`, along the row to `up`, and up into the tail of the same or of another
     /// chain.
-    /// @return the corners of the ring that this closes, else none
-    std::vector<Corner> join(std::uint32_t head, Corner turn, Corner up, std::uint32_t tail);
+    /// @return the corners of the ring that this closes, else none; valid until the next call
+    std::span<const Corner> join(std::uint32_t head, Corner turn, Corner up, std::uint32_t tail);
     /// Elevations outside along the vertical edge at an arm.
     void pass(std::uint32_t arm, double outside) {
         Arm& a = arms_[arm];
@@ -58,12 +59,13 @@ class Arms {
     std::uint32_t add_arm(std::uint32_t node);
     void free_arm(std::uint32_t arm);
     void set_outside(std::uint32_t node, double outside) { nodes_[node].corner.outside = outside; }
-    std::vector<Corner> take_ring(std::uint32_t first, std::uint32_t last);
+    std::span<const Corner> take_ring(std::uint32_t first, std::uint32_t last);
 
     std::vector<Node> nodes_;
     std::vector<Arm> arms_;
     std::uint32_t free_node_ = no_index;
     std::uint32_t free_arm_ = no_index;
+    std::vector<Corner> ring_;  ///< closed last
 };
 
 }  // namespace d2b

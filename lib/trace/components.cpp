@@ -48,16 +48,13 @@ std::uint32_t Components::unite(std::uint32_t a, std::uint32_t b) {
     into.last_row = std::max(into.last_row, from.last_row);
     into.first = std::min(into.first, from.first);
     into.own.merge(from.own);
+    into.above.merge(from.above);
     // Only the exterior ring of the finished contour closes last, so what was closed before are interiors.
     if (into.interiors.size() < from.interiors.size())
         std::swap(into.interiors, from.interiors);
     into.interiors.insert(into.interiors.end(), std::make_move_iterator(from.interiors.begin()),
                           std::make_move_iterator(from.interiors.end()));
     from.interiors = {};
-    if (from.first_child != no_index) {
-        (into.first_child == no_index ? into.first_child : nodes_[into.last_child].next) = from.first_child;
-        into.last_child = from.last_child;
-    }
     if (into.sample)
         into.sample->merge(*from.sample, range_);
     from.sample.reset();
@@ -69,57 +66,26 @@ std::uint32_t Components::unite(std::uint32_t a, std::uint32_t b) {
     return a;
 }
 
-ContourNode Components::finish(std::uint32_t root) {
+FinishedContour Components::finish(std::uint32_t root) {
     Component& c = pool_[root];
-    ContourNode node;
-    node.first_child = c.first_child;
-    node.contour.key = {c.level, c.first};
-    node.contour.label = c.label;
-    node.contour.exterior = std::move(c.exterior);
-    node.contour.interiors = std::move(c.interiors);
-    node.contour.own = c.own;
-    node.contour.lowest_outside = c.lowest_outside;
+    FinishedContour finished;
+    Contour& contour = finished.contour;
+    contour.key = {c.level, c.first};
+    contour.label = c.label;
+    contour.exterior = std::move(c.exterior);
+    contour.interiors = std::move(c.interiors);
+    contour.own = c.own;
+    contour.above = c.above;
+    contour.lowest_outside = c.lowest_outside;
+    if (c.sample)
+        finished.sample = std::move(*c.sample);
+    finished.standing_on_it = std::move(c.standing_on_it);
+    c.sample.reset();
     // The members form a ring through next_member: cut it open into the free list.
     const std::uint32_t second = c.next_member;
     c.next_member = free_;
     free_ = second;
-    return node;
-}
-
-void Components::hang(ContourNode&& node, std::uint32_t below) {
-    std::uint32_t number = free_node_;
-    if (number == no_index) {
-        number = static_cast<std::uint32_t>(nodes_.size());
-        nodes_.emplace_back();
-    } else {
-        free_node_ = nodes_[number].next;
-    }
-    nodes_[number] = std::move(node);
-    nodes_[number].next = no_index;
-    Component& c = pool_[below];
-    (c.first_child == no_index ? c.first_child : nodes_[c.last_child].next) = number;
-    c.last_child = number;
-}
-
-std::vector<Contour> Components::flatten(ContourNode&& top) {
-    std::vector<Contour> contours;
-    std::vector<std::pair<std::uint32_t, std::int64_t>> todo{{top.first_child, 0}};
-    contours.push_back(std::move(top.contour));
-    while (!todo.empty()) {
-        auto [number, parent] = todo.back();
-        todo.pop_back();
-        while (number != no_index) {
-            ContourNode& node = nodes_[number];
-            node.contour.parent = parent;
-            todo.emplace_back(node.first_child, static_cast<std::int64_t>(contours.size()));
-            contours.push_back(std::move(node.contour));
-            const std::uint32_t next = node.next;
-            node.next = free_node_;
-            free_node_ = number;
-            number = next;
-        }
-    }
-    return contours;
+    return finished;
 }
 
 }  // namespace d2b

@@ -9,14 +9,6 @@
 
 namespace d2b {
 
-/// A finished contour that waits for the one below it to finish. Siblings and children are lists of indices,
-/// so that a tower of thousands of levels costs no recursion.
-struct ContourNode {
-    Contour contour;
-    std::uint32_t next = no_index;
-    std::uint32_t first_child = no_index;
-};
-
 /// A contour while it grows: the connected runs found so far.
 struct Component {
     std::uint32_t up = no_index;  ///< union-find; itself where it is a root
@@ -26,15 +18,14 @@ struct Component {
     std::int32_t last_row = 0;
     Label label = 0;
     LatticePoint first;
-    std::uint32_t below = no_index;        ///< component one level down
-    std::uint32_t first_child = no_index;  ///< finished contours that stand on it
-    std::uint32_t last_child = no_index;
+    std::uint32_t below = no_index;  ///< component one level down
     PointStats own;
+    PointStats above;
     double lowest_outside = nothing_below;
     PackedRing exterior;
     std::vector<PackedRing> interiors;
     std::unique_ptr<ElevationSample> sample;   ///< level 1
-    std::vector<std::int64_t> standing_on_it;  ///< level 0
+    std::vector<std::int64_t> standing_on_it;  ///< finished contours, as the sink calls them
 
     static constexpr double nothing_below = std::numeric_limits<double>::infinity();
 };
@@ -53,19 +44,13 @@ class Components {
     std::uint32_t unite(std::uint32_t a, std::uint32_t b);
     Component& operator[](std::uint32_t component) { return pool_[component]; }
 
-    /// Gives a finished root's numbers back. @return what it held, as a contour without parent
-    ContourNode finish(std::uint32_t root);
-    /// Hangs a finished contour onto the component that it stands on.
-    void hang(ContourNode&& node, std::uint32_t below);
-    /// The tree under a finished contour, parents first; its nodes' numbers are given back.
-    std::vector<Contour> flatten(ContourNode&& top);
+    /// Gives a finished root's numbers back. @return what it held
+    FinishedContour finish(std::uint32_t root);
 
   private:
     ElevationRange range_;
     std::vector<Component> pool_;
-    std::vector<ContourNode> nodes_;
     std::uint32_t free_ = no_index;
-    std::uint32_t free_node_ = no_index;
 };
 
 }  // namespace d2b

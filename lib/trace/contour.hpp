@@ -24,10 +24,11 @@ struct ContourKey {
 struct Contour {
     ContourKey key;
     Label label = 0;
-    std::int64_t parent = -1;  ///< index of the contour one level down that contains it; -1 in level 0
+    std::int64_t parent = -1;  ///< index of the contour one level down that contains it; -1: none
     PackedRing exterior;
     std::vector<PackedRing> interiors;
-    PointStats own;  ///< of the points that no contour above holds
+    PointStats own;    ///< of the points that no contour above holds
+    PointStats above;  ///< of those that contours above hold
     /// Level 1 only: the lowest valid point that does not qualify within a cell outside the exterior ring;
     /// +infinity where there is none.
     double lowest_outside = std::numeric_limits<double>::infinity();
@@ -41,29 +42,23 @@ struct Contour {
     }
 };
 
-/// A contour of level 1 with all that stands on it, or a root alone. Parents come before their children;
-/// `parent` counts from the stack's first contour.
-struct Stack {
-    std::vector<Contour> contours;
-    ElevationSample sample;  ///< of all points of a level 1 stack
-    std::vector<std::int64_t>
-        standing_on_it;  ///< of a root: what the sink called the stacks that stand on it
+/// A contour whose last row has passed; what stands on it has been handed out before.
+struct FinishedContour {
+    Contour contour;
+    ElevationSample sample;                    ///< level 1: of all its points
+    std::vector<std::int64_t> standing_on_it;  ///< what the sink called the contours that stand on it
 };
 
-/// What becomes of a stack.
-struct Taken {
-    std::int64_t handle = -1;  ///< -1: dropped
-    PointStats fallen;         ///< points that nothing of the stack holds any more, so that the root does
-};
-
-/// Gets each stack as soon as its last row has passed, so that finished contours leave the tracer.
-class StackSink {
+/// Gets each contour as soon as its last row has passed, so that nothing finished stays in the tracer.
+class ContourSink {
   public:
-    StackSink() = default;
-    StackSink(const StackSink&) = delete;
-    StackSink& operator=(const StackSink&) = delete;
-    virtual ~StackSink() = default;
-    virtual Taken take(Stack&& stack) = 0;
+    ContourSink() = default;
+    ContourSink(const ContourSink&) = delete;
+    ContourSink& operator=(const ContourSink&) = delete;
+    virtual ~ContourSink() = default;
+    /// @return a name for it; -1: it is dropped with all that stands on it, and the contour below holds its
+    ///         points
+    virtual std::int64_t take(FinishedContour&& finished) = 0;
 };
 
 }  // namespace d2b

@@ -5,9 +5,7 @@
 
 namespace d2b {
 
-std::vector<std::vector<Corner>> split_at_pinches(const std::vector<Corner>& outline) {
-    if (std::none_of(outline.begin(), outline.end(), [](const Corner& corner) { return corner.pinch; }))
-        return {outline};
+std::vector<std::vector<Corner>> split_at_pinches(std::span<const Corner> outline) {
     std::vector<std::vector<Corner>> rings;
     std::vector<Corner> path;
     std::map<LatticePoint, std::size_t> passed;  // pinches of the path, and where in it they stand

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "trace/arms.hpp"
@@ -15,6 +16,6 @@ namespace d2b {
 ///
 /// Loops of a planar outline nest like brackets, so one pass with a stack finds them. Linear.
 /// @return at least one ring, each with at least four corners
-[[nodiscard]] std::vector<std::vector<Corner>> split_at_pinches(const std::vector<Corner>& outline);
+[[nodiscard]] std::vector<std::vector<Corner>> split_at_pinches(std::span<const Corner> outline);
 
 }  // namespace d2b

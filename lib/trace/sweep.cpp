@@ -147,7 +147,7 @@ void Sweep::close_gap(Run& head_run, Run& tail_run, std::int32_t from, std::int3
     const double beside = lowest(outside, std::min(from, to), std::max(from, to));
     const auto ring = arms_.join(head_run.head, corner(from), corner(to, beside), tail_run.tail);
     if (!ring.empty())
-        add_ring(components_.find(component), ring);
+        add_outline(components_.find(component), ring);
 }
 
 void Sweep::pass_sides(Run& run, const OutsideRows& outside) {

@@ -32,7 +32,7 @@ class Sweep {
     void link(std::int32_t line, const OutsideRows& outside);
     /// Hands out what ended above the line, the highest levels first; then the row below becomes the row
     /// above.
-    void finish_ended(StackSink& sink);
+    void finish_ended(ContourSink& sink);
 
     [[nodiscard]] RunRow& current() { return current_; }
     [[nodiscard]] const RunRow& previous() const { return previous_; }
@@ -54,10 +54,11 @@ class Sweep {
     void close_gap(Run& head_run, Run& tail_run, std::int32_t from, std::int32_t to, std::uint32_t component,
                    std::span<const double> outside);
     void pass_sides(Run& run, const OutsideRows& outside);
-    void add_ring(std::uint32_t component, const std::vector<Corner>& outline);
+    void add_outline(std::uint32_t component, std::span<const Corner> outline);
+    void add_ring(Component& c, std::span<const Corner> corners);
     [[nodiscard]] Corner corner(std::int32_t col, double outside = nothing_outside) const;
     [[nodiscard]] double lowest(std::span<const double> row, std::int32_t from, std::int32_t to) const;
-    void finish(std::uint32_t root, StackSink& sink);
+    void finish(std::uint32_t root, ContourSink& sink);
 
     std::int32_t first_col_;
     std::int32_t line_ = 0;
@@ -70,6 +71,7 @@ class Sweep {
         pinches_;  ///< columns of this line and level where squares may meet in a corner
     Arms arms_;
     Components components_;
+    LatticeRing ring_;  ///< room to work in
 };
 
 }  // namespace d2b

@@ -7,25 +7,31 @@
 
 namespace d2b {
 
-void Sweep::add_ring(std::uint32_t component, const std::vector<Corner>& outline) {
+void Sweep::add_outline(std::uint32_t component, std::span<const Corner> outline) {
     Component& c = components_[component];
-    for (const auto& corners : split_at_pinches(outline)) {
-        LatticeRing ring;
-        ring.reserve(corners.size());
-        for (const Corner& corner : corners)
-            ring.push_back(corner.at);
-        PackedRing packed(ring);
-        if (packed.area() < 0) {
-            c.interiors.push_back(std::move(packed));
-            continue;
-        }
-        c.exterior = std::move(packed);
-        for (const Corner& corner : corners)
-            c.lowest_outside = std::min(c.lowest_outside, corner.outside);
+    if (std::ranges::none_of(outline, &Corner::pinch)) {
+        add_ring(c, outline);
+        return;
     }
+    for (const std::vector<Corner>& corners : split_at_pinches(outline))
+        add_ring(c, corners);
 }
 
-void Sweep::finish_ended(StackSink& sink) {
+void Sweep::add_ring(Component& c, std::span<const Corner> corners) {
+    ring_.clear();
+    for (const Corner& corner : corners)
+        ring_.push_back(corner.at);
+    PackedRing packed(ring_);
+    if (packed.area() < 0) {
+        c.interiors.push_back(std::move(packed));
+        return;
+    }
+    c.exterior = std::move(packed);
+    for (const Corner& corner : corners)
+        c.lowest_outside = std::min(c.lowest_outside, corner.outside);
+}
+
+void Sweep::finish_ended(ContourSink& sink) {
     for (auto level = previous_.levels.rbegin(); level != previous_.levels.rend(); ++level)
         for (const Run& run : *level) {
             const std::uint32_t root = components_.find(run.component);
@@ -38,30 +44,26 @@ void Sweep::finish_ended(StackSink& sink) {
     current_.clear();
 }
 
-void Sweep::finish(std::uint32_t root, StackSink& sink) {
+void Sweep::finish(std::uint32_t root, ContourSink& sink) {
     Component& c = components_[root];
     c.last_row = -1;
     const std::int32_t level = c.level;
-    Stack stack;
-    if (c.sample)
-        stack.sample = std::move(*c.sample);
-    stack.standing_on_it = std::move(c.standing_on_it);
     const std::uint32_t below = c.below;
-    ContourNode node = components_.finish(root);
-    std::sort(node.contour.interiors.begin(), node.contour.interiors.end(),
+    FinishedContour finished = components_.finish(root);
+    std::sort(finished.contour.interiors.begin(), finished.contour.interiors.end(),
               [](const PackedRing& a, const PackedRing& b) { return a.start() < b.start(); });
-    if (level > 1) {
-        components_.hang(std::move(node), components_.find(below));
-        return;
-    }
-    stack.contours = components_.flatten(std::move(node));
-    const Taken taken = sink.take(std::move(stack));
+    PointStats points = finished.contour.own;
+    points.merge(finished.contour.above);
+    const std::int64_t name = sink.take(std::move(finished));
     if (level == 0)
         return;
-    Component& ground = components_[components_.find(below)];
-    ground.own.merge(taken.fallen);
-    if (taken.handle >= 0)
-        ground.standing_on_it.push_back(taken.handle);
+    Component& lower = components_[components_.find(below)];
+    if (name < 0) {
+        lower.own.merge(points);
+        return;
+    }
+    lower.above.merge(points);
+    lower.standing_on_it.push_back(name);
 }
 
 }  // namespace d2b

@@ -4,7 +4,7 @@
 
 namespace d2b {
 
-Tracer::Tracer(const TraceFrame& frame, const TraceOptions& options, StackSink& sink)
+Tracer::Tracer(const TraceFrame& frame, const TraceOptions& options, ContourSink& sink)
     : points_(options.mode == TraceMode::points),
       range_(frame.range),
       sink_(sink),

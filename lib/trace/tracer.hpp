@@ -14,7 +14,7 @@ namespace d2b {
 /// row of runs above, what lies beside outlines two rows above, open outlines and components.
 class Tracer {
   public:
-    Tracer(const TraceFrame& frame, const TraceOptions& options, StackSink& sink);
+    Tracer(const TraceFrame& frame, const TraceOptions& options, ContourSink& sink);
 
     /// The next lines, without gap or overlap. After the last all contours have been handed out.
     void trace(std::vector<TraceLine>&& lines);
@@ -24,7 +24,7 @@ class Tracer {
 
     bool points_;
     ElevationRange range_;
-    StackSink& sink_;
+    ContourSink& sink_;
     Sweep sweep_;
     std::array<std::vector<double>, 3> outside_;  ///< of the newest rows of points, the newest first
 };

@@ -3,6 +3,8 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "write/geopackage_tables.hpp"
+#include "write/style_sidecar.hpp"
 
 namespace d2b {
 
@@ -197,12 +199,33 @@ void DatasetWriter::write_pending() {
     }
 }
 
+void DatasetWriter::furnish() {
+    const bool geopackage = format_.name == "GPKG" && transactions_;
+    if (geopackage) {
+        // GDAL's own tables of metadata first: it makes them when it is done with the layers.
+        OgrCall call(target_);
+        GDALFlushCache(dataset_.get());
+        call.check(true, "writing the layers");
+    }
+    for (std::size_t i = 0; i < layers_.size(); ++i) {
+        if (!layers_[i].is_new())
+            continue;
+        const NewLayer layer{specs_[i], layers_[i].name(), OGR_L_GetGeometryColumn(layers_[i].handle()),
+                             layers_[i].columns()};
+        if (geopackage)
+            write_tables(dataset_.get(), layer, provenance_, target_);
+        else if (format_.name == "ESRI Shapefile")
+            write_style_beside(path_, layer);
+    }
+}
+
 void DatasetWriter::close() {
     write_pending();
     for (LayerWriter& layer : layers_) {
         layer.finish();
         counts_.emplace_back(layer.name(), layer.expected());
     }
+    furnish();
     if (in_transaction_ && mode_ != Mode::create)
         check_counts(target_, dataset_.get(), counts_);
     commit();

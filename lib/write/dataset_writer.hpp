@@ -50,6 +50,8 @@ class DatasetWriter {
     void require_same_origin(OGRLayerH layer) const;
     void describe(GDALMajorObjectH object);
     void write_pending();
+    /// What tells other programs how to show the new layers, and what is in them.
+    void furnish();
 
     WriteTarget target_;
     const VectorFormat& format_;

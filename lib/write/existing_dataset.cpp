@@ -11,6 +11,7 @@
 #include "read/gdal_messages.hpp"
 #include "write/existing_refusals.hpp"
 #include "write/ogr_handles.hpp"
+#include "write/style_sidecar.hpp"
 
 namespace d2b {
 
@@ -38,6 +39,9 @@ std::vector<std::string> files_of(GDALDatasetH dataset, const fs::path& path, co
     if (format.name == "ESRI Shapefile" && format.suffixes.size() > 1)
         for (const char* suffix : shapefile_sidecars)
             add(fs::path(path).replace_extension(suffix));
+    const fs::path style = fs::path(path).replace_extension(".qml");
+    if (format.name == "ESRI Shapefile" && is_our_style(style))
+        add(style);
     return files;
 }
 

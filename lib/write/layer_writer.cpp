@@ -34,7 +34,16 @@ LayerWriter::LayerWriter(OGRLayerH layer, const LayerSpec& spec, const LayerSett
 
 LayerWriter LayerWriter::create(GDALDatasetH dataset, const LayerSpec& spec, const LayerSetting& setting) {
     OGRLayerH layer = create_layer(dataset, spec, setting);
-    return LayerWriter(layer, spec, setting, create_fields(layer, spec, setting));
+    LayerWriter writer(layer, spec, setting, create_fields(layer, spec, setting));
+    writer.is_new_ = true;
+    return writer;
+}
+
+std::vector<std::string> LayerWriter::columns() const {
+    std::vector<std::string> names;
+    for (const int field : fields_)
+        names.emplace_back(OGR_Fld_GetNameRef(OGR_FD_GetFieldDefn(OGR_L_GetLayerDefn(layer_), field)));
+    return names;
 }
 
 LayerWriter LayerWriter::adopt(OGRLayerH layer, const LayerSpec& spec, const LayerSetting& setting) {

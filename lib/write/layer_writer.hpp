@@ -42,6 +42,9 @@ class LayerWriter {
     /// Features that the layer should hold now.
     [[nodiscard]] std::int64_t expected() const { return expected_; }
     [[nodiscard]] OGRLayerH handle() const { return layer_; }
+    [[nodiscard]] bool is_new() const { return is_new_; }
+    /// Of each field of the spec, as the driver calls it.
+    [[nodiscard]] std::vector<std::string> columns() const;
 
   private:
     LayerWriter(OGRLayerH layer, const LayerSpec& spec, const LayerSetting& setting, std::vector<int> fields);
@@ -53,6 +56,7 @@ class LayerWriter {
     const WriteTarget* target_;
     std::vector<int> fields_;  ///< index in the layer of each field of the spec
     bool has_geometry_;
+    bool is_new_ = false;
     std::int64_t expected_ = 0;
     std::int64_t next_fid_ = OGRNullFID;  ///< where the driver does not put new features at the end by itself
     FeatureHandle feature_;

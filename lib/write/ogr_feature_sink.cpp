@@ -10,6 +10,7 @@
 #include "write/existing_dataset.hpp"
 #include "write/layer_choice.hpp"
 #include "write/staging.hpp"
+#include "write/style_sidecar.hpp"
 
 namespace d2b {
 
@@ -99,6 +100,7 @@ void OgrFeatureSink::finish() {
             verify_counts(target_, format_, destination_.path, writer_->counts());
         return;
     }
+    keep_users_styles(staging_->dataset(), destination_.path, existing_.has_value());
     staging_->seal();
     verify_counts(target_, format_, staging_->dataset().string(), writer_->counts());
     staging_->sync();

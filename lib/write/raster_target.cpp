@@ -27,11 +27,13 @@ std::string quoted(const std::string& text) {
     return "\"" + text + "\"";
 }
 
-void require_name(const std::string& name) {
+void require_name(const std::string& name, RasterFormat format) {
     std::string extension = fs::path(name).extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (extension != ".tif" && extension != ".tiff")
+    if (format == RasterFormat::png && extension != ".png")
+        throw OptionError("Pictures are written as PNG; give " + quoted(name) + " a name that ends in .png.");
+    if (format == RasterFormat::geotiff && extension != ".tif" && extension != ".tiff")
         throw OptionError("Rasters are written as GeoTIFF; give " + quoted(name) +
                           " a name that ends in .tif.");
 }
@@ -65,20 +67,25 @@ void refuse_in_use(const RasterTarget& target, const std::string& path, bool exi
                               " is read or written by this run already; choose another name.");
 }
 
-bool is_geotiff(const std::string& path) {
+const char* driver_of(RasterFormat format) {
+    return format == RasterFormat::png ? "PNG" : "GTiff";
+}
+
+bool is_of(RasterFormat format, const std::string& path) {
     const GdalMessages quiet;
-    constexpr std::array<const char*, 2> drivers{"GTiff", nullptr};
+    const std::array<const char*, 2> drivers{driver_of(format), nullptr};
     return DatasetHandle(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers.data(), nullptr,
                                     nullptr)) != nullptr;
 }
 
-void check_local(const RasterPlace& place) {
+void check_local(const RasterPlace& place, RasterFormat format) {
     std::error_code error;
     const fs::file_status status = fs::status(place.path, error);
     if (fs::exists(status) && !fs::is_regular_file(status))
         throw OptionError(quoted(place.name) + " is " +
-                          (fs::is_directory(status) ? "a folder" : "not a regular file") +
-                          ", and GeoTIFF writes a file; choose another name.");
+                          (fs::is_directory(status) ? "a folder" : "not a regular file") + ", and " +
+                          (format == RasterFormat::png ? "PNG" : "GeoTIFF") +
+                          " writes a file; choose another name.");
     check_parent_folder(place.name, place.path);
     if (fs::exists(status))
         return;
@@ -99,7 +106,7 @@ bool exists(const RasterPlace& place) {
 
 RasterPlace locate_raster(const RasterTarget& target) {
     const std::string& name = target.destination;
-    require_name(name);
+    require_name(name, target.format);
     RasterPlace place;
     place.name = place.path = name;
     place.local = !name.starts_with("/vsi");
@@ -108,13 +115,14 @@ RasterPlace locate_raster(const RasterTarget& target) {
     const bool there = exists(place);
     refuse_in_use(target, place.path, there);
     if (place.local)
-        check_local(place);
+        check_local(place, target.format);
     if (!there)
         return place;
     if (!target.overwrite)
         throw OptionError(quoted(name) + " exists; say -overwrite to replace it.");
-    if (!is_geotiff(place.path))
-        throw OptionError(quoted(name) + " exists and is not a dataset of format GTiff; remove it first.");
+    if (!is_of(target.format, place.path))
+        throw OptionError(quoted(name) + " exists and is not a dataset of format " +
+                          driver_of(target.format) + "; remove it first.");
     place.old_files = {place.path};
     std::error_code error;
     for (const char* suffix : sidecars)

@@ -6,11 +6,14 @@
 
 namespace d2b {
 
+enum class RasterFormat { geotiff, png };
+
 /// Where a raster is to go.
 struct RasterTarget {
-    std::string destination;  ///< a file name that ends in .tif or .tiff
+    std::string destination;  ///< a file name that ends in .tif or .tiff, or in .png
     bool overwrite = false;
     std::vector<std::string> in_use;  ///< names of what else the run reads and writes
+    RasterFormat format = RasterFormat::geotiff;
 };
 
 /// What a raster says of itself.
@@ -32,7 +35,7 @@ struct RasterPlace {
     std::string stamp;                   ///< of old_files; changes when they do
 };
 
-/// @throws OptionError: not the name of a GeoTIFF, in use, exists without overwrite or is something else,
+/// @throws OptionError: not a name of the format, in use, exists without overwrite or is something else,
 /// files in the way. @throws OutputError: no such folder, not writable
 [[nodiscard]] RasterPlace locate_raster(const RasterTarget& target);
 

@@ -23,21 +23,22 @@ TraceGrid podium() {
     return grid;
 }
 
-Records records_of(const TraceGrid& grid, const std::vector<double>& thresholds, double metres = 1,
-                   std::int64_t first_id = 1) {
+const std::vector<Footprint> no_footprints;
+
+test::Records records_of(const TraceGrid& grid, const std::vector<double>& thresholds, double metres = 1,
+                         std::int64_t first_id = 1) {
     Context context;
-    const ContourSet set = test::trace_grid(grid, thresholds, {TraceMode::cells, 5}, context);
+    const test::ContourSet set = test::trace_grid(grid, thresholds, {TraceMode::cells, 5}, context);
     ElevationStatistics statistics;
     statistics.add({{0, grid.rows, grid.cols}, grid.z});
     const LevelPlan plan{statistics.minimum, {{}, thresholds}};
     const FixedPoint fixed = statistics.fixed_point();
-    return make_records(
-        {set.contours, set.building, set.buildings, set.percentiles, std::vector<Footprint>{}},
-        {plan, fixed, metres, {{0, 0}, {grid.rows, grid.cols}}, first_id});
+    return test::make_records(
+        set, {plan, fixed, no_footprints, metres, {{0, 0}, {grid.rows, grid.cols}}, first_id});
 }
 
 TEST(Records, ContoursOfAPodiumWithATower) {
-    const Records records = records_of(podium(), {4, 8, 15});
+    const test::Records records = records_of(podium(), {4, 8, 15});
     ASSERT_EQ(records.contours.size(), 4U);
     const ContourRecord& root = records.contours[0];
     EXPECT_EQ(root.id, 1);
@@ -65,14 +66,21 @@ TEST(Records, ContoursOfAPodiumWithATower) {
     EXPECT_EQ(tower.base, 10);
     EXPECT_DOUBLE_EQ(tower.tier_z, (5 * 20 + 30) / 6.0);
     EXPECT_DOUBLE_EQ(tower.top, (5 * 20 + 30) / 6.0);
+    EXPECT_TRUE(std::isnan(root.height_m));
+    EXPECT_EQ(level1.min_height_m, 0);
+    EXPECT_EQ(level1.height_m, 7);
+    EXPECT_EQ(level2.min_height_m, 7);
+    EXPECT_EQ(tower.min_height_m, 9);
+    EXPECT_DOUBLE_EQ(tower.height_m, (5 * 20 + 30) / 6.0 - 1);
     EXPECT_EQ(tower.lowest, 20);
     EXPECT_EQ(tower.highest, 30);
     EXPECT_DOUBLE_EQ(level1.mean, (18 * 10 + 5 * 20 + 30) / 24.0);
 }
 
 TEST(Records, BuildingOfAPodiumWithATowerInFeet) {
-    const Records records = records_of(podium(), {4, 8, 15}, 0.3048);
+    const test::Records records = records_of(podium(), {4, 8, 15}, 0.3048);
     ASSERT_EQ(records.buildings.size(), 1U);
+    EXPECT_DOUBLE_EQ(records.contours[1].height_m, 7 * 0.3048);
     const BuildingRecord& building = records.buildings[0];
     EXPECT_EQ(building.ground, 1);
     EXPECT_EQ(building.roof, 30);
@@ -86,7 +94,7 @@ TEST(Records, BuildingOfAPodiumWithATowerInFeet) {
 }
 
 TEST(Records, StacksStandWithoutGaps) {
-    const Records records = records_of(podium(), {4, 8, 9.5, 12, 15, 25});
+    const test::Records records = records_of(podium(), {4, 8, 9.5, 12, 15, 25});
     for (const ContourRecord& record : records.contours) {
         EXPECT_LE(record.base, record.top);
         if (record.level > 1) {
@@ -96,7 +104,7 @@ TEST(Records, StacksStandWithoutGaps) {
 }
 
 TEST(Records, IdsGoOnFromWhatIsThere) {
-    const Records records = records_of(podium(), {4}, 1, 100);
+    const test::Records records = records_of(podium(), {4}, 1, 100);
     EXPECT_EQ(records.contours[1].id, 101);
     EXPECT_EQ(records.contours[1].parent_id, 100);
     EXPECT_EQ(records.contours[1].building_id, 100);
@@ -109,7 +117,7 @@ TEST(Records, AtTheEdgeAndWithoutGround) {
     grid.z[0] = 1;  // the minimum; it lies diagonally across from the block's far corner
     for (const std::size_t i : {1U, 4U, 5U})
         grid.z[i] = test::nodata;
-    const Records records = records_of(grid, {5});
+    const test::Records records = records_of(grid, {5});
     ASSERT_EQ(records.buildings.size(), 1U);
     EXPECT_TRUE(records.buildings[0].at_edge);
     EXPECT_TRUE(std::isnan(records.buildings[0].ground));
@@ -136,7 +144,7 @@ TEST(AttributeTable, NamesSurviveAShapefile) {
 }
 
 TEST(AttributeTable, ValuesHaveTheTypesOfTheirFields) {
-    const Records records = records_of(podium(), {4, 8, 15});
+    const test::Records records = records_of(podium(), {4, 8, 15});
     const auto check = [](FieldType type, const FieldValue& value) {
         if (std::holds_alternative<std::monostate>(value))
             return true;

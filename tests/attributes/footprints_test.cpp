@@ -30,19 +30,19 @@ test::TraceGrid two_buildings() {
 const std::vector<Footprint> footprints{{}, {48, 0.75, "steep"}, {50, 0.95, "rough"}};
 
 /// Records of the grid, with thresholds of 65 in the large building.
-Records footprint_records(double metres = 1) {
+test::Records footprint_records(double metres = 1) {
     const test::TraceGrid grid = two_buildings();
     const LevelPlan plan{50, {{}, {48, 65}, {50}}, true};
     Context context;
-    ContourSet set = test::trace_plan(grid, plan, {TraceMode::cells, 5}, context);
-    drop_roots(set);
+    test::TraceSettings settings{TraceMode::cells, 5};
+    settings.keep_roots = false;
+    const test::ContourSet set = test::trace_plan(grid, plan, settings, context);
     const FixedPoint fixed(70);
-    return make_records({set.contours, set.building, set.buildings, set.percentiles, footprints},
-                        {plan, fixed, metres, {{0, 0}, {8, 10}}, 1});
+    return test::make_records(set, {plan, fixed, footprints, metres, {{0, 0}, {8, 10}}, 1});
 }
 
 TEST(FootprintRecords, StandOnTheirGround) {
-    const Records records = footprint_records(0.3048);
+    const test::Records records = footprint_records(0.3048);
     ASSERT_EQ(records.buildings.size(), 2U);
     const BuildingRecord& small = records.buildings[0];  // first in scan order
     EXPECT_EQ(small.ground, 50);
@@ -63,7 +63,7 @@ TEST(FootprintRecords, StandOnTheirGround) {
 }
 
 TEST(FootprintRecords, ContoursBeginAtTheGround) {
-    const Records records = footprint_records();
+    const test::Records records = footprint_records();
     ASSERT_EQ(records.contours.size(), 3U);
     const ContourRecord& footprint = records.contours[1];
     EXPECT_EQ(footprint.level, 1);
@@ -124,11 +124,11 @@ TEST(FootprintRecords, ABuildingWithoutAValidPoint) {
     grid.z[9] = nodata;
     const LevelPlan plan{50, {{}, {48}, {50}}, true};
     Context context;
-    ContourSet set = test::trace_plan(grid, plan, {TraceMode::cells}, context);
-    drop_roots(set);
-    const Records records =
-        make_records({set.contours, set.building, set.buildings, set.percentiles, footprints},
-                     {plan, FixedPoint(70), 1, {{0, 0}, {8, 10}}, 1});
+    test::TraceSettings settings{TraceMode::cells};
+    settings.keep_roots = false;
+    const test::ContourSet set = test::trace_plan(grid, plan, settings, context);
+    const FixedPoint fixed(70);
+    const test::Records records = test::make_records(set, {plan, fixed, footprints, 1, {{0, 0}, {8, 10}}, 1});
     const BuildingRecord& empty = records.buildings[0];
     EXPECT_EQ(empty.points, 0);
     EXPECT_EQ(empty.cells, 1);
@@ -139,33 +139,29 @@ TEST(FootprintRecords, ABuildingWithoutAValidPoint) {
     EXPECT_EQ(records.contours[0].top, 50);  // nothing stands there
 }
 
-/// A contour with these points of its own.
-Contour holding(std::int32_t level, const std::vector<double>& elevations, const FixedPoint& fixed) {
-    Contour contour;
-    contour.key.level = level;
-    contour.label = 1;
+PointStats holding(const std::vector<double>& elevations, const FixedPoint& fixed) {
+    PointStats own;
     for (const double z : elevations)
-        contour.own.add(z, fixed);
-    return contour;
+        own.add(z, fixed);
+    return own;
 }
 
 TEST(StackRmse, IsTheRootOfTheMeanSquareDistanceToTheTiers) {
     const FixedPoint fixed(100);
-    // Tiers of 11 and 21: squares of 1, 1, 1, 1 and 4 over five points. The ground does not count.
-    const std::vector<Contour> contours{holding(0, {0, 100}, fixed), holding(1, {10, 12}, fixed),
-                                        holding(2, {20, 20, 23}, fixed)};
-    EXPECT_DOUBLE_EQ(stack_rmse(contours, fixed, 1), std::sqrt(8 / 5.0));
-    std::vector<Contour> more = contours;
-    more.push_back(holding(1, {0, 90}, fixed));
-    more.back().label = 2;
-    EXPECT_DOUBLE_EQ(stack_rmse(more, fixed, 1), std::sqrt(8 / 5.0));
-    EXPECT_DOUBLE_EQ(stack_rmse(more, fixed, 2), std::sqrt((8 + 2 * 45 * 45) / 7.0));
+    // Tiers of 11 and 21: squares of 1, 1, 1, 1 and 4 over five points.
+    StackRmse rmse;
+    rmse.add(holding({10, 12}, fixed), fixed);
+    rmse.add(holding({20, 20, 23}, fixed), fixed);
+    EXPECT_DOUBLE_EQ(rmse.value(), std::sqrt(8 / 5.0));
+    rmse.add(holding({0, 90}, fixed), fixed);
+    EXPECT_DOUBLE_EQ(rmse.value(), std::sqrt((8 + 2 * 45 * 45) / 7.0));
 }
 
 TEST(StackRmse, OfNothingIsZero) {
-    EXPECT_EQ(stack_rmse({}, FixedPoint(1), 1), 0);
-    const FixedPoint fixed(2);
-    EXPECT_EQ(stack_rmse({holding(0, {1, 2}, fixed), holding(1, {}, fixed)}, fixed, 1), 0);
+    StackRmse rmse;
+    EXPECT_EQ(rmse.value(), 0);
+    rmse.add({}, FixedPoint(2));
+    EXPECT_EQ(rmse.value(), 0);
 }
 
 }  // namespace

@@ -24,16 +24,16 @@ Options preset_options(const std::string& dem, const std::string& preset) {
     return with_preset(options);
 }
 
-class StackList : public StackSink {
+class ContourVector : public ContourSink {
   public:
-    explicit StackList(std::vector<Stack>& stacks) : stacks_(stacks) {}
-    Taken take(Stack&& stack) override {
-        stacks_.push_back(std::move(stack));
-        return {static_cast<std::int64_t>(stacks_.size()) - 1, {}};
+    explicit ContourVector(std::vector<FinishedContour>& list) : contours_(list) {}
+    std::int64_t take(FinishedContour&& finished) override {
+        contours_.push_back(std::move(finished));
+        return static_cast<std::int64_t>(contours_.size()) - 1;
     }
 
   private:
-    std::vector<Stack>& stacks_;
+    std::vector<FinishedContour>& contours_;
 };
 
 }  // namespace
@@ -49,9 +49,9 @@ PreparedRun::PreparedRun(const std::string& dem, const std::string& preset)
     read();
     find();
     make_levels();
-    StackList list(stacks);
+    ContourVector list(traced);
     trace(list);
-    set = filter(std::vector<Stack>(stacks));
+    contours = filter(std::vector<FinishedContour>(traced));
 }
 
 std::int64_t PreparedRun::points() const {
@@ -101,7 +101,7 @@ void PreparedRun::make_levels() {
         band.levels = quantise<std::uint8_t>(*band.elevations, band.labels, plan);
 }
 
-void PreparedRun::trace(StackSink& sink) const {
+void PreparedRun::trace(ContourSink& sink) const {
     Tracer tracer(frame, options.trace, sink);
     PointRows<std::uint8_t> before;
     for (const PointRows<std::uint8_t>& band : bands) {
@@ -110,14 +110,19 @@ void PreparedRun::trace(StackSink& sink) const {
     }
 }
 
-ContourSet PreparedRun::filter(std::vector<Stack>&& traced) {
-    ContourStore store(options.filter, area, frame.range, context);
-    for (Stack& stack : traced)
-        store.take(std::move(stack));
-    ContourSet filtered = store.finish();
-    if (!found.footprints.empty())
-        drop_roots(filtered);
-    return filtered;
+std::unique_ptr<StoredContours> PreparedRun::filter(std::vector<FinishedContour>&& finished) {
+    ContourStore store({options.filter, area, frame.range, frame.fixed, found.footprints.empty()},
+                       std::make_unique<MemorySpool>(), context);
+    // The store's names are other ones where it drops what the list keeps.
+    std::vector<std::int64_t> names;
+    for (FinishedContour& one : finished) {
+        std::erase_if(one.standing_on_it,
+                      [&](std::int64_t i) { return names[static_cast<std::size_t>(i)] < 0; });
+        for (std::int64_t& name : one.standing_on_it)
+            name = names[static_cast<std::size_t>(name)];
+        names.push_back(store.take(std::move(one)));
+    }
+    return store.finish();
 }
 
 }  // namespace d2b::bench

@@ -32,15 +32,15 @@ class PreparedRun {
     std::vector<PointRows<std::uint8_t>> bands;  ///< with labels and counts
     LevelPlan plan;
     TraceFrame frame;
-    std::vector<Stack> stacks;
-    ContourSet set;
+    std::vector<FinishedContour> traced;
+    std::unique_ptr<StoredContours> contours;
 
     [[nodiscard]] std::int64_t points() const;
     [[nodiscard]] MetreGrid surface() const;
     /// Statistics, thresholds and counts.
     void make_levels();
-    void trace(StackSink& sink) const;
-    [[nodiscard]] ContourSet filter(std::vector<Stack>&& traced);
+    void trace(ContourSink& sink) const;
+    [[nodiscard]] std::unique_ptr<StoredContours> filter(std::vector<FinishedContour>&& finished);
 
   private:
     void read();

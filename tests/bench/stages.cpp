@@ -54,11 +54,11 @@ void levels(State& state, PreparedRun& run) {
     count_points(state, run);
 }
 
-class Drain : public StackSink {
+class Drain : public ContourSink {
   public:
-    Taken take(Stack&& stack) override {
-        const Stack taken = std::move(stack);
-        return {static_cast<std::int64_t>(taken.contours.size()), {}};
+    std::int64_t take(FinishedContour&& finished) override {
+        const FinishedContour taken = std::move(finished);
+        return taken.contour.key.level;
     }
 };
 
@@ -73,19 +73,19 @@ void trace(State& state, PreparedRun& run) {
 void filter(State& state, PreparedRun& run) {
     for ([[maybe_unused]] auto _ : state) {
         state.PauseTiming();
-        std::vector<Stack> stacks = run.stacks;
+        std::vector<FinishedContour> traced = run.traced;
         state.ResumeTiming();
-        benchmark::DoNotOptimize(run.filter(std::move(stacks)));
+        benchmark::DoNotOptimize(run.filter(std::move(traced)));
     }
     count_points(state, run);
 }
 
 void outline(State& state, PreparedRun& run) {
-    Executor executor;
+    Context context;
     for ([[maybe_unused]] auto _ : state) {
-        const Outliner outliner = make_outliner(run.set.contours, run.options.outline, run.georeference,
-                                                run.crs, run.source->info().window, executor);
-        for (std::size_t i = 0; i < run.set.contours.size(); ++i)
+        const Outliner outliner = make_outliner(*run.contours, run.options.outline, run.georeference, run.crs,
+                                                run.source->info().window, context);
+        for (std::size_t i = 0; i < run.contours->size(); ++i)
             benchmark::DoNotOptimize(outliner.outline(i));
     }
     count_points(state, run);
@@ -93,11 +93,13 @@ void outline(State& state, PreparedRun& run) {
 
 void attributes(State& state, PreparedRun& run) {
     const Window& window = run.source->info().window;
-    const AttributeContext given{run.plan, run.frame.fixed, 1, {{0, 0}, {window.rows, window.cols}}};
-    const ContourSet& set = run.set;
-    for ([[maybe_unused]] auto _ : state)
-        benchmark::DoNotOptimize(make_records(
-            {set.contours, set.building, set.buildings, set.percentiles, run.found.footprints}, given));
+    const AttributeContext given{
+        run.plan, run.frame.fixed, run.found.footprints, 1, {{0, 0}, {window.rows, window.cols}}};
+    for ([[maybe_unused]] auto _ : state) {
+        const RecordMaker maker(*run.contours, given);
+        for (std::size_t i = 0; i < run.contours->size(); ++i)
+            benchmark::DoNotOptimize(maker.contour(i, run.contours->fetch(i)));
+    }
     count_points(state, run);
 }
 

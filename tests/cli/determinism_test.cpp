@@ -17,10 +17,10 @@ class Determinism : public CliTest {
         std::string bytes;
         json report;  ///< without what differs from run to run: seconds and memory
     };
-    Result result_of(const std::string& file, Arguments arguments,
-                     std::vector<std::string> environment = {}) const {
+    Result result_of(const std::string& file, Arguments arguments, std::vector<std::string> environment = {},
+                     const std::string& dem = sample("town.tif")) const {
         environment.emplace_back("OGR_CURRENT_DATE=2001-02-03T04:05:06.000Z");
-        arguments.insert(arguments.end(), {"-json", "--", sample("town.tif"), file});
+        arguments.insert(arguments.end(), {"-json", "--", dem, file});
         Result result;
         result.report = json::parse(run_well(arguments, {.environment = environment}));
         EXPECT_TRUE(result.report.contains("stages"));
@@ -56,6 +56,43 @@ TEST_F(Determinism, ofBuildings) {
 
 TEST_F(Determinism, theCacheDoesNotMatter) {
     expect_same("out.gpkg", {}, {"--config", "GDAL_CACHEMAX=1", "--config", "GDAL_NUM_THREADS=4"});
+}
+
+/// Writes the town with other blocks.
+void write_town(const std::string& copy, const std::vector<std::string>& creation) {
+    GDALAllRegister();
+    std::vector<const char*> options;
+    for (const std::string& option : creation)
+        options.push_back(option.c_str());
+    options.push_back(nullptr);
+    const GDALDatasetH town = GDALOpen(sample("town.tif").c_str(), GA_ReadOnly);
+    EXPECT_NE(town, nullptr);
+    const GDALDatasetH written = GDALCreateCopy(GDALGetDriverByName("GTiff"), copy.c_str(), town, FALSE,
+                                                const_cast<char**>(options.data()), nullptr, nullptr);
+    EXPECT_NE(written, nullptr);
+    GDALClose(written);
+    GDALClose(town);
+}
+
+TEST_F(Determinism, theBlocksOfTheFileDoNotMatter) {
+    const std::vector<std::vector<std::string>> kinds{
+        {"BLOCKYSIZE=1"},
+        {"BLOCKYSIZE=7", "COMPRESS=DEFLATE"},
+        {"TILED=YES", "BLOCKXSIZE=16", "BLOCKYSIZE=48", "COMPRESS=LZW", "PREDICTOR=3"},
+        {"TILED=YES", "BLOCKXSIZE=512", "BLOCKYSIZE=512", "COMPRESS=DEFLATE", "SPARSE_OK=TRUE"},
+        {"BLOCKYSIZE=100000"}};
+    const std::string copy = path("town.tif");  // always the same, since its name is in the metadata
+    for (const char* preset : {"thesis", "buildings"}) {
+        const Arguments arguments{"-preset", preset, "-threads", "2"};
+        write_town(copy, {});
+        const Result one = result_of("out.gpkg", arguments, {}, copy);
+        for (std::size_t i = 0; i < kinds.size(); ++i) {
+            write_town(copy, kinds[i]);
+            const Result two = result_of("out.gpkg", arguments, {}, copy);
+            EXPECT_TRUE(one.bytes == two.bytes) << preset << ' ' << i;
+        }
+    }
+    std::filesystem::remove(copy);
 }
 
 TEST_F(Determinism, theLocaleDoesNotMatter) {

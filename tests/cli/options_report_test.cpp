@@ -1,9 +1,11 @@
+#include <fstream>
 #include <regex>
 #include <thread>
 
 #include <nlohmann/json.hpp>
 
 #include "cli/option_effect.hpp"
+#include "pipeline/option_table.hpp"
 
 namespace d2b::test {
 namespace {
@@ -40,6 +42,40 @@ TEST_F(OptionEffect, json) {
     EXPECT_EQ(report["dropped"]["contour_short"], 2);
     EXPECT_GT(report["stages"]["write"]["seconds"].get<double>(), 0);
     EXPECT_TRUE(report["warnings"].empty());
+}
+
+TEST_F(OptionEffect, sweep) {
+    preset_ = "buildings";
+    const std::string town = sample("town.tif");
+    const std::vector<std::string> part{"-te", "391250", "5820250", "391650", "5820600"};
+    Arguments all{"-json", "-sweep", "lod=2..4..2,nf=5..40..35", "-preview", "sheet.png"};
+    all.insert(all.end(), part.begin(), part.end());
+    all.push_back(town);
+    const json trials = json::parse(run_well(all))["trials"];
+    EXPECT_EQ(entries(), (std::vector<std::string>{"blocks.tif", "sheet.png"}));
+    ASSERT_EQ(trials.size(), 4U);
+    for (const json& trial : trials) {
+        Arguments one{"-json", "-overwrite", "-lod", trial["lod"].dump(), "-nf", trial["nf"].dump()};
+        one.insert(one.end(), part.begin(), part.end());
+        one.insert(one.end(), {town, "one.gpkg"});
+        const json output = json::parse(run_well(one))["output"];
+        EXPECT_EQ(trial["buildings"], output["buildings"]);
+        EXPECT_EQ(trial["contours"], output["contours"]);
+        EXPECT_EQ(trial["points"], output["vertices"]);
+        EXPECT_EQ(trial["stack_rmse_m"], output["stack_rmse_m"]);
+    }
+    EXPECT_LT(trials[0]["contours"], trials[2]["contours"]);  // more levels
+    EXPECT_GT(trials[0]["contours"], trials[1]["contours"]);  // less noise
+    const OpenDataset sheet(GDALOpen(path("sheet.png").c_str(), GA_ReadOnly));
+    ASSERT_NE(sheet, nullptr);
+    EXPECT_EQ(GDALGetRasterXSize(sheet.get()), 2 * 800 + 4);
+    const std::string table =
+        run_well({"-q", "-sweep", "lod=3", "-te", "391250", "5820250", "391350", "5820350", town});
+    EXPECT_EQ(std::ranges::count(table, '\n'), 2);
+    expect_has(table,
+               "        lod         nf  buildings   contours     points   rmse [m]    seconds\n          3   "
+               "      10 ");
+    expect_error(2, "-sweep takes one file name", {"-sweep", "lod=1..2", town, "out.gpkg"});
 }
 
 TEST_F(OptionEffect, threads) {
@@ -103,6 +139,32 @@ TEST_F(OptionEffect, options_md) {
     const std::string text = run_well({"-options_md"});
     EXPECT_TRUE(text.starts_with("# Options of dem2buildings\n"));
     expect_has(text, "`-lod <n>`");
+}
+
+TEST_F(OptionEffect, options_json) {
+    const auto json = nlohmann::json::parse(run_well({"-options_json"}));
+    ASSERT_EQ(json["options"].size(), option_table().size());
+    for (const auto& option : json["options"])
+        if (option["name"] == "lod") {
+            EXPECT_EQ(option["kind"], "whole");
+            EXPECT_EQ(option["lowest"], 1);
+            EXPECT_EQ(option["highest"], 10000);
+            EXPECT_EQ(option["default"], "4");
+        }
+}
+
+TEST_F(OptionEffect, bash_completion) {
+    std::ofstream(path("complete.sh")) << run_well({"-bash_completion"});
+    const std::string ask =
+        ". ./complete.sh; COMP_WORDS=(dem2buildings $0 \"$1\"); COMP_CWORD=2; "
+        "_dem2buildings; echo ${COMPREPLY[*]}";
+    const auto completed = [&](const std::string& before, const std::string& word) {
+        return run_tool({"/bin/bash", "-c", ask, before, word}, {.working_directory = folder_.string()}).out;
+    };
+    EXPECT_EQ(completed("-preset", "th"), "thesis\n");
+    EXPECT_EQ(completed("-q", "-max"), "-max_building_width\n");
+    EXPECT_EQ(completed("-q", "comp"), "complete.sh\n");
+    EXPECT_EQ(completed("-lod", ""), "\n");
 }
 
 }  // namespace d2b::test

@@ -54,6 +54,33 @@ void expect_town_grid(const WrittenRaster& raster) {
 
 }  // namespace
 
+TEST_F(OptionEffect, preview) {
+    find({"-preview", "map.png"});
+    const OpenDataset picture(GDALOpen(path("map.png").c_str(), GA_ReadOnly));
+    ASSERT_NE(picture, nullptr);
+    EXPECT_EQ(GDALGetRasterCount(picture.get()), 3);
+    const int width = GDALGetRasterXSize(picture.get());
+    EXPECT_EQ(std::max(width, MadeTown::rows * width / MadeTown::cols), 1200);
+    // The middle of the flat house has the colour of its height, the ground beside it is grey.
+    const double scale = static_cast<double>(width) / MadeTown::cols;
+    const auto colour = [&](double row, double col) {
+        std::array<unsigned char, 3> rgb{};
+        EXPECT_EQ(GDALDatasetRasterIO(picture.get(), GF_Read, static_cast<int>(col * scale),
+                                      static_cast<int>(row * scale), 1, 1, rgb.data(), 1, 1, GDT_Byte, 3,
+                                      nullptr, 3, 3, 1),
+                  CE_None);
+        return rgb;
+    };
+    const Box& house = MadeTown::flat;
+    const auto roof = colour(house.row + house.rows / 2.0, house.col + house.cols / 2.0);
+    EXPECT_GT(roof[0], roof[2] + 50);
+    const auto ground = colour(1.5, 1.5);
+    EXPECT_EQ(ground[0], ground[2]);
+    expect_error(2, "\"map.png\" exists; say -overwrite to replace it.",
+                 {"-preview", "map.png", "town.tif", "again.gpkg"});
+    expect_error(2, "a name that ends in .png.", {"-preview", "map.jpg", "town.tif", "again.gpkg"});
+}
+
 TEST_F(OptionEffect, write_ground) {
     find({"-write_ground", "ground.tif"});
     const WrittenRaster ground(path("ground.tif"));

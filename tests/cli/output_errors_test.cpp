@@ -134,7 +134,7 @@ TEST_F(OutputErrors, fullDiskLeavesTheOldResult) {
         std::filesystem::remove(path("out.gpkg"));
         run_well({"-q", "dem.tif", "out.gpkg"});
         const ToolResult result =
-            run_limited(200, {"-q", flag, "-a_srs", "EPSG:25833", sample("town.tif"), "out.gpkg"});
+            run_limited(400, {"-q", flag, "-a_srs", "EPSG:25833", sample("town.tif"), "out.gpkg"});
         EXPECT_EQ(result.status, 1) << flag;
         EXPECT_TRUE(result.err.starts_with("ERROR: Cannot write \"out.gpkg\": ")) << result.err;
         EXPECT_EQ(entries(), (std::vector<std::string>{"dem.tif", "out.gpkg"}));

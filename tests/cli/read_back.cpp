@@ -114,6 +114,7 @@ std::vector<std::string> layer_names(const std::string& path) {
     if (const OpenDataset dataset = open_vector(path))
         for (int i = 0; i < GDALDatasetGetLayerCount(dataset.get()); ++i)
             names.emplace_back(OGR_L_GetName(GDALDatasetGetLayer(dataset.get(), i)));
+    std::erase(names, "layer_styles");
     return names;
 }
 

@@ -60,6 +60,7 @@ struct Layer {
 
 /// Fails the test where the file cannot be opened.
 [[nodiscard]] OpenDataset open_vector(const std::string& path);
+/// Without QGIS's table of styles, which OGR lists, too.
 [[nodiscard]] std::vector<std::string> layer_names(const std::string& path);
 /// An empty layer without a name where there is none of this one, and a failed test.
 [[nodiscard]] Layer read_layer(const std::string& path, const std::string& name);

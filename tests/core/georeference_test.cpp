@@ -39,6 +39,21 @@ TEST(Georeference, UsesAllSixTerms) {
     EXPECT_DOUBLE_EQ(georeference.step(0, 1).y, 0.8);
 }
 
+TEST(Georeference, IsExactWhereRoundingKeepsLinesApart) {
+    const Window window{0, 0, 1000, 1000};
+    const auto exact = [&](const AffineTransform& transform) {
+        return Georeference(transform, TraceMode::cells).is_exact(window);
+    };
+    EXPECT_TRUE(exact({500000.1, 0.1, 0, 4000000.3, 0, -0.1}));
+    EXPECT_TRUE(exact({-122.3, 1e-6, 0, 47.6, 0, -1e-6}));
+    EXPECT_FALSE(exact({500000.1, 0.1, 1e-9, 4000000.3, 0, -0.1}));
+    // Doubles near 1e16 are two apart, and steps of 1 meet.
+    EXPECT_FALSE(exact({1e16, 1, 0, 0, 0, -1}));
+    EXPECT_FALSE(exact({0, 1, 0, -1e16, 0, -1}));
+    EXPECT_TRUE(exact({1e16, 100, 0, 0, 0, -1}));
+    EXPECT_FALSE(exact({1e16, 1e-300, 0, 0, 0, -1}));
+}
+
 TEST(Georeference, ExteriorRingsRunCounterClockwiseOnEveryGrid) {
     for (const AffineTransform& transform :
          {AffineTransform{0, 1, 0, 0, 0, -1}, AffineTransform{0, 1, 0, 0, 0, 1},

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Runs every command of README.md and docs/*.md that stands in a block marked ```sh, in a scratch folder where
+# Runs every command of README.md, docs/*.md and docs/tasks/*.md that stands in a block marked ```sh, in a scratch folder where
 # sample_dems/ lies beside and the tool is on the PATH.
 #   run_commands.sh <source folder> <folder of the tool> <scratch folder>
 set -eu
@@ -12,7 +12,7 @@ rm -rf "$scratch"
 mkdir -p "$scratch"
 ln -s "$source_folder/sample_dems" "$scratch/sample_dems"
 count=0
-for page in "$source_folder"/README.md "$source_folder"/docs/*.md; do
+for page in "$source_folder"/README.md "$source_folder"/docs/*.md "$source_folder"/docs/tasks/*.md; do
     awk '/^```sh$/ {inside = 1; next} /^```$/ {inside = 0} inside' "$page" > "$scratch/commands.txt"
     while IFS= read -r command; do
         [ -n "$command" ] || continue
@@ -32,4 +32,4 @@ for page in "$source_folder"/README.md "$source_folder"/docs/*.md; do
     done < "$scratch/commands.txt"
 done
 echo "$count commands of the documentation ran"
-[ "$count" -ge 10 ]
+[ "$count" -ge 60 ]

@@ -56,6 +56,10 @@ class Killed : public FaultyTest {
         const char* wanted = std::getenv("D2B_KILLS");
         return wanted == nullptr ? 10 : std::atoi(wanted);
     }
+    /// Some more where the machine has become faster since a run was timed, and runs end before their kill.
+    static bool goes_on(int i, int killed) {
+        return i < times() || (killed <= times() / 4 && i < 5 * times());
+    }
     /// How long a run takes that nobody disturbs.
     milliseconds duration(const std::string& destination) const {
         const auto start = Clock::now();
@@ -84,7 +88,7 @@ TEST_F(Killed, aNewFileIsThereWholeOrNotAtAll) {
     const milliseconds whole = duration("out.gpkg");
     const int all = features("out.gpkg");
     int killed = 0;
-    for (int i = 0; i < times(); ++i) {
+    for (int i = 0; goes_on(i, killed); ++i) {
         std::filesystem::remove(path("out.gpkg"));
         const int status = run_killed("out.gpkg", moment(whole));
         killed += status == 128 + SIGKILL ? 1 : 0;
@@ -112,7 +116,7 @@ TEST_F(Killed, aGeoPackageInUseHoldsTheOldContentOrTheNew) {
     const int all = features("out.gpkg");
     ASSERT_GT(all, old);
     int killed = 0;
-    for (int i = 0; i < times(); ++i) {
+    for (int i = 0; goes_on(i, killed); ++i) {
         run_well({"-q", "-overwrite", "small.tif", "out.gpkg"});
         {
             const Watcher watcher(path("out.gpkg"));

@@ -32,7 +32,7 @@ TEST(KeptFootprints, AreNoNoiseWhateverTheirSize) {
     grid.z[4] = 10;
     grid.labels[4] = 1;
     Context context;
-    const ContourSet set = trace_plan(grid, plan, {TraceMode::cells, 1000, 1000.0}, context);
+    const test::ContourSet set = trace_plan(grid, plan, {TraceMode::cells, 1000, 1000.0}, context);
     ASSERT_EQ(set.buildings.size(), 1U);
     EXPECT_EQ(set.contours[1].squares(), 1);
     EXPECT_EQ(context.report.counted(Reason::contour_short), 0);
@@ -41,7 +41,7 @@ TEST(KeptFootprints, AreNoNoiseWhateverTheirSize) {
 
 TEST(KeptFootprints, KeepTheirHoles) {
     Context context;
-    const ContourSet set = trace_plan(court(), plan, {TraceMode::cells, 1000, 1000.0}, context);
+    const test::ContourSet set = trace_plan(court(), plan, {TraceMode::cells, 1000, 1000.0}, context);
     ASSERT_EQ(set.contours.size(), 2U);  // the root and the footprint
     EXPECT_EQ(set.contours[1].interiors.size(), 1U);
     EXPECT_EQ(set.contours[1].squares(), 46);
@@ -51,7 +51,7 @@ TEST(KeptFootprints, KeepTheirHoles) {
 
 TEST(KeptFootprints, HaveNoNoiseOnThem) {
     Context context;
-    const ContourSet set = trace_plan(court(), plan, {TraceMode::cells, 10}, context);
+    const test::ContourSet set = trace_plan(court(), plan, {TraceMode::cells, 10}, context);
     ASSERT_EQ(set.contours.size(), 3U);
     EXPECT_EQ(set.contours[2].squares(), 6);  // a ring of 10 points; that of the other has 4
     EXPECT_EQ(context.report.counted(Reason::contour_short), 1);
@@ -68,7 +68,7 @@ TEST(KeptFootprints, HolesAboveThemAreFilled) {
             grid.z[i] = row == 4 && col == 5 ? 10 : 20;  // a pit of a cell in the upper level
         }
     Context context;
-    const ContourSet set = trace_plan(grid, plan, {TraceMode::cells, 10}, context);
+    const test::ContourSet set = trace_plan(grid, plan, {TraceMode::cells, 10}, context);
     ASSERT_EQ(set.contours.size(), 3U);
     EXPECT_EQ(set.contours[2].interiors.size(), 0U);
     EXPECT_EQ(context.report.counted(Reason::hole_short), 1);
@@ -79,12 +79,12 @@ TEST(KeptFootprints, HolesAroundTheirCourtyardsStay) {
     for (std::size_t i = 0; i < 120; ++i)
         grid.z[i] = grid.labels[i] == 1 ? 20 : 0;
     Context context;
-    const ContourSet set = trace_plan(grid, plan, {TraceMode::cells, 1 + 6}, context);
+    const test::ContourSet set = trace_plan(grid, plan, {TraceMode::cells, 1 + 6}, context);
     ASSERT_EQ(set.contours.size(), 3U);
     EXPECT_EQ(set.contours[2].interiors.size(), 1U);  // short, but the footprint's hole lies in it
 }
 
-TEST(DropRoots, LeavesFootprintsAtTheBottom) {
+TEST(WithoutRoots, FootprintsAreAtTheBottom) {
     TraceGrid grid = court();
     grid.labels[0] = 2;
     grid.z[119] = test::nodata;
@@ -92,9 +92,10 @@ TEST(DropRoots, LeavesFootprintsAtTheBottom) {
         grid.z[static_cast<std::size_t>(row * 12 + 1)] = test::nodata;
     const LevelPlan two{0, {{}, {0, 15}, {0}}, true};
     Context context;
-    const ContourSet before = trace_plan(grid, two, {TraceMode::cells}, context);
-    ContourSet set = before;
-    drop_roots(set);
+    const test::ContourSet before = trace_plan(grid, two, {TraceMode::cells}, context);
+    test::TraceSettings settings{TraceMode::cells};
+    settings.keep_roots = false;
+    const test::ContourSet set = trace_plan(grid, two, settings, context);
     ASSERT_EQ(before.contours.size(), 2U + 2 + 2);  // roots, footprints, towers
     ASSERT_EQ(set.contours.size(), 4U);
     EXPECT_EQ(set.building, (std::vector<std::int64_t>{0, 1, 1, 1}));
@@ -106,16 +107,13 @@ TEST(DropRoots, LeavesFootprintsAtTheBottom) {
     }
 }
 
-TEST(DropRoots, OfNothingElseLeavesNothing) {
-    ContourSet empty;
-    drop_roots(empty);
-    EXPECT_TRUE(empty.contours.empty());
+TEST(WithoutRoots, OfGroundAloneNothingIsLeft) {
     Context context;
-    ContourSet ground = trace_plan({2, 2, {1, 2, 3, 4}, {0, 0, 0, 0}}, {1, {{}}, true}, {}, context);
-    EXPECT_EQ(ground.contours.size(), 1U);
-    drop_roots(ground);
-    EXPECT_TRUE(ground.contours.empty());
-    EXPECT_TRUE(ground.building.empty());
+    test::TraceSettings settings;
+    const TraceGrid ground{2, 2, {1, 2, 3, 4}, {0, 0, 0, 0}};
+    EXPECT_EQ(trace_plan(ground, {1, {{}}, true}, settings, context).contours.size(), 1U);
+    settings.keep_roots = false;
+    EXPECT_TRUE(trace_plan(ground, {1, {{}}, true}, settings, context).contours.empty());
 }
 
 }  // namespace

@@ -23,17 +23,16 @@ TraceGrid plate(double pit) {
     return grid;
 }
 
-TEST(NoiseFactor, DropsAContourWithAllAboveIt) {
-    // A thin tower on a small block: both go, since the block does.
+TEST(NoiseFactor, LetsPointsFallToTheContourBelow) {
+    // A thin tower on a small block.
     TraceGrid grid{6, 6, std::vector<double>(36, 0.0), {}};
     for (const std::size_t i : {14U, 15U, 20U, 21U})
         grid.z[i] = 20;
     grid.z[14] = 30;
     Context context;
-    ContourSet set = trace_grid(grid, {10, 25}, {TraceMode::cells, 9}, context);
+    test::ContourSet set = trace_grid(grid, {10, 25}, {TraceMode::cells, 9}, context);
     EXPECT_EQ(set.contours.size(), 1U);
-    EXPECT_EQ(context.report.counted(Reason::contour_short), 1);
-    EXPECT_EQ(context.report.counted(Reason::contour_on_dropped), 1);
+    EXPECT_EQ(context.report.counted(Reason::contour_short), 2);
     EXPECT_EQ(set.contours[0].own.n, 36);
     // A ring of 8 points is kept by a factor of 8; the tower's 4 are not, and its points fall to the block.
     Context other;
@@ -41,7 +40,24 @@ TEST(NoiseFactor, DropsAContourWithAllAboveIt) {
     ASSERT_EQ(set.contours.size(), 2U);
     EXPECT_EQ(set.contours[1].own.n, 4);
     EXPECT_EQ(set.contours[1].own.highest, 30);
+    EXPECT_EQ(set.contours[0].above.n, 4);
     EXPECT_EQ(other.report.counted(Reason::contour_short), 1);
+}
+
+TEST(NoiseFactor, DropsAContourWithAllAboveIt) {
+    // A block of 4 x 4 passes 16 points; an E of ten cells on it passes 22.
+    TraceGrid grid{6, 6, std::vector<double>(36, 0.0), {}};
+    for (int row = 1; row <= 4; ++row)
+        for (int col = 1; col <= 4; ++col)
+            grid.z[static_cast<std::size_t>(row * 6 + col)] = col == 1 || row == 1 || row == 3 ? 30 : 20;
+    Context context;
+    EXPECT_EQ(trace_grid(grid, {10, 25}, {TraceMode::cells, 16}, context).contours.size(), 3U);
+    const test::ContourSet set = trace_grid(grid, {10, 25}, {TraceMode::cells, 17}, context);
+    ASSERT_EQ(set.contours.size(), 1U);
+    EXPECT_EQ(context.report.counted(Reason::contour_short), 1);
+    EXPECT_EQ(context.report.counted(Reason::contour_on_dropped), 1);
+    EXPECT_EQ(set.contours[0].own.n, 36);
+    EXPECT_EQ(set.contours[0].above.n, 0);
 }
 
 TEST(NoiseFactor, NeverDropsTheRoot) {
@@ -59,7 +75,7 @@ TEST(MinArea, KeepsARowOfTreesOutThatManyPointsWouldKeep) {
             grid.z[static_cast<std::size_t>(row * 24 + col)] = 20;
     Context context;
     EXPECT_EQ(trace_grid(grid, {10}, {TraceMode::cells, 20}, context).buildings.size(), 2U);
-    const ContourSet set = trace_grid(grid, {10}, {TraceMode::cells, 20, 24.0}, context);
+    const test::ContourSet set = trace_grid(grid, {10}, {TraceMode::cells, 20, 24.0}, context);
     ASSERT_EQ(set.buildings.size(), 1U);
     EXPECT_EQ(set.contours[static_cast<std::size_t>(set.buildings[0])].squares(), 24);
     EXPECT_EQ(context.report.counted(Reason::contour_small), 1);
@@ -95,7 +111,7 @@ TEST(Holes, StayWhereAContourStandsInThem) {
         for (int col = 1; col <= 7; ++col)
             large.z[static_cast<std::size_t>(row * 9 + col)] =
                 row >= 2 && row <= 6 && col >= 2 && col <= 6 ? 20 : 0;
-    const ContourSet set = trace_grid(large, {10}, {TraceMode::cells, 0, 25.0}, context);
+    const test::ContourSet set = trace_grid(large, {10}, {TraceMode::cells, 0, 25.0}, context);
     ASSERT_EQ(set.contours.size(), 3U);
     EXPECT_EQ(set.contours[1].interiors.size(), 1U);
 }
@@ -104,7 +120,7 @@ TEST(Holes, StayWhereAHoleOfTheLevelBelowRemains) {
     // NoData in the pit: the root has a hole there. It is as short, so both are filled; with a point of
     // NoData less the root's ring is shorter than the pit's.
     Context context;
-    ContourSet set = trace_grid(plate(test::nodata), {10}, {TraceMode::cells, 13}, context);
+    test::ContourSet set = trace_grid(plate(test::nodata), {10}, {TraceMode::cells, 13}, context);
     EXPECT_EQ(set.contours[0].interiors.size(), 0U);
     EXPECT_EQ(set.contours[1].interiors.size(), 0U);
     set = trace_grid(plate(test::nodata), {10}, {TraceMode::cells, 12}, context);
@@ -118,7 +134,7 @@ TEST(Holes, AZigzagHoleBelowKeepsASmootherOneAboveIt) {
     for (const int at : {4 * 11 + 4, 4 * 11 + 6, 5 * 11 + 4, 5 * 11 + 5, 5 * 11 + 6, 6 * 11 + 4, 6 * 11 + 6})
         grid.z[static_cast<std::size_t>(at)] = test::nodata;  // an H: its ring passes 16 points
     Context context;
-    const ContourSet set = trace_grid(grid, {10}, {TraceMode::cells, 14}, context);
+    const test::ContourSet set = trace_grid(grid, {10}, {TraceMode::cells, 14}, context);
     EXPECT_EQ(set.contours[0].interiors.size(), 1U);
     EXPECT_EQ(set.contours[1].interiors.size(), 1U);
     EXPECT_EQ(context.report.counted(Reason::hole_short), 0);
@@ -132,7 +148,7 @@ TEST_P(Nesting, ContoursLieInTheirParentsAndSiblingsAreDisjoint) {
     settings.noise_factor = static_cast<int>(4 + GetParam() % 5 * 4);
     settings.min_area = GetParam() % 3 == 0 ? 3.0 : 0.0;
     Context context;
-    const ContourSet set = trace_grid(c.grid, c.thresholds, settings, context);
+    const test::ContourSet set = trace_grid(c.grid, c.thresholds, settings, context);
     std::vector<std::set<LatticePoint>> covered(c.thresholds.size() + 1);
     std::vector<std::set<LatticePoint>> squares;
     for (const Contour& contour : set.contours) {

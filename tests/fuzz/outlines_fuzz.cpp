@@ -60,8 +60,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const d2b::OutlineOptions options = options_of(bytes, walls);
     const RandomGridCase c = grid_of(bytes, 20);
     d2b::Context context;
-    const d2b::ContourSet set = trace_grid(c.grid, c.thresholds, {c.mode}, context);
+    const ContourSet set = trace_grid(c.grid, c.thresholds, {c.mode}, context);
     const d2b::Drawing drawing = walls ? d2b::Drawing::regularized : d2b::Drawing::simplified;
-    check(set, d2b::Outliner(set.contours, drawing, options, unit_grid, 1, *context.threads));
+    check(set, d2b::Outliner(*set.list, drawing, options, unit_grid, 1, context));
     return 0;
 }

@@ -42,7 +42,7 @@ foreach(file IN LISTS expected)
 endforeach()
 
 file(GLOB_RECURSE documents LIST_DIRECTORIES FALSE RELATIVE ${source} ${source}/docs/*)
-foreach(document IN LISTS documents ITEMS LICENSE README.md)
+foreach(document IN LISTS documents ITEMS LICENSE README.md CHANGELOG.md)
   if(NOT EXISTS ${prefix}/${docdir}/${document})
     message(SEND_ERROR "the document ${document} is not installed")
   endif()

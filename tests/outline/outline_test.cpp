@@ -32,7 +32,7 @@ TraceGrid plate_with_tower() {
 
 TEST(Noding, PutsTheCornersOfOthersIntoAnEdge) {
     Context context;
-    const ContourSet set = trace_grid(plate_with_tower(), {10, 25}, {}, context);
+    const test::ContourSet set = trace_grid(plate_with_tower(), {10, 25}, {}, context);
     ASSERT_EQ(set.contours.size(), 3U);
     const CornerIndex corners(set.contours);
     EXPECT_EQ(corners.noded(traced_polygon(set.contours[1])).exterior,
@@ -42,7 +42,7 @@ TEST(Noding, PutsTheCornersOfOthersIntoAnEdge) {
 
 TEST(ArcGraph, SharesTheWallOfPlateAndTower) {
     Context context;
-    const ContourSet set = trace_grid(plate_with_tower(), {10, 25}, {}, context);
+    const test::ContourSet set = trace_grid(plate_with_tower(), {10, 25}, {}, context);
     const ArcGraph graph = build_arc_graph(set.contours);
     // The root's ring, the shared wall, the rest of the plate, the rest of the tower.
     EXPECT_EQ(graph.arcs.size(), 4U);
@@ -116,13 +116,13 @@ class SimplifiedGrid : public testing::TestWithParam<unsigned> {
     }
     Context context_;
     TraceMode mode_ = TraceMode::cells;
-    ContourSet set_;
+    test::ContourSet set_;
     double tolerance_ = 1;
     OutlineOptions options_;
 };
 
 TEST_P(SimplifiedGrid, StaysValidNestedAndDisjoint) {
-    const Outliner outliner(set_.contours, Drawing::simplified, options_, unit_grid, 1, *context_.threads);
+    const Outliner outliner(*set_.list, Drawing::simplified, options_, unit_grid, 1, context_);
     Geos geos;
     std::vector<std::vector<FinePolygon>> children(set_.contours.size());
     std::vector<double> children_area(set_.contours.size(), 0);
@@ -146,7 +146,7 @@ TEST_P(SimplifiedGrid, StaysValidNestedAndDisjoint) {
 }
 
 TEST_P(SimplifiedGrid, StaysWithinTheToleranceBothWays) {
-    const Outliner outliner(set_.contours, Drawing::simplified, options_, unit_grid, 1, *context_.threads);
+    const Outliner outliner(*set_.list, Drawing::simplified, options_, unit_grid, 1, context_);
     for (std::size_t i = 0; i < set_.contours.size(); ++i) {
         const FinePolygon drawn = outliner.outline(i);
         const FinePolygon traced = outliner.traced(i);
@@ -162,9 +162,9 @@ class TracedGrid : public testing::TestWithParam<unsigned> {};
 TEST_P(TracedGrid, IsValidAsItIsTraced) {
     const test::RandomGridCase c = test::random_grid(GetParam(), 30);
     Context context;
-    const ContourSet set =
+    const test::ContourSet set =
         trace_grid(c.grid, c.thresholds, {c.mode, static_cast<int>(GetParam() % 9)}, context);
-    const Outliner outliner(set.contours, Drawing::traced, {}, unit_grid, 1, *context.threads);
+    const Outliner outliner(*set.list, Drawing::traced, {}, unit_grid, 1, context);
     Geos geos;
     for (std::size_t i = 0; i < set.contours.size(); ++i)
         EXPECT_EQ(geos.invalidity({unit_grid.polygon(outliner.outline(i))}), "") << i;
@@ -178,12 +178,12 @@ class RotatedGrid : public testing::TestWithParam<unsigned> {};
 TEST_P(RotatedGrid, NestingHoldsToAMillionthOfACell) {
     const test::RandomGridCase c = test::random_grid(GetParam(), 20, false);
     Context context;
-    const ContourSet set = trace_grid(c.grid, c.thresholds, {c.mode}, context);
+    const test::ContourSet set = trace_grid(c.grid, c.thresholds, {c.mode}, context);
     const double angle = 0.37;
     const Georeference rotated({691234.5, 0.5 * std::cos(angle), 0.5 * std::sin(angle), 5334567.5,
                                 0.5 * std::sin(angle), -0.5 * std::cos(angle)},
                                c.mode);
-    const Outliner outliner(set.contours, Drawing::noded, {}, rotated, 1, *context.threads);
+    const Outliner outliner(*set.list, Drawing::noded, {}, rotated, 1, context);
     Geos geos;
     for (std::size_t i = 0; i < set.contours.size(); ++i) {
         const WorldPolygon child = rotated.polygon(outliner.outline(i));

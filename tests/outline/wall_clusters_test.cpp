@@ -11,11 +11,12 @@
 namespace d2b {
 namespace {
 
+using test::ContourVector;
 using test::trace_grid;
 using test::TraceGrid;
 
 /// Contours of a grid without the roots, as detection leaves them.
-std::vector<Contour> without_roots(const ContourSet& set) {
+ContourVector without_roots(const test::ContourSet& set) {
     std::vector<Contour> contours;
     std::int64_t roots = 0;
     for (const Contour& contour : set.contours) {
@@ -27,7 +28,7 @@ std::vector<Contour> without_roots(const ContourSet& set) {
         kept.parent = kept.key.level == 1 ? -1 : kept.parent - roots;
         contours.push_back(kept);
     }
-    return contours;
+    return ContourVector(std::move(contours));
 }
 
 void raise(TraceGrid& grid, LatticeBox box, double z) {
@@ -37,7 +38,7 @@ void raise(TraceGrid& grid, LatticeBox box, double z) {
 }
 
 /// Two houses of 12 x 12 cells with so many cells between them.
-std::vector<Contour> two_houses(std::int32_t gap, bool with_tower = false) {
+ContourVector two_houses(std::int32_t gap, bool with_tower = false) {
     TraceGrid grid{20, 28 + gap, {}, {}};
     grid.z.assign(static_cast<std::size_t>(grid.rows) * static_cast<std::size_t>(grid.cols), 0);
     raise(grid, {{4, 2}, {16, 14}}, 10);
@@ -63,20 +64,22 @@ TEST(WallClusters, WideCellsReachFewerColumns) {
 }
 
 TEST(WallClusters, WhatStandsOnAHouseIsWithIt) {
-    const std::vector<Contour> contours = two_houses(20, true);
+    const ContourVector contours = two_houses(20, true);
     ASSERT_EQ(contours.size(), 3U);
-    const std::vector<WallCluster> clusters = wall_clusters(contours, {});
+    const std::vector<ClusterPlan> clusters = wall_clusters(contours, {});
     ASSERT_EQ(clusters.size(), 2U);
     EXPECT_EQ(clusters[0].numbers, (std::vector<std::uint32_t>{0, 2}));
     EXPECT_EQ(clusters[0].parents, (std::vector<std::int32_t>{-1, 0}));
-    EXPECT_EQ(clusters[0].contours[1], &contours[2]);
     EXPECT_EQ(clusters[1].numbers, (std::vector<std::uint32_t>{1}));
-    EXPECT_EQ(fit_walls(clusters[0], {}).footprints.size(), 1U);
-    EXPECT_TRUE(fit_walls(clusters[1], {}).footprints.empty());
+    const FetchedCluster first(contours, clusters[0]);
+    EXPECT_EQ(first.cluster().contours[1]->key, contours.head(2).key);
+    EXPECT_EQ(first.cluster().parents, clusters[0].parents);
+    EXPECT_EQ(fit_walls(first.cluster(), {}).footprints.size(), 1U);
+    EXPECT_TRUE(fit_walls(FetchedCluster(contours, clusters[1]).cluster(), {}).footprints.empty());
 }
 
 /// Ragged houses of some levels all over a grid.
-std::vector<Contour> village(unsigned seed) {
+ContourVector village(unsigned seed) {
     std::mt19937 random(seed);
     TraceGrid grid{150, 150, std::vector<double>(150 * 150, 0), {}};
     for (int house = 0; house < 40; ++house) {
@@ -102,71 +105,91 @@ void expect_same(const FinePolygon& a, const FinePolygon& b) {
 class Village : public testing::TestWithParam<unsigned> {};
 
 TEST_P(Village, IsTheSameWithAnyNumberOfThreads) {
-    const std::vector<Contour> contours = village(GetParam());
+    const ContourVector contours = village(GetParam());
     Executor one(1);
-    const RegularOutlines alone(contours, {}, one);
+    const RegularOutlines alone(contours, {}, std::make_unique<MemorySpool>(), one);
     for (const int threads : {2, 5}) {
         Executor several(threads);
-        const RegularOutlines shared(contours, {}, several);
+        const RegularOutlines shared(contours, {}, std::make_unique<MemorySpool>(), several);
         for (std::size_t i = 0; i < contours.size(); ++i) {
             expect_same(shared.polygon(i), alone.polygon(i));
             EXPECT_EQ(shared.quality(i).deviation, alone.quality(i).deviation);
-            if (contours[i].key.level == 1)
+            if (contours.head(i).key.level == 1)
                 expect_same(shared.footprint(i), alone.footprint(i));
         }
     }
 }
 
 TEST_P(Village, AClusterAloneIsDrawnAsAmongAll) {
-    const std::vector<Contour> contours = village(GetParam());
+    const ContourVector contours = village(GetParam());
     Executor executor(2);
-    const RegularOutlines all(contours, {}, executor);
-    const std::vector<WallCluster> clusters = wall_clusters(contours, {});
+    const RegularOutlines all(contours, {}, std::make_unique<MemorySpool>(), executor);
+    const std::vector<ClusterPlan> clusters = wall_clusters(contours, {});
     ASSERT_GT(clusters.size(), 2U);
-    for (const WallCluster& cluster : clusters) {
-        std::vector<Contour> own;
-        for (std::size_t i = 0; i < cluster.contours.size(); ++i) {
-            own.push_back(*cluster.contours[i]);
-            own.back().parent = cluster.parents[i];
+    for (const ClusterPlan& cluster : clusters) {
+        std::vector<Contour> of_cluster;
+        for (std::size_t i = 0; i < cluster.numbers.size(); ++i) {
+            of_cluster.push_back(contours.fetch(cluster.numbers[i]));
+            of_cluster.back().parent = cluster.parents[i];
         }
+        const ContourVector own(of_cluster);
         ASSERT_EQ(wall_clusters(own, {}).size(), 1U);
-        const RegularOutlines alone(own, {}, executor);
+        const RegularOutlines alone(own, {}, std::make_unique<MemorySpool>(), executor);
         for (std::size_t i = 0; i < own.size(); ++i) {
             expect_same(alone.polygon(i), all.polygon(cluster.numbers[i]));
             expect_same(alone.traced(i), all.traced(cluster.numbers[i]));
-            if (own[i].key.level == 1)
+            if (own.head(i).key.level == 1)
                 expect_same(alone.footprint(i), all.footprint(cluster.numbers[i]));
         }
     }
 }
 
 TEST_P(Village, FootprintsAreThoseOfTheLowLevelsAlone) {
-    const std::vector<Contour> contours = village(GetParam());
-    std::vector<Contour> low;
-    for (const Contour& contour : contours)
+    const ContourVector contours = village(GetParam());
+    std::vector<Contour> low_contours;
+    for (const Contour& contour : fetch_all(contours))
         if (contour.key.level == 1)
-            low.push_back(contour);
+            low_contours.push_back(contour);
+    const ContourVector low(low_contours);
     Executor executor;
-    const RegularOutlines all(contours, {}, executor);
-    const RegularOutlines alone(low, {}, executor);
+    const RegularOutlines all(contours, {}, std::make_unique<MemorySpool>(), executor);
+    const RegularOutlines alone(low, {}, std::make_unique<MemorySpool>(), executor);
     for (std::size_t i = 0; i < low.size(); ++i) {
         expect_same(all.footprint(i), alone.polygon(i));
         EXPECT_EQ(all.footprint_quality(i).fitted, alone.quality(i).fitted);
     }
 }
 
+TEST_P(Village, IsDividedAlikeInStripsOfAnyHeight) {
+    const ContourVector contours = village(GetParam());
+    const std::vector<ClusterPlan> whole = wall_clusters(contours, {});
+    for (const std::int64_t rows : {1, 7, 64}) {
+        const std::vector<ClusterPlan> strips = wall_clusters(contours, {}, rows);
+        ASSERT_EQ(strips.size(), whole.size());
+        for (std::size_t i = 0; i < whole.size(); ++i)
+            EXPECT_EQ(strips[i].numbers, whole[i].numbers);
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Seeds, Village, testing::Range(0U, 6U));
+
+FinePolygon put_aside(const FinePolygon& polygon) {
+    MemorySpool spool;
+    ByteWriter writer;
+    save(polygon, writer);
+    return load_outline(spool, append(spool, writer));
+}
 
 TEST(PackedOutline, GivesBackWhatWasPutIn) {
     const FinePolygon polygon{{{-5, 7}, {1LL << 40, -(1LL << 39)}, {1024, 2048}},
                               {{{0, 0}, {63, -64}, {64, -65}}},
                               {{1, 0, 4000000000U}}};
-    const FinePolygon back = PackedOutline(polygon).polygon();
+    const FinePolygon back = put_aside(polygon);
     expect_same(back, polygon);
     ASSERT_EQ(back.arcs.size(), 1U);
     EXPECT_EQ(back.arcs[0].ring, 1U);
     EXPECT_EQ(back.arcs[0].edges, 4000000000U);
-    EXPECT_TRUE(PackedOutline(FinePolygon{}).polygon().exterior.empty());
+    EXPECT_TRUE(put_aside({}).exterior.empty());
 }
 
 }  // namespace

@@ -92,12 +92,12 @@ class RandomWalls : public testing::TestWithParam<unsigned> {
         case_ = wall_case(GetParam());
         set_ = test::trace_grid(case_.grid, case_.thresholds, {case_.mode}, context_);
     }
-    [[nodiscard]] Outliner draw() const {
-        return Outliner(set_.contours, Drawing::regularized, case_.options, unit_grid, 1, *context_.threads);
+    [[nodiscard]] Outliner draw() {
+        return Outliner(*set_.list, Drawing::regularized, case_.options, unit_grid, 1, context_);
     }
     Context context_;
     WallCase case_;
-    ContourSet set_;
+    test::ContourSet set_;
 };
 
 TEST_P(RandomWalls, AreValidNestedAndDisjoint) {
@@ -150,9 +150,8 @@ TEST_P(RandomWalls, ComeOutTheSameWhereverTheWindowIs) {
     const Outliner outliner = draw();
     test::TraceSettings settings(case_.mode);
     settings.origin = {1234, 56789};
-    const ContourSet moved = test::trace_grid(case_.grid, case_.thresholds, settings, context_);
-    const Outliner other(moved.contours, Drawing::regularized, case_.options, unit_grid, 1,
-                         *context_.threads);
+    const test::ContourSet moved = test::trace_grid(case_.grid, case_.thresholds, settings, context_);
+    const Outliner other(*moved.list, Drawing::regularized, case_.options, unit_grid, 1, context_);
     ASSERT_EQ(moved.contours.size(), set_.contours.size());
     for (std::size_t i = 0; i < moved.contours.size(); ++i) {
         FineRing ring = outliner.outline(i).exterior;

@@ -54,9 +54,9 @@ struct Drawn {
     explicit Drawn(const TraceGrid& grid, const OutlineOptions& options = walls(),
                    const std::vector<double>& levels = {10})
         : set(trace_grid(grid, levels, {}, context)),
-          outliner(set.contours, Drawing::regularized, options, unit_grid, 1, *context.threads) {}
+          outliner(*set.list, Drawing::regularized, options, unit_grid, 1, context) {}
     Context context;
-    ContourSet set;
+    test::ContourSet set;
     Outliner outliner;
 
     [[nodiscard]] std::vector<Position> exterior(std::size_t contour) const {
@@ -215,9 +215,9 @@ TEST(Walls, RightAnglesAreThoseOfTheGround) {
         for (std::int32_t col = 0; col < 60; ++col)
             grid.z.push_back(in_box({2 * (col + 0.5), -(row + 0.5)}, {60, -60}, angle, 70, 40) ? 20 : 0);
     Context context;
-    const ContourSet set = trace_grid(grid, {10}, {}, context);
+    const test::ContourSet set = trace_grid(grid, {10}, {}, context);
     const Georeference wide({0, 2, 0, 0, 0, -1}, TraceMode::cells);
-    const Outliner outliner(set.contours, Drawing::regularized, walls(), wide, 1, *context.threads);
+    const Outliner outliner(*set.list, Drawing::regularized, walls(), wide, 1, context);
     const WorldRing ring = wide.polygon(outliner.outline(1)).exterior;
     ASSERT_EQ(ring.size(), 4U);
     for (std::size_t i = 0; i < 4; ++i) {

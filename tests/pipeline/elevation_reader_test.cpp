@@ -1,5 +1,7 @@
 #include "pipeline/elevation_reader.hpp"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "pipeline/pipeline_case.hpp"
@@ -20,6 +22,59 @@ TEST(ElevationReader, ReadsAgainAfterAFailure) {
         reader.for_each([&](const ElevationBand& band) { rows += band.shape.rows; });
     EXPECT_EQ(rows, 2 * 10);
     EXPECT_EQ(source.reads, 2);
+}
+
+/// All elevations of a reader's bands.
+std::vector<double> all_of(ElevationReader& reader) {
+    std::vector<double> all;
+    reader.for_each([&](const ElevationBand& band) {
+        all.insert(all.end(), band.elevations.begin(), band.elevations.end());
+    });
+    return all;
+}
+
+TEST(ElevationReader, KeepsWhatItReadToTheLastBit) {
+    for (const double step : {0.25, 0.1}) {  // the second is no float
+        std::vector<double> z;
+        for (int i = 0; i < 600; ++i)
+            z.push_back(100 + step * i);
+        MemorySource source(20, 30, z);
+        Context context;
+        ElevationReader reader(source, context);
+        EXPECT_EQ(all_of(reader), z);
+        EXPECT_EQ(all_of(reader), z);
+        EXPECT_EQ(source.reads, 1);
+    }
+}
+
+TEST(ElevationReader, ReadsAgainWhatItHasNoRoomFor) {
+    const auto reads = [](double z, std::size_t room) {
+        MemorySource source(20, 30, std::vector<double>(600, z));
+        Context context;
+        ElevationReader reader(source, context, room);
+        EXPECT_EQ(all_of(reader), all_of(reader));
+        EXPECT_EQ(all_of(reader), std::vector<double>(600, z));
+        return source.reads;
+    };
+    EXPECT_EQ(reads(0.5, 2400), 1);
+    EXPECT_EQ(reads(0.5, 2399), 3);
+    EXPECT_EQ(reads(0.1, 4800), 1);
+    EXPECT_EQ(reads(0.1, 4799), 3);  // found out on the way
+}
+
+TEST(ElevationReader, GivesTheBandsOfSomeRows) {
+    MemorySource source(40000, 30, std::vector<double>(1200000, 1));
+    Context context;
+    context.threads = std::make_unique<Executor>(3);
+    ElevationReader reader(source, context);
+    ASSERT_GT(reader.bands(), 2U);
+    std::vector<int> seen(40000, 0);
+    reader.for_rows(17000, 17500, [&](const ElevationBand& band) {
+        for (std::int32_t row = 0; row < band.shape.rows; ++row)
+            ++seen[static_cast<std::size_t>(band.shape.first_row + row)];
+    });
+    EXPECT_EQ(std::count(seen.begin() + 17000, seen.begin() + 17500, 1), 500);
+    EXPECT_LT(source.reads, static_cast<int>(reader.bands()));
 }
 
 TEST(ElevationReader, BandsReachTheLastRowOfTheLargestRaster) {

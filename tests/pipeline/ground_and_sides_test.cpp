@@ -65,6 +65,23 @@ TEST(SideRasters, AreNotFinishedWhereTheRunIsCancelled) {
     EXPECT_FALSE(town.sink.finished);
 }
 
+TEST(Progress, NeverGoesBack) {
+    for (const char* preset : {"thesis", "buildings"}) {
+        TownRun town;
+        town.options.preset = preset;
+        std::vector<double> shares;
+        town.context.on_progress = [&](double share) {
+            shares.push_back(share);
+            return true;
+        };
+        town.run();
+        EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+        EXPECT_GT(shares.size(), 3U);
+        EXPECT_GE(shares.front(), 0);
+        EXPECT_EQ(shares.back(), 1);
+    }
+}
+
 TEST(SideRasters, HoldWhatIsNotKnown) {
     std::vector<double> z = MadeTown::surface();
     for (int r = 25; r < 28; ++r)

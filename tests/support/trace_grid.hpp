@@ -8,7 +8,7 @@
 #include "detect/one_label.hpp"
 #include "levels/level_plan.hpp"
 #include "levels/quantise.hpp"
-#include "pipeline/contour_store.hpp"
+#include "support/contour_set.hpp"
 #include "trace/tracer.hpp"
 
 namespace d2b::test {
@@ -41,6 +41,7 @@ struct TraceSettings {
     double min_area = 0;
     std::int32_t rows_a_band = 1000000;
     LatticePoint origin;  ///< of the window in the whole raster
+    bool keep_roots = true;
 };
 
 template <typename Count>
@@ -52,8 +53,9 @@ ContourSet trace_levels(const TraceGrid& grid, const LevelPlan& plan, const Trac
     filter.noise_factor = settings.noise_factor;
     filter.min_area_m2 = settings.min_area;
     filter.keep_footprints = plan.footprints;
-    ContourStore store(
-        filter, [](LatticePoint) { return 1.0; }, statistics.range(), context);
+    ContourStore store({filter, [](LatticePoint) { return 1.0; }, statistics.range(),
+                        statistics.fixed_point(), settings.keep_roots},
+                       std::make_unique<MemorySpool>(), context);
     const Window window{settings.origin.row, settings.origin.col, grid.rows, grid.cols};
     const TraceFrame frame{window, plan.level_count(), statistics.fixed_point(), statistics.range()};
     Tracer tracer(frame, {settings.mode}, store);
@@ -72,7 +74,7 @@ ContourSet trace_levels(const TraceGrid& grid, const LevelPlan& plan, const Trac
         tracer.trace(take_apart(frame, {settings.mode}, before, band));
         before = last_rows(before, band);
     }
-    return store.finish();
+    return fetch_set(store.finish());
 }
 
 /// Traces a grid with thresholds a label.

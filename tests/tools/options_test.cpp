@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "pipeline/option_checks.hpp"
 #include "pipeline/option_values.hpp"
@@ -65,6 +66,8 @@ TEST(OptionTable, holdsTheseOptions) {
                                          "p",
                                          "man",
                                          "options_md",
+                                         "options_json",
+                                         "bash_completion",
                                          "ground",
                                          "max_building_width",
                                          "min_height",
@@ -80,7 +83,9 @@ TEST(OptionTable, holdsTheseOptions) {
                                          "write_doubtful",
                                          "write_ground",
                                          "write_height",
-                                         "write_canopy"};
+                                         "write_canopy",
+                                         "preview",
+                                         "sweep"};
     EXPECT_EQ(names, expected);
 }
 
@@ -288,6 +293,23 @@ TEST(Options, ofTheReport) {
     EXPECT_TRUE(parse_command_line({"-version"}).tool.version);
     EXPECT_TRUE(parse_command_line({"-man"}).tool.man_page);
     EXPECT_TRUE(parse_command_line({"-options_md"}).tool.options_markdown);
+    EXPECT_TRUE(parse_command_line({"-options_json"}).tool.options_json);
+    EXPECT_TRUE(parse_command_line({"-bash_completion"}).tool.bash_completion);
+}
+
+TEST(Options, aSweepIsEveryPairOfItsNumbers) {
+    const auto sweep_of = [](const std::string& text) { return parse_sweep(text); };
+    EXPECT_EQ(sweep_of("lod=1..6,nf=5..60").lods, (std::vector<int>{1, 2, 3, 4, 5, 6}));
+    EXPECT_EQ(sweep_of("lod=1..6,nf=5..60").noise_factors, (std::vector<int>{5, 16, 27, 38, 49, 60}));
+    EXPECT_EQ(sweep_of("nf=5..21..5").noise_factors, (std::vector<int>{5, 10, 15, 20}));
+    EXPECT_TRUE(sweep_of("nf=5..21..5").lods.empty());
+    EXPECT_EQ(sweep_of("nf=7").noise_factors, std::vector<int>{7});
+    EXPECT_EQ(sweep_of("lod=3..3").lods, std::vector<int>{3});
+    EXPECT_EQ(sweep_of("nf=0..1000000000..1000000000").noise_factors, (std::vector<int>{0, 1000000000}));
+    for (const char* wrong :
+         {"lod", "lod=", "lod=0..3", "lod=3..1", "nf=1..2..0", "lod=1..2..3..4", "x=1", "lod=1,lod=2",
+          "lod=1..2,", "nf=1.5", "nf=0..1000000000..1", "lod=1..20..1,nf=0..30..1"})
+        EXPECT_THROW((void)sweep_of(wrong), OptionError) << wrong;
 }
 
 TEST(Options, everyOptionChangesWhatItShows) {
@@ -327,6 +349,8 @@ TEST(Options, everyOptionChangesWhatItShows) {
                                            {"-version"},
                                            {"-man"},
                                            {"-options_md"},
+                                           {"-options_json"},
+                                           {"-bash_completion"},
                                            {"-preset", "thesis"},
                                            {"-ground", "none"},
                                            {"-max_building_width", "90"},
@@ -343,6 +367,8 @@ TEST(Options, everyOptionChangesWhatItShows) {
                                            {"-write_doubtful"},
                                            {"-write_ground", "x"},
                                            {"-write_height", "x"},
+                                           {"-preview", "x"},
+                                           {"-sweep", "lod=1..2"},
                                            {"-write_canopy", "x"}};
     std::set<std::string> seen{"p"};  // no effect
     for (const Texts& arguments : command_lines) {

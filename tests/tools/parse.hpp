@@ -8,9 +8,12 @@
 
 namespace d2b::test {
 
-/// The arguments and, behind them, a source and a destination.
+/// The arguments and, behind them, a source and, but for a sweep, a destination.
 inline Request parse(std::vector<std::string> arguments) {
-    arguments.insert(arguments.end(), {"in.tif", "out.gpkg"});
+    const bool sweep = !arguments.empty() && arguments[0] == "-sweep";
+    arguments.emplace_back("in.tif");
+    if (!sweep)
+        arguments.emplace_back("out.gpkg");
     return parse_command_line(arguments);
 }
 

@@ -39,8 +39,10 @@ TEST(Footprints, AreWholeWherePointsAreNotValid) {
             if (std::isnan(filled.z[i]) && filled.labels[i] != 0)
                 filled.z[i] = -1;
         Context context;
-        const ContourSet found = test::trace_plan(grid, footprint_plan(-9), {TraceMode::cells}, context);
-        const ContourSet expected = test::trace_plan(filled, footprint_plan(-9), {TraceMode::cells}, context);
+        const test::ContourSet found =
+            test::trace_plan(grid, footprint_plan(-9), {TraceMode::cells}, context);
+        const test::ContourSet expected =
+            test::trace_plan(filled, footprint_plan(-9), {TraceMode::cells}, context);
         ASSERT_EQ(found.contours.size(), expected.contours.size());
         for (std::size_t i = 0; i < found.contours.size(); ++i) {
             const Contour& contour = found.contours[i];
@@ -61,7 +63,7 @@ TEST(Footprints, AreThePiecesOfTheirLabel) {
     for (unsigned seed = 0; seed < 60; ++seed) {
         const test::TraceGrid grid = labelled_noise(seed);
         Context context;
-        const ContourSet set = test::trace_plan(grid, footprint_plan(1e9), {TraceMode::cells}, context);
+        const test::ContourSet set = test::trace_plan(grid, footprint_plan(1e9), {TraceMode::cells}, context);
         std::size_t covered = 0;
         for (const Contour& contour : set.contours) {
             if (contour.key.level != 1)
@@ -90,7 +92,7 @@ TEST(Footprints, DoNotCountPointsThatAreNotValid) {
     grid.z[6] = 8;
     grid.z[12] = nodata;
     Context context;
-    const ContourSet set = test::trace_plan(grid, {3, {{}, {2, 5}}, true}, {TraceMode::cells}, context);
+    const test::ContourSet set = test::trace_plan(grid, {3, {{}, {2, 5}}, true}, {TraceMode::cells}, context);
     ASSERT_EQ(set.contours.size(), 3U);
     EXPECT_EQ(set.contours[0].own.n, 14);
     EXPECT_EQ(set.contours[1].squares(), 6);

@@ -15,7 +15,8 @@ using test::TraceSettings;
 /// A contour by what it covers: level, squares, and the squares of its parent.
 using Shape = std::tuple<int, std::set<LatticePoint>, std::set<LatticePoint>, std::int64_t, double>;
 
-std::multiset<Shape> shapes(const ContourSet& set, const std::function<LatticePoint(LatticePoint)>& move) {
+std::multiset<Shape> shapes(const test::ContourSet& set,
+                            const std::function<LatticePoint(LatticePoint)>& move) {
     const auto moved = [&](const Contour& contour) {
         std::set<LatticePoint> squares;
         for (const LatticePoint square : test::squares_inside(contour))
@@ -78,8 +79,8 @@ class Metamorphic : public testing::TestWithParam<unsigned> {
         settings_.mode = case_.mode;
         settings_.noise_factor = static_cast<int>(GetParam() % 7 * 2);
     }
-    ContourSet traced(const TraceGrid& grid) { return traced(grid, settings_); }
-    ContourSet traced(const TraceGrid& grid, const TraceSettings& settings) {
+    test::ContourSet traced(const TraceGrid& grid) { return traced(grid, settings_); }
+    test::ContourSet traced(const TraceGrid& grid, const TraceSettings& settings) {
         return test::trace_grid(grid, case_.thresholds, settings, context_);
     }
     /// Squares have one row and column less where they lie between points.
@@ -115,11 +116,11 @@ TEST_P(Metamorphic, TheWindowsPlaceIsAddedOnce) {
 }
 
 TEST_P(Metamorphic, BandsOfAnyHeightGiveTheSameBytes) {
-    const ContourSet whole = traced(case_.grid);
+    const test::ContourSet whole = traced(case_.grid);
     for (const std::int32_t rows : {1, 2, 3, 5}) {
         TraceSettings banded = settings_;
         banded.rows_a_band = rows;
-        const ContourSet set = traced(case_.grid, banded);
+        const test::ContourSet set = traced(case_.grid, banded);
         ASSERT_EQ(set.contours.size(), whole.contours.size());
         for (std::size_t i = 0; i < set.contours.size(); ++i) {
             const Contour& a = set.contours[i];

@@ -29,7 +29,7 @@ class PointStatistics : public testing::TestWithParam<unsigned> {};
 TEST_P(PointStatistics, CellsAreCountedInTheContourThatHoldsThem) {
     const test::RandomGridCase c = test::random_grid(2 * GetParam());
     Context context;
-    const ContourSet set = test::trace_grid(c.grid, c.thresholds, {TraceMode::cells}, context);
+    const test::ContourSet set = test::trace_grid(c.grid, c.thresholds, {TraceMode::cells}, context);
     for (std::size_t i = 0; i < set.contours.size(); ++i) {
         std::set<LatticePoint> own = points_of(set.contours[i], TraceMode::cells);
         for (const Contour& child : set.contours)
@@ -52,7 +52,7 @@ TEST_P(PointStatistics, CellsAreCountedInTheContourThatHoldsThem) {
 TEST_P(PointStatistics, EveryPointLiesInTheRightPolygonAtEveryLevel) {
     const test::RandomGridCase c = test::random_grid(GetParam());
     Context context;
-    const ContourSet set = test::trace_grid(c.grid, c.thresholds, {c.mode}, context);
+    const test::ContourSet set = test::trace_grid(c.grid, c.thresholds, {c.mode}, context);
     std::vector<std::set<LatticePoint>> squares_at(c.thresholds.size() + 1);
     for (const Contour& contour : set.contours)
         for (const LatticePoint s : test::squares_inside(contour))
@@ -68,7 +68,7 @@ TEST_P(PointStatistics, EveryPointLiesInTheRightPolygonAtEveryLevel) {
 TEST_P(PointStatistics, EachPointIsCountedOnceAndInAContourAroundIt) {
     const test::RandomGridCase c = test::random_grid(2 * GetParam() + 1);
     Context context;
-    const ContourSet set = test::trace_grid(c.grid, c.thresholds, {TraceMode::points}, context);
+    const test::ContourSet set = test::trace_grid(c.grid, c.thresholds, {TraceMode::points}, context);
     std::set<LatticePoint> all;
     std::int64_t counted = 0;
     for (const Contour& contour : set.contours) {
@@ -87,7 +87,7 @@ TEST(Percentiles, AreThoseOfAllPointsOfTheBuilding) {
     for (int i = 0; i < 100; ++i)
         grid.z[static_cast<std::size_t>((1 + i / 10) * 12 + 1 + i % 10)] = 100 + i;
     Context context;
-    const ContourSet set = test::trace_grid(grid, {50, 150}, {TraceMode::cells}, context);
+    const test::ContourSet set = test::trace_grid(grid, {50, 150}, {TraceMode::cells}, context);
     ASSERT_EQ(set.percentiles.size(), 1U);
     // 100 values, 100 to 199: the nearest rank of a share is 99 + 100 share.
     EXPECT_EQ(set.percentiles[0][0], 149);

@@ -26,7 +26,7 @@ std::vector<int> point_numbers(const LatticeRing& ring) {
 
 TEST(ThesisExample, OneRingOf24PointsThatCompressesToFour) {
     Context context;
-    const ContourSet set = trace_grid(thesis_example(), {15}, {TraceMode::points}, context);
+    const test::ContourSet set = trace_grid(thesis_example(), {15}, {TraceMode::points}, context);
     ASSERT_EQ(set.contours.size(), 2U);
     const Contour& root = set.contours[0];
     EXPECT_EQ(point_numbers(root.exterior.corners()), (std::vector<int>{0, 66, 76, 10}));
@@ -49,7 +49,7 @@ TEST(ThesisExample, NoiseFactorCountsUncompressedPoints) {
 
 TEST(ThesisExample, CellsHaveTheWholeArea) {
     Context context;
-    const ContourSet set = trace_grid(thesis_example(), {15}, {TraceMode::cells}, context);
+    const test::ContourSet set = trace_grid(thesis_example(), {15}, {TraceMode::cells}, context);
     EXPECT_EQ(set.contours[1].squares(), 45);
     EXPECT_EQ(set.contours[1].exterior.points(), 28);
 }
@@ -61,7 +61,7 @@ TEST(ThesisExample, APointOnTheThresholdDoesNotQualify) {
 
 TEST(ThesisExample, AChildMayUseItsParentsPoints) {
     Context context;
-    const ContourSet set = trace_grid(thesis_example(), {15, 25}, {TraceMode::points}, context);
+    const test::ContourSet set = trace_grid(thesis_example(), {15, 25}, {TraceMode::points}, context);
     ASSERT_EQ(set.contours.size(), 3U);
     EXPECT_EQ(set.contours[2].exterior.corners(), set.contours[1].exterior.corners());
     EXPECT_EQ(set.contours[2].parent, 1);
@@ -79,7 +79,7 @@ TEST(Tracer, WhatIsOnePointWideLeavesNoPolygon) {
                           9, 9, 9, 0, 0, 0,  //
                           9, 9, 0, 0, 0, 0},
                          {}};
-    const ContourSet set = trace_grid(grid, {5}, {TraceMode::points}, context);
+    const test::ContourSet set = trace_grid(grid, {5}, {TraceMode::points}, context);
     ASSERT_EQ(set.contours.size(), 2U);
     EXPECT_EQ(set.contours[1].key.first, (LatticePoint{3, 0}));
     EXPECT_EQ(set.contours[1].squares(), 1);
@@ -94,7 +94,7 @@ TEST(Tracer, ACourtyardThatTouchesTheOutsideInACornerIsAnInteriorRing) {
                           9, 0, 9,  //
                           9, 9, 9},
                          {}};
-    const ContourSet set = trace_grid(grid, {5}, {TraceMode::cells}, context);
+    const test::ContourSet set = trace_grid(grid, {5}, {TraceMode::cells}, context);
     ASSERT_EQ(set.contours.size(), 2U);
     EXPECT_EQ(set.contours[1].exterior.corners(),
               (LatticeRing{{0, 0}, {3, 0}, {3, 3}, {1, 3}, {1, 2}, {0, 2}}));
@@ -105,7 +105,7 @@ TEST(Tracer, ACourtyardThatTouchesTheOutsideInACornerIsAnInteriorRing) {
 TEST(Tracer, CellsThatMeetInACornerAreTwoContours) {
     Context context;
     const TraceGrid grid{2, 2, {9, 0, 0, 9}, {}};
-    const ContourSet set = trace_grid(grid, {5}, {TraceMode::cells}, context);
+    const test::ContourSet set = trace_grid(grid, {5}, {TraceMode::cells}, context);
     EXPECT_EQ(set.contours.size(), 3U);
 }
 
@@ -143,7 +143,7 @@ TEST(Tracer, LowestOutsideIsWithinACellOfTheExteriorRing) {
                           7,  -9,
                           7},
                          {}};
-    const ContourSet cells = trace_grid(grid, {10}, {TraceMode::cells}, context);
+    const test::ContourSet cells = trace_grid(grid, {10}, {TraceMode::cells}, context);
     ASSERT_EQ(cells.buildings.size(), 1U);
     EXPECT_EQ(cells.contours[static_cast<std::size_t>(cells.buildings[0])].lowest_outside, 1);
 }
@@ -158,7 +158,7 @@ TEST(Tracer, LowestOutsideOfPoints) {
                           3, 20, 20, 20, 5, 0,  //
                           5, 5,  5,  5,  5, 0},
                          {}};
-    const ContourSet set = trace_grid(grid, {10}, {TraceMode::points}, context);
+    const test::ContourSet set = trace_grid(grid, {10}, {TraceMode::points}, context);
     ASSERT_EQ(set.buildings.size(), 1U);
     EXPECT_EQ(set.contours[static_cast<std::size_t>(set.buildings[0])].lowest_outside, 3);
 }

@@ -34,7 +34,7 @@ TEST_P(RandomGrid, EqualsTheReference) {
         Context context;
         TraceSettings settings;
         settings.mode = c.mode;
-        const ContourSet set = test::trace_grid(c.grid, c.thresholds, settings, context);
+        const test::ContourSet set = test::trace_grid(c.grid, c.thresholds, settings, context);
         const auto expected = test::reference_contours(c.grid, c.thresholds, c.mode);
         ASSERT_EQ(set.contours.size(), expected.size());
         for (std::size_t i = 0; i < expected.size(); ++i) {

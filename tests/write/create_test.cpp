@@ -120,9 +120,9 @@ TEST_F(CreateTest, FoldersAndFilesWithBothLayers) {
     }
     for (const std::string& entry : entries())
         EXPECT_NE(entry.front(), '.') << entry;
-    EXPECT_EQ(entries("shapes"),
-              (Names{"buildings.cpg", "buildings.dbf", "buildings.prj", "buildings.shp", "buildings.shx",
-                     "contours.cpg", "contours.dbf", "contours.prj", "contours.shp", "contours.shx"}));
+    EXPECT_EQ(entries("shapes"), (Names{"buildings.cpg", "buildings.dbf", "buildings.prj", "buildings.qml",
+                                        "buildings.shp", "buildings.shx", "contours.cpg", "contours.dbf",
+                                        "contours.prj", "contours.qml", "contours.shp", "contours.shx"}));
 }
 
 TEST_F(CreateTest, AnEmptyFolderIsFilled) {

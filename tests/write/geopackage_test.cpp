@@ -43,6 +43,8 @@ class GeoPackageTest : public WriteTest {
         add_user_layer(path(name), "points", 3, "GPKG");
         sql(path(name), "CREATE TABLE plain (a INTEGER, b TEXT)", true);
         sql(path(name), "INSERT INTO plain VALUES (1, 'one'), (2, 'two')", true);
+        // A table of styles of another shape than QGIS's.
+        sql(path(name), "DROP TABLE layer_styles", true);
         sql(path(name),
             "CREATE TABLE layer_styles (id INTEGER PRIMARY KEY, f_table_name TEXT, styleQML TEXT)", true);
         sql(path(name), "INSERT INTO layer_styles VALUES (1, 'points', 'red'), (2, 'buildings', 'blue')",

@@ -61,7 +61,7 @@ TEST_F(OverwriteTest, FoldersAreExchanged) {
     write(to("shapes", "ESRI Shapefile"), 5);
     write(over("shapes", "ESRI Shapefile"), 2);
     EXPECT_EQ(entries(), Names{"shapes"});
-    EXPECT_EQ(entries("shapes").size(), 10u);
+    EXPECT_EQ(entries("shapes").size(), 12u);
     EXPECT_EQ(count(path("shapes"), "buildings"), 2);
     EXPECT_EQ(count(path("shapes"), "contours"), 2);
 }

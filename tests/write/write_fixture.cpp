@@ -97,6 +97,7 @@ LayerSpec layer_spec(const std::string& name, bool with_z) {
                    {"height", "height [m]", FieldType::real, "m", "height above the ground"},
                    {"status", "status", FieldType::text, "", "what was done"}};
     spec.with_z = with_z;
+    spec.style = {.title = "Style of " + name, .colour = "height", .label = "height"};
     return spec;
 }
 
@@ -124,6 +125,7 @@ std::vector<std::string> layer_names(GDALDatasetH dataset) {
     std::vector<std::string> names;
     for (int i = 0; i < GDALDatasetGetLayerCount(dataset); ++i)
         names.emplace_back(OGR_L_GetName(GDALDatasetGetLayer(dataset, i)));
+    std::erase(names, "layer_styles");
     std::sort(names.begin(), names.end());
     return names;
 }

@@ -71,6 +71,7 @@ class WriteTest : public ::testing::Test {
 [[nodiscard]] Provenance provenance();
 
 [[nodiscard]] Dataset open_dataset(const std::string& path, bool update = false);
+/// Sorted, without QGIS's table of styles, which OGR lists, too.
 [[nodiscard]] std::vector<std::string> layer_names(GDALDatasetH dataset);
 /// -1 where there is no such layer.
 [[nodiscard]] std::int64_t count(const std::string& path, const std::string& layer);

@@ -17,8 +17,7 @@ bool asks_for_text(const std::vector<GivenOption>& given, Request& request) {
         Request asked;
         if (option.row->arity == Arity::none)
             option.row->apply(asked, {});
-        const ToolOptions& tool = asked.tool;
-        if (tool.help || tool.version || tool.man_page || tool.options_markdown) {
+        if (asked.tool.prints_text()) {
             request = asked;
             return true;
         }
@@ -42,6 +41,13 @@ std::string quoted_list(const std::vector<std::string>& names) {
     for (std::size_t i = 0; i < names.size(); ++i)
         text += (i == 0 ? "'" : i + 1 == names.size() ? " and '" : ", '") + names[i] + "'";
     return text;
+}
+
+/// A sweep has no destination.
+void take_source(const std::vector<std::string>& names, Options& options) {
+    if (names.size() != 1 || names[0].empty())
+        throw OptionError("-sweep takes one file name, that of the source, and writes no layers.");
+    options.read.source = names[0];
 }
 
 void take_file_names(const std::vector<std::string>& names, Options& options) {
@@ -82,7 +88,10 @@ Request parse_command_line(const std::vector<std::string>& arguments) {
     std::stable_partition(tokens.options.begin(), tokens.options.end(),
                           [](const GivenOption& option) { return option.row->name == "preset"; });
     check_conflicts(apply_all(tokens.options, request));
-    take_file_names(tokens.file_names, request.options);
+    if (request.tool.sweep.empty())
+        take_file_names(tokens.file_names, request.options);
+    else
+        take_source(tokens.file_names, request.options);
     if (request.tool.json && writes_to_stdout(request))
         throw OptionError(
             "-json cannot be used with a destination in /vsistdout/; both would write to stdout.");

@@ -14,13 +14,16 @@
 #include "dem2buildings/help.hpp"
 #include "dem2buildings/interrupt.hpp"
 #include "dem2buildings/json_report.hpp"
+#include "dem2buildings/preview.hpp"
 #include "dem2buildings/progress.hpp"
 #include "dem2buildings/side_rasters.hpp"
+#include "dem2buildings/sweep.hpp"
 #include "geometry/geos.hpp"
 #include "pipeline/pipeline.hpp"
 #include "pipeline/preset.hpp"
 #include "read/gdal_command_line.hpp"
 #include "read/gdal_dem_source.hpp"
+#include "write/file_spool.hpp"
 #include "write/ogr_feature_sink.hpp"
 
 namespace d2b {
@@ -37,15 +40,29 @@ void process(const Request& request) {
             progress.update(share);
         return !interrupted();
     };
+    context.make_spool = [] { return std::make_unique<FileSpool>(); };
     context.stop = interrupted;
     start_gdal();
     const auto source = open_dem(options.read, context);
     const SideSources side_sources = open_side_sources(options, source->info(), context);
+    const Sources sources{*source, side_sources.terrain.get(), side_sources.mask.get(),
+                          side_sources.ndvi.get()};
+    if (!request.tool.sweep.empty()) {
+        options.write.layers = Layers::both;
+        const std::vector<Trial> trials = run_sweep(options, sources, request.tool.sweep_plan, context);
+        if (!quiet)
+            progress.update(1);
+        std::cout << (request.tool.json ? sweep_json(trials) : sweep_table(trials));
+        return;
+    }
     const auto sink = open_sink(options.write, context);
     const SideSinks side_sinks = open_side_sinks(options, source->info(), context);
+    Preview preview(options, *sink, *source, context);
     options.write.layers = layers_for(options.write);
-    run(options, {*source, side_sources.terrain.get(), side_sources.mask.get(), side_sources.ndvi.get()},
-        {*sink, side_sinks.ground.get(), side_sinks.height.get(), side_sinks.canopy.get()}, context);
+    run(options, sources,
+        {preview.features(), side_sinks.ground.get(), side_sinks.height.get(), side_sinks.canopy.get()},
+        context);
+    preview.publish();
     if (!quiet) {
         progress.update(1);
         std::cout << summary(context.report, options.write.layers, options.write.destination);
@@ -86,6 +103,10 @@ int run_tool(const std::vector<std::string>& arguments) {
         std::cout << man_page();
     else if (request.tool.options_markdown)
         std::cout << options_markdown();
+    else if (request.tool.options_json)
+        std::cout << options_json();
+    else if (request.tool.bash_completion)
+        std::cout << bash_completion();
     else
         return process_interruptibly(request);
     return exit_code::done;

@@ -1,0 +1,21 @@
+# `cpack -G DEB` in the build folder: one package with what users run, and the libraries that it needs as
+# dpkg-shlibdeps finds them.
+set(CPACK_PACKAGE_NAME dem2buildings)
+set(CPACK_PACKAGE_VENDOR "dem2buildings")
+set(CPACK_PACKAGE_CONTACT "The authors of dem2buildings <none@example.org>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY ${PROJECT_DESCRIPTION})
+set(CPACK_PACKAGE_DESCRIPTION "Finds buildings in the elevation raster of a city and writes them as polygons with heights
+and with the stack of contours that each is made of, for planners and for models of wind.")
+set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_GENERATOR DEB)
+set(CPACK_COMPONENTS_ALL tools)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME dem2buildings)
+set(CPACK_DEBIAN_TOOLS_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_DEPENDS proj-data)
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "qgis, gdal-bin")
+include(CPack)

@@ -1,0 +1,41 @@
+#include "core/height_classes.hpp"
+
+#include "core/number_text.hpp"
+
+namespace d2b {
+namespace {
+
+// From light to dark, which also holds in print and for the colour-blind. Storeys at first, then what
+// planners tell apart: low, middle, high, tower.
+constexpr std::array<HeightClass, 9> classes{{{0, {255, 255, 204}},
+                                              {3, {255, 237, 160}},
+                                              {6, {254, 217, 118}},
+                                              {10, {254, 178, 76}},
+                                              {15, {253, 141, 60}},
+                                              {20, {252, 78, 42}},
+                                              {30, {227, 26, 28}},
+                                              {50, {189, 0, 38}},
+                                              {100, {128, 0, 38}}}};
+
+}  // namespace
+
+std::span<const HeightClass> height_classes() {
+    return classes;
+}
+
+std::size_t height_class_of(double height_m) {
+    std::size_t found = 0;
+    while (found + 1 < classes.size() && height_m >= classes[found + 1].from)
+        ++found;
+    return found;
+}
+
+std::string class_label(std::size_t index) {
+    if (index == 0)
+        return "below " + number_text(classes[1].from) + " m";
+    if (index + 1 == classes.size())
+        return number_text(classes[index].from) + " m and more";
+    return number_text(classes[index].from) + " to " + number_text(classes[index + 1].from) + " m";
+}
+
+}  // namespace d2b

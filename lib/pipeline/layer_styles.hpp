@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/feature_sink.hpp"
+#include "pipeline/emit.hpp"
+
+namespace d2b {
+
+/// Where each layer stands in a list; nothing where it is not written.
+struct LayerPlaces {
+    std::optional<std::size_t> buildings;
+    std::optional<std::size_t> contours;
+    std::optional<std::size_t> doubtful;
+};
+
+/// How the layers are shown by default: all by the same classes of height in metres, contours from low to
+/// high, and in 3D the stack, or where it is not written each building as a block.
+/// @param vertical_metres metres in a vertical unit of the DEM
+void give_styles(std::vector<LayerSpec>& layers, const LayerPlaces& places, const Emission& emission,
+                 double vertical_metres);
+
+}  // namespace d2b

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace d2b {
+
+/// What is tried: every lod with every noise factor. A list that is empty leaves its option as it is.
+struct SweepPlan {
+    std::vector<int> lods;
+    std::vector<int> noise_factors;
+
+    [[nodiscard]] bool empty() const { return lods.empty() && noise_factors.empty(); }
+};
+
+/// "lod=1..6,nf=5..60": whole numbers from the first to the last, all where they are six or fewer, else six
+/// spread evenly; a third number is the step between them ("nf=5..60..5"), and one alone is one value.
+/// @throws OptionError where the text is anything else, or names more than 400 trials
+[[nodiscard]] SweepPlan parse_sweep(const std::string& text);
+
+}  // namespace d2b

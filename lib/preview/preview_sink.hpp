@@ -1,0 +1,61 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/context.hpp"
+#include "core/crs.hpp"
+#include "core/dem_source.hpp"
+#include "core/feature_sink.hpp"
+#include "preview/canvas.hpp"
+#include "preview/map_frame.hpp"
+
+namespace d2b {
+
+/// How a preview looks.
+struct PreviewLook {
+    int longest = 1200;          ///< side of the map, in pixels
+    std::string heading;         ///< before the counts; what was tried
+    double vertical_metres = 1;  ///< metres in a unit of elevation
+};
+
+/// Hands features on to another sink and draws them over the shaded relief: the contours from low to high, or
+/// the buildings where no contours are written, in the colours of their heights.
+class PreviewSink final : public FeatureSink {
+  public:
+    /// Takes a picture. @param image heading and counts below the map
+    using Taken = std::function<void(const Image& image)>;
+
+    /// @param features must outlive this, as must the DEM and the context @param crs of the DEM @param taken
+    /// called in finish(), before the features' own
+    PreviewSink(FeatureSink& features, DemSource& dem, Crs crs, PreviewLook look, const Context& context,
+                Taken taken);
+
+    void begin(std::span<const LayerSpec> layers, const Provenance& provenance) override;
+    void add(std::size_t layer, const Feature& feature) override;
+    void finish() override;
+    [[nodiscard]] std::int64_t first_id() const override { return features_.first_id(); }
+    [[nodiscard]] std::string layer_name(LayerRole role, Layers layers) const override {
+        return features_.layer_name(role, layers);
+    }
+
+  private:
+    void draw(const WorldPolygon& polygon, Colour colour);
+    void write_caption();
+
+    FeatureSink& features_;
+    DemSource& dem_;
+    Crs crs_;
+    PreviewLook look_;
+    const Context& context_;
+    Taken taken_;
+    MapFrame frame_;
+    Canvas canvas_;
+    std::optional<CoordinateTransform> to_dem_;  ///< where the features are in another CRS
+    std::size_t layer_ = 0;                      ///< that is drawn
+    std::size_t height_ = 0;                     ///< its field of heights
+};
+
+}  // namespace d2b

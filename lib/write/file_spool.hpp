@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "core/spool.hpp"
+
+namespace d2b {
+
+/// A spool in memory as long as it is small, and then in a temporary file without a name, which is gone with
+/// the process however that ends.
+class FileSpool : public Spool {
+  public:
+    /// @param folder for the file; "": that of the configuration option CPL_TMPDIR, or the system's
+    /// @param in_memory bytes that need no file
+    explicit FileSpool(std::string folder = "", std::size_t in_memory = std::size_t{32} << 20);
+    ~FileSpool() override;
+
+    /// @throws OutputError the file cannot be made, or there is no room for it
+    std::uint64_t append(std::span<const std::byte> bytes) override;
+    /// @throws OutputError
+    void read(std::uint64_t begin, std::span<std::byte> bytes) const override;
+
+  private:
+    void flush();
+    [[noreturn]] void fail(int error) const;
+
+    static constexpr std::size_t bytes_a_write = std::size_t{4} << 20;
+
+    std::string folder_;
+    std::size_t most_in_memory_;
+    mutable std::mutex mutex_;
+    int file_ = -1;
+    std::uint64_t in_file_ = 0;  ///< bytes; those in memory come after them
+    std::vector<std::byte> memory_;
+};
+
+}  // namespace d2b

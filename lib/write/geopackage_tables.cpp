@@ -1,0 +1,175 @@
+#include "write/geopackage_tables.hpp"
+
+#include <cpl_conv.h>
+#include <gdal_version.h>
+
+#include "write/layer_metadata.hpp"
+#include "write/qml_style.hpp"
+
+namespace d2b {
+
+namespace {
+
+constexpr const char* our_style = "'dem2buildings'";
+
+std::string literal(const std::string& text) {
+    std::string quoted = "'";
+    for (const char letter : text)
+        quoted.append(letter == '\'' ? 2 : 1, letter);
+    return quoted + "'";
+}
+
+/// The time, or what the user wants it to be: GDAL's own tables follow the same option.
+std::string now() {
+    const char* given = CPLGetConfigOption("OGR_CURRENT_DATE", nullptr);
+    return given != nullptr ? literal(given) : "strftime('%Y-%m-%dT%H:%M:%fZ','now')";
+}
+
+bool run(GDALDatasetH dataset, const std::string& sql) {
+    const GdalMessages messages;
+    if (OGRLayerH rows = GDALDatasetExecuteSQL(dataset, sql.c_str(), nullptr, nullptr))
+        GDALDatasetReleaseResultSet(dataset, rows);
+    return !messages.failed();
+}
+
+bool has_table(GDALDatasetH dataset, const std::string& name) {
+    const GdalMessages quiet;
+    OGRLayerH rows = GDALDatasetExecuteSQL(
+        dataset, ("SELECT 1 FROM sqlite_master WHERE lower(name) = " + literal(name)).c_str(), nullptr,
+        nullptr);
+    if (rows == nullptr)
+        return false;
+    const bool found = FeatureHandle(OGR_L_GetNextFeature(rows)) != nullptr;
+    GDALDatasetReleaseResultSet(dataset, rows);
+    return found;
+}
+
+/// With SQL alone: of a table that the driver knows it would write more after a rollback.
+class Tables {
+  public:
+    Tables(GDALDatasetH dataset, const NewLayer& layer, const WriteTarget& target)
+        : dataset_(dataset), layer_(layer), target_(target), table_(literal(layer.table)) {}
+
+    void style() const;
+    void metadata(const Provenance& provenance) const;
+    void data_columns() const;
+
+  private:
+    void must(const std::string& sql, const char* doing) const {
+        OgrCall call(target_);
+        if (OGRLayerH rows = GDALDatasetExecuteSQL(dataset_, sql.c_str(), nullptr, nullptr))
+            GDALDatasetReleaseResultSet(dataset_, rows);
+        call.check(true, doing);
+    }
+    void make_style_table() const;
+
+    GDALDatasetH dataset_;
+    const NewLayer& layer_;
+    const WriteTarget& target_;
+    std::string table_;
+};
+
+/// As QGIS makes it.
+void Tables::make_style_table() const {
+    const char* doing = "making the table of styles";
+    must(
+        "CREATE TABLE \"layer_styles\" ( \"id\" INTEGER PRIMARY KEY AUTOINCREMENT NOT NULL, "
+        "\"f_table_catalog\" TEXT(256), \"f_table_schema\" TEXT(256), \"f_table_name\" TEXT(256), "
+        "\"f_geometry_column\" TEXT(256), \"styleName\" TEXT(30), \"styleQML\" TEXT, \"styleSLD\" TEXT, "
+        "\"useAsDefault\" BOOLEAN, \"description\" TEXT, \"owner\" TEXT(30), \"ui\" TEXT(30), "
+        "\"update_time\" DATETIME DEFAULT (strftime('%Y-%m-%dT%H:%M:%fZ','now')))",
+        doing);
+    must(
+        "INSERT INTO gpkg_contents (table_name, data_type, identifier, description, last_change, srs_id) "
+        "VALUES ('layer_styles', 'attributes', 'layer_styles', '', " +
+            now() + ", 0)",
+        doing);
+}
+
+void Tables::style() const {
+    if (layer_.spec.style.title.empty())
+        return;
+    if (!has_table(dataset_, "layer_styles"))
+        make_style_table();
+    const std::string of_layer = " FROM layer_styles WHERE lower(f_table_name) = lower(" + table_ + ")";
+    const std::string ours = of_layer + " AND styleName = " + our_style + " AND owner = " + our_style;
+    // A table of another shape is somebody else's.
+    if (!run(dataset_, "DELETE" + ours))
+        return;
+    run(dataset_,
+        "INSERT INTO layer_styles (f_table_catalog, f_table_schema, f_table_name, f_geometry_column, "
+        "styleName, styleQML, styleSLD, useAsDefault, description, owner, update_time) VALUES ('', '', " +
+            table_ + ", " + literal(layer_.geometry) + ", " + our_style + ", " +
+            literal(qml_style(layer_.spec, layer_.columns)) + ", '', NOT EXISTS (SELECT 1" + of_layer +
+            " AND useAsDefault), " + literal(layer_.spec.style.title) + ", " + our_style + ", " + now() +
+            ")");
+}
+
+void Tables::metadata(const Provenance& provenance) const {
+    // GDAL makes the tables with its own metadata; without any, there is no lineage either.
+    if (!has_table(dataset_, "gpkg_metadata"))
+        return;
+    const char* doing = "writing the metadata";
+    must(
+        "INSERT INTO gpkg_metadata (md_scope, md_standard_uri, mime_type, metadata) VALUES ('dataset', "
+        "'http://mrcc.com/qgis.dtd', 'text/xml', " +
+            literal(qgis_metadata(layer_.spec, provenance)) + ")",
+        doing);
+    must(
+        "INSERT INTO gpkg_metadata_reference (reference_scope, table_name, timestamp, md_file_id) SELECT "
+        "'table', " +
+            table_ + ", " + now() + ", max(id) FROM gpkg_metadata",
+        doing);
+}
+
+void Tables::data_columns() const {
+#if GDAL_VERSION_NUM < GDAL_COMPUTE_VERSION(3, 7, 0)
+    const char* doing = "describing the fields";
+    if (!has_table(dataset_, "gpkg_data_columns")) {
+        must(
+            "CREATE TABLE gpkg_data_columns (table_name TEXT NOT NULL, column_name TEXT NOT NULL, name "
+            "TEXT, title TEXT, description TEXT, mime_type TEXT, constraint_name TEXT, CONSTRAINT pk_gdc "
+            "PRIMARY KEY (table_name, column_name), CONSTRAINT gdc_tn UNIQUE (table_name, name))",
+            doing);
+        must(
+            "INSERT INTO gpkg_extensions (table_name, column_name, extension_name, definition, scope) "
+            "VALUES ('gpkg_data_columns', NULL, 'gpkg_schema', "
+            "'http://www.geopackage.org/spec121/#extension_schema', 'read-write')",
+            doing);
+    }
+    if (!has_table(dataset_, "gpkg_data_column_constraints")) {
+        must(
+            "CREATE TABLE gpkg_data_column_constraints (constraint_name TEXT NOT NULL, constraint_type TEXT "
+            "NOT NULL, value TEXT, min NUMERIC, min_is_inclusive BOOLEAN, max NUMERIC, max_is_inclusive "
+            "BOOLEAN, description TEXT, CONSTRAINT gdcc_ntv UNIQUE (constraint_name, constraint_type, "
+            "value))",
+            doing);
+        must(
+            "INSERT INTO gpkg_extensions (table_name, column_name, extension_name, definition, scope) "
+            "VALUES ('gpkg_data_column_constraints', NULL, 'gpkg_schema', "
+            "'http://www.geopackage.org/spec121/#extension_schema', 'read-write')",
+            doing);
+    }
+    must("DELETE FROM gpkg_data_columns WHERE lower(table_name) = lower(" + table_ + ")", doing);
+    std::string rows;
+    for (std::size_t i = 0; i < layer_.columns.size(); ++i) {
+        const FieldSpec& field = layer_.spec.fields[i];
+        rows += (rows.empty() ? "(" : ", (") + table_ + ", " + literal(layer_.columns[i]) + ", " +
+                literal(field.alias) + ", " + literal(field.description) + ")";
+    }
+    // No `name`: it must be unique, and two fields may be called alike by people.
+    must("INSERT INTO gpkg_data_columns (table_name, column_name, title, description) VALUES " + rows, doing);
+#endif
+}
+
+}  // namespace
+
+void write_tables(GDALDatasetH dataset, const NewLayer& layer, const Provenance& provenance,
+                  const WriteTarget& target) {
+    const Tables tables(dataset, layer, target);
+    tables.style();
+    tables.metadata(provenance);
+    tables.data_columns();
+}
+
+}  // namespace d2b

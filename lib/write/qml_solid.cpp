@@ -1,0 +1,82 @@
+#include "core/height_classes.hpp"
+#include "core/number_text.hpp"
+#include "write/qml_parts.hpp"
+
+namespace d2b::qml {
+
+namespace {
+
+std::string property(const std::string& name, const std::string& expression) {
+    return "        <Option type=\"Map\" name=\"" + name +
+           "\">\n         <Option type=\"bool\" name=\"active\" value=\"true\"/>\n"
+           "         <Option type=\"QString\" name=\"expression\" value=\"" +
+           expression +
+           "\"/>\n         <Option type=\"int\" name=\"type\" value=\"3\"/>\n        </Option>\n";
+}
+
+std::string scaled(const std::string& expression, double scale) {
+    return scale == 1 ? expression : expression + " * " + number_text(scale);
+}
+
+std::string material(std::size_t height_class) {
+    const auto& colour = height_classes()[height_class].colour;
+    const auto shade = [&](double share) {
+        std::string text;
+        for (const unsigned char part : colour)
+            text += std::to_string(static_cast<int>(part * share)) + ",";
+        return text + "255";
+    };
+    return "     <material ambient=\"" + shade(0.35) + "\" diffuse=\"" + shade(0.85) +
+           "\" specular=\"20,20,20,255\" shininess=\"0\" opacity=\"1\"/>\n";
+}
+
+/// `height` of the data is what QGIS up to 3.40 reads and `offset` its later name; here they are but what
+/// stands where an expression gives nothing.
+std::string solid(std::size_t height_class, const std::string& altitude, const std::string& extrusion) {
+    return "    <symbol type=\"polygon\" material_type=\"phong\">\n"
+           "     <data alt-clamping=\"absolute\" alt-binding=\"centroid\" height=\"0\" offset=\"0\" "
+           "extrusion-height=\"0\" culling-mode=\"no-culling\" invert-normals=\"0\" add-back-faces=\"0\" "
+           "rendered-facade=\"3\"/>\n" +
+           material(height_class) +
+           "     <data-defined-properties>\n      <Option type=\"Map\">\n"
+           "       <Option type=\"QString\" name=\"name\" value=\"\"/>\n"
+           "       <Option type=\"Map\" name=\"properties\">\n" +
+           property("height", altitude) + property("extrusionHeight", extrusion) +
+           "       </Option>\n       <Option type=\"QString\" name=\"type\" value=\"collection\"/>\n"
+           "      </Option>\n     </data-defined-properties>\n"
+           "     <edges enabled=\"0\" width=\"1\" color=\"70,45,35,255\"/>\n    </symbol>\n";
+}
+
+std::string filter(std::size_t height_class, const std::string& height) {
+    const auto classes = height_classes();
+    std::string text = height_class == 0 ? height + " IS NOT NULL"
+                                         : height + " &gt;= " + number_text(classes[height_class].from);
+    if (height_class + 1 < classes.size())
+        text += " AND " + height + " &lt; " + number_text(classes[height_class + 1].from);
+    return text;
+}
+
+}  // namespace
+
+std::string renderer_3d(const LayerSpec& spec, const Columns& columns) {
+    const LayerStyle& style = spec.style;
+    // Each solid reaches from where the one below it ends to where its own points are: neighbours meet in a
+    // plane that cannot be seen, and no two walls stand in one place.
+    const std::string thickness =
+        columns.min_height.empty() ? columns.height : "(" + columns.height + " - " + columns.min_height + ")";
+    const std::string extrusion = scaled(thickness, style.metre_scale);
+    // To an absolute altitude QGIS adds the Z of the vertices, of which all of a feature are the same.
+    const std::string altitude = scaled(columns.top, style.vertical_scale) + " - " + extrusion +
+                                 (spec.with_z ? " - z(point_n($geometry, 1))" : "");
+    std::string text =
+        " <renderer-3d type=\"rulebased\" layer=\"\">\n"
+        "  <vector-layer-3d-tiling zoom-levels-count=\"3\" show-bounding-boxes=\"0\"/>\n"
+        "  <rules key=\"{dem2buildings}\">\n";
+    for (std::size_t i = 0; i < height_classes().size(); ++i)
+        text += "   <rule key=\"{dem2buildings-" + std::to_string(i) + "}\" description=\"" + class_label(i) +
+                "\" filter=\"" + filter(i, columns.height) + "\">\n" + solid(i, altitude, extrusion) +
+                "   </rule>\n";
+    return text + "  </rules>\n </renderer-3d>\n";
+}
+
+}  // namespace d2b::qml

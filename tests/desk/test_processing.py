@@ -1,0 +1,199 @@
+"""The provider of the Processing toolbox: installed from its zip, run through qgis_process and in QGIS."""
+
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import unittest
+import zipfile
+
+import desk_case
+from desk_case import TOOL, DeskCase
+
+ZIP = os.environ.get("D2B_QGIS_ZIP", str(desk_case.SOURCE / "build/tools/qgis/dem2buildings_qgis.zip"))
+os.environ["DEM2BUILDINGS"] = TOOL
+
+sys.path.append("/usr/share/qgis/python/plugins")
+from processing.core.Processing import Processing
+from qgis.core import (QgsApplication, QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback,
+                       QgsProcessingParameterDefinition, QgsProcessingUtils, QgsProject)
+
+ALGORITHM = "dem2buildings:extractbuildings"
+
+
+class Feedback(QgsProcessingFeedback):
+    """Remembers what it is told, and cancels at a share of the progress."""
+
+    def __init__(self, cancel_at=None):
+        super().__init__(False)
+        self.seen, self.lines, self.cancel_at = [], [], cancel_at
+        self.progressChanged.connect(self.note)
+
+    def note(self, percent):
+        self.seen.append(percent)
+        if self.cancel_at is not None and percent >= self.cancel_at:
+            self.cancel()
+
+    def pushInfo(self, text):
+        self.lines.append(text)
+
+    def pushCommandInfo(self, text):
+        self.lines.append(text)
+
+    def pushWarning(self, text):
+        self.lines.append(text)
+
+
+class Toolbox(DeskCase):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.plugins = cls.folder / "profile/python/plugins"
+        with zipfile.ZipFile(ZIP) as packed:
+            packed.extractall(cls.plugins)
+        sys.path.insert(0, str(cls.plugins))
+        Processing.initialize()
+        import dem2buildings
+        cls.plugin = dem2buildings.classFactory(None)
+        cls.plugin.initProcessing()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.plugin.unload()
+        super().tearDownClass()
+
+    def algorithm(self):
+        algorithm = QgsApplication.processingRegistry().createAlgorithmById(ALGORITHM)
+        self.assertIsNotNone(algorithm)
+        return algorithm
+
+    def run_it(self, feedback=None, **given):
+        context = QgsProcessingContext()
+        context.setProject(QgsProject.instance())
+        given.setdefault("INPUT", str(self.folder / "hotel_70x85.tif"))
+        given.setdefault("OUTPUT", str(self.folder / "out.gpkg"))
+        results, well = self.algorithm().run(given, context, feedback or Feedback(), {}, False)
+        return results, well, context
+
+    def log_of(self, **given):
+        feedback = Feedback()
+        results, well, _ = self.run_it(feedback, **given)
+        self.assertTrue(well)
+        return results, "\n".join(feedback.lines)
+
+    def test_every_option_of_the_program_has_its_parameter(self):
+        table = json.loads(subprocess.run([TOOL, "-options_json"], check=True, capture_output=True).stdout)["options"]
+        algorithm = self.algorithm()
+        shown = {one.name(): one for one in algorithm.parameterDefinitions()}
+        from dem2buildings.parameters import LEFT_OUT
+        wanted = {option["name"] for option in table if not option["hidden"]} - LEFT_OUT
+        self.assertEqual(set(shown), wanted | {"INPUT", "OUTPUT", "ground_model"})
+        self.assertGreater(len(wanted), 30)
+        lod = shown["lod"]
+        self.assertEqual((lod.defaultValue(), lod.minimum(), lod.maximum()), (4, 1, 10000))
+        self.assertEqual(shown["preset"].options(), ["buildings", "thesis"])
+        self.assertTrue(shown["te"].flags() & QgsProcessingParameterDefinition.FlagAdvanced)
+        self.assertFalse(shown["lod"].flags() & QgsProcessingParameterDefinition.FlagAdvanced)
+
+    def test_defaults_are_left_to_the_program(self):
+        algorithm = self.algorithm()
+        given = {one.name(): one.defaultValue() for one in algorithm.parameterDefinitions()
+                 if one.defaultValue() is not None}
+        _, log = self.log_of(**given)
+        self.assertIn(f"{TOOL} -overwrite -- ", log)
+
+    def test_parameters_become_options(self):
+        town = str(self.folder / "town.tif")
+        _, log = self.log_of(INPUT=town, preset=0, min_height=2.5, lod=2, te="391100,391400,5820100,5820300 [EPSG:25833]",
+                             ground_model=town, disjoint=True, fl=None, mask=town, t_srs="EPSG:4326",
+                             write_ground=str(self.folder / "ground.tif"), layers=2)
+        for words in ("-min_height 2.5", "-lod 2", "-te 391100.0 5820100.0 391400.0 5820300.0", f"-ground {town}",
+                      "-disjoint", f"-mask {town}", "-t_srs EPSG:4326", "-layers both",
+                      f"-write_ground {self.folder / 'ground.tif'}"):
+            self.assertIn(words, log)
+        self.assertNotIn("-preset", log)
+        self.assertNotIn("-fl", log)
+        self.assertTrue((self.folder / "ground.tif").exists())
+        _, log = self.log_of(preset=1, fl="15 60, 100")
+        self.assertIn("-preset thesis", log)
+        self.assertIn("-fl 15 60 100", log)
+
+    def test_layers_are_loaded_in_their_style(self):
+        results, well, context = self.run_it(INPUT=str(self.folder / "town.tif"))
+        self.assertTrue(well)
+        self.assertEqual(sorted(context.layersToLoadOnCompletion()), [results["BUILDINGS"], results["CONTOURS"]])
+        for place, details in context.layersToLoadOnCompletion().items():
+            layer = QgsProcessingUtils.mapLayerFromString(place, context)
+            self.assertEqual(layer.renderer().type(), "singleSymbol")
+            details.postProcessor().postProcessLayer(layer, context, Feedback())
+            self.assertEqual(layer.renderer().type(), "graduatedSymbol")
+            self.assertGreater(layer.featureCount(), 300)
+
+    def test_a_file_of_one_layer_is_loaded_too(self):
+        target = str(self.folder / "one.geojson")
+        results, well, _ = self.run_it(OUTPUT=target)
+        self.assertTrue(well)
+        self.assertEqual(results, {"OUTPUT": target, "BUILDINGS": target})
+
+    def test_progress_goes_from_nothing_to_all(self):
+        feedback = Feedback()
+        self.run_it(feedback, INPUT=str(self.folder / "town.tif"))
+        self.assertEqual(feedback.seen, sorted(feedback.seen))
+        self.assertEqual(feedback.seen[-1], 100)
+        self.assertGreater(len(feedback.seen), 3)
+        self.assertTrue(any("buildings and" in line for line in feedback.lines))
+        from dem2buildings.program import percent_of
+        self.assertEqual([percent_of(text) for text in ("", "0.", "0...10..", "0...10...20", "0...100 - done.\n3")],
+                         [0, 2.5, 15, 20, 100])
+
+    def test_a_cancelled_run_leaves_what_was_there(self):
+        target = self.make("kept.gpkg", sample="hotel_70x85.tif")
+        before = target.read_bytes()
+        feedback = Feedback(cancel_at=5)
+        results, _, _ = self.run_it(feedback, INPUT=str(self.folder / "town.tif"), OUTPUT=str(target))
+        self.assertTrue(feedback.isCanceled())
+        self.assertEqual(results, {})
+        self.assertEqual(target.read_bytes(), before)
+        self.assertEqual([one.name for one in self.folder.iterdir() if one.name.startswith(".")], [])
+
+    def test_errors_are_those_of_the_program(self):
+        context, feedback = QgsProcessingContext(), Feedback()
+        given = {"INPUT": str(self.folder / "hotel_70x85.tif"), "OUTPUT": str(self.folder / "no/such/out.gpkg")}
+        (self.folder / "no").write_text("a file in the way of the folder")
+        algorithm = self.algorithm()
+        with self.assertRaisesRegex(QgsProcessingException, "ERROR: .*out.gpkg"):
+            algorithm.run(given, context, feedback, {}, False)
+
+    def test_warnings_are_shown(self):
+        _, log = self.log_of(min_height=500)
+        self.assertIn("Warning: No building was found", log)
+
+    def test_without_the_program_the_dialog_says_so(self):
+        os.environ["DEM2BUILDINGS"] = "/nowhere/dem2buildings"
+        try:
+            able, why = self.algorithm().canExecute()
+            self.assertFalse(able)
+            self.assertIn("/nowhere/dem2buildings", why)
+        finally:
+            os.environ["DEM2BUILDINGS"] = TOOL
+
+    def test_through_qgis_process(self):
+        home = self.folder / "home"
+        plugins = home / ".local/share/QGIS/QGIS3/profiles/default/python/plugins"
+        shutil.copytree(self.plugins, plugins)
+        program = shutil.which("qgis_process.bin") or shutil.which("qgis_process")
+        environment = dict(os.environ, HOME=str(home))
+        subprocess.run([program, "plugins", "enable", "dem2buildings"], env=environment, check=True, capture_output=True)
+        target = self.folder / "process.gpkg"
+        done = subprocess.run([program, "--json", "run", ALGORITHM, "--", f"INPUT={self.folder / 'town.tif'}",
+                               "lod=2", f"OUTPUT={target}"], env=environment, check=True, capture_output=True, text=True)
+        self.assertIn("process.gpkg|layername=buildings", done.stdout)
+        layer = self.layer(target, "buildings")
+        self.assertGreater(layer.featureCount(), 300)
+        self.assertEqual(layer.maximumValue(layer.fields().indexOf("n_levels")), 3)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "attributes/records.hpp"
+#include "pipeline/contour_store.hpp"
+
+namespace d2b::test {
+
+/// Contours of a run side by side, with what relates them.
+struct ContourSet {
+    std::vector<Contour> contours;
+    std::vector<std::int64_t> building;    ///< a contour: index into `buildings`, -1 in level 0
+    std::vector<std::int64_t> buildings;   ///< the contours of level 1, in order
+    std::vector<Percentiles> percentiles;  ///< a building
+    std::shared_ptr<const StoredContours> list;
+};
+
+inline ContourSet fetch_set(std::shared_ptr<const StoredContours> list) {
+    ContourSet set;
+    for (std::size_t i = 0; i < list->size(); ++i) {
+        StoredContours::Stored stored = list->fetch_stored(i);
+        set.contours.push_back(std::move(stored.contour));
+        set.building.push_back(list->head(i).building);
+        if (list->head(i).key.level == 1) {
+            set.buildings.push_back(static_cast<std::int64_t>(i));
+            set.percentiles.push_back(stored.percentiles);
+        }
+    }
+    set.list = std::move(list);
+    return set;
+}
+
+/// A list of contours in memory.
+class ContourVector : public ContourList {
+  public:
+    explicit ContourVector(std::vector<Contour> list) : contours_(std::move(list)) {
+        for (const Contour& contour : contours_)
+            heads_.push_back({contour.key, contour.label, contour.parent});
+    }
+    [[nodiscard]] std::size_t size() const override { return contours_.size(); }
+    [[nodiscard]] const ContourHead& head(std::size_t i) const override { return heads_[i]; }
+    [[nodiscard]] Contour fetch(std::size_t i) const override { return contours_[i]; }
+
+  private:
+    std::vector<Contour> contours_;
+    std::vector<ContourHead> heads_;
+};
+
+/// The records of all contours and of all buildings.
+struct Records {
+    std::vector<ContourRecord> contours;
+    std::vector<BuildingRecord> buildings;
+};
+
+inline Records make_records(const ContourSet& set, const AttributeContext& context) {
+    const RecordMaker maker(*set.list, context);
+    Records records;
+    for (std::size_t i = 0; i < set.contours.size(); ++i) {
+        records.contours.push_back(maker.contour(i, set.contours[i]));
+        if (set.contours[i].key.level == 1)
+            records.buildings.push_back(maker.building(i, set.contours[i], records.contours[i],
+                                                       set.percentiles[records.buildings.size()]));
+    }
+    return records;
+}
+
+}  // namespace d2b::test

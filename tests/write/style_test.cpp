@@ -1,0 +1,176 @@
+#include <algorithm>
+
+#include "core/height_classes.hpp"
+#include "write/layer_metadata.hpp"
+#include "write/ogr_feature_sink.hpp"
+#include "write/qml_style.hpp"
+#include "write/write_fixture.hpp"
+
+namespace d2b::test {
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+class StyleTest : public WriteTest {
+  protected:
+    [[nodiscard]] WriteOptions over(const std::string& name) const {
+        WriteOptions options = to(name);
+        options.overwrite = true;
+        return options;
+    }
+    [[nodiscard]] std::string ask(const std::string& statement) const {
+        return sql(path("a.gpkg"), statement);
+    }
+    void change(const std::string& statement) const { sql(path("a.gpkg"), statement, true); }
+    /// Names of the styles of a layer, the default one with a star.
+    [[nodiscard]] std::string styles(const std::string& layer) const {
+        return ask(
+            "SELECT group_concat(n) FROM (SELECT styleName || CASE WHEN useAsDefault THEN '*' ELSE '' "
+            "END AS n FROM layer_styles WHERE f_table_name = '" +
+            layer + "' ORDER BY styleName)");
+    }
+};
+
+TEST_F(StyleTest, AGeoPackageHasAStyleOfEachLayer) {
+    write(to("a.gpkg"), 2);
+    EXPECT_EQ(styles("buildings"), "dem2buildings*");
+    EXPECT_EQ(styles("contours"), "dem2buildings*");
+    EXPECT_EQ(ask("SELECT f_geometry_column FROM layer_styles"), "geom");
+    EXPECT_EQ(ask("SELECT data_type FROM gpkg_contents WHERE table_name = 'layer_styles'"), "attributes");
+    const std::string qml = ask("SELECT styleQML FROM layer_styles WHERE f_table_name = 'buildings'");
+    EXPECT_NE(qml.find("attr=\"&quot;height&quot;\""), std::string::npos) << qml;
+    EXPECT_NE(qml.find("field=\"height\" index=\"1\" name=\"height [m]\""), std::string::npos);
+    EXPECT_EQ(ask("PRAGMA integrity_check"), "ok");
+    EXPECT_EQ(ask("PRAGMA foreign_key_check"), "");
+}
+
+TEST_F(StyleTest, AGeoPackageSaysWhatItsLayersAndFieldsAre) {
+    write(to("a.gpkg"), 1);
+    const std::string xml =
+        ask("SELECT metadata FROM gpkg_metadata JOIN gpkg_metadata_reference ON id = md_file_id WHERE "
+            "md_standard_uri = 'http://mrcc.com/qgis.dtd' AND table_name = 'contours'");
+    EXPECT_NE(xml.find("<title>Title of contours</title>"), std::string::npos) << xml;
+    EXPECT_NE(xml.find("height [m]: height above the ground"), std::string::npos);
+    EXPECT_NE(xml.find("<history>thresholds: 1, 2</history>"), std::string::npos);
+    EXPECT_EQ(ask("SELECT title || '|' || description FROM gpkg_data_columns WHERE table_name = 'buildings' "
+                  "AND column_name = 'height'"),
+              "height [m]|height above the ground");
+}
+
+TEST_F(StyleTest, StylesOfOthersStay) {
+    write(to("a.gpkg"), 1);
+    change(
+        "INSERT INTO layer_styles (f_table_catalog, f_table_schema, f_table_name, f_geometry_column, "
+        "styleName, styleQML, useAsDefault, owner) VALUES ('', '', 'roads', 'geom', 'r', 'red', 1, 'me')");
+    write(over("a.gpkg"), 2);
+    EXPECT_EQ(styles("buildings"), "dem2buildings*");
+    EXPECT_EQ(styles("roads"), "r*");
+    EXPECT_EQ(ask("SELECT count(*) FROM layer_styles"), "3");
+}
+
+TEST_F(StyleTest, AUsersDefaultStaysTheDefault) {
+    write(to("a.gpkg"), 1);
+    change("UPDATE layer_styles SET useAsDefault = 0 WHERE f_table_name = 'buildings'");
+    change(
+        "INSERT INTO layer_styles (f_table_catalog, f_table_schema, f_table_name, f_geometry_column, "
+        "styleName, styleQML, useAsDefault, owner) VALUES ('', '', 'buildings', 'geom', 'mine', 'q', 1, '')");
+    write(over("a.gpkg"), 2);
+    EXPECT_EQ(styles("buildings"), "dem2buildings,mine*");
+    EXPECT_EQ(styles("contours"), "dem2buildings*");
+}
+
+TEST_F(StyleTest, AppendingChangesNoStyle) {
+    write(to("a.gpkg"), 1);
+    change("UPDATE layer_styles SET styleQML = 'touched'");
+    WriteOptions options = to("a.gpkg");
+    options.append = true;
+    write(options, 1);
+    EXPECT_EQ(ask("SELECT group_concat(styleQML) FROM layer_styles"), "touched,touched");
+    EXPECT_EQ(ask("SELECT count(*) FROM gpkg_metadata WHERE md_standard_uri LIKE '%qgis%'"), "2");
+}
+
+TEST_F(StyleTest, OverwritingLeavesNoOldMetadata) {
+    write(to("a.gpkg"), 1);
+    const std::string before = ask("SELECT count(*) FROM gpkg_metadata");
+    write(over("a.gpkg"), 1);
+    EXPECT_EQ(ask("SELECT count(*) FROM gpkg_metadata"), before);
+    EXPECT_EQ(ask("SELECT count(*) FROM gpkg_data_columns"), "6");
+}
+
+TEST_F(StyleTest, AShapefileHasItsStyleBeside) {
+    write(to("a.shp"), 1);
+    const Names names = entries();
+    EXPECT_TRUE(std::ranges::find(names, "a.qml") != names.end());
+    EXPECT_NE(bytes("a.qml").find(style_mark), std::string::npos);
+    write(to("folder", "ESRI Shapefile"), 1);
+    EXPECT_FALSE(bytes("folder/buildings.qml").empty());
+    EXPECT_FALSE(bytes("folder/contours.qml").empty());
+}
+
+TEST_F(StyleTest, OurStyleOfAShapefileIsReplacedAndAUsersIsNot) {
+    write(to("a.shp"), 1);
+    const std::string ours = bytes("a.qml");
+    put("a.qml", ours + " ");
+    write(over("a.shp"), 1);
+    EXPECT_EQ(bytes("a.qml"), ours);
+    put("a.qml", "the user's");
+    write(over("a.shp"), 1);
+    EXPECT_EQ(bytes("a.qml"), "the user's");
+    put("b.qml", "there before");
+    write(to("b.shp"), 1);
+    EXPECT_EQ(bytes("b.qml"), "there before");
+    WriteOptions folder = to("folder", "ESRI Shapefile");
+    write(folder, 1);
+    put("folder/contours.qml", "the user's");
+    folder.overwrite = true;
+    write(folder, 1);
+    EXPECT_EQ(bytes("folder/contours.qml"), "the user's");
+    EXPECT_NE(bytes("folder/buildings.qml").find(style_mark), std::string::npos);
+}
+
+TEST_F(StyleTest, ColumnsOfTheLayerAreNamedNotThoseOfTheSpec) {
+    LayerSpec spec = layer_spec("buildings");
+    spec.fields[1].name = spec.style.colour = spec.style.label = "ROOF_HEIGHT";
+    const auto sink = open_sink(to("a.shp"), context_);
+    sink->begin({&spec, 1}, provenance());
+    sink->finish();
+    EXPECT_NE(bytes("a.qml").find("attr=\"&quot;ROOF_HEIGH&quot;\""), std::string::npos);
+}
+
+TEST(Qml, SolidsStandFromBaseToTopInUnitsOfTheMap) {
+    LayerSpec spec = layer_spec("contours");
+    spec.fields.push_back({"top", "", FieldType::real, "ft", ""});
+    spec.fields.push_back({"low", "", FieldType::real, "m", ""});
+    spec.style = {.title = "t", .colour = "height"};
+    EXPECT_EQ(qml_style(spec, {"id", "height", "status", "top", "low"}).find("renderer-3d"),
+              std::string::npos);
+    spec.style.top = "top";
+    spec.style.height = "height";
+    spec.style.min_height = "low";
+    spec.style.vertical_scale = 0.25;
+    spec.style.metre_scale = 2;
+    const std::string qml = qml_style(spec, {"id", "height", "status", "top", "low"});
+    EXPECT_NE(qml.find("\"(&quot;height&quot; - &quot;low&quot;) * 2\""), std::string::npos) << qml;
+    EXPECT_NE(qml.find("\"&quot;top&quot; * 0.25 - (&quot;height&quot; - &quot;low&quot;) * 2\""),
+              std::string::npos);
+}
+
+TEST(Qml, ClassesMeetAndTheLastHasNoEnd) {
+    EXPECT_EQ(class_label(0), "below 3 m");
+    EXPECT_EQ(class_label(1), "3 to 6 m");
+    EXPECT_EQ(class_label(height_classes().size() - 1), "100 m and more");
+    EXPECT_TRUE(std::ranges::is_sorted(height_classes(), {}, &HeightClass::from));
+}
+
+TEST(Qml, MetadataHoldsWhatXmlWouldTakeForMarkup) {
+    LayerSpec spec = layer_spec("a<b");
+    const std::string xml = qgis_metadata(spec, {"", {{"D2B_SOURCE", "x & \"y\""}, {"D2B_MASK", ""}}});
+    EXPECT_NE(xml.find("<title>Title of a&lt;b</title>"), std::string::npos);
+    EXPECT_NE(xml.find("<history>source: x &amp; &quot;y&quot;</history>"), std::string::npos);
+    EXPECT_EQ(xml.find("mask"), std::string::npos);
+}
+
+}  // namespace
+
+}  // namespace d2b::test

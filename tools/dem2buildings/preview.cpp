@@ -1,0 +1,50 @@
+#include "dem2buildings/preview.hpp"
+
+#include <string>
+#include <utility>
+
+#include "core/units.hpp"
+
+namespace d2b {
+
+Crs crs_of(const Options& options, const DemInfo& dem) {
+    return Crs(options.read.crs.empty() ? dem.crs_wkt : options.read.crs);
+}
+
+PreviewLook look_of(const Options& options, const DemInfo& dem, std::string heading) {
+    PreviewLook look;
+    look.heading = std::move(heading);
+    look.vertical_metres =
+        resolve_units(dem, crs_of(options, dem), options.read.vertical_unit).vertical_metres;
+    return look;
+}
+
+RasterTarget picture_target(const Options& options) {
+    const WriteOptions& write = options.write;
+    RasterTarget target{write.preview, write.overwrite, {options.read.source}, RasterFormat::png};
+    for (const std::string& name : {write.destination, options.ground.terrain, options.detect.mask,
+                                    options.detect.ndvi, write.ground, write.height, write.canopy})
+        if (!name.empty())
+            target.in_use.push_back(name);
+    return target;
+}
+
+Preview::Preview(const Options& options, FeatureSink& features, DemSource& dem, Context& context)
+    : features_(features) {
+    if (options.write.preview.empty())
+        return;
+    file_ = open_picture(picture_target(options), context);
+    std::string heading = "lod " + std::to_string(options.levels.lod);
+    if (!options.levels.fixed.empty() || options.levels.interval)
+        heading = "given levels";
+    heading += " nf " + std::to_string(options.filter.noise_factor);
+    sink_.emplace(features, dem, crs_of(options, dem.info()), look_of(options, dem.info(), heading), context,
+                  [this](const Image& image) { file_->write(image); });
+}
+
+void Preview::publish() {
+    if (file_)
+        file_->publish();
+}
+
+}  // namespace d2b

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "core/context.hpp"
+#include "core/dem_source.hpp"
+#include "core/options.hpp"
+#include "preview/preview_sink.hpp"
+#include "write/png_sink.hpp"
+
+namespace d2b {
+
+/// The picture of -preview, on the way of the features to their sink.
+class Preview {
+  public:
+    /// @param features, dem, context must outlive this @throws OptionError, OutputError where the picture
+    /// cannot be written
+    Preview(const Options& options, FeatureSink& features, DemSource& dem, Context& context);
+
+    /// Where the run's features are to go: through the picture, if there is one.
+    [[nodiscard]] FeatureSink& features() { return sink_ ? *sink_ : features_; }
+    /// After the run. @throws OutputError
+    void publish();
+
+  private:
+    FeatureSink& features_;
+    std::unique_ptr<PictureFile> file_;
+    std::optional<PreviewSink> sink_;
+};
+
+/// Where the picture goes.
+[[nodiscard]] RasterTarget picture_target(const Options& options);
+/// What a picture of the DEM needs to know of it. @param heading what was tried, or ""
+[[nodiscard]] PreviewLook look_of(const Options& options, const DemInfo& dem, std::string heading);
+/// The CRS of the DEM, or that of -a_srs.
+[[nodiscard]] Crs crs_of(const Options& options, const DemInfo& dem);
+
+}  // namespace d2b

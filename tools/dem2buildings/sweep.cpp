@@ -1,0 +1,84 @@
+#include "dem2buildings/sweep.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <memory>
+
+#include <nlohmann/json.hpp>
+
+#include "dem2buildings/preview.hpp"
+#include "preview/contact_sheet.hpp"
+
+namespace d2b {
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr std::size_t width = 11;
+
+std::string aligned(const std::string& text) {
+    return std::string(width - std::min(width, text.size()), ' ') + text;
+}
+
+std::string fixed(double value) {
+    std::array<char, 32> text{};
+    const auto [end, error] =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, 2);
+    return {text.data(), end};
+}
+
+}  // namespace
+
+std::string sweep_table(const std::vector<Trial>& trials) {
+    std::string text;
+    for (const char* title : {"lod", "nf", "buildings", "contours", "points", "rmse [m]", "seconds"})
+        text += aligned(title);
+    for (const Trial& trial : trials) {
+        const RunReport& report = trial.report;
+        text += "\n" + aligned(std::to_string(trial.lod)) + aligned(std::to_string(trial.noise_factor)) +
+                aligned(std::to_string(report.buildings)) + aligned(std::to_string(report.contours)) +
+                aligned(std::to_string(report.vertices)) + aligned(fixed(report.stack_rmse_m)) +
+                aligned(fixed(trial.seconds));
+    }
+    return text + "\n";
+}
+
+std::string sweep_json(const std::vector<Trial>& trials) {
+    Json rows = Json::array();
+    for (const Trial& trial : trials)
+        rows.push_back(Json{{"lod", trial.lod},
+                            {"nf", trial.noise_factor},
+                            {"buildings", trial.report.buildings},
+                            {"contours", trial.report.contours},
+                            {"points", trial.report.vertices},
+                            {"stack_rmse_m", trial.report.stack_rmse_m},
+                            {"seconds", trial.seconds}});
+    return Json{{"trials", rows}}.dump(2) + "\n";
+}
+
+std::vector<Trial> run_sweep(const Options& options, const Sources& sources, const SweepPlan& plan,
+                             Context& context) {
+    if (options.write.preview.empty())
+        return sweep(options, sources, plan, {}, context);
+    constexpr int sheet_width = 2400;
+    constexpr int least = 160;
+    constexpr int most = 800;
+    const std::unique_ptr<PictureFile> file = open_picture(picture_target(options), context);
+    const int columns = static_cast<int>(std::max<std::size_t>(plan.noise_factors.size(), 1));
+    std::vector<Image> pictures;
+    std::vector<Trial> trials = sweep(
+        options, sources, plan,
+        [&](FeatureSink& nothing, DemSource& dem, const Context& of_trial, int lod, int noise_factor) {
+            PreviewLook look = look_of(options, dem.info(),
+                                       "lod " + std::to_string(lod) + " nf " + std::to_string(noise_factor));
+            look.longest = std::clamp(sheet_width / columns, least, most);
+            return std::make_unique<PreviewSink>(nothing, dem, crs_of(options, dem.info()), look, of_trial,
+                                                 [&](const Image& image) { pictures.push_back(image); });
+        },
+        context);
+    file->write(contact_sheet(pictures, columns));
+    file->publish();
+    return trials;
+}
+
+}  // namespace d2b

@@ -1,0 +1,112 @@
+"""Extract buildings from a DEM."""
+
+import shlex
+
+from qgis.core import (QgsProcessingAlgorithm, QgsProcessingContext, QgsProcessingException,
+                       QgsProcessingLayerPostProcessorInterface, QgsProcessingOutputVectorLayer,
+                       QgsProcessingParameterFileDestination, QgsProcessingParameterRasterLayer, QgsVectorLayer)
+
+from . import parameters, program
+
+INPUT, OUTPUT = "INPUT", "OUTPUT"
+LAYERS = ("buildings", "contours", "doubtful")
+
+
+class WithItsStyle(QgsProcessingLayerPostProcessorInterface):
+    """Processing loads layers without the style that their file holds."""
+
+    # Processing owns and ends what is behind it, but Python must hold on to what is in front, or nothing of this
+    # class is left when it is called, after the end of the algorithm.
+    kept = []
+
+    @classmethod
+    def make(cls):
+        cls.kept.append(cls())
+        return cls.kept[-1]
+
+    def postProcessLayer(self, layer, _context, _feedback):
+        layer.loadDefaultStyle()
+        layer.triggerRepaint()
+
+
+class ExtractBuildings(QgsProcessingAlgorithm):
+    def createInstance(self):
+        return ExtractBuildings()
+
+    def name(self):
+        return "extractbuildings"
+
+    def displayName(self):
+        return "Extract buildings from a DEM"
+
+    def tags(self):
+        return ["buildings", "dem", "dsm", "footprints", "heights", "3d", "lidar"]
+
+    def shortHelpString(self):
+        try:
+            table = program.options()
+        except program.NotFound as error:
+            return str(error)
+        lines = ["Finds the buildings in an elevation raster (DSM) and writes them as polygons with heights, with "
+                 "the stack of contours that each is made of. An existing GeoPackage keeps its other layers."]
+        for option in parameters.offered(table):
+            lines.append(f"<b>{option['name']}</b>: {option['help']} {option['details']}".strip())
+        return "<br><br>".join(lines)
+
+    def canExecute(self):
+        try:
+            program.options()
+            return True, ""
+        except program.NotFound as error:
+            return False, str(error)
+
+    def initAlgorithm(self, _configuration=None):
+        self.addParameter(QgsProcessingParameterRasterLayer(INPUT, "Elevation raster (DSM)"))
+        try:
+            for parameter in parameters.all_of(program.options()):
+                self.addParameter(parameter)
+        except program.NotFound:
+            pass  # canExecute() says why
+        self.addParameter(QgsProcessingParameterFileDestination(OUTPUT, "Buildings", "GeoPackage (*.gpkg)"))
+        for name in LAYERS:
+            self.addOutput(QgsProcessingOutputVectorLayer(name.upper(), name))
+
+    def processAlgorithm(self, given, context, feedback):
+        dem = self.parameterAsRasterLayer(given, INPUT, context)
+        if dem is None:
+            raise QgsProcessingException(self.invalidRasterError(given, INPUT))
+        target = self.parameterAsFileOutput(given, OUTPUT, context)
+        options = parameters.command_line(self, program.options(), given, dem, context)
+        if "-append" not in options:
+            options.append("-overwrite")
+        words = [*options, "--", dem.source(), target]
+        feedback.pushCommandInfo(shlex.join([program.find(), *words]))
+        status, errors, summary = program.run(words, feedback)
+        if feedback.isCanceled():
+            return {}
+        if status != 0:
+            raise QgsProcessingException(errors.strip() or f"dem2buildings ended with status {status}.")
+        for line in errors.splitlines():
+            feedback.pushWarning(line)
+        feedback.pushInfo(summary)
+        return self.load(target, options, context)
+
+    def load(self, target, options, context):
+        """Puts the layers into the project, in their style."""
+        results = {OUTPUT: target}
+        prefix = options[options.index("-nln") + 1] if "-nln" in options else None
+        for name in LAYERS:
+            table = name if prefix is None else prefix if name == "buildings" else f"{prefix}_{name}"
+            place = f"{target}|layername={table}"
+            if not QgsVectorLayer(place, table, "ogr").isValid():
+                # A file that is one layer, whatever its name.
+                place = target
+                if name != LAYERS[0] or not QgsVectorLayer(place, table, "ogr").isValid():
+                    continue
+            results[name.upper()] = place
+            if context.project() is None:
+                continue
+            details = QgsProcessingContext.LayerDetails(table, context.project(), name.upper())
+            details.setPostProcessor(WithItsStyle.make())
+            context.addLayerToLoadOnCompletion(place, details)
+        return results

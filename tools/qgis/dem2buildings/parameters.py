@@ -1,0 +1,146 @@
+"""Parameters of the dialog, made of the program's table of options, and command lines made of them."""
+
+from qgis.core import (QgsProcessingException, QgsProcessingParameterBoolean, QgsProcessingParameterCrs,
+                       QgsProcessingParameterDefinition, QgsProcessingParameterEnum, QgsProcessingParameterExtent,
+                       QgsProcessingParameterFileDestination, QgsProcessingParameterMapLayer,
+                       QgsProcessingParameterNumber, QgsProcessingParameterRasterDestination,
+                       QgsProcessingParameterRasterLayer, QgsProcessingParameterString,
+                       QgsProcessingParameterVectorLayer)
+
+# What the dialog does itself: it shows progress, and its file dialog has asked whether to replace a file.
+LEFT_OUT = {"q", "json", "sweep", "help", "version", "overwrite", "f", "srcwin", "projwin", "if"}
+# The first that are looked at; the others are advanced.
+BASIC = ("preset", "ground", "min_height", "min_area", "lod", "nf", "layers")
+TERRAIN = "_model"
+
+
+def offered(table):
+    """The options that the dialog has."""
+    return [option for option in table if not option["hidden"] and option["name"] not in LEFT_OUT]
+
+
+def _number(option):
+    kinds = QgsProcessingParameterNumber
+    whole = option["kind"] == "whole"
+    parameter = kinds(option["name"], _label(option), kinds.Integer if whole else kinds.Double, optional=True)
+    if option["default"]:
+        parameter.setDefaultValue(float(option["default"]))
+    for bound, setter in (("lowest", parameter.setMinimum), ("highest", parameter.setMaximum)):
+        if bound in option:
+            setter(option[bound])
+    return parameter
+
+
+def _label(option):
+    unit = f" [{option['unit']}]" if option["unit"] else ""
+    return option["help"].rstrip(".") + unit
+
+
+def _choice(option):
+    default = option["words"].index(option["default"]) if option["default"] in option["words"] else None
+    return QgsProcessingParameterEnum(option["name"], _label(option), option["words"], optional=True,
+                                      defaultValue=default)
+
+
+def _file(option):
+    ending = option["kind"].split(":")[1]
+    make = QgsProcessingParameterRasterDestination if ending == "tif" else QgsProcessingParameterFileDestination
+    parameter = make(option["name"], _label(option), optional=True, createByDefault=False)
+    if ending != "tif":
+        parameter.setFileFilter(f"{ending.upper()} (*.{ending})")
+    return parameter
+
+
+SIMPLE = {"raster": QgsProcessingParameterRasterLayer, "vector": QgsProcessingParameterVectorLayer,
+          "dataset": QgsProcessingParameterMapLayer, "crs": QgsProcessingParameterCrs,
+          "extent": QgsProcessingParameterExtent}
+
+
+def make(option):
+    """The parameters of an option: one, or for the terrain a choice and a raster."""
+    kind, name = option["kind"], option["name"]
+    if kind == "switch":
+        return [QgsProcessingParameterBoolean(name, _label(option), defaultValue=False, optional=True)]
+    if kind in ("whole", "number"):
+        return [_number(option)]
+    if kind == "choice":
+        return [_choice(option)]
+    if kind == "terrain":
+        model = QgsProcessingParameterRasterLayer(name + TERRAIN, "Terrain model for the ground", optional=True)
+        return [_choice(option), model]
+    if kind in SIMPLE:
+        return [SIMPLE[kind](name, _label(option), optional=True)]
+    if kind.startswith("file:"):
+        return [_file(option)]
+    return [QgsProcessingParameterString(name, f"{_label(option)}: {option['values']}", optional=True)]
+
+
+def all_of(table):
+    """All parameters of the dialog, the advanced ones marked."""
+    parameters = []
+    for option in offered(table):
+        for parameter in make(option):
+            if option["name"] not in BASIC:
+                parameter.setFlags(parameter.flags() | QgsProcessingParameterDefinition.FlagAdvanced)
+            parameter.setHelp(" ".join(part for part in (option["help"], option["details"]) if part))
+            parameters.append(parameter)
+    # Advanced ones behind a fold; the others in the order in which they are looked at.
+    return sorted(parameters, key=lambda one: next((i for i, basic in enumerate(BASIC)
+                                                    if one.name() in (basic, basic + TERRAIN)), len(BASIC)))
+
+
+def _plain(value):
+    """A number as the program reads it."""
+    return str(int(value)) if float(value) == int(value) else repr(float(value))
+
+
+def _file_of(layer, name):
+    """What GDAL opens of a layer."""
+    if layer is None:
+        raise QgsProcessingException(f"There is no such layer as {name} names.")
+    return layer.source().split("|")[0]
+
+
+def _values(algorithm, option, given, context):
+    """The texts behind an option; None where it is as the program has it anyway."""
+    name, kind = option["name"], option["kind"]
+    if given.get(name) in (None, "") and not (kind == "terrain" and given.get(name + TERRAIN)):
+        return None
+    if kind == "switch":
+        return [] if algorithm.parameterAsBool(given, name, context) else None
+    if kind == "terrain" and given.get(name + TERRAIN):
+        return [_file_of(algorithm.parameterAsRasterLayer(given, name + TERRAIN, context), name)]
+    if kind in ("choice", "terrain"):
+        word = option["words"][algorithm.parameterAsEnum(given, name, context)]
+        return None if word == option["default"] else [word]
+    if kind in ("whole", "number"):
+        text = _plain(algorithm.parameterAsDouble(given, name, context))
+        return None if option["default"] and float(option["default"]) == float(text) else [text]
+    if kind == "numbers":
+        return algorithm.parameterAsString(given, name, context).replace(",", " ").split()
+    if kind == "crs":
+        crs = algorithm.parameterAsCrs(given, name, context)
+        return [crs.authid() or crs.toWkt()]
+    if kind == "raster":
+        return [_file_of(algorithm.parameterAsRasterLayer(given, name, context), name)]
+    if kind in ("vector", "dataset"):
+        return [_file_of(algorithm.parameterAsLayer(given, name, context), name)]
+    if kind.startswith("file:"):
+        return [algorithm.parameterAsFileOutput(given, name, context)]
+    return [algorithm.parameterAsString(given, name, context)]
+
+
+def command_line(algorithm, table, given, dem, context):
+    """The options of a run. @param dem the raster, in whose CRS an extent is"""
+    words = []
+    for option in offered(table):
+        if option["kind"] == "extent":
+            if not given.get(option["name"]):
+                continue
+            box = algorithm.parameterAsExtent(given, option["name"], context, dem.crs())
+            values = [repr(edge) for edge in (box.xMinimum(), box.yMinimum(), box.xMaximum(), box.yMaximum())]
+        else:
+            values = _values(algorithm, option, given, context)
+        if values is not None:
+            words += ["-" + option["name"], *values]
+    return words
