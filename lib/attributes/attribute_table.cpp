@@ -236,6 +236,10 @@ template std::vector<FieldSpec> field_specs(std::span<const Attribute<BuildingRe
                                             FieldNames);
 template std::vector<FieldSpec> field_specs(std::span<const Attribute<ContourRecord>>, const std::string&,
                                             FieldNames);
+template std::vector<FieldSpec> field_specs(std::span<const Attribute<RejectedRecord>>, const std::string&,
+                                            FieldNames);
+template std::vector<FieldValue> field_values(std::span<const Attribute<RejectedRecord>>,
+                                              const RejectedRecord&);
 template std::vector<FieldValue> field_values(std::span<const Attribute<BuildingRecord>>,
                                               const BuildingRecord&);
 template std::vector<FieldValue> field_values(std::span<const Attribute<ContourRecord>>,
@@ -243,7 +247,7 @@ template std::vector<FieldValue> field_values(std::span<const Attribute<ContourR
 
 std::string schema_markdown() {
     return "## buildings\n\n" + markdown(building_attributes()) + "\n## contours\n\n" +
-           markdown(contour_attributes());
+           markdown(contour_attributes()) + "\n## rejected\n\n" + markdown(rejected_attributes());
 }
 
 }  // namespace d2b

@@ -25,6 +25,7 @@ struct Attribute {
 
 [[nodiscard]] std::span<const Attribute<BuildingRecord>> building_attributes();
 [[nodiscard]] std::span<const Attribute<ContourRecord>> contour_attributes();
+[[nodiscard]] std::span<const Attribute<RejectedRecord>> rejected_attributes();
 
 /// @param vertical_unit name of the DEM's vertical unit
 template <typename Record>
@@ -35,7 +36,7 @@ template <typename Record>
 [[nodiscard]] std::vector<FieldValue> field_values(std::span<const Attribute<Record>> attributes,
                                                    const Record& record);
 
-/// The schema of both layers as Markdown tables: docs/output.md holds it.
+/// The schema of the layers as Markdown tables: docs/output.md holds it.
 [[nodiscard]] std::string schema_markdown();
 
 }  // namespace d2b

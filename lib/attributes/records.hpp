@@ -56,6 +56,17 @@ struct BuildingRecord {
     double area_change = 0;  ///< by regularisation, share of the traced area
 };
 
+/// What is known of something that was dropped, filled or changed.
+struct RejectedRecord {
+    std::int64_t id = 0;
+    std::string_view reason;    ///< as in the report
+    std::int64_t building = 0;  ///< building that it became, whose outline is another one; 0: none
+    std::int64_t contour = 0;   ///< contour that it became; 0: none
+    std::int32_t level = 0;
+    double area_m2 = 0;
+    double perimeter_m = 0;
+};
+
 /// What detection knows of a label.
 struct Footprint {
     double ground = 0;      ///< elevation, in the DEM's vertical unit

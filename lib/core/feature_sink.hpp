@@ -113,7 +113,8 @@ class FeatureSink {
     [[nodiscard]] virtual std::string layer_name(LayerRole role, Layers /*layers*/) const {
         return role == LayerRole::buildings  ? "buildings"
                : role == LayerRole::contours ? "contours"
-                                             : "doubtful";
+               : role == LayerRole::doubtful ? "doubtful"
+                                             : "rejected";
     }
 };
 

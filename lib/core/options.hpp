@@ -80,7 +80,7 @@ struct OutlineOptions {
 };
 
 enum class Layers { automatic, both, buildings, contours };
-enum class LayerRole { buildings, contours, doubtful };
+enum class LayerRole { buildings, contours, doubtful, rejected };
 
 /// Whose names the fields of buildings have.
 enum class FieldNames { own, urock, city4cfd, osm };
@@ -96,6 +96,7 @@ struct WriteOptions {
     bool append = false;
     bool with_z = false;
     bool doubtful = false;  ///< also a layer of what may be a building
+    bool rejected = false;  ///< also a layer of what was dropped or changed, with the reason
     FieldNames fields = FieldNames::own;
     std::string ground;   ///< GeoTIFF of the terrain; "": none
     std::string height;   ///< GeoTIFF of the heights above it

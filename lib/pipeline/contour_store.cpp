@@ -24,6 +24,22 @@ StoredContours::Stored StoredContours::fetch_stored(std::size_t contour) const {
     return stored;
 }
 
+LatticePolygon StoredContours::fetch(const Rejected& rejected) const {
+    ByteReader reader(*spool_, rejected.place);
+    const Contour contour = load_contour(reader);
+    LatticePolygon polygon;
+    if (rejected.interior >= 0) {
+        // Around what it bounds the other way.
+        polygon.exterior = contour.interiors[static_cast<std::size_t>(rejected.interior)].corners();
+        std::reverse(polygon.exterior.begin() + 1, polygon.exterior.end());
+        return polygon;
+    }
+    polygon.exterior = contour.exterior.corners();
+    for (const PackedRing& ring : contour.interiors)
+        polygon.interiors.push_back(ring.corners());
+    return polygon;
+}
+
 ContourStore::ContourStore(Settings settings, std::unique_ptr<Spool> spool, Context& context)
     : settings_(std::move(settings)), spool_(std::move(spool)), context_(context) {}
 
@@ -36,7 +52,13 @@ std::int64_t ContourStore::take(FinishedContour&& finished) {
     for (const std::int64_t standing : finished.standing_on_it)
         entries_[static_cast<std::size_t>(standing)].head.parent = reason ? on_noise : name;
     if (reason) {
-        context_.report.count(*reason);
+        SpoolEntry place;
+        if (settings_.keep_rejected) {
+            ByteWriter writer;
+            save(contour, writer);
+            place = append(*spool_, writer);
+        }
+        reject(*reason, {contour.key, *reason, place});
         return -1;
     }
     put_aside(contour, finished.sample.size() > 0 ? take_percentiles(finished.sample, settings_.range)
@@ -63,6 +85,12 @@ void ContourStore::put_aside(const Contour& contour, const Percentiles& percenti
                           hole_noise(ring, contour.key.level, settings_.options, settings_.square_area)});
 }
 
+void ContourStore::reject(Reason reason, const StoredContours::Rejected& what) {
+    context_.report.count(reason);
+    if (settings_.keep_rejected)
+        rejected_.push_back(what);
+}
+
 /// Contours come after those that stand on them.
 void ContourStore::drop_what_stands_on_noise() {
     for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry)
@@ -73,7 +101,7 @@ void ContourStore::drop_what_stands_on_noise() {
     for (Entry& entry : entries_) {
         const std::size_t begin = std::exchange(entry.first_hole, kept_holes);
         if (entry.head.parent == on_noise) {
-            context_.report.count(Reason::contour_on_dropped);
+            reject(Reason::contour_on_dropped, {entry.head.key, Reason::contour_on_dropped, entry.place});
             continue;
         }
         for (std::size_t h = begin; h < begin + entry.holes; ++h)
@@ -124,7 +152,12 @@ std::vector<bool> ContourStore::fill() {
         ByteReader reader(*spool_, entry.place);
         return load_contour(reader).interiors[hole - entry.first_hole].corners();
     };
-    return fill_holes(keys, holes_, ring, context_);
+    std::vector<bool> filled = fill_holes(keys, holes_, ring, context_);
+    for (std::size_t h = 0; settings_.keep_rejected && h < filled.size(); ++h)
+        if (const Entry& entry = entries_[owner[h]]; filled[h])
+            rejected_.push_back({entry.head.key, *holes_[h].reason, entry.place,
+                                 static_cast<std::int32_t>(h - entry.first_hole)});
+    return filled;
 }
 
 std::unique_ptr<StoredContours> ContourStore::finish() {
@@ -132,8 +165,9 @@ std::unique_ptr<StoredContours> ContourStore::finish() {
     sort();
     number_buildings();
     std::vector<bool> filled = fill();
-    return std::make_unique<StoredContours>(std::move(spool_), std::exchange(entries_, {}),
-                                            std::move(filled));
+    std::ranges::stable_sort(rejected_, {}, &StoredContours::Rejected::key);
+    return std::make_unique<StoredContours>(std::move(spool_), std::exchange(entries_, {}), std::move(filled),
+                                            std::exchange(rejected_, {}));
 }
 
 }  // namespace d2b

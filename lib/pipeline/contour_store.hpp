@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "attributes/percentiles.hpp"
@@ -23,13 +24,24 @@ class StoredContours : public ContourList {
         std::size_t first_hole = 0;
         std::size_t holes = 0;
     };
+    /// What was dropped, or a hole that was filled.
+    struct Rejected {
+        ContourKey key;  ///< of the contour, or of the one that has the hole
+        Reason reason = Reason::contour_short;
+        SpoolEntry place;
+        std::int32_t interior = -1;  ///< the hole among the contour's interior rings; -1: the contour itself
+    };
     struct Stored {
         Contour contour;
         Percentiles percentiles{};  ///< of a building's points; in level 1 alone
     };
 
-    StoredContours(std::shared_ptr<const Spool> spool, std::vector<Entry> entries, std::vector<bool> filled)
-        : spool_(std::move(spool)), entries_(std::move(entries)), filled_(std::move(filled)) {}
+    StoredContours(std::shared_ptr<const Spool> spool, std::vector<Entry> entries, std::vector<bool> filled,
+                   std::vector<Rejected> rejected)
+        : spool_(std::move(spool)),
+          entries_(std::move(entries)),
+          filled_(std::move(filled)),
+          rejected_(std::move(rejected)) {}
 
     [[nodiscard]] std::size_t size() const override { return entries_.size(); }
     [[nodiscard]] const ContourHead& head(std::size_t contour) const override {
@@ -37,11 +49,15 @@ class StoredContours : public ContourList {
     }
     [[nodiscard]] Contour fetch(std::size_t contour) const override { return fetch_stored(contour).contour; }
     [[nodiscard]] Stored fetch_stored(std::size_t contour) const;
+    /// Sorted by key; empty where nobody wants it.
+    [[nodiscard]] std::span<const Rejected> rejected() const { return rejected_; }
+    [[nodiscard]] LatticePolygon fetch(const Rejected& rejected) const;
 
   private:
     std::shared_ptr<const Spool> spool_;
     std::vector<Entry> entries_;
     std::vector<bool> filled_;  ///< a hole
+    std::vector<Rejected> rejected_;
 };
 
 /// Takes contours as they are finished, drops noise, and puts the rest aside.
@@ -52,7 +68,8 @@ class ContourStore : public ContourSink {
         SquareArea square_area;
         ElevationRange range;
         FixedPoint fixed;
-        bool keep_roots = true;  ///< else footprints are the lowest contours
+        bool keep_roots = true;      ///< else footprints are the lowest contours
+        bool keep_rejected = false;  ///< what is dropped or filled is kept apart
     };
     ContourStore(Settings settings, std::unique_ptr<Spool> spool, Context& context);
 
@@ -64,6 +81,7 @@ class ContourStore : public ContourSink {
   private:
     using Entry = StoredContours::Entry;
     void put_aside(const Contour& contour, const Percentiles& percentiles);
+    void reject(Reason reason, const StoredContours::Rejected& what);
     void drop_what_stands_on_noise();
     void sort();
     void number_buildings();
@@ -74,6 +92,7 @@ class ContourStore : public ContourSink {
     Context& context_;
     std::vector<Entry> entries_;
     std::vector<Hole> holes_;  ///< of one contour after the other, as they came
+    std::vector<StoredContours::Rejected> rejected_;
 };
 
 }  // namespace d2b

@@ -9,6 +9,7 @@
 #include "attributes/attribute_table.hpp"
 #include "pipeline/layer_styles.hpp"
 #include "pipeline/placer.hpp"
+#include "pipeline/rejected_layer.hpp"
 #include "pipeline/stage_clock.hpp"
 
 namespace d2b {
@@ -44,7 +45,7 @@ class Emitter {
     void count(std::size_t contour, const Drawn& drawn);
     void add_building(std::size_t contour, Drawn& drawn);
     /// @return whether it is in its layer
-    bool add_contour(Drawn& drawn);
+    bool add_contour(std::size_t contour, Drawn& drawn);
     template <typename Record>
     void write(std::size_t layer, std::span<const Attribute<Record>> attributes, Record& record,
                Placed&& placed, double threshold);
@@ -61,6 +62,7 @@ class Emitter {
     std::optional<std::size_t> buildings_layer_;
     std::optional<std::size_t> contours_layer_;
     std::optional<std::size_t> doubtful_layer_;
+    std::optional<RejectedLayer> rejected_;
 };
 
 Outliner timed_outliner(const Emission& emission, Context& context) {
@@ -116,7 +118,15 @@ void Emitter::begin() {
                           "What may be a building, with the reason for the doubt, from " + source,
                           building_fields, write.with_z, with_arcs});
     }
-    give_styles(layers, {buildings_layer_, contours_layer_, doubtful_layer_}, emission_,
+    std::optional<std::size_t> rejected_layer;
+    if (write.rejected) {
+        rejected_layer = layers.size();
+        rejected_.emplace(emission_, layers.size());
+        layers.push_back({sink_.layer_name(LayerRole::rejected, write.layers), "Rejected",
+                          "What was dropped, filled or kept as traced, with the reason, from " + source,
+                          field_specs(rejected_attributes(), emission_.vertical_unit), write.with_z, false});
+    }
+    give_styles(layers, {buildings_layer_, contours_layer_, doubtful_layer_, rejected_layer}, emission_,
                 context_.report.units.vertical_metres);
     const StageClock clock(context_.report, Stage::write);
     sink_.begin(layers, emission_.provenance);
@@ -169,6 +179,8 @@ void Emitter::count(std::size_t contour, const Drawn& drawn) {
 
 void Emitter::add_building(std::size_t contour, Drawn& drawn) {
     Placed& placed = *drawn.building;
+    if (rejected_)
+        rejected_->note(contour, LayerRole::buildings, drawn.building_record.id, placed);
     if (placed.parts.empty())
         return;
     ++(is_doubtful(contour) ? context_.report.doubtful : context_.report.buildings);
@@ -181,8 +193,10 @@ void Emitter::add_building(std::size_t contour, Drawn& drawn) {
     write(*building_layer(contour), building_attributes(), record, std::move(placed), drawn.record.threshold);
 }
 
-bool Emitter::add_contour(Drawn& drawn) {
+bool Emitter::add_contour(std::size_t contour, Drawn& drawn) {
     // A contour that its children cover whole has no band of its own.
+    if (rejected_)
+        rejected_->note(contour, LayerRole::contours, drawn.record.id, *drawn.contour);
     if (drawn.contour->parts.empty())
         return false;
     ++context_.report.contours;
@@ -198,11 +212,13 @@ void Emitter::add(std::size_t contour, Drawn&& drawn) {
     drawn.record.parent_id = parent < 0 ? 0 : written_id_[static_cast<std::size_t>(parent)];
     if (drawn.building)
         add_building(contour, drawn);
-    const bool written = drawn.contour && add_contour(drawn);
+    const bool written = drawn.contour && add_contour(contour, drawn);
     written_id_[contour] = written ? drawn.record.id : drawn.record.parent_id;
 }
 
 void Emitter::finish() {
+    if (rejected_)
+        rejected_->write(placers_, sink_, context_);
     for (Placer& placer : placers_)
         context_.report.merge(placer.tally());
     context_.report.stack_rmse_m = rmse_.value() * context_.report.units.vertical_metres;

@@ -38,6 +38,14 @@ LayerStyle contour_style(bool disjoint) {
     return style;
 }
 
+LayerStyle rejected_style() {
+    LayerStyle style;
+    style.title = "Dropped, filled or kept as traced";
+    style.label = "reason";
+    style.label_scale = parts_scale;
+    return style;
+}
+
 LayerStyle doubtful_style() {
     LayerStyle style;
     style.title = "May be buildings";
@@ -60,6 +68,8 @@ void give_styles(std::vector<LayerSpec>& layers, const LayerPlaces& places, cons
         layers[*places.contours].style = contour_style(emission.options.outline.disjoint);
     if (places.doubtful)
         layers[*places.doubtful].style = doubtful_style();
+    if (places.rejected)
+        layers[*places.rejected].style = rejected_style();
     for (LayerSpec& layer : layers) {
         layer.style.metre_scale = 1 / map_metres(emission);
         layer.style.vertical_scale = vertical_metres / map_metres(emission);

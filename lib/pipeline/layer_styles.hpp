@@ -14,6 +14,7 @@ struct LayerPlaces {
     std::optional<std::size_t> buildings;
     std::optional<std::size_t> contours;
     std::optional<std::size_t> doubtful;
+    std::optional<std::size_t> rejected;
 };
 
 /// How the layers are shown by default: all by the same classes of height in metres, contours from low to

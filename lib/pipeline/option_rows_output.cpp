@@ -49,6 +49,10 @@ std::vector<OptionRow> also_written() {
         switch_row("write_doubtful", [](auto& r) -> auto& { return r.options.write.doubtful; },
                    {.help = "Also write a layer of what may be a building, with the reason for the doubt.",
                     .details = "Its name is doubtful, or that of -nln with _doubtful after it."}));
+    rows.push_back(switch_row(
+        "write_rejected", [](auto& r) -> auto& { return r.options.write.rejected; },
+        {.help = "Also write a layer of what was dropped, filled or kept as traced, with the reason.",
+         .details = "Its name is rejected, or that of -nln with _rejected after it."}));
     rows.push_back(text_row("write_ground", "<file.tif>",
                             [](auto& r) -> auto& { return r.options.write.ground; },
                             {.help = "Also write the terrain as a GeoTIFF, in metres."}));

@@ -164,8 +164,9 @@ std::unique_ptr<StoredContours> trace_contours(ElevationReader& reader, const Tr
                                                const Options& options, const SquareArea& area,
                                                Context& context) {
     // Footprints that were found stand on nothing.
-    ContourStore store({options.filter, area, frame.range, frame.fixed, found == nullptr},
-                       context.make_spool(), context);
+    ContourStore store(
+        {options.filter, area, frame.range, frame.fixed, found == nullptr, options.write.rejected},
+        context.make_spool(), context);
     if (plan.level_count() <= 255)
         trace_bands<std::uint8_t>(reader, frame, plan, found, options.trace, store, context);
     else

@@ -145,6 +145,17 @@ bool Placer::is_valid_as_traced(const Placed& placed, Form form) const {
            placement_.georeference.is_exact(placement_.window);
 }
 
+Placed Placer::as_traced(const LatticePolygon& polygon) {
+    Placed placed;
+    const StageClock clock(tally_, Stage::outline);
+    const Parts parts{placement_.georeference.polygon(polygon)};
+    placed.measure = measure(geodesy_, parts);
+    placed.parts = in_target_crs(parts);
+    if (!geos_.invalidity(placed.parts).empty())
+        placed.parts = geos_.repaired(placed.parts);
+    return placed;
+}
+
 Placed Placer::place(std::size_t contour, Form form) {
     const Outliner& outliner = placement_.outliner;
     const OutlineQuality quality =

@@ -60,6 +60,8 @@ class Placer {
     [[nodiscard]] Placed whole(std::size_t contour) { return place(contour, Form::whole); }
     /// The polygon of a contour of level 1 as a building, without vertices that only higher levels need.
     [[nodiscard]] Placed footprint(std::size_t contour) { return place(contour, Form::footprint); }
+    /// A polygon of the lattice as it is.
+    [[nodiscard]] Placed as_traced(const LatticePolygon& polygon);
     /// What the contours that stand on it leave of it: no parts where they cover it whole.
     [[nodiscard]] Placed tier(std::size_t contour) { return place(contour, Form::tier); }
 

@@ -14,9 +14,9 @@ std::string stem_of(const std::string& destination) {
 }  // namespace
 
 Layers resolve_layers(const WriteOptions& options, const VectorFormat& format) {
-    if (options.doubtful && !format.several_layers)
+    if ((options.doubtful || options.rejected) && !format.several_layers)
         throw OptionError("\"" + options.destination + "\" holds one layer (format " + format.name +
-                          "); use a GeoPackage for -write_doubtful.");
+                          "); use a GeoPackage for -write_" + (options.doubtful ? "doubtful." : "rejected."));
     if (options.layers == Layers::automatic)
         return format.several_layers ? Layers::both : Layers::buildings;
     if (options.layers == Layers::both && !format.several_layers)
@@ -29,6 +29,8 @@ std::string name_of(const WriteOptions& options, const VectorFormat& format, Lay
     if (!options.layer_name.empty()) {
         if (role == LayerRole::doubtful)
             return options.layer_name + "_doubtful";
+        if (role == LayerRole::rejected)
+            return options.layer_name + "_rejected";
         return options.layer_name +
                (layers == Layers::both && role == LayerRole::contours ? "_contours" : "");
     }
@@ -43,9 +45,11 @@ std::string name_of(const WriteOptions& options, const VectorFormat& format, Lay
         case LayerRole::contours:
             return "contours";
         case LayerRole::doubtful:
+            return "doubtful";
+        case LayerRole::rejected:
             break;
     }
-    return "doubtful";
+    return "rejected";
 }
 
 std::vector<std::string> names_of(const WriteOptions& options, const VectorFormat& format, Layers layers) {
@@ -56,6 +60,8 @@ std::vector<std::string> names_of(const WriteOptions& options, const VectorForma
         names.push_back(name_of(options, format, LayerRole::contours, layers));
     if (options.doubtful)
         names.push_back(name_of(options, format, LayerRole::doubtful, layers));
+    if (options.rejected)
+        names.push_back(name_of(options, format, LayerRole::rejected, layers));
     return names;
 }
 

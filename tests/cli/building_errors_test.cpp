@@ -59,6 +59,8 @@ TEST_F(BuildingErrors, refusesWhatExcludesEachOther) {
 TEST_F(BuildingErrors, refusesADoubtfulLayerWhereThereIsNoPlace) {
     expect_error(2, "\"out.geojson\" holds one layer (format GeoJSON); use a GeoPackage for -write_doubtful.",
                  {"-write_doubtful", "dem.tif", "out.geojson"});
+    expect_error(2, "\"out.geojson\" holds one layer (format GeoJSON); use a GeoPackage for -write_rejected.",
+                 {"-write_rejected", "dem.tif", "out.geojson"});
 }
 
 TEST_F(BuildingErrors, saysWhatIsNotThere) {

@@ -143,6 +143,21 @@ TEST_F(OptionEffect, write_doubtful) {
     EXPECT_EQ(layer("out.gpkg", "roofs_doubtful").records.size(), unsure.records.size());
 }
 
+TEST_F(OptionEffect, write_rejected) {
+    const std::string town = sample("town.tif");
+    preset_ = "thesis";
+    run_well({"-q", "-write_rejected", "-nf", "40", "--", town, "out.gpkg"});
+    EXPECT_EQ(layer_names(path("out.gpkg")), (Names{"buildings", "contours", "rejected"}));
+    const Layer dropped = layer("out.gpkg", "rejected");
+    ASSERT_GT(dropped.records.size(), 10U);
+    for (const Record& record : dropped.records) {
+        EXPECT_TRUE(record.valid());
+        EXPECT_GT(record.number("area_m2"), 0);
+    }
+    run_well({"-q", "-overwrite", "-write_rejected", "-nf", "40", "-nln", "roofs", "--", town, "out.gpkg"});
+    EXPECT_EQ(layer("out.gpkg", "roofs_rejected").records.size(), dropped.records.size());
+}
+
 TEST_F(OptionEffect, fields) {
     find({"-fields", "own"});
     const Names own = buildings().fields;

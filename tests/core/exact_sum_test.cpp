@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -46,6 +47,17 @@ TEST(Moments, TakeTheWholeRangeOfDoubles) {
     EXPECT_EQ(moments_of({5e-324, 5e-324, 5e-324}).mean(), 5e-324);
     EXPECT_EQ(moments_of({-1e300, 1e300}).standard_deviation(), std::sqrt(2.0) * 1e300);
     EXPECT_EQ(moments_of({-0.0, 0.0}).mean(), 0);
+}
+
+TEST(Moments, OfTheLargestDoublesDeviateByANumber) {
+    constexpr double most = std::numeric_limits<double>::max();
+    // The mean of 2,500 times 0 and 500 times x is x / 6, and the squares of all distances add up to 1250/3
+    // x^2.
+    for (const double x : {1e100, 1e200, 1e300, 1e306, 1e307, 1e308, most, -most}) {
+        std::vector<double> values(3000, 0.0);
+        std::fill_n(values.begin(), 500, x);
+        EXPECT_DOUBLE_EQ(moments_of(values).standard_deviation(), std::abs(x) * std::sqrt(1250.0 / 3 / 2999));
+    }
 }
 
 TEST(Moments, DoNotDependOnOrderOrPortions) {

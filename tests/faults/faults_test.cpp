@@ -119,6 +119,21 @@ TEST_F(Faults, readsOfTheDestination) {
     EXPECT_GT(failed_, 0);
 }
 
+TEST_F(Faults, aNetworkIsNotAskedForByItself) {
+    // Between these systems PROJ would use a grid from its servers, had it a network.
+    write_text(path("area.geojson"), R"({"type": "Polygon", "coordinates":
+        [[[10, 40], [16, 40], [16, 60], [10, 60], [10, 40]]]})");
+    EXPECT_EQ(
+        calls("net", "", {"-q", "-a_srs", "EPSG:31468", "-t_srs", "EPSG:25832", "dem.tif", "moved.gpkg"}), 0);
+    EXPECT_EQ(calls("net", "", {"-q", "-cutline", "area.geojson", "dem.tif", "cut.gpkg"}), 0);
+    // The counter does count.
+    const ToolResult named = run_with("net:0:EIO", "", {"-q", "/vsicurl/http://127.0.0.1:9/a.tif", "b.gpkg"});
+    EXPECT_EQ(named.status, 1);
+    long count = 0;
+    std::ifstream(counter_) >> count;
+    EXPECT_GT(count, 0);
+}
+
 /// A disk of its own, where root may make one.
 TEST_F(Faults, aDiskThatIsFull) {
     const std::string disk = path("disk");

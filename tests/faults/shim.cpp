@@ -1,5 +1,6 @@
 // Preloaded into the tool: lets reads or writes of some files fail, the nth and all that follow.
 //   D2B_FAULT=<write|read|sync>:<n>:<EIO|ENOSPC|short>   n = 0 fails never
+//   D2B_FAULT=net:0:EIO                                  there is no network, and who asks for it is counted
 //   D2B_FAULT_PATH=<part of the paths that count>
 //   D2B_FAULT_COUNT=<file that gets the number of calls that were counted, at the end>
 // "short" does half of the nth call alone, as a signal or a full quota may.
@@ -9,7 +10,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <dlfcn.h>
+#include <netdb.h>
 #include <string>
+#include <sys/socket.h>
 #include <unistd.h>
 
 namespace {
@@ -128,6 +131,25 @@ size_t fread(void* data, size_t size, size_t count, std::FILE* file) {
     static const auto next = real<size_t (*)(void*, size_t, size_t, std::FILE*)>("fread");
     const Fate f = fate("read", fileno(file));
     return f == Fate::fails ? 0 : next(data, size, f == Fate::half ? half(count) : count, file);
+}
+
+int connect(int descriptor, const struct sockaddr* address, socklen_t length) {
+    static const auto next = real<int (*)(int, const struct sockaddr*, socklen_t)>("connect");
+    if (address->sa_family == AF_INET || address->sa_family == AF_INET6)
+        if (plan().kind == "net" && ++calls > 0) {
+            errno = ENETUNREACH;
+            return -1;
+        }
+    return next(descriptor, address, length);
+}
+
+int getaddrinfo(const char* name, const char* service, const struct addrinfo* hints,
+                struct addrinfo** found) {
+    static const auto next =
+        real<int (*)(const char*, const char*, const struct addrinfo*, struct addrinfo**)>("getaddrinfo");
+    if (plan().kind == "net" && ++calls > 0)
+        return EAI_FAIL;
+    return next(name, service, hints, found);
 }
 
 int fsync(int descriptor) {

@@ -14,8 +14,8 @@ for target in engine outlines reader command_line; do echo "$target"; done |
     xargs -P "$(nproc)" -I '{}' sh -c '
         mkdir -p "{}"
         if UBSAN_OPTIONS=print_stacktrace=1 "$1/tests/fuzz/{}_fuzz" -max_total_time="$2" -timeout=60 -rss_limit_mb=4096 \
-            -max_len=1000 -print_final_stats=1 -artifact_prefix="{}_" "{}" "$3/{}" < /dev/null > "{}.log" 2>&1; then
-            echo "fuzz {}: $(grep -m 1 "^Done" "{}.log")"
+            -max_len=1000 -entropic=0 -artifact_prefix="{}_" "{}" "$3/{}" < /dev/null > "{}.log" 2>&1; then
+            echo "fuzz {}: $(grep -a -m 1 "^Done" "{}.log")"
         else
             tail -n 60 "{}.log"
             exit 255

@@ -80,6 +80,19 @@ TEST_P(OddPlaces, cellsOfAPicometre) {
         EXPECT_LE(record.area(), 1e-20);
 }
 
+TEST_P(OddPlaces, cellsThatAreFarFromSquare) {
+    for (const Transform& transform : {Transform{0, 1e-9, 0, 5820000, 0, -1},
+                                       {0, 1, 0, 5820000, 0, -1e-6},
+                                       {0, 1e3, 0, 5820000, 0, -1e-6}})
+        for (const char* walls : {"auto", "right", "off"}) {
+            RasterSpec spec = one_block();
+            spec.transform = transform;
+            spec.crs = "";
+            for (const Record& record : buildings(spec, {"-regularize", walls}).records)
+                EXPECT_LE(record.area(), 3000 * std::abs(transform[1] * transform[5]));
+        }
+}
+
 TEST_P(OddPlaces, aLocalSystem) {
     const std::string site = R"(LOCAL_CS["site",UNIT["metre",1],AXIS["x",EAST],AXIS["y",NORTH]])";
     const Areas local = areas({0, 1, 0, 0, 0, -1}, site);

@@ -81,6 +81,7 @@ TEST(OptionTable, holdsTheseOptions) {
                                          "arcs",
                                          "fields",
                                          "write_doubtful",
+                                         "write_rejected",
                                          "write_ground",
                                          "write_height",
                                          "write_canopy",
@@ -132,6 +133,7 @@ TEST(OptionTable, defaultsAreThoseOfTheOptions) {
                              "ndvi",
                              "arcs",
                              "write_doubtful",
+                             "write_rejected",
                              "write_ground",
                              "write_height",
                              "write_canopy",
@@ -277,6 +279,7 @@ TEST(Options, ofTheOutput) {
     EXPECT_EQ(write({"-fields", "city4cfd"}).fields, FieldNames::city4cfd);
     EXPECT_EQ(write({"-fields", "osm"}).fields, FieldNames::osm);
     EXPECT_TRUE(write({"-write_doubtful"}).doubtful);
+    EXPECT_TRUE(write({"-write_rejected"}).rejected);
     EXPECT_EQ(write({"-write_ground", "g.tif"}).ground, "g.tif");
     EXPECT_EQ(write({"-write_height", "h.tif"}).height, "h.tif");
     EXPECT_EQ(write({"-write_canopy", "c.tif"}).canopy, "c.tif");
@@ -365,6 +368,7 @@ TEST(Options, everyOptionChangesWhatItShows) {
                                            {"-arcs"},
                                            {"-fields", "osm"},
                                            {"-write_doubtful"},
+                                           {"-write_rejected"},
                                            {"-write_ground", "x"},
                                            {"-write_height", "x"},
                                            {"-preview", "x"},

@@ -58,7 +58,7 @@ std::string full_help() {
     text += "\nGDAL:\n";
     for (const auto& [synopsis, help] : gdal_switches())
         text += help_entry(std::string(synopsis), std::string(help));
-    return text + "\nExit status: 0 done, 1 failed, 2 wrong usage, 130 interrupted.\n";
+    return text + "\nExit status: 0 done, 1 failed, 2 wrong usage, 130 after Ctrl-C, 143 terminated.\n";
 }
 
 }  // namespace d2b
