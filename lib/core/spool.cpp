@@ -11,9 +11,10 @@ std::uint64_t MemorySpool::append(std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
         const std::size_t at = size_ % chunk;
         if (at == 0)
-            chunks_.push_back(std::make_unique_for_overwrite<std::byte[]>(chunk));
+            chunks_.emplace_back().reserve(chunk);
         const std::size_t n = std::min(bytes.size(), chunk - at);
-        std::memcpy(chunks_.back().get() + at, bytes.data(), n);
+        chunks_.back().insert(chunks_.back().end(), bytes.begin(),
+                              bytes.begin() + static_cast<std::ptrdiff_t>(n));
         size_ += n;
         bytes = bytes.subspan(n);
     }
@@ -25,7 +26,7 @@ void MemorySpool::read(std::uint64_t begin, std::span<std::byte> bytes) const {
     while (!bytes.empty()) {
         const std::size_t at = begin % chunk;
         const std::size_t n = std::min(bytes.size(), chunk - at);
-        std::memcpy(bytes.data(), chunks_[begin / chunk].get() + at, n);
+        std::memcpy(bytes.data(), chunks_[begin / chunk].data() + at, n);
         begin += n;
         bytes = bytes.subspan(n);
     }

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <mutex>
 #include <span>
 #include <vector>
@@ -33,7 +32,7 @@ class MemorySpool : public Spool {
     static constexpr std::size_t chunk = std::size_t{1} << 20;
     mutable std::mutex mutex_;
     std::uint64_t size_ = 0;
-    std::vector<std::unique_ptr<std::byte[]>> chunks_;
+    std::vector<std::vector<std::byte>> chunks_;
 };
 
 /// Something in a spool.
