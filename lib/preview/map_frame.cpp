@@ -27,8 +27,9 @@ Spot MapFrame::spot(Position position) const {
     const double determinant = g[1] * g[5] - g[2] * g[4];
     const double col = (dx * g[5] - dy * g[2]) / determinant;
     const double row = (dy * g[1] - dx * g[4]) / determinant;
-    return {(col - dem_.window.col) * width_ / dem_.window.cols,
-            (row - dem_.window.row) * height_ / dem_.window.rows};
+    const double x = (col - dem_.window.col) * width_ / dem_.window.cols;
+    const double y = (row - dem_.window.row) * height_ / dem_.window.rows;
+    return {right_to_left() ? width_ - x : x, bottom_up() ? height_ - y : y};
 }
 
 }  // namespace d2b

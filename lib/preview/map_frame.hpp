@@ -6,8 +6,8 @@
 
 namespace d2b {
 
-/// How a DEM's window lies in a picture: its rows and columns run along the sides, whatever way they run on
-/// the ground, and cells keep their shape.
+/// How a DEM's window lies in a picture: its rows and columns run along the sides, from the upper left, or
+/// where y grows with the rows or x against the columns from the other end; cells keep their shape.
 class MapFrame {
   public:
     /// @param longest side of the picture, in pixels
@@ -15,6 +15,10 @@ class MapFrame {
 
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
+    /// Whether the first row lies at the bottom.
+    [[nodiscard]] bool bottom_up() const { return dem_.transform[5] > 0; }
+    /// Whether the first column lies on the right.
+    [[nodiscard]] bool right_to_left() const { return dem_.transform[1] < 0; }
     /// @param position in the CRS of the DEM
     [[nodiscard]] Spot spot(Position position) const;
 

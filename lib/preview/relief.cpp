@@ -12,11 +12,13 @@ namespace {
 /// The points that are looked at: one a pixel, or each one where pixels are finer.
 class Samples {
   public:
-    Samples(DemSource& dem, int width, int height)
+    Samples(DemSource& dem, const MapFrame& frame)
         : dem_(dem),
+          bottom_up_(frame.bottom_up()),
+          right_to_left_(frame.right_to_left()),
           window_(dem.info().window),
-          cols_(std::min(width, window_.cols)),
-          rows_(std::min(height, window_.rows)),
+          cols_(std::min(frame.width(), window_.cols)),
+          rows_(std::min(frame.height(), window_.rows)),
           buffer_(static_cast<std::size_t>(window_.cols)) {}
 
     [[nodiscard]] int cols() const { return cols_; }
@@ -25,12 +27,14 @@ class Samples {
     [[nodiscard]] double step() const { return static_cast<double>(window_.cols) / cols_; }
     /// A row of them; beyond the last it is the last.
     [[nodiscard]] std::vector<double> row(int number) {
-        const std::int64_t at = middle(std::clamp(number, 0, rows_ - 1), window_.rows, rows_);
+        number = std::clamp(number, 0, rows_ - 1);
+        const std::int64_t at = middle(bottom_up_ ? rows_ - 1 - number : number, window_.rows, rows_);
         dem_.read(window_.row + static_cast<std::int32_t>(at), 1, buffer_);
         std::vector<double> elevations;
         elevations.reserve(static_cast<std::size_t>(cols_));
         for (int col = 0; col < cols_; ++col)
-            elevations.push_back(buffer_[static_cast<std::size_t>(middle(col, window_.cols, cols_))]);
+            elevations.push_back(buffer_[static_cast<std::size_t>(
+                middle(right_to_left_ ? cols_ - 1 - col : col, window_.cols, cols_))]);
         return elevations;
     }
 
@@ -40,6 +44,8 @@ class Samples {
     }
 
     DemSource& dem_;
+    bool bottom_up_;
+    bool right_to_left_;
     Window window_;
     int cols_;
     int rows_;
@@ -71,7 +77,7 @@ int pixel(int sample, int pixels, int samples) {
 
 void draw_relief(DemSource& dem, const MapFrame& frame, double rise, Canvas& canvas) {
     constexpr Colour white{255, 255, 255};
-    Samples samples(dem, frame.width(), frame.height());
+    Samples samples(dem, frame);
     const double per_step = rise / (2 * samples.step());
     std::vector<double> above = samples.row(0);
     std::vector<double> here = above;

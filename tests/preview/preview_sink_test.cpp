@@ -1,5 +1,6 @@
 #include "preview/preview_sink.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -85,6 +86,30 @@ TEST_F(PreviewTest, WhatHasNoHeightIsNotDrawn) {
     root.values[1] = FieldValue{};
     const Image image = draw({layer("contours", "level")}, {{0, root}});
     EXPECT_EQ(image.at(75, 75)[0], image.at(75, 75)[2]);
+}
+
+TEST_F(PreviewTest, NorthIsUpWhicheverWayRowsAndColumnsRun) {
+    const std::vector<std::pair<std::size_t, Feature>> features{{0, square(5, 10, 5, 12)}};
+    const Image expected = draw({layer("buildings", "")}, features);
+    const auto expect_same = [&](std::vector<double> z, const AffineTransform& transform) {
+        MemorySource other(20, 20, std::move(z));
+        other.edit().transform = transform;
+        Image image;
+        MemorySink sink;
+        PreviewSink preview(sink, other, Crs(), {.longest = 200, .heading = "", .vertical_metres = 1},
+                            context, [&](const Image& taken) { image = taken; });
+        preview.begin(std::vector{layer("buildings", "")}, {});
+        preview.add(0, features[0].second);
+        preview.finish();
+        EXPECT_EQ(image.rgb, expected.rgb);
+    };
+    const std::vector<double> z = field();
+    std::vector<double> mirrored = z;
+    for (auto row = mirrored.begin(); row != mirrored.end(); row += 20)
+        std::reverse(row, row + 20);
+    expect_same(mirrored, {20, -1, 0, 20, 0, -1});
+    expect_same({mirrored.rbegin(), mirrored.rend()}, {0, 1, 0, 0, 0, 1});  // rows from below
+    expect_same({z.rbegin(), z.rend()}, {20, -1, 0, 0, 0, 1});
 }
 
 }  // namespace
