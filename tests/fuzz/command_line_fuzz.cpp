@@ -23,10 +23,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         const d2b::Request request = d2b::parse_command_line(arguments);
         const d2b::ToolOptions& tool = request.tool;
-        if (tool.help || tool.version || tool.man_page || tool.options_markdown)
+        if (tool.prints_text())
             return 0;
         const d2b::Options& options = request.options;
-        demand(!options.read.source.empty() && !options.write.destination.empty(), "both files are named");
+        demand(!options.read.source.empty(), "the source is named");
+        demand(options.write.destination.empty() != tool.sweep.empty(), "a sweep alone has no destination");
         demand(options.read.source != options.write.destination, "the source is not the destination");
         demand(options.filter.noise_factor >= 0, "a factor is not negative");
         demand(!(options.write.overwrite && options.write.append),

@@ -2,6 +2,7 @@
 # Runs the libFuzzer targets of a build, as many at a time as there are processors, on their seeds and on what earlier
 # runs have found worth keeping.
 #   run.sh <build folder> <seconds a target> [<corpus folder>]
+# D2B_FUZZ_SEED lets them try the same things each time; without it they try other ones.
 set -eu
 build=$(cd "$1" && pwd)
 seconds=$2
@@ -14,7 +15,8 @@ for target in engine outlines reader command_line; do echo "$target"; done |
     xargs -P "$(nproc)" -I '{}' sh -c '
         mkdir -p "{}"
         if UBSAN_OPTIONS=print_stacktrace=1 "$1/tests/fuzz/{}_fuzz" -max_total_time="$2" -timeout=60 -rss_limit_mb=4096 \
-            -max_len=1000 -entropic=0 -artifact_prefix="{}_" "{}" "$3/{}" < /dev/null > "{}.log" 2>&1; then
+            -max_len=1000 -entropic=0 -seed="${D2B_FUZZ_SEED:-0}" -artifact_prefix="{}_" "{}" "$3/{}" \
+            < /dev/null > "{}.log" 2>&1; then
             echo "fuzz {}: $(grep -a -m 1 "^Done" "{}.log")"
         else
             tail -n 60 "{}.log"
