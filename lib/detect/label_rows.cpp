@@ -7,18 +7,25 @@
 
 namespace d2b {
 
-void LabelRows::append(std::span<const Label> labels) {
-    ByteWriter writer;
-    for (std::size_t begin = 0; begin < labels.size();) {
-        const auto from = labels.begin() + static_cast<std::ptrdiff_t>(begin);
-        const Label label = *from;
-        const auto to = std::find_if(from, labels.end(), [label](Label other) { return other != label; });
-        const auto end = static_cast<std::size_t>(to - labels.begin());
-        if (label != 0)
-            writer.put(Run{static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end), label});
-        begin = end;
-    }
-    rows_.push_back(d2b::append(*spool_, writer));
+void LabelRows::append(const Grid<Label>& labels, RowBand rows, Executor& threads) {
+    constexpr std::int32_t rows_at_once = 64;
+    const std::int32_t count = rows.end - rows.begin;
+    threads.in_order(
+        static_cast<std::size_t>((count + rows_at_once - 1) / rows_at_once),
+        [&](std::size_t k, std::size_t) {
+            std::vector<ByteWriter> writers;
+            const std::int32_t begin = rows.begin + static_cast<std::int32_t>(k) * rows_at_once;
+            for (std::int32_t r = begin; r < std::min(begin + rows_at_once, rows.end); ++r)
+                for_label_runs(labels.row(r), [writer = &writers.emplace_back()](
+                                                  std::int32_t from, std::int32_t to, Label label) {
+                    writer->put(Run{from, to, label});
+                });
+            return writers;
+        },
+        [&](std::size_t, const std::vector<ByteWriter>& writers) {
+            for (const ByteWriter& writer : writers)
+                rows_.push_back(d2b::append(*spool_, writer));
+        });
 }
 
 void LabelRows::read(std::int32_t row, std::int32_t cols, std::span<Label> labels) const {

@@ -6,9 +6,26 @@
 #include <vector>
 
 #include "core/band.hpp"
+#include "core/executor.hpp"
+#include "core/grid.hpp"
+#include "core/row_bands.hpp"
 #include "core/spool.hpp"
 
 namespace d2b {
+
+/// Calls use(begin, end, label) for each run of cells of a row with a label other than 0.
+template <typename Use>
+void for_label_runs(std::span<const Label> row, const Use& use) {
+    for (std::size_t begin = 0; begin < row.size();) {
+        const Label label = row[begin];
+        std::size_t end = begin + 1;
+        while (end < row.size() && row[end] == label)
+            ++end;
+        if (label != 0)
+            use(static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end), label);
+        begin = end;
+    }
+}
 
 /// The labels of a window, row by row, as runs that wait in a spool: 12 bytes a run.
 class LabelRows {
@@ -16,8 +33,8 @@ class LabelRows {
     LabelRows() = default;
     explicit LabelRows(std::unique_ptr<Spool> spool) : spool_(std::move(spool)) {}
 
-    /// The next row.
-    void append(std::span<const Label> labels);
+    /// The next rows: these of a grid.
+    void append(const Grid<Label>& labels, RowBand rows, Executor& threads);
     /// Gives other labels to all rows. @param number the new label, by the old one
     void renumber(std::vector<Label> number) { number_ = std::move(number); }
     /// From any thread, once all rows are there. @param row first, counted from the window's

@@ -12,7 +12,8 @@ namespace {
 constexpr std::int64_t points_a_band = 1 << 19;
 constexpr std::int32_t usual_block_rows = 64;
 constexpr std::int64_t most_points_a_band = 1 << 21;
-constexpr std::int64_t points_ahead = 1 << 21;  // a thread
+// A thread. Less than three bands let threads wait for each other where one takes longer than the next.
+constexpr std::int64_t points_ahead = 1 << 21;
 
 std::int32_t band_rows(const DemInfo& info) {
     const std::int32_t cols = std::max(info.window.cols, 1);
@@ -44,7 +45,7 @@ ElevationReader::ElevationReader(DemSource& source, Context& context, std::size_
     const std::int32_t rows = band_rows(source.info());
     keep_ = points <= keep_bytes / sizeof(float);
     ahead_ = static_cast<std::size_t>(
-        std::clamp<std::int64_t>(points_ahead / (std::int64_t{rows} * std::max(window.cols, 1)), 1, 8));
+        std::clamp<std::int64_t>(points_ahead / (std::int64_t{rows} * std::max(window.cols, 1)), 3, 8));
     shapes_ = shapes_of(window, rows);
     if (keep_)
         kept_.resize(shapes_.size());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -96,14 +97,16 @@ struct StripFound {
 };
 
 std::vector<SeenObject> seen_objects(const Detection& detection, const std::vector<double>& ground,
-                                     RowBand own) {
+                                     RowBand own, Executor& threads) {
     std::vector<SeenObject> seen;
     for (std::size_t i = 0; i < detection.objects.size(); ++i)
         seen.push_back({detection.objects[i], i < detection.buildings, ground[i + 1], 0});
-    for (std::int32_t r = own.begin; r < own.end; ++r)
-        for (const Label label : detection.labels.row(r))
-            if (label != 0)
-                ++seen[label - 1].own_cells;
+    for_row_bands(threads, own.end - own.begin, detection.labels.cols, [&](RowBand band) {
+        for (std::int32_t r = own.begin + band.begin; r < own.begin + band.end; ++r)
+            for_label_runs(detection.labels.row(r), [&](std::int32_t begin, std::int32_t end, Label label) {
+                std::atomic_ref(seen[label - 1].own_cells).fetch_add(end - begin, std::memory_order_relaxed);
+            });
+    });
     return seen;
 }
 
@@ -130,7 +133,7 @@ StripFound find_in_strip(const Job& job, const Strip& strip) {
     const StageClock clock(job.context.report, Stage::attributes);
     const std::vector<double> ground =
         ground_levels(terrain, detection.labels, static_cast<Label>(detection.objects.size()), job.threads());
-    std::vector<SeenObject> objects = seen_objects(detection, ground, own);
+    std::vector<SeenObject> objects = seen_objects(detection, ground, own, job.threads());
     return {std::move(detection.labels), std::move(objects)};
 }
 
@@ -205,8 +208,9 @@ FoundBuildings find_buildings(const Options& options, const Sources& sources, co
         for (std::size_t side = 0; side < above.size(); ++side)
             merger.compare(above[side], upper_seam[side]);
         above = rows_at(here.labels, strip.own.end - strip.seen.begin);
-        for (std::int32_t r = strip.own.begin; r < strip.own.end; ++r)
-            found.labels.append(here.labels.row(r - strip.seen.begin));
+        found.labels.append(here.labels,
+                            {strip.own.begin - strip.seen.begin, strip.own.end - strip.seen.begin},
+                            job.threads());
     }
     const double least = options.detect.min_area_m2 / (cell.across * cell.down);
     put_into(found, merger.finish(strips.size() > 1 ? static_cast<std::int64_t>(std::ceil(least)) : 1),

@@ -115,10 +115,15 @@ LevelPlan plan_levels(ElevationReader& reader, const FoundBuildings& found,
                       const ElevationStatistics& statistics, const LevelPlan& global,
                       const LevelOptions& options, const Window& window, Context& context) {
     BuildingStatistics buildings(found.count(), statistics.fixed_point());
-    reader.for_each([&](const ElevationBand& band) {
-        const StageClock clock(context.report, Stage::levels);
-        buildings.add(band, labels_of(band, &found, window));
-    });
+    reader.for_each(
+        [&](std::size_t, const ElevationBand& band, Tally& tally) {
+            const StageClock clock(tally, Stage::levels);
+            return labels_of(band, &found, window);
+        },
+        [&](const ElevationBand& band, const LabelBand& labels) {
+            const StageClock clock(context.report, Stage::levels);
+            buildings.add(band, labels);
+        });
     return plan_building_levels(buildings, found.ground, global, options,
                                 context.report.units.vertical_metres);
 }

@@ -71,10 +71,11 @@ TEST(StripMerger, SliversAreLeftOut) {
 
 TEST(LabelRows, ComeBackWithOtherNumbers) {
     LabelRows rows(std::make_unique<MemorySpool>());
-    rows.append(Row{0, 1, 1, 2, 0});
-    rows.append(Row{0, 0, 0, 0, 0});
-    rows.append(Row{3, 3, 3, 3, 3});
-    rows.append(Row{2, 0, 2, 0, 1});
+    Grid<Label> grid(6, 5);
+    grid.values = {9, 9, 9, 9, 9, 0, 1, 1, 2, 0, 0, 0, 0, 0, 0, 3, 3, 3, 3, 3, 2, 0, 2, 0, 1, 9, 9, 9, 9, 9};
+    Executor threads(2);
+    rows.append(grid, {1, 3}, threads);
+    rows.append(grid, {3, 5}, threads);
     rows.renumber({0, 7, 0, 9});
     Row all(20, 77);
     rows.read(0, 5, all);
