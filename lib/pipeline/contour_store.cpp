@@ -58,7 +58,7 @@ std::int64_t ContourStore::take(FinishedContour&& finished) {
             save(contour, writer);
             place = append(*spool_, writer);
         }
-        reject(*reason, {contour.key, *reason, place});
+        reject({contour.key, *reason, place});
         return -1;
     }
     put_aside(contour, finished.sample.size() > 0 ? take_percentiles(finished.sample, settings_.range)
@@ -85,8 +85,8 @@ void ContourStore::put_aside(const Contour& contour, const Percentiles& percenti
                           hole_noise(ring, contour.key.level, settings_.options, settings_.square_area)});
 }
 
-void ContourStore::reject(Reason reason, const StoredContours::Rejected& what) {
-    context_.report.count(reason);
+void ContourStore::reject(const StoredContours::Rejected& what) {
+    context_.report.count(what.reason);
     if (settings_.keep_rejected)
         rejected_.push_back(what);
 }
@@ -101,7 +101,7 @@ void ContourStore::drop_what_stands_on_noise() {
     for (Entry& entry : entries_) {
         const std::size_t begin = std::exchange(entry.first_hole, kept_holes);
         if (entry.head.parent == on_noise) {
-            reject(Reason::contour_on_dropped, {entry.head.key, Reason::contour_on_dropped, entry.place});
+            reject({entry.head.key, Reason::contour_on_dropped, entry.place});
             continue;
         }
         for (std::size_t h = begin; h < begin + entry.holes; ++h)

@@ -81,7 +81,7 @@ class ContourStore : public ContourSink {
   private:
     using Entry = StoredContours::Entry;
     void put_aside(const Contour& contour, const Percentiles& percentiles);
-    void reject(Reason reason, const StoredContours::Rejected& what);
+    void reject(const StoredContours::Rejected& what);
     void drop_what_stands_on_noise();
     void sort();
     void number_buildings();

@@ -38,19 +38,12 @@ LayerStyle contour_style(bool disjoint) {
     return style;
 }
 
-LayerStyle rejected_style() {
+/// Of what has a reason and no height.
+LayerStyle reason_style(const char* title, const char* field, double label_scale) {
     LayerStyle style;
-    style.title = "Dropped, filled or kept as traced";
-    style.label = "reason";
-    style.label_scale = parts_scale;
-    return style;
-}
-
-LayerStyle doubtful_style() {
-    LayerStyle style;
-    style.title = "May be buildings";
-    style.label = "doubt";
-    style.label_scale = buildings_scale;
+    style.title = title;
+    style.label = field;
+    style.label_scale = label_scale;
     return style;
 }
 
@@ -67,9 +60,10 @@ void give_styles(std::vector<LayerSpec>& layers, const LayerPlaces& places, cons
     if (places.contours)
         layers[*places.contours].style = contour_style(emission.options.outline.disjoint);
     if (places.doubtful)
-        layers[*places.doubtful].style = doubtful_style();
+        layers[*places.doubtful].style = reason_style("May be buildings", "doubt", buildings_scale);
     if (places.rejected)
-        layers[*places.rejected].style = rejected_style();
+        layers[*places.rejected].style =
+            reason_style("Dropped, filled or kept as traced", "reason", parts_scale);
     for (LayerSpec& layer : layers) {
         layer.style.metre_scale = 1 / map_metres(emission);
         layer.style.vertical_scale = vertical_metres / map_metres(emission);

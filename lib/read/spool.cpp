@@ -9,12 +9,12 @@
 #include <unistd.h>
 #include <vector>
 
-#include <cpl_conv.h>
 #include <cpl_vsi.h>
 
 #include "core/error.hpp"
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
+#include "read/temporary_folder.hpp"
 
 namespace d2b {
 
@@ -30,14 +30,6 @@ using FileOwner = GdalOwner<VSILFILE*, VSIFCloseL>;
 
 std::string reason_of(int error) {
     return std::generic_category().message(error);
-}
-
-std::string temporary_folder() {
-    if (const char* folder = CPLGetConfigOption("CPL_TMPDIR", nullptr))
-        return folder;
-    std::error_code error;
-    const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
-    return error ? "/tmp" : folder.string();
 }
 
 /// Creates an empty file that nobody else can have made or can read.

@@ -2,29 +2,17 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <fcntl.h>
 #include <filesystem>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
 
-#include <cpl_conv.h>
-
 #include "core/error.hpp"
+#include "read/temporary_folder.hpp"
 
 namespace d2b {
 namespace {
-
-std::string folder_or_default(std::string folder) {
-    if (!folder.empty())
-        return folder;
-    if (const char* option = CPLGetConfigOption("CPL_TMPDIR", nullptr))
-        return option;
-    std::error_code error;
-    const std::filesystem::path path = std::filesystem::temp_directory_path(error);
-    return error ? "/tmp" : path.string();
-}
 
 /// A new file that nobody else can open; -1 where that fails.
 int nameless_file(const std::string& folder) {
@@ -38,7 +26,7 @@ int nameless_file(const std::string& folder) {
 }  // namespace
 
 FileSpool::FileSpool(std::string folder, std::size_t in_memory)
-    : folder_(folder_or_default(std::move(folder))), most_in_memory_(in_memory) {}
+    : folder_(folder.empty() ? temporary_folder() : std::move(folder)), most_in_memory_(in_memory) {}
 
 FileSpool::~FileSpool() {
     if (file_ >= 0)

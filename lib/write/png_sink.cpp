@@ -1,15 +1,12 @@
 #include "write/png_sink.hpp"
 
-#include <optional>
 #include <utility>
-
-#include <cpl_vsi.h>
 
 #include "core/error.hpp"
 #include "write/config_option.hpp"
 #include "write/existing_dataset.hpp"
 #include "write/ogr_call.hpp"
-#include "write/staging.hpp"
+#include "write/staged_raster.hpp"
 
 namespace d2b {
 
@@ -33,58 +30,24 @@ DatasetHandle in_memory(const Image& image, const WriteTarget& target) {
 
 class PngFile final : public PictureFile {
   public:
-    PngFile(RasterPlace place, Context& context)
-        : place_(std::move(place)), target_{.name = place_.name, .hidden_folder = "", .context = &context} {}
-    ~PngFile() override {
-        const GdalMessages quiet;
-        if (!beside_.empty())
-            VSIUnlink(beside_.c_str());
-    }
+    PngFile(RasterPlace place, Context& context) : staged_(std::move(place), context) {}
 
     void write(const Image& image) override;
-    void publish() override;
+    void publish() override { staged_.publish("renaming the finished picture"); }
 
   private:
-    RasterPlace place_;
-    WriteTarget target_;
-    std::optional<Staging> staging_;
-    std::string beside_;  ///< what is written meanwhile in a virtual file system
+    StagedRaster staged_;
 };
 
 void PngFile::write(const Image& image) {
     const ConfigOption no_sidecar("GDAL_PAM_ENABLED", "NO");
-    std::string path;
-    if (place_.local) {
-        staging_.emplace(place_.name, place_.path);
-        target_.hidden_folder = staging_->folder().string() + "/";
-        path = staging_->dataset().string();
-    } else {
-        path = beside_ = place_.path + ".part";
-    }
-    const DatasetHandle picture = in_memory(image, target_);
-    OgrCall call(target_);
+    const std::string path = staged_.begin();
+    const DatasetHandle picture = in_memory(image, staged_.target());
+    OgrCall call(staged_.target());
     DatasetHandle file(GDALCreateCopy(GDALGetDriverByName("PNG"), path.c_str(), picture.get(), FALSE, nullptr,
                                       nullptr, nullptr));
     call.check(file != nullptr, "writing the picture");
-    close_written(target_, std::move(file));
-}
-
-void PngFile::publish() {
-    if (!staging_) {
-        OgrCall call(target_);
-        if (!place_.old_files.empty())
-            VSIUnlink(place_.path.c_str());
-        call.check(VSIRename(beside_.c_str(), place_.path.c_str()) == 0, "renaming the finished picture");
-        beside_.clear();
-        return;
-    }
-    staging_->seal();
-    staging_->sync();
-    if (stamp_of(place_.old_files) != place_.stamp)
-        throw OutputError("\"" + place_.name +
-                          "\" has changed while this run was going on and is left alone; run again.");
-    staging_->publish(place_.old_files);
-    staging_.reset();
+    close_written(staged_.target(), std::move(file));
 }
 
 }  // namespace
