@@ -1,11 +1,8 @@
 #include "read/open_raster.hpp"
 
-#include <string_view>
-
-#include <cpl_vsi.h>
-
 #include "core/error.hpp"
 #include "read/gdal_messages.hpp"
+#include "read/header_claims.hpp"
 
 namespace d2b {
 
@@ -75,43 +72,6 @@ void check_kind(GDALRasterBandH band, const ReadOptions& options, Context& conte
         context.warn(name + " holds indices into a colour table; they are taken as elevations.");
 }
 
-/// GDAL reads what is missing at the end of an ENVI file as zeros, since such files may be sparse. Zeros that
-/// nobody measured must not become elevations.
-void check_length(GDALDatasetH dataset, const ReadOptions& options) {
-    const char* compression = GDALGetMetadataItem(dataset, "file_compression", "ENVI");
-    const bool plain = compression == nullptr || std::string_view(compression) == "0";
-    const GDALDriverH driver = GDALGetDatasetDriver(dataset);
-    if (driver == nullptr || std::string_view(GDALGetDriverShortName(driver)) != "ENVI" || !plain)
-        return;
-    const int bytes = GDALGetDataTypeSizeBytes(GDALGetRasterDataType(GDALGetRasterBand(dataset, 1)));
-    const GUIntBig needed = static_cast<GUIntBig>(GDALGetRasterXSize(dataset)) *
-                            static_cast<GUIntBig>(GDALGetRasterYSize(dataset)) *
-                            static_cast<GUIntBig>(GDALGetRasterCount(dataset)) * static_cast<GUIntBig>(bytes);
-    VSIStatBufL status{};
-    if (VSIStatExL(GDALGetDescription(dataset), &status, VSI_STAT_SIZE_FLAG) == 0 &&
-        static_cast<GUIntBig>(status.st_size) < needed)
-        throw InputError("'" + options.source + "' has " + std::to_string(status.st_size) +
-                         " bytes where its header " + "promises " + std::to_string(needed) +
-                         "; it is truncated, so copy it again.");
-}
-
-/// A text grid has a digit and a blank a cell. GDAL would look for what is missing again and again: for hours
-/// where the header speaks of a million rows.
-void check_text_length(GDALDatasetH dataset, const ReadOptions& options) {
-    const GDALDriverH driver = GDALGetDatasetDriver(dataset);
-    if (driver == nullptr || std::string_view(GDALGetDriverShortName(driver)) != "AAIGrid")
-        return;
-    const GUIntBig needed = 2 * static_cast<GUIntBig>(GDALGetRasterXSize(dataset)) *
-                                static_cast<GUIntBig>(GDALGetRasterYSize(dataset)) -
-                            1;
-    VSIStatBufL status{};
-    if (VSIStatExL(GDALGetDescription(dataset), &status, VSI_STAT_SIZE_FLAG) == 0 &&
-        static_cast<GUIntBig>(status.st_size) < needed)
-        throw InputError("'" + options.source + "' has " + std::to_string(status.st_size) +
-                         " bytes where its header promises " + std::to_string(needed) +
-                         " at least; it is truncated, so copy it again.");
-}
-
 }  // namespace
 
 OpenRaster open_raster(const ReadOptions& options, const std::string& path, Context& context) {
@@ -119,8 +79,7 @@ OpenRaster open_raster(const ReadOptions& options, const std::string& path, Cont
     OpenRaster raster{open_dataset(options, path, context), nullptr};
     raster.band = pick_band(raster.dataset.get(), options);
     check_kind(raster.band, options, context);
-    check_length(raster.dataset.get(), options);
-    check_text_length(raster.dataset.get(), options);
+    check_claims(raster, options.source);
     return raster;
 }
 
@@ -131,8 +90,7 @@ OpenRaster open_first_band(const std::string& name, const std::string& path, Con
     raster.band = pick_band(raster.dataset.get(), options);
     if (GDALDataTypeIsComplex(GDALGetRasterDataType(raster.band)) != FALSE)
         throw InputError("Band 1 of '" + name + "' holds complex numbers; give a raster of real numbers.");
-    check_length(raster.dataset.get(), options);
-    check_text_length(raster.dataset.get(), options);
+    check_claims(raster, name);
     return raster;
 }
 

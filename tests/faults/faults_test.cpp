@@ -1,6 +1,7 @@
 #include <fstream>
 #include <sys/mount.h>
 #include <unistd.h>
+#include <utility>
 
 #include "faults/faulty_case.hpp"
 
@@ -14,6 +15,10 @@ class Faults : public FaultyTest {
         if (D2B_SANITIZED != 0)
             GTEST_SKIP() << "the sanitizers' libraries do not go with a preloaded one";
         FaultyTest::SetUp();
+    }
+    void TearDown() override {
+        std::filesystem::remove_all(kept_);
+        FaultyTest::TearDown();
     }
     ToolResult run_with(const std::string& fault, const std::string& files,
                         const Arguments& arguments) const {
@@ -29,34 +34,44 @@ class Faults : public FaultyTest {
         std::filesystem::remove(counter_);
         return count;
     }
-    void prepare(const std::string& destination, bool existing) const {
+    void prepare(const std::string& destination, bool existing) {
         std::filesystem::remove_all(path(destination));
-        if (existing)
-            run_well({"-q", "-f", format_, "-layers", layers_, "small.tif", destination});
+        if (!existing)
+            return;
+        constexpr auto whole = std::filesystem::copy_options::recursive;
+        if (std::exchange(prepared_, destination) == destination) {
+            std::filesystem::copy(kept_, path(destination), whole);
+            return;
+        }
+        run_well({"-q", "-f", format_, "-layers", layers_, before_, destination});
+        std::filesystem::remove_all(kept_);
+        std::filesystem::copy(path(destination), kept_, whole);
     }
     /// Lets some of the calls fail, from the first to the last.
     void try_all(const std::string& kind, const std::string& destination, bool existing,
                  const std::string& files, const std::vector<std::string>& errors) {
         SCOPED_TRACE(kind + " " + destination + (existing ? " existing" : " new"));
-        const Arguments arguments{"-q",      "-overwrite", "-f",      format_,
-                                  "-layers", layers_,      "dem.tif", destination};
+        const Arguments arguments{"-q", mode_, "-f", format_, "-layers", layers_, "dem.tif", destination};
         prepare(destination, existing);
         const int old = features(destination);
         const long count = calls(kind, files, arguments);
         const int whole = features(destination);
         ASSERT_GT(count, 0);
         for (const std::string& error : errors)
-            for (long k = 0; k < steps_; ++k) {
-                const long nth = 1 + k * (count - 1) / (steps_ - 1);
+            for (long k = 0, steps = std::min(steps_, std::max(count, 6L)); k < steps; ++k) {
+                const long nth = 1 + k * (count - 1) / (steps - 1);
                 SCOPED_TRACE(error + " at call " + std::to_string(nth) + " of " + std::to_string(count));
                 prepare(destination, existing);
                 const auto before = names();
                 const ToolResult result =
                     run_with(kind + ":" + std::to_string(nth) + ":" + error, files, arguments);
                 std::filesystem::remove(counter_);
-                ASSERT_TRUE(result.status == 0 || result.status == 1) << result.status << result.err;
+                // Drivers do not tell a file that cannot be read on from one that nothing can be added to.
+                const bool refused = result.status == 1 || (result.status == 2 && mode_ == "-append");
+                ASSERT_TRUE(result.status == 0 || refused) << result.status << result.err;
                 if (result.status == 0) {
                     EXPECT_EQ(features(destination), whole);
+                    expect_ids_given_once(destination);
                     ++survived_;
                     continue;
                 }
@@ -66,16 +81,26 @@ class Faults : public FaultyTest {
                 ++failed_;
             }
     }
+    /// What is read of a layer before something is added to it decides the next id.
+    void expect_ids_given_once(const std::string& destination) const {
+        if (format_ != "GPKG")
+            return;
+        EXPECT_EQ(sql_value(path(destination), "SELECT count(id) - count(DISTINCT id) FROM contours"), "0");
+    }
     void use(const std::string& format, const std::string& layers = "both") {
         format_ = format;
         layers_ = layers;
     }
 
-    const long steps_ = 6;
+    long steps_ = 6;
+    std::string before_ = "small.tif";  ///< whose result a destination holds
     int failed_ = 0;
     int survived_ = 0;
+    std::string mode_ = "-overwrite";
     std::string format_ = "GPKG";
     std::string layers_ = "both";
+    std::string prepared_;  ///< the destination of which there is a copy
+    const std::string kept_ = testing::TempDir() + "d2b_kept_" + std::to_string(::getpid());
     const std::string counter_ = testing::TempDir() + "d2b_calls_" + std::to_string(::getpid());
 };
 
@@ -117,6 +142,21 @@ TEST_F(Faults, readsOfTheRaster) {
 TEST_F(Faults, readsOfTheDestination) {
     try_all("read", "out.gpkg", true, "out.gpkg", {"EIO"});
     EXPECT_GT(failed_, 0);
+}
+
+TEST_F(Faults, readsOfADestinationToAppendTo) {
+    mode_ = "-append";
+    use("GPKG", "contours");
+    before_ = "dem.tif";  // a layer of many pages, read one after another
+    steps_ = 1000;        // of which a single one leaves the search for the largest id behind half way
+    try_all("read", "out.gpkg", true, "out.gpkg", {"once"});
+    EXPECT_GT(failed_, 0);
+    steps_ = 6;
+    use("GeoJSON", "buildings");
+    try_all("read", "out.geojson", true, "out.geojson", {"EIO"});
+    use("ESRI Shapefile");
+    try_all("read", "shapes", true, "/shapes/", {"EIO"});
+    EXPECT_GT(failed_, steps_);
 }
 
 TEST_F(Faults, aNetworkIsNotAskedForByItself) {

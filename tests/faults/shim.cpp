@@ -1,9 +1,10 @@
 // Preloaded into the tool: lets reads or writes of some files fail, the nth and all that follow.
-//   D2B_FAULT=<write|read|sync>:<n>:<EIO|ENOSPC|short>   n = 0 fails never
+//   D2B_FAULT=<write|read|sync>:<n>:<EIO|ENOSPC|once|short>   n = 0 fails never
 //   D2B_FAULT=net:0:EIO                                  there is no network, and who asks for it is counted
 //   D2B_FAULT_PATH=<part of the paths that count>
 //   D2B_FAULT_COUNT=<file that gets the number of calls that were counted, at the end>
-// "short" does half of the nth call alone, as a signal or a full quota may.
+// "once" lets the nth call alone fail with EIO, as a server may that is away for a moment; "short" does half
+// of it, as a signal or a full quota may.
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
@@ -22,6 +23,7 @@ struct Plan {
     long nth = 0;
     int error = EIO;
     bool is_short = false;
+    bool once = false;
     std::string path;
 };
 
@@ -39,6 +41,7 @@ const Plan& plan() {
         result.kind = text.substr(0, first);
         result.nth = std::stol(text.substr(first + 1, second - first - 1));
         result.is_short = text.substr(second + 1) == "short";
+        result.once = text.substr(second + 1) == "once";
         result.error = text.substr(second + 1) == "ENOSPC" ? ENOSPC : EIO;
         return result;
     }();
@@ -79,6 +82,8 @@ Fate fate(const char* kind, int descriptor) {
         return Fate::goes_on;
     if (p.is_short)
         return call == p.nth ? Fate::half : Fate::goes_on;
+    if (p.once && call != p.nth)
+        return Fate::goes_on;
     errno = p.error;
     return Fate::fails;
 }

@@ -72,17 +72,6 @@ TEST_F(ReadBroken, theRowsBeforeTheEndAreReadAndTheRestNamed) {
     }
 }
 
-TEST_F(ReadBroken, aTruncatedEnviFile) {
-    RasterSpec spec = large();
-    spec.driver = "ENVI";
-    write(path("dem.img"), spec);
-    expect_values(values("dem.img"), spec.values);
-    cut("dem.img", 0.6);
-    EXPECT_EQ(message<InputError>("dem.img"), quoted("dem.img") +
-                                                  " has 216000 bytes where its header promises 360000; it is "
-                                                  "truncated, so copy it again.");
-}
-
 TEST_F(ReadBroken, aTruncatedUncompressedFileReadInANarrowWindow) {
     RasterSpec spec{.cols = 20000, .rows = 10, .type = GDT_Float32, .values = counting(200000, 1)};
     spec.driver = "EHdr";
@@ -91,15 +80,6 @@ TEST_F(ReadBroken, aTruncatedUncompressedFileReadInANarrowWindow) {
     expect_values(values("dem.bil"), {180001, 180002});
     cut("dem.bil", 0.6);
     expect_has(message<InputError>("dem.bil"), "Rows 9 to 9 of '" + path("dem.bil") + "' cannot be read: ");
-}
-
-TEST_F(ReadBroken, aTextGridThatClaimsATrillionCells) {
-    write_text(path("claim.asc"),
-               "ncols 1000000\nnrows 1000000\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3\n");
-    EXPECT_EQ(message<InputError>("claim.asc"),
-              quoted("claim.asc") +
-                  " has 69 bytes where its header promises 1999999999999 at least; it is truncated, "
-                  "so copy it again.");
 }
 
 TEST_F(ReadBroken, aMosaicWhosePartIsMissing) {

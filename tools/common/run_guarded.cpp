@@ -6,6 +6,7 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <stdexcept>
 
 #include "common/exit_codes.hpp"
 #include "core/error.hpp"
@@ -22,6 +23,7 @@ int run_guarded(const std::vector<std::string>& arguments, const std::string& me
                 const std::function<int(const std::vector<std::string>&)>& run) {
     // At a limit of the size of files writing then fails, with a message, and cleans up.
     static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
+    const std::string no_memory = "There is not enough memory; " + memory_advice + ".";
     try {
         const int status = run(arguments);
         // What cannot be written, a report say, must not look as if it had been.
@@ -33,7 +35,9 @@ int run_guarded(const std::vector<std::string>& arguments, const std::string& me
         print_line("ERROR: ", error.what());
         return exit_code::wrong_usage;
     } catch (const std::bad_alloc&) {
-        print_line("ERROR: ", "There is not enough memory; " + memory_advice + ".");
+        print_line("ERROR: ", no_memory);
+    } catch (const std::length_error&) {  // more than a vector can ever hold
+        print_line("ERROR: ", no_memory);
     } catch (const std::exception& error) {
         print_line("ERROR: ", error.what());
     }

@@ -1,0 +1,128 @@
+#include "read/header_claims.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include <cpl_vsi.h>
+
+#include "core/error.hpp"
+
+namespace d2b {
+
+namespace {
+
+/// Positions, and what is added to them, are numbers of 32 bits.
+constexpr int longest_side = 1 << 30;
+
+/// A block of less is read whatever the length of the file.
+constexpr std::uint64_t ordinary_block = std::uint64_t{256} << 20;
+
+/// What a byte of a file may become. A plain file may hold eight cells in a byte; of what TIFFs are
+/// compressed by, runs of Zstandard are the longest for their bytes.
+constexpr std::uint64_t most_of_plain_byte = 8;
+constexpr std::uint64_t most_of_packed_byte = 100000;
+
+struct Header {
+    std::string_view driver;
+    std::uint64_t cols = 0;
+    std::uint64_t rows = 0;
+    std::uint64_t bands = 0;
+    std::uint64_t bytes_a_cell = 0;
+};
+
+Header header_of(const OpenRaster& raster) {
+    GDALDatasetH const dataset = raster.dataset.get();
+    const GDALDriverH driver = GDALGetDatasetDriver(dataset);
+    return {driver == nullptr ? "" : GDALGetDriverShortName(driver),
+            static_cast<std::uint64_t>(GDALGetRasterXSize(dataset)),
+            static_cast<std::uint64_t>(GDALGetRasterYSize(dataset)),
+            static_cast<std::uint64_t>(GDALGetRasterCount(dataset)),
+            static_cast<std::uint64_t>(GDALGetDataTypeSizeBytes(GDALGetRasterDataType(raster.band)))};
+}
+
+/// Nothing where the system does not know, as of a stream.
+std::optional<std::uint64_t> length_of_file(GDALDatasetH dataset) {
+    VSIStatBufL status{};
+    if (VSIStatExL(GDALGetDescription(dataset), &status, VSI_STAT_SIZE_FLAG) != 0)
+        return {};
+    return static_cast<std::uint64_t>(status.st_size);
+}
+
+std::string metadata(GDALMajorObjectH object, const char* name, const char* domain) {
+    const char* value = GDALGetMetadataItem(object, name, domain);
+    return value == nullptr ? "" : value;
+}
+
+[[noreturn]] void refuse_short(const std::string& name, std::uint64_t bytes, const std::string& needed) {
+    throw InputError("'" + name + "' has " + std::to_string(bytes) + " bytes where its header promises " +
+                     needed + "; it is truncated, so copy it again.");
+}
+
+/// GDAL reads what is missing at the end of an ENVI file as zeros, since such files may be sparse. Zeros that
+/// nobody measured must not become elevations.
+void check_envi(const OpenRaster& raster, const Header& header, std::uint64_t bytes,
+                const std::string& name) {
+    const std::string compression = metadata(raster.dataset.get(), "file_compression", "ENVI");
+    if (!compression.empty() && compression != "0")
+        return;
+    const std::uint64_t needed =
+        header.cols * header.rows * header.bytes_a_cell;  // below 2^64: sides, 16 bytes
+    // Divided, not multiplied: a header may claim any number of bands.
+    if (bytes / header.bands < needed)
+        refuse_short(name, bytes,
+                     header.bands == 1 ? std::to_string(needed)
+                                       : std::to_string(header.bands) + " times " + std::to_string(needed));
+}
+
+/// A text grid has a digit and a blank a cell. GDAL would look for what is missing again and again: for hours
+/// where the header speaks of a million rows.
+void check_text(const Header& header, std::uint64_t bytes, const std::string& name) {
+    const std::uint64_t needed = 2 * header.cols * header.rows - 1;
+    if (bytes < needed)
+        refuse_short(name, bytes, std::to_string(needed) + " at least");
+}
+
+/// GDAL keeps a whole block in memory, of all bands where they are interleaved.
+void check_block(const OpenRaster& raster, const Header& header, std::uint64_t bytes,
+                 const std::string& name) {
+    int cols = 0;
+    int rows = 0;
+    GDALGetBlockSize(raster.band, &cols, &rows);
+    GDALDatasetH const dataset = raster.dataset.get();
+    const bool together = metadata(dataset, "INTERLEAVE", "IMAGE_STRUCTURE") == "PIXEL";
+    const bool packed = !metadata(dataset, "COMPRESSION", "IMAGE_STRUCTURE").empty();
+    // Doubles, as four numbers of a damaged header may have any product.
+    const double block = static_cast<double>(cols) * rows * static_cast<double>(header.bytes_a_cell) *
+                         static_cast<double>(together ? header.bands : 1);
+    const double most =
+        static_cast<double>(bytes) * static_cast<double>(packed ? most_of_packed_byte : most_of_plain_byte);
+    if (block > static_cast<double>(ordinary_block) && block > most)
+        throw InputError("'" + name + "' has " + std::to_string(bytes) +
+                         " bytes and a header that claims a block of " + std::to_string(cols) + " x " +
+                         std::to_string(rows) + " cells" +
+                         (together ? " in " + std::to_string(header.bands) + " bands" : "") +
+                         "; it is damaged or truncated, so copy it again.");
+}
+
+}  // namespace
+
+void check_claims(const OpenRaster& raster, const std::string& name) {
+    const Header header = header_of(raster);
+    if (header.cols > longest_side || header.rows > longest_side)
+        throw InputError(
+            "'" + name + "' has " + std::to_string(header.cols) + " columns and " +
+            std::to_string(header.rows) + " rows; more than " + std::to_string(longest_side) +
+            " of either are not supported, so cut it into parts, for example with gdal_translate -srcwin.");
+    const std::optional<std::uint64_t> bytes = length_of_file(raster.dataset.get());
+    if (!bytes)
+        return;
+    if (header.driver == "ENVI")
+        check_envi(raster, header, *bytes, name);
+    else if (header.driver == "AAIGrid")
+        check_text(header, *bytes, name);
+    else if (header.driver == "GTiff")
+        check_block(raster, header, *bytes, name);
+}
+
+}  // namespace d2b

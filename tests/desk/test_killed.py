@@ -1,0 +1,109 @@
+"""Programs killed at random moments: what QGIS then finds, with the file open in it and when it opens it again."""
+
+import json
+import os
+import random
+import signal
+import sqlite3
+import subprocess
+import time
+import unittest
+
+from desk_case import TOOL, DeskCase
+
+TIMES = int(os.environ.get("D2B_KILLS", "10"))
+
+
+class Killed(DeskCase):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.random = random.Random(7)
+
+    def command(self, target, sample="town.tif"):
+        return [TOOL, "-q", "-overwrite", str(self.folder / sample), str(target)]
+
+    def whole_run(self, target):
+        """@return seconds"""
+        start = time.monotonic()
+        subprocess.run(self.command(target), check=True)
+        return time.monotonic() - start
+
+    def killed_run(self, target, seconds):
+        """Half of the moments are in the last third of a run, when files change. @return whether it was killed"""
+        share = self.random.uniform(*self.random.choice([(0, 1.05), (0.6, 1.05)]))
+        process = subprocess.Popen(self.command(target))
+        time.sleep(share * seconds)
+        process.send_signal(signal.SIGKILL)
+        return process.wait() == -signal.SIGKILL
+
+    def content(self, path):
+        """What QGIS reads of a file that it opens afresh. @return the number of features in each layer"""
+        return tuple(sum(1 for feature in self.layer(path, name).getFeatures() if not feature.geometry().isNull())
+                     for name in ("buildings", "contours"))
+
+    def until_enough(self):
+        """Some more turns where the machine has become faster, and runs end before their kill."""
+        self.kills = 0
+        for i in range(5 * TIMES):
+            if i >= TIMES and self.kills > TIMES / 4:
+                break
+            yield
+        self.assertGreater(self.kills, TIMES / 4)
+
+    def expect_sound(self, path):
+        with sqlite3.connect(path) as file:
+            self.assertEqual(file.execute("PRAGMA integrity_check").fetchall(), [("ok",)])
+
+    def test_a_new_file_is_there_whole_or_not_at_all(self):
+        target = self.folder / "new.gpkg"
+        seconds = self.whole_run(target)
+        whole = self.content(target)
+        for _ in self.until_enough():
+            for old in self.folder.glob("new.gpkg*"):
+                old.unlink()
+            killed = self.killed_run(target, seconds)
+            self.kills += killed
+            if target.exists():
+                self.assertEqual(self.content(target), whole)
+                self.expect_sound(target)
+            else:
+                self.assertTrue(killed)
+
+    def test_a_geopackage_that_is_open_holds_the_old_content_or_the_new(self):
+        target = self.folder / "open.gpkg"
+        mine = self.folder / "mine.geojson"
+        mine.write_text(json.dumps({"type": "FeatureCollection", "features": [
+            {"type": "Feature", "properties": {"note": "my own"},
+             "geometry": {"type": "Point", "coordinates": [1, 2]}}]}))
+        subprocess.run(["ogr2ogr", "-f", "GPKG", str(target), str(mine), "-nln", "mine"], check=True)
+        subprocess.run(self.command(target, "hotel_70x85.tif"), check=True)
+        old = self.content(target)
+        seconds = self.whole_run(target)
+        new = self.content(target)
+        self.assertNotEqual(old, new)
+        for _ in self.until_enough():
+            subprocess.run(self.command(target, "hotel_70x85.tif"), check=True)
+            own = self.layer(target, "mine")
+            own.startEditing()  # in WAL mode from now on
+            shown = self.layer(target, "buildings")
+            self.assertEqual([feature["note"] for feature in own.getFeatures()], ["my own"])
+            self.assertEqual(sum(1 for _ in shown.getFeatures()), old[0])
+            with sqlite3.connect(target) as file:
+                self.assertEqual(file.execute("PRAGMA journal_mode").fetchall(), [("wal",)])
+            killed = self.killed_run(target, seconds)
+            self.kills += killed
+            # Beside what is open, as a second project would, and in what is open, as a click on reload would.
+            found = self.content(target)
+            self.assertIn(found, (old, new) if killed else (new,))
+            shown.reload()
+            self.assertEqual(sum(1 for _ in shown.getFeatures()), found[0])
+            self.assertEqual([feature["note"] for feature in own.getFeatures()], ["my own"])
+            own.rollBack()
+            del own, shown
+            self.expect_sound(target)
+            self.assertEqual(self.content(target), found)
+
+
+if __name__ == "__main__":
+    unittest.main()
