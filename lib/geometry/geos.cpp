@@ -147,7 +147,7 @@ struct Geos::Impl {
 
     /// Appends the polygons of a geometry of any type.
     template <typename Polygon>
-    // NOLINTNEXTLINE(misc-no-recursion): as deep as collections are nested
+    // NOLINTNEXTLINE(misc-no-recursion): GEOS makes no collections of collections but of multipolygons
     void collect(const GEOSGeometry* geometry, std::vector<Polygon>& polygons) {
         using Ring = decltype(Polygon::exterior);
         using Point = typename Ring::value_type;

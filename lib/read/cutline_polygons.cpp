@@ -4,6 +4,7 @@
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/georeference.hpp"
+#include "read/polygon_geometry.hpp"
 #include "read/ring_projector.hpp"
 
 namespace d2b {
@@ -56,17 +57,6 @@ void add_polygon(OGRGeometryH polygon, RingProjector& projector, std::vector<Pix
         polygons.push_back(std::move(rings));
 }
 
-/// Polygons, and those within multipolygons and collections.
-// NOLINTNEXTLINE(misc-no-recursion): as deep as collections are nested
-void add_polygons(OGRGeometryH geometry, RingProjector& projector, std::vector<PixelPolygon>& polygons) {
-    const OGRwkbGeometryType type = OGR_GT_Flatten(OGR_G_GetGeometryType(geometry));
-    if (type == wkbPolygon)
-        return add_polygon(geometry, projector, polygons);
-    if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection) != FALSE)
-        for (int i = 0; i < OGR_G_GetGeometryCount(geometry); ++i)
-            add_polygons(OGR_G_GetGeometryRef(geometry, i), projector, polygons);
-}
-
 }  // namespace
 
 std::vector<PixelPolygon> read_cutline(const std::string& path, const DemInfo& info, Context& context,
@@ -87,7 +77,8 @@ std::vector<PixelPolygon> read_cutline(const std::string& path, const DemInfo& i
             continue;
         const GeometryOwner straight(OGR_G_GetLinearGeometry(geometry, 0, nullptr));  // arcs become lines
         if (straight)
-            add_polygons(straight.get(), projector, polygons);
+            for (OGRGeometryH const polygon : polygons_within(straight.get()))
+                add_polygon(polygon, projector, polygons);
     }
     if (messages.failed())
         throw InputError("The " + name + " cannot be read: " + messages.reason() + ".");

@@ -34,24 +34,31 @@ void add_polygon(OGRGeometryH polygon, PolygonFeature& feature) {
         feature.polygons.push_back(std::move(result));
 }
 
-/// Polygons, and those within multipolygons and collections.
-// NOLINTNEXTLINE(misc-no-recursion): as deep as collections are nested
-void add_polygons(OGRGeometryH geometry, PolygonFeature& feature) {
-    const OGRwkbGeometryType type = OGR_GT_Flatten(OGR_G_GetGeometryType(geometry));
-    if (type == wkbPolygon || type == wkbTriangle)
-        return add_polygon(geometry, feature);
-    if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection) != FALSE)
-        for (int i = 0; i < OGR_G_GetGeometryCount(geometry); ++i)
-            add_polygons(OGR_G_GetGeometryRef(geometry, i), feature);
-}
-
 }  // namespace
+
+std::vector<OGRGeometryH> polygons_within(OGRGeometryH geometry) {
+    std::vector<OGRGeometryH> polygons;
+    std::vector<OGRGeometryH> open{geometry};  // no recursion: files say how deep collections are nested
+    while (!open.empty()) {
+        OGRGeometryH const next = open.back();
+        open.pop_back();
+        const OGRwkbGeometryType type = OGR_GT_Flatten(OGR_G_GetGeometryType(next));
+        if (type == wkbPolygon || type == wkbTriangle)
+            polygons.push_back(next);
+        else if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection) != FALSE ||
+                 OGR_GT_IsSubClassOf(type, wkbPolyhedralSurface) != FALSE)
+            for (int i = OGR_G_GetGeometryCount(next); i-- > 0;)
+                open.push_back(OGR_G_GetGeometryRef(next, i));
+    }
+    return polygons;
+}
 
 PolygonFeature polygon_feature_of(OGRGeometryH geometry) {
     PolygonFeature feature;
     const GeometryOwner straight(OGR_G_GetLinearGeometry(geometry, 0, nullptr));
     if (straight)
-        add_polygons(straight.get(), feature);
+        for (OGRGeometryH const polygon : polygons_within(straight.get()))
+            add_polygon(polygon, feature);
     return feature;
 }
 

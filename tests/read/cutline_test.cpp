@@ -95,6 +95,20 @@ TEST_F(ReadCutline, overlappingPolygonsAreOneArea) {
     expect_values(valid(), expected);
 }
 
+TEST_F(ReadCutline, collectionsInCollections) {
+    std::string nested = polygon(box("500010", "5538670", "500030", "5538690"));
+    for (int i = 0; i < 200; ++i)
+        nested = R"({"type":"GeometryCollection","geometries":[)" + nested + "]}";
+    write_cutline({nested});
+    expect_values(valid(), {1, 2, 11, 12});
+}
+
+TEST_F(ReadCutline, trianglesAreAreas) {
+    use("cut.csv",
+        "id,WKT\n1,\"TIN Z(((500000 5538690 1,500000 5538670 2,500020 5538690 3,500000 5538690 1)))\"\n");
+    expect_values(valid(), {0, 1, 10});
+}
+
 TEST_F(ReadCutline, whatIsNoPolygonIsPassedOver) {
     write_cutline({R"({"type":"Point","coordinates":[500000,5538690]})", "null",
                    polygon(box("500000", "5538680", "500010", "5538690"))});
