@@ -25,6 +25,11 @@ class OutputError : public Error {
     using Error::Error;
 };
 
+/// GEOS failed on a geometry.
+class GeometryError : public Error {
+    using Error::Error;
+};
+
 /// The caller's progress function asked to stop.
 class Cancelled : public Error {
   public:

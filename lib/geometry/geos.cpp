@@ -33,7 +33,8 @@ void set(Position& p, double x, double y) {
 }
 void set(FinePoint& p, double x, double y) {
     if (x != std::round(x) || y != std::round(y))
-        throw Error("GEOS moved a vertex off the lattice, which outlines that share whole edges rule out.");
+        throw GeometryError(
+            "GEOS moved a vertex off the lattice, which outlines that share whole edges rule out.");
     p = {static_cast<std::int64_t>(-y), static_cast<std::int64_t>(x)};
 }
 
@@ -78,7 +79,7 @@ struct Geos::Impl {
 
     GeometryPtr own(GEOSGeometry* geometry) const {
         if (geometry == nullptr)
-            throw Error("GEOS failed on a polygon: " + message + ".");
+            throw GeometryError("GEOS failed on a polygon: " + message + ".");
         return {geometry, GeometryDeleter{context.get()}};
     }
 
@@ -87,7 +88,7 @@ struct Geos::Impl {
         const auto n = static_cast<unsigned>(points.size());
         GEOSCoordSequence* sequence = GEOSCoordSeq_create_r(context.get(), n + 1, 2);
         if (sequence == nullptr)
-            throw Error("GEOS failed on a ring: " + message + ".");
+            throw GeometryError("GEOS failed on a ring: " + message + ".");
         for (unsigned i = 0; i <= n; ++i) {
             const Point& point = points[i % n];
             GEOSCoordSeq_setXY_r(context.get(), sequence, i, x_of(point), y_of(point));
@@ -184,7 +185,7 @@ std::string Geos::invalidity(const std::vector<WorldPolygon>& polygons) {
         geometry = polygons.size() == 1
                        ? impl_->polygon(polygons.front().exterior, polygons.front().interiors)
                        : impl_->collection(polygons);
-    } catch (const Error& error) {
+    } catch (const GeometryError& error) {
         return error.what();
     }
     GEOSContextHandle_t context = impl_->context.get();
@@ -228,7 +229,7 @@ double Geos::area_outside(const WorldPolygon& inner, const WorldPolygon& outer) 
     const GeometryPtr left = impl_->own(GEOSDifference_r(context, a.get(), b.get()));
     double area = 0;
     if (GEOSArea_r(context, left.get(), &area) == 0)
-        throw Error("GEOS failed to measure a polygon: " + impl_->message + ".");
+        throw GeometryError("GEOS failed to measure a polygon: " + impl_->message + ".");
     return area;
 }
 

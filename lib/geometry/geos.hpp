@@ -20,13 +20,13 @@ class Geos {
     /// @return what makes the polygons invalid, with the place; "" where they are valid
     [[nodiscard]] std::string invalidity(const std::vector<WorldPolygon>& polygons);
     /// The polygonal part of GEOS's structural repair, which keeps the areas that are covered once. Oriented
-    /// as WorldPolygon says. @throws Error
+    /// as WorldPolygon says. @throws GeometryError
     [[nodiscard]] std::vector<WorldPolygon> repaired(const std::vector<WorldPolygon>& polygons);
     /// `whole` less `parts`, which lie in it and share only whole edges or points with its rings and each
-    /// other: then no new point arises, and the result is exact on the lattice. @throws Error
+    /// other: then no new point arises, and the result is exact on the lattice. @throws GeometryError
     [[nodiscard]] std::vector<FinePolygon> difference(const FinePolygon& whole,
                                                       const std::vector<FinePolygon>& parts);
-    /// Area of what lies in `inner` and not in `outer`: 0 where they are nested exactly. @throws Error
+    /// Area of what lies in `inner` and not in `outer`: 0 where they are nested exactly. @throws GeometryError
     [[nodiscard]] double area_outside(const WorldPolygon& inner, const WorldPolygon& outer);
 
   private:

@@ -55,14 +55,14 @@ GeosPolygons::GeosPolygons() : context_(GEOS_init_r()) {
 
 GeometryPtr GeosPolygons::own(GEOSGeometry* geometry) const {
     if (geometry == nullptr)
-        throw Error("GEOS failed on polygons: " + message_ + ".");
+        throw GeometryError("GEOS failed on polygons: " + message_ + ".");
     return {geometry, GeometryDeleter{context()}};
 }
 
 bool GeosPolygons::answer(char value) const {
     constexpr char failed = 2;
     if (value == failed)
-        throw Error("GEOS failed to compare polygons: " + message_ + ".");
+        throw GeometryError("GEOS failed to compare polygons: " + message_ + ".");
     return value == 1;
 }
 
@@ -70,7 +70,7 @@ GeometryPtr GeosPolygons::ring(const WorldRing& points) const {
     const auto n = static_cast<unsigned>(points.size());
     GEOSCoordSequence* sequence = GEOSCoordSeq_create_r(context(), n + 1, 2);
     if (sequence == nullptr)
-        throw Error("GEOS failed on a ring: " + message_ + ".");
+        throw GeometryError("GEOS failed on a ring: " + message_ + ".");
     for (unsigned i = 0; i <= n; ++i)
         GEOSCoordSeq_setXY_r(context(), sequence, i, points[i % n].x, points[i % n].y);
     return own(GEOSGeom_createLinearRing_r(context(), sequence));

@@ -1,25 +1,51 @@
 #include "pipeline/checked.hpp"
 
-namespace d2b {
+#include "core/error.hpp"
 
-std::vector<WorldPolygon> checked(std::vector<WorldPolygon> drawn,
-                                  const std::function<std::vector<WorldPolygon>()>& traced, Geos& geos,
-                                  OutlineStatus& status, Tally& tally) {
-    if (drawn.empty() || geos.invalidity(drawn).empty())
-        return drawn;
-    if (status == OutlineStatus::simplified || status == OutlineStatus::regularized) {
-        status = OutlineStatus::kept_traced;
-        tally.count(Reason::outline_kept_traced);
-        drawn = traced();
-        if (geos.invalidity(drawn).empty())
-            return drawn;
+namespace d2b {
+namespace {
+
+/// @return why the parts are not to be written, "" where they are
+std::string draw(const DrawParts& drawn, Geos& geos, std::vector<WorldPolygon>& parts) {
+    try {
+        parts = drawn();
+        return parts.empty() ? "" : geos.invalidity(parts);
+    } catch (const GeometryError& error) {
+        parts.clear();
+        return error.what();
+    }
+}
+
+std::vector<WorldPolygon> repaired(const std::vector<WorldPolygon>& parts, Geos& geos) {
+    try {
+        return geos.repaired(parts);
+    } catch (const GeometryError&) {
+        return {};
+    }
+}
+
+}  // namespace
+
+Checked checked(const DrawParts& drawn, const DrawParts& traced, Geos& geos, OutlineStatus& status,
+                Tally& tally) {
+    Checked result;
+    result.trouble = draw(drawn, geos, result.parts);
+    if (result.trouble.empty())
+        return result;
+    const bool redrawn = status == OutlineStatus::simplified || status == OutlineStatus::regularized;
+    if (redrawn || result.parts.empty()) {
+        if (draw(traced, geos, result.parts).empty()) {
+            status = OutlineStatus::kept_traced;
+            tally.count(Reason::outline_kept_traced);
+            return result;
+        }
     }
     status = OutlineStatus::repaired;
     tally.count(Reason::polygon_repaired);
-    drawn = geos.repaired(drawn);
-    if (drawn.empty())
+    result.parts = repaired(result.parts, geos);
+    if (result.parts.empty())
         tally.count(Reason::polygon_lost);
-    return drawn;
+    return result;
 }
 
 }  // namespace d2b

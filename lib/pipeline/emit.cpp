@@ -11,6 +11,7 @@
 #include "pipeline/placer.hpp"
 #include "pipeline/rejected_layer.hpp"
 #include "pipeline/stage_clock.hpp"
+#include "pipeline/troubles.hpp"
 
 namespace d2b {
 namespace {
@@ -63,6 +64,7 @@ class Emitter {
     std::optional<std::size_t> contours_layer_;
     std::optional<std::size_t> doubtful_layer_;
     std::optional<RejectedLayer> rejected_;
+    Troubles troubles_;
 };
 
 Outliner timed_outliner(const Emission& emission, Context& context) {
@@ -78,7 +80,8 @@ Emitter::Emitter(const Emission& emission, const RecordMaker& records, FeatureSi
       context_(context),
       outliner_(timed_outliner(emission, context)),
       children_(emission.options.outline.disjoint ? Children(emission.contours) : Children()),
-      written_id_(emission.contours.size(), 0) {
+      written_id_(emission.contours.size(), 0),
+      troubles_(context) {
     const Placement placement{emission.options.outline,
                               emission.georeference,
                               emission.crs,
@@ -179,6 +182,7 @@ void Emitter::count(std::size_t contour, const Drawn& drawn) {
 
 void Emitter::add_building(std::size_t contour, Drawn& drawn) {
     Placed& placed = *drawn.building;
+    troubles_.note("Building", drawn.building_record.id, placed);
     if (rejected_)
         rejected_->note(contour, LayerRole::buildings, drawn.building_record.id, placed);
     if (placed.parts.empty())
@@ -194,6 +198,7 @@ void Emitter::add_building(std::size_t contour, Drawn& drawn) {
 }
 
 bool Emitter::add_contour(std::size_t contour, Drawn& drawn) {
+    troubles_.note("Contour", drawn.record.id, *drawn.contour);
     // A contour that its children cover whole has no band of its own.
     if (rejected_)
         rejected_->note(contour, LayerRole::contours, drawn.record.id, *drawn.contour);
@@ -217,6 +222,7 @@ void Emitter::add(std::size_t contour, Drawn&& drawn) {
 }
 
 void Emitter::finish() {
+    troubles_.finish();
     if (rejected_)
         rejected_->write(placers_, sink_, context_);
     for (Placer& placer : placers_)

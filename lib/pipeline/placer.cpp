@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/error.hpp"
 #include "pipeline/checked.hpp"
 #include "pipeline/stage_clock.hpp"
 
@@ -121,6 +122,16 @@ Placer::Parts Placer::shape(std::size_t contour, bool tier, const Draw& draw) {
     return parts;
 }
 
+/// Where GEOS cannot take away what stands on a contour, the whole of it.
+Placer::Parts Placer::traced_shape(std::size_t contour, bool tier) {
+    const Draw draw = [&](std::size_t c) { return placement_.outliner.traced(c); };
+    try {
+        return shape(contour, tier, draw);
+    } catch (const GeometryError&) {
+        return shape(contour, false, draw);
+    }
+}
+
 Placer::Parts Placer::in_target_crs(Parts parts) {
     if (!transform_)
         return parts;
@@ -150,9 +161,9 @@ Placed Placer::as_traced(const LatticePolygon& polygon) {
     const StageClock clock(tally_, Stage::outline);
     const Parts parts{placement_.georeference.polygon(polygon)};
     placed.measure = measure(geodesy_, parts);
-    placed.parts = in_target_crs(parts);
-    if (!geos_.invalidity(placed.parts).empty())
-        placed.parts = geos_.repaired(placed.parts);
+    const auto drawn = [&] { return in_target_crs(parts); };
+    Tally uncounted;  // what was dropped already was
+    placed.parts = checked(drawn, drawn, geos_, placed.status, uncounted).parts;
     return placed;
 }
 
@@ -170,16 +181,23 @@ Placed Placer::place(std::size_t contour, Form form) {
     Parts parts;
     {
         const StageClock clock(tally_, Stage::outline);
-        parts = shape(contour, tier, [&](std::size_t c) {
-            return form == Form::footprint ? outliner.footprint(c) : outliner.outline(c);
-        });
-        const auto traced = [&] {
-            parts = shape(contour, tier, [&](std::size_t c) { return outliner.traced(c); });
+        const auto drawn = [&] {
+            parts = shape(contour, tier, [&](std::size_t c) {
+                return form == Form::footprint ? outliner.footprint(c) : outliner.outline(c);
+            });
             return in_target_crs(parts);
         };
-        placed.parts = in_target_crs(parts);
-        if (!is_valid_as_traced(placed, form))
-            placed.parts = checked(std::move(placed.parts), traced, geos_, placed.status, tally_);
+        const auto traced = [&] {
+            parts = traced_shape(contour, tier);
+            return in_target_crs(parts);
+        };
+        if (is_valid_as_traced(placed, form)) {
+            placed.parts = drawn();
+        } else {
+            Checked found = checked(drawn, traced, geos_, placed.status, tally_);
+            placed.parts = std::move(found.parts);
+            placed.trouble = std::move(found.trouble);
+        }
     }
     // Measured in the CRS of the DEM, where edges are straight; a repaired polygon is known in that of the
     // output.

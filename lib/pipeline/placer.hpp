@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/crs.hpp"
@@ -47,6 +48,7 @@ struct Placed {
     double deviation = 0;    ///< of a regularized outline from its trace, in units of the CRS of the DEM (in
                              ///< degrees of latitude where these are degrees)
     double area_change = 0;  ///< of a regularized outline, share of the traced area
+    std::string trouble;     ///< what GEOS said of it, where it is not written as it was drawn
 };
 
 /// Draws outlines, places them in the CRS of the output, has them checked and measures them; one object a
@@ -75,6 +77,7 @@ class Placer {
 
     [[nodiscard]] Placed place(std::size_t contour, Form form);
     [[nodiscard]] Parts shape(std::size_t contour, bool tier, const Draw& draw);
+    [[nodiscard]] Parts traced_shape(std::size_t contour, bool tier);
     [[nodiscard]] Parts in_target_crs(Parts parts);
     [[nodiscard]] bool is_valid_as_traced(const Placed& placed, Form form) const;
 

@@ -25,9 +25,10 @@ LayerWriter::LayerWriter(OGRLayerH layer, const LayerSpec& spec, const LayerSett
                          std::vector<int> fields)
     : layer_(layer),
       name_(OGR_L_GetName(layer)),
-      doing_("writing a feature of layer \"" + name_ + "\""),
       target_(&setting.target),
       fields_(std::move(fields)),
+      id_field_(static_cast<std::size_t>(std::ranges::find(spec.fields, "id", &FieldSpec::name) -
+                                         spec.fields.begin())),
       has_geometry_(OGR_FD_GetGeomFieldCount(OGR_L_GetLayerDefn(layer)) > 0),
       feature_(OGR_F_Create(OGR_L_GetLayerDefn(layer))),
       wkb_(spec.with_z, wkbFlatten(OGR_L_GetGeomType(layer)) == wkbMultiSurface) {}
@@ -79,6 +80,13 @@ void LayerWriter::set(int field, const FieldValue& value) {
         OGR_F_SetFieldNull(feature, field);
 }
 
+std::string LayerWriter::text_of(const Feature& feature) const {
+    const auto* id =
+        id_field_ < feature.values.size() ? std::get_if<std::int64_t>(&feature.values[id_field_]) : nullptr;
+    return (id != nullptr ? "feature " + std::to_string(*id) : std::string("a feature")) + " of layer \"" +
+           name_ + "\"";
+}
+
 void LayerWriter::add(const Feature& feature) {
     if (feature.values.size() != fields_.size())
         throw OutputError("Cannot write \"" + target_->name + "\": a feature of layer \"" + name_ +
@@ -97,7 +105,9 @@ void LayerWriter::add(const Feature& feature) {
                OGR_F_SetGeometryDirectly(feature_.get(), geometry) == OGRERR_NONE;
     }
     done = done && OGR_L_CreateFeature(layer_, feature_.get()) == OGRERR_NONE;
-    call.check(done, doing_);
+    if (!done || !call.succeeded())
+        call.fail("writing " + text_of(feature));
+    call.pass_warnings();
     if (index_)
         index_->add(OGR_F_GetFID(feature_.get()), feature.parts);
     ++expected_;

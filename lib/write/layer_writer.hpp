@@ -49,12 +49,14 @@ class LayerWriter {
   private:
     LayerWriter(OGRLayerH layer, const LayerSpec& spec, const LayerSetting& setting, std::vector<int> fields);
     void set(int field, const FieldValue& value);
+    /// For messages.
+    [[nodiscard]] std::string text_of(const Feature& feature) const;
 
     OGRLayerH layer_;
     std::string name_;
-    std::string doing_;  ///< for messages; put together once
     const WriteTarget* target_;
     std::vector<int> fields_;  ///< index in the layer of each field of the spec
+    std::size_t id_field_;     ///< in the spec; beyond its end where it has none
     bool has_geometry_;
     bool is_new_ = false;
     std::int64_t expected_ = 0;

@@ -9,6 +9,10 @@ namespace d2b {
 void OgrCall::check(bool succeeded, const std::string& doing) {
     if (!succeeded || messages_.failed())
         fail(doing);
+    pass_warnings();
+}
+
+void OgrCall::pass_warnings() {
     if (target_.context != nullptr)
         messages_.pass_warnings(*target_.context);
 }

@@ -25,6 +25,8 @@ class OgrCall {
     /// Passes warnings on. @param doing what was tried, e.g. "creating layer \"buildings\"" @throws
     /// OutputError
     void check(bool succeeded, const std::string& doing);
+    [[nodiscard]] bool succeeded() const { return !messages_.failed(); }
+    void pass_warnings();
     /// @throws OutputError: always
     [[noreturn]] void fail(const std::string& doing) const;
 

@@ -2,43 +2,89 @@
 
 #include <gtest/gtest.h>
 
+#include "core/error.hpp"
+
 namespace d2b {
 namespace {
+
+using Parts = std::vector<WorldPolygon>;
 
 const WorldPolygon bowtie{{{0, 0}, {2, 2}, {2, 0}, {0, 2}}, {}};
 const WorldPolygon square{{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {}};
 
-TEST(Checked, AnInvalidPolygonIsRepairedAndCounted) {
-    Geos geos;
-    RunReport report;
-    OutlineStatus status = OutlineStatus::traced;
-    const auto parts = checked(
-        {bowtie}, [] { return std::vector<WorldPolygon>{}; }, geos, status, report);
-    EXPECT_EQ(geos.invalidity(parts), "");
-    EXPECT_EQ(status, OutlineStatus::repaired);
-    EXPECT_EQ(report.counted(Reason::polygon_repaired), 1);
+DrawParts gives(const Parts& parts) {
+    return [parts] { return parts; };
+}
+/// As an overlay of GEOS that does not come to its end.
+Parts fails() {
+    throw GeometryError("GEOS failed on a polygon: TopologyException: side location conflict.");
 }
 
-TEST(Checked, AnInvalidSimplifiedPolygonKeepsItsTracedForm) {
-    Geos geos;
-    RunReport report;
-    OutlineStatus status = OutlineStatus::simplified;
-    const auto parts = checked(
-        {bowtie}, [] { return std::vector<WorldPolygon>{square}; }, geos, status, report);
-    EXPECT_EQ(parts[0].exterior, square.exterior);
-    EXPECT_EQ(status, OutlineStatus::kept_traced);
-    EXPECT_EQ(report.counted(Reason::outline_kept_traced), 1);
-    EXPECT_EQ(report.counted(Reason::polygon_repaired), 0);
+class CheckedTest : public ::testing::Test {
+  protected:
+    Checked check(const DrawParts& drawn, const DrawParts& traced) {
+        return checked(drawn, traced, geos_, status_, tally_);
+    }
+    Geos geos_;
+    Tally tally_;
+    OutlineStatus status_ = OutlineStatus::simplified;
+};
+
+TEST_F(CheckedTest, anInvalidPolygonIsRepairedAndCounted) {
+    status_ = OutlineStatus::traced;
+    const Checked result = check(gives({bowtie}), gives({}));
+    EXPECT_EQ(geos_.invalidity(result.parts), "");
+    EXPECT_EQ(status_, OutlineStatus::repaired);
+    EXPECT_EQ(result.trouble, "Self-intersection[1 1]");
+    EXPECT_EQ(tally_.counted(Reason::polygon_repaired), 1);
+    EXPECT_EQ(tally_.counted(Reason::polygon_lost), 0);
 }
 
-TEST(Checked, AValidPolygonIsLeftAlone) {
-    Geos geos;
-    RunReport report;
-    OutlineStatus status = OutlineStatus::simplified;
-    const auto parts = checked(
-        {square}, [] { return std::vector<WorldPolygon>{}; }, geos, status, report);
-    EXPECT_EQ(parts[0].exterior, square.exterior);
-    EXPECT_EQ(status, OutlineStatus::simplified);
+TEST_F(CheckedTest, anInvalidSimplifiedPolygonKeepsItsTracedForm) {
+    const Checked result = check(gives({bowtie}), gives({square}));
+    EXPECT_EQ(result.parts.at(0).exterior, square.exterior);
+    EXPECT_EQ(result.trouble, "Self-intersection[1 1]");
+    EXPECT_EQ(status_, OutlineStatus::kept_traced);
+    EXPECT_EQ(tally_.counted(Reason::outline_kept_traced), 1);
+    EXPECT_EQ(tally_.counted(Reason::polygon_repaired), 0);
+}
+
+TEST_F(CheckedTest, whereTheTracedFormIsInvalidTooItIsRepaired) {
+    const WorldPolygon shifted{{{4, 0}, {6, 2}, {6, 0}, {4, 2}}, {}};
+    const Checked result = check(gives({bowtie}), gives({shifted}));
+    EXPECT_EQ(geos_.invalidity(result.parts), "");
+    EXPECT_GE(result.parts.at(0).exterior.at(0).x, 4);
+    EXPECT_EQ(status_, OutlineStatus::repaired);
+    EXPECT_EQ(tally_.counted(Reason::outline_kept_traced), 0);
+    EXPECT_EQ(tally_.counted(Reason::polygon_repaired), 1);
+}
+
+TEST_F(CheckedTest, aValidPolygonIsLeftAlone) {
+    const Checked result = check(gives({square}), fails);
+    EXPECT_EQ(result.parts.at(0).exterior, square.exterior);
+    EXPECT_EQ(result.trouble, "");
+    EXPECT_EQ(status_, OutlineStatus::simplified);
+}
+
+TEST_F(CheckedTest, nothingIsAsValid) {
+    EXPECT_TRUE(check(gives({}), fails).parts.empty());
+    EXPECT_EQ(status_, OutlineStatus::simplified);
+}
+
+TEST_F(CheckedTest, whereGeosFailsTheTracedFormStands) {
+    status_ = OutlineStatus::traced;
+    const Checked result = check(fails, gives({square}));
+    EXPECT_EQ(result.parts.at(0).exterior, square.exterior);
+    EXPECT_EQ(result.trouble, "GEOS failed on a polygon: TopologyException: side location conflict.");
+    EXPECT_EQ(status_, OutlineStatus::kept_traced);
+    EXPECT_EQ(tally_.counted(Reason::outline_kept_traced), 1);
+}
+
+TEST_F(CheckedTest, whereGeosFailsTwiceThePolygonIsLostAndTheRunGoesOn) {
+    EXPECT_TRUE(check(fails, fails).parts.empty());
+    EXPECT_EQ(status_, OutlineStatus::repaired);
+    EXPECT_EQ(tally_.counted(Reason::polygon_lost), 1);
+    EXPECT_EQ(tally_.counted(Reason::outline_kept_traced), 0);
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -28,6 +29,24 @@ TEST(Pipeline, ALargeToleranceIsWarnedOf) {
         result.context.report.warnings[0],
         "-simplify 1 is 100000 cells wide, which leaves little of a building; it is in units of the input's "
         "CRS.");
+}
+
+TEST(Pipeline, WhatGeosRefusesIsWarnedOfByItsId) {
+    MemorySource source = block();
+    source.edit().transform = {600000, 1e-13, 0, 5800000, 0, -1e-13};  // all positions are one double
+    source.edit().crs_wkt = "";
+    Result result;
+    run_on(source, cells({10}), result);
+    const std::vector<std::string>& warnings = result.context.report.warnings;
+    for (const char* feature : {"Building 1 ", "Contour 2 "}) {
+        const auto is_of = [&](const std::string& text) {
+            return text.starts_with(feature + std::string("would not have been a valid polygon (")) &&
+                   text.ends_with("); it is not written.");
+        };
+        EXPECT_EQ(std::ranges::count_if(warnings, is_of), 1) << feature << warnings.front();
+    }
+    EXPECT_EQ(result.context.report.buildings, 0);
+    EXPECT_GE(result.context.report.counted(Reason::polygon_lost), 2);
 }
 
 TEST(Pipeline, CoarseCellsAreWarnedOf) {

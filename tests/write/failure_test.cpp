@@ -135,6 +135,23 @@ TEST_F(FailureTest, GdalsReasonIsGiven) {
     EXPECT_NE(message.find("failed ("), std::string::npos) << message;
 }
 
+TEST_F(FailureTest, AFeatureThatIsRefusedIsNamed) {
+    write(to("a.gpkg"), 2);
+    sql(path("a.gpkg"),
+        "CREATE TRIGGER mine BEFORE INSERT ON buildings WHEN NEW.id = 4 BEGIN SELECT RAISE(ABORT, 'none of "
+        "mine'); END",
+        true);
+    WriteOptions options = to("a.gpkg");
+    options.append = true;
+    const std::string message = thrown<OutputError>([&] { write(options, 3); });
+    EXPECT_EQ(message.find("Cannot write \"" + path("a.gpkg") +
+                           "\": writing feature 4 of layer \"buildings\" failed ("),
+              0u)
+        << message;
+    EXPECT_NE(message.find("none of mine"), std::string::npos) << message;
+    EXPECT_EQ(ids(path("a.gpkg"), "buildings"), (std::vector<std::int64_t>{1, 2}));
+}
+
 TEST_F(FailureTest, ABrokenCrsIsAnError) {
     const auto sink = open_sink(to("a.gpkg"), context_);
     const LayerSpec spec = layer_spec("buildings");
