@@ -26,7 +26,8 @@ class Geos {
     /// other: then no new point arises, and the result is exact on the lattice. @throws GeometryError
     [[nodiscard]] std::vector<FinePolygon> difference(const FinePolygon& whole,
                                                       const std::vector<FinePolygon>& parts);
-    /// Area of what lies in `inner` and not in `outer`: 0 where they are nested exactly. @throws GeometryError
+    /// Area of what lies in `inner` and not in `outer`: 0 where they are nested exactly. @throws
+    /// GeometryError
     [[nodiscard]] double area_outside(const WorldPolygon& inner, const WorldPolygon& outer);
 
   private:
