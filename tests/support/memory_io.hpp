@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,7 @@ class MemorySource : public DemSource {
     DemInfo& edit() { return info_; }
     [[nodiscard]] const DemInfo& info() const override { return info_; }
     void read(std::int32_t first_row, std::int32_t rows, std::span<double> elevations) override {
-        ++reads;
+        ++std::atomic_ref(reads);  // threads read side by side
         for (std::int32_t i = 0; i < rows; ++i) {
             const auto from = elevations_.begin() + static_cast<std::ptrdiff_t>(first_row + i) * info_.cols +
                               info_.window.col;
