@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include <cpl_vsi.h>
 
@@ -75,12 +76,39 @@ void check_envi(const OpenRaster& raster, const Header& header, std::uint64_t by
                                        : std::to_string(header.bands) + " times " + std::to_string(needed));
 }
 
-/// A text grid has a digit and a blank a cell. GDAL would look for what is missing again and again: for hours
-/// where the header speaks of a million rows.
-void check_text(const Header& header, std::uint64_t bytes, const std::string& name) {
-    const std::uint64_t needed = 2 * header.cols * header.rows - 1;
+/// Words of a text file, its header's included, as far as `enough`.
+std::uint64_t count_words(GDALDatasetH dataset, std::uint64_t enough) {
+    VSILFILE* const file = VSIFOpenL(GDALGetDescription(dataset), "rb");
+    std::uint64_t words = 0;
+    bool inside = false;
+    std::vector<char> text(std::size_t{1} << 20);
+    while (file != nullptr && words < enough) {
+        const std::size_t got = VSIFReadL(text.data(), 1, text.size(), file);
+        if (got == 0)
+            break;
+        for (std::size_t i = 0; i < got; ++i) {
+            const bool word = static_cast<unsigned char>(text[i]) > ' ';
+            words += word && !inside ? 1 : 0;
+            inside = word;
+        }
+    }
+    if (file != nullptr)
+        VSIFCloseL(file);
+    return words;
+}
+
+/// GDAL looks for the rows that a text grid does not have again and again, twice as often with each of them:
+/// for hours where some dozens are missing.
+void check_text(const OpenRaster& raster, const Header& header, std::uint64_t bytes,
+                const std::string& name) {
+    const std::uint64_t cells = header.cols * header.rows;
+    const std::uint64_t needed = 2 * cells - 1;  // a digit and a blank a cell
     if (bytes < needed)
         refuse_short(name, bytes, std::to_string(needed) + " at least");
+    if (const std::uint64_t words = count_words(raster.dataset.get(), cells); words < cells)
+        throw InputError("'" + name + "' has " + std::to_string(words) +
+                         " values where its header promises " + std::to_string(cells) +
+                         "; it is truncated, so copy it again.");
 }
 
 /// GDAL keeps a whole block in memory, of all bands where they are interleaved.
@@ -120,7 +148,7 @@ void check_claims(const OpenRaster& raster, const std::string& name) {
     if (header.driver == "ENVI")
         check_envi(raster, header, *bytes, name);
     else if (header.driver == "AAIGrid")
-        check_text(header, *bytes, name);
+        check_text(raster, header, *bytes, name);
     else if (header.driver == "GTiff")
         check_block(raster, header, *bytes, name);
 }

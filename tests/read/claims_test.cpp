@@ -77,6 +77,17 @@ TEST_F(ReadClaims, aTextGridThatClaimsATrillionCells) {
                   "so copy it again.");
 }
 
+// GDAL would look for the rows that are missing until the end of days.
+TEST_F(ReadClaims, aTruncatedTextGrid) {
+    std::string text = "ncols 10\nnrows 200\nxllcorner 0\nyllcorner 0\ncellsize 1\n";
+    for (int i = 0; i < 1000; ++i)
+        text += "12.345 ";
+    write_text(path("cut.asc"), text);
+    EXPECT_EQ(message<InputError>("cut.asc"),
+              quoted("cut.asc") +
+                  " has 1010 values where its header promises 2000; it is truncated, so copy it again.");
+}
+
 // 60,000 columns of 60,000 bands in 5 rows: 67 GiB that GDAL would ask for.
 TEST_F(ReadClaims, aBlockThatTheFileCannotHold) {
     const auto claim = [&](const std::string& rows) {
