@@ -106,7 +106,7 @@ void check_text(const OpenRaster& raster, const Header& header, std::uint64_t by
     if (bytes < needed)
         refuse_short(name, bytes, std::to_string(needed) + " at least");
     if (const std::uint64_t words = count_words(raster.dataset.get(), cells); words < cells)
-        throw InputError("'" + name + "' has " + std::to_string(words) +
+        throw InputError("'" + name + "' has at most " + std::to_string(words) +
                          " values where its header promises " + std::to_string(cells) +
                          "; it is truncated, so copy it again.");
 }

@@ -83,9 +83,10 @@ TEST_F(ReadClaims, aTruncatedTextGrid) {
     for (int i = 0; i < 1000; ++i)
         text += "12.345 ";
     write_text(path("cut.asc"), text);
-    EXPECT_EQ(message<InputError>("cut.asc"),
-              quoted("cut.asc") +
-                  " has 1010 values where its header promises 2000; it is truncated, so copy it again.");
+    EXPECT_EQ(
+        message<InputError>("cut.asc"),
+        quoted("cut.asc") +
+            " has at most 1010 values where its header promises 2000; it is truncated, so copy it again.");
 }
 
 // 60,000 columns of 60,000 bands in 5 rows: 67 GiB that GDAL would ask for.
