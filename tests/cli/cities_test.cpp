@@ -94,9 +94,9 @@ INSTANTIATE_TEST_SUITE_P(
                       "annarbor/dtm_zfeet.tif", "athens_lod1_synthetic/dsm_400m_lod1_on_terrain.tif",
                       "athens_lod1_synthetic/dtm_400m.tif", "athens_lod1_synthetic/ndsm_lod1.tif",
                       "bilbao/dsm.tif", "bilbao/dtm.tif", "delft/derived_epsg4326_dsm.tif", "delft/dsm.tif",
-                      "delft/dtm.tif", "seville/dsm.tif", "seville/dtm.tif", "stbarth/dsm.tif",
-                      "stbarth/dtm.tif", "stuttgart_csite2/derived_epsg4326_dsm.tif",
-                      "stuttgart_csite2/dsm.tif"),
+                      "delft/dtm.tif", "larochelle_2m5/dsm.tif", "montpellier_als/dsm.tif", "seville/dsm.tif",
+                      "seville/dtm.tif", "stbarth/dsm.tif", "stbarth/dtm.tif",
+                      "stuttgart_csite2/derived_epsg4326_dsm.tif", "stuttgart_csite2/dsm.tif"),
     [](const auto& test) {
         std::string name = test.param;
         for (char& c : name)

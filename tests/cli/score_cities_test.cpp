@@ -49,8 +49,9 @@ TEST_P(ScoreCities, agreeWithTheIndependentScorer) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, ScoreCities,
-    ::testing::Values(CityScore{"annarbor", "buildings_as_published", 0.7636, 0.7502, 0.6088, 0.6452, 0.6237,
-                                1.667, 1.0},
+    ::testing::Values(CityScore{"annarbor", "buildings", 1, 1, 1, 1, 1, 0, 1},
+                      CityScore{"larochelle_2m5", "buildings", 1, 1, 1, 1, 1, 0, 1},
+                      CityScore{"montpellier_als", "buildings", 1, 1, 1, 1, 1, 0, 1},
                       CityScore{"delft", "buildings", 1, 1, 1, 1, 1, 0.095, 2.078},
                       CityScore{"delft", "class6_polygons", 0.9836, 0.8564, 0.8444, 1, 1, 0.756, 5.772},
                       CityScore{"bilbao", "buildings", 1, 1, 1, 1, 1, 0, 1},
