@@ -46,12 +46,13 @@ struct DetectOptions {
 
 enum class TraceMode { by_preset, points, cells };
 
-/// What the slices of -lod divide: the elevations of each building, or those of the whole DEM.
-enum class LevelSource { by_preset, building, global };
+/// What the thresholds of -lod divide: the elevations of each building, in equal slices or at their natural
+/// breaks, or those of the whole DEM, in slices.
+enum class LevelSource { by_preset, building, natural, global };
 
 struct LevelOptions {
     LevelSource source = LevelSource::by_preset;
-    int lod = 4;                     ///< slices of mean +- standard deviation
+    int lod = 4;                     ///< slices of mean +- standard deviation; most natural breaks
     std::vector<double> fixed;       ///< explicit thresholds
     std::optional<double> interval;  ///< thresholds at offset + n * interval
     double offset = 0;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "levels/natural_breaks.hpp"
+
 namespace d2b {
 namespace {
 
@@ -22,23 +24,47 @@ std::vector<double> slices(const PointStats& stats, const FixedPoint& fixed, int
     return result;
 }
 
+std::vector<double> breaks(const ElevationHistogram& histogram, int lod, double metres) {
+    // More than a building of 100 m has in tenths; what is higher is looked at a little less closely.
+    constexpr std::size_t most_bins = 1024;
+    const auto [width_m, bins] = histogram.bins(most_bins);
+    std::vector<double> result;
+    for (const std::int64_t bin :
+         natural_breaks(bins, lod, static_cast<std::int64_t>(std::ceil(least_step_m / width_m))))
+        result.push_back(static_cast<double>(bin) * width_m / metres);
+    return result;
+}
+
+/// What a building's own elevations say.
+std::vector<double> own_thresholds(const BuildingStatistics& statistics, Label label,
+                                   const LevelOptions& options, double metres) {
+    return options.source == LevelSource::natural
+               ? breaks(statistics.histogram(label), options.lod, metres)
+               : slices(statistics.of(label), statistics.fixed(), options.lod, metres);
+}
+
 }  // namespace
 
 void BuildingStatistics::add(const ElevationBand& elevations, const LabelBand& labels) {
-    for (std::size_t i = 0; i < elevations.elevations.size(); ++i)
-        if (labels.labels[i] != 0 && !std::isnan(elevations.elevations[i]))
-            stats_[labels.labels[i]].add(elevations.elevations[i], fixed_);
+    for (std::size_t i = 0; i < elevations.elevations.size(); ++i) {
+        const Label label = labels.labels[i];
+        const double z = elevations.elevations[i];
+        if (label == 0 || std::isnan(z))
+            continue;
+        stats_[label].add(z, fixed_);
+        if (!histograms_.empty())
+            histograms_[label].add(z * metres_);
+    }
 }
 
 LevelPlan plan_building_levels(const BuildingStatistics& statistics, const std::vector<double>& ground,
                                const LevelPlan& global, const LevelOptions& options, double metres) {
-    const bool own = options.source == LevelSource::building && options.fixed.empty() && !options.interval;
+    const bool own = options.source != LevelSource::global && options.fixed.empty() && !options.interval;
     LevelPlan plan{global.minimum, {{}}, true};
     for (Label label = 1; label <= statistics.labels(); ++label) {
         const PointStats& stats = statistics.of(label);
         std::vector<double> list{ground[label]};
-        for (const double t :
-             own ? slices(stats, statistics.fixed(), options.lod, metres) : global.thresholds[1])
+        for (const double t : own ? own_thresholds(statistics, label, options, metres) : global.thresholds[1])
             if (t >= stats.lowest && t < stats.highest && t > list.back())
                 list.push_back(t);
         plan.thresholds.push_back(std::move(list));

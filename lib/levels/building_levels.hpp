@@ -5,6 +5,7 @@
 
 #include "core/context.hpp"
 #include "core/options.hpp"
+#include "levels/elevation_histogram.hpp"
 #include "levels/level_plan.hpp"
 
 namespace d2b {
@@ -13,24 +14,36 @@ namespace d2b {
 class BuildingStatistics {
   public:
     /// @param labels highest label @param fixed for sums of elevations
-    BuildingStatistics(Label labels, const FixedPoint& fixed)
-        : fixed_(fixed), stats_(labels + std::size_t{1}) {}
+    /// @param metres in a vertical unit, where histograms are kept as well: some 50 bytes for each tenth of a
+    /// metre in which a building has points; 0: none are
+    BuildingStatistics(Label labels, const FixedPoint& fixed, double metres = 0)
+        : fixed_(fixed),
+          metres_(metres),
+          stats_(labels + std::size_t{1}),
+          histograms_(metres > 0 ? stats_.size() : 0) {}
 
     void add(const ElevationBand& elevations, const LabelBand& labels);
     [[nodiscard]] const PointStats& of(Label label) const { return stats_[label]; }
+    /// Only where histograms are kept.
+    [[nodiscard]] const ElevationHistogram& histogram(Label label) const { return histograms_[label]; }
     [[nodiscard]] const FixedPoint& fixed() const { return fixed_; }
     [[nodiscard]] Label labels() const { return static_cast<Label>(stats_.size() - 1); }
 
   private:
     FixedPoint fixed_;
+    double metres_;
     std::vector<PointStats> stats_;
+    std::vector<ElevationHistogram> histograms_;
 };
 
 /// A set of thresholds for each building: the filter of Chittineni (2003, 4.1) where it works. With mean m
 /// and sample standard deviation s of the building's elevations, t_i = m - s + 2 s i / (n + 1), i = 1..n; n
-/// is LOD, or less, so that thresholds are at least half a metre apart: a flat roof has no tiers. Explicit
-/// levels and intervals hold for every building. With LevelSource::global the slices are those of the whole
-/// DEM. Thresholds that no point or every point of the building exceeds are left out.
+/// is LOD, or less, so that thresholds are at least half a metre apart: a flat roof has no tiers. With
+/// LevelSource::natural they are the natural breaks of the elevations instead, at most LOD of them, in tenths
+/// of a metre and as far apart. Explicit levels and intervals hold for every building. With
+/// LevelSource::global the slices are those of the whole DEM. Thresholds that no point or every point of the
+/// building exceeds are left out.
+/// @param statistics with histograms where LevelSource::natural is asked for
 /// @param ground elevation of each label's ground, recorded as the threshold of level 1; [0] is not used
 /// @param global of the whole DEM; its minimum is that of level 0
 /// @param metres in a vertical unit

@@ -48,8 +48,8 @@ std::vector<double> candidates(const ElevationStatistics& statistics, const Leve
         return {};
     if (options.interval)
         return multiples(statistics, *options.interval, options.offset);
-    if (options.source == LevelSource::building)
-        return {};  // each building has its own slices
+    if (options.source == LevelSource::building || options.source == LevelSource::natural)
+        return {};  // each building has its own
     return sliced(statistics, options.lod);
 }
 

@@ -72,22 +72,26 @@ OptionRow walls() {
 }  // namespace
 
 std::vector<OptionRow> levels() {
-    const Choices<LevelSource> sources{{"building", LevelSource::building}, {"global", LevelSource::global}};
+    const Choices<LevelSource> sources{{"building", LevelSource::building},
+                                       {"natural", LevelSource::natural},
+                                       {"global", LevelSource::global}};
     std::vector<OptionRow> rows;
     rows.push_back(choice_row(
-        "levels", "building|global", sources, [](auto& r) -> auto& { return r.options.levels.source; },
+        "levels", "building|natural|global", sources,
+        [](auto& r) -> auto& { return r.options.levels.source; },
         {.help = "What the thresholds of -lod divide.",
-         .details = "building: the elevations of each building, so that tiers of a low house and of a tower "
-                    "are both "
-                    "found; thresholds are at least half a metre apart. global: those of the whole input, "
-                    "one set for "
-                    "all, as -preset thesis does. By default building, with -preset thesis global."}));
-    rows.push_back(whole_row("lod", "<n>", {.lowest = 1, .highest = 10000},
-                             [](auto& r) -> auto& { return r.options.levels.lod; },
-                             {.help = "Level of detail: how many thresholds.",
-                              .details = "They divide the range from one standard deviation below the mean "
-                                         "elevation to one above it into "
-                                         "n + 1 equal slices."}));
+         .details = "building: the elevations of each building in equal slices, so that tiers of a low house "
+                    "and of a tower are both found. natural: the same at their natural breaks, which lie "
+                    "between the roofs. With both thresholds are at least half a metre apart. global: the "
+                    "elevations of the whole input, one set for all, as -preset thesis does. By default "
+                    "building, with -preset thesis global."}));
+    rows.push_back(whole_row(
+        "lod", "<n>", {.lowest = 1, .highest = 10000}, [](auto& r) -> auto& { return r.options.levels.lod; },
+        {.help = "Level of detail: how many thresholds.",
+         .details = "They divide the range from one standard deviation below the mean "
+                    "elevation to one above it into "
+                    "n + 1 equal slices; with -levels natural n is the largest number of "
+                    "breaks in a building."}));
     rows.push_back(fixed_levels());
     rows.push_back(number_row("i", "<interval>", {.lowest = 0, .above_lowest = true},
                               [](auto& r) -> auto& { return r.options.levels.interval; },

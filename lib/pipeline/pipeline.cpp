@@ -114,7 +114,9 @@ LabelBand labels_of(const ElevationBand& band, const FoundBuildings* found, cons
 LevelPlan plan_levels(ElevationReader& reader, const FoundBuildings& found,
                       const ElevationStatistics& statistics, const LevelPlan& global,
                       const LevelOptions& options, const Window& window, Context& context) {
-    BuildingStatistics buildings(found.count(), statistics.fixed_point());
+    const double metres = context.report.units.vertical_metres;
+    BuildingStatistics buildings(found.count(), statistics.fixed_point(),
+                                 options.source == LevelSource::natural ? metres : 0);
     reader.for_each(
         [&](std::size_t, const ElevationBand& band, Tally& tally) {
             const StageClock clock(tally, Stage::levels);
@@ -124,8 +126,7 @@ LevelPlan plan_levels(ElevationReader& reader, const FoundBuildings& found,
             const StageClock clock(context.report, Stage::levels);
             buildings.add(band, labels);
         });
-    return plan_building_levels(buildings, found.ground, global, options,
-                                context.report.units.vertical_metres);
+    return plan_building_levels(buildings, found.ground, global, options, metres);
 }
 
 /// Bands are taken apart on all threads; what is found goes through the tracer in order.

@@ -27,6 +27,8 @@ void refuse_detection(const Options& options) {
         refuse("max_building_width");
     if (options.levels.source == LevelSource::building)
         refuse("levels building");
+    if (options.levels.source == LevelSource::natural)
+        refuse("levels natural");
     if (!detect.mask.empty())
         refuse("mask");
     if (!detect.ndvi.empty())

@@ -33,6 +33,19 @@ std::string name_of(Walls walls) {
     return "off";
 }
 
+std::string name_of(LevelSource source) {
+    switch (source) {
+        case LevelSource::building:
+            return "building";
+        case LevelSource::natural:
+            return "natural";
+        case LevelSource::global:
+        case LevelSource::by_preset:
+            break;
+    }
+    return "global";
+}
+
 std::map<std::string, std::string> detection_metadata(const Options& options) {
     const std::string ground = options.ground.mode == GroundMode::given  ? options.ground.terrain
                                : options.ground.mode == GroundMode::none ? "none"
@@ -44,7 +57,7 @@ std::map<std::string, std::string> detection_metadata(const Options& options) {
             {"D2B_MASK", options.detect.mask},
             {"D2B_NDVI", options.detect.ndvi},
             {"D2B_SPLIT_HEIGHT_M", number_text(options.detect.split_height)},
-            {"D2B_LEVELS", options.levels.source == LevelSource::building ? "building" : "global"},
+            {"D2B_LEVELS", name_of(options.levels.source)},
             {"D2B_LOD", std::to_string(options.levels.lod)},
             {"D2B_REGULARIZE", name_of(options.outline.walls)}};
 }

@@ -26,7 +26,7 @@ TEST_F(BuildingErrors, refusesValuesOutOfRange) {
     refused(2, {"-min_height", "-1"}, "-min_height must be a number of at least 0, not '-1'.");
     refused(2, {"-min_confidence", "2"}, "-min_confidence must be a number from 0 to 1, not '2'.");
     refused(2, {"-split_height", "low"}, "-split_height must be a number of at least 0, not 'low'.");
-    refused(2, {"-levels", "floor"}, "-levels must be building or global, not 'floor'.");
+    refused(2, {"-levels", "floor"}, "-levels must be building, natural or global, not 'floor'.");
     refused(2, {"-regularize", "left"}, "-regularize must be auto, off, right or free, not 'left'.");
     refused(2, {"-regularize_tolerance", "0"},
             "-regularize_tolerance must be a number above 0 and at most 100, not '0'.");

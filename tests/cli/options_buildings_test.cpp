@@ -190,6 +190,15 @@ TEST_F(OptionEffect, levels) {
     find({"-levels", "building", "-lod", "1"});
     EXPECT_EQ(thresholds().size(), 2U);  // that of the gabled roof and that of the tower
     EXPECT_EQ(contours().metadata.at("D2B_LEVELS"), "building");
+    // Everything of the podium, 16 m lower, is below the break of its tower.
+    find({"-levels", "natural", "-lod", "1"});
+    EXPECT_EQ(thresholds().size(), 2U);
+    for (const Record& record : contours().records) {
+        if (record.number("level") != 2 || record.number("tier_z") < 20)
+            continue;
+        EXPECT_LT(record.number("elev_max") - record.number("elev_min"), 3);
+    }
+    EXPECT_EQ(contours().metadata.at("D2B_LEVELS"), "natural");
 }
 
 }  // namespace d2b::test

@@ -15,9 +15,9 @@ using Thresholds = std::vector<double>;
 
 /// A row of elevations with their labels.
 BuildingStatistics statistics_of(const std::vector<double>& values, const std::vector<Label>& labels,
-                                 Label highest, double largest = 100) {
+                                 Label highest, double largest = 100, double metres = 0) {
     const BandShape shape{0, 1, static_cast<std::int32_t>(values.size())};
-    BuildingStatistics statistics(highest, FixedPoint(largest));
+    BuildingStatistics statistics(highest, FixedPoint(largest), metres);
     statistics.add({shape, values}, {shape, labels});
     return statistics;
 }
@@ -26,8 +26,8 @@ BuildingStatistics statistics_of(const std::vector<double>& values, const std::v
 Thresholds thresholds_of(const std::vector<double>& values, const LevelOptions& options, double metres = 1,
                          const Thresholds& global = {}, double ground = 0) {
     const std::vector<Label> labels(values.size(), 1);
-    return plan_building_levels(statistics_of(values, labels, 1, 1000), {0, ground}, {-5, {{}, global}},
-                                options, metres)
+    return plan_building_levels(statistics_of(values, labels, 1, 1000, metres), {0, ground},
+                                {-5, {{}, global}}, options, metres)
         .thresholds[1];
 }
 
@@ -146,6 +146,23 @@ TEST(BuildingLevels, GlobalSlicesAreThoseOfTheDem) {
     LevelOptions options = each(4);
     options.source = LevelSource::global;
     EXPECT_EQ(thresholds_of({10, 20}, options, 1, {5, 12, 19, 26}), (Thresholds{0, 12, 19}));
+}
+
+TEST(BuildingLevels, NaturalOnesLieBetweenRoofs) {
+    LevelOptions options = each(4);
+    options.source = LevelSource::natural;
+    options.lod = 1;
+    const std::vector<double> roofs{10.05, 10.15, 10.05, 10.1, 15.05, 15.15, 15.05};
+    // Roofs of ten and fifteen: the border is the bin in which the higher one begins.
+    expect_near(thresholds_of(roofs, options), {0, 15});
+    // More would be closer than half a metre to it, but for none.
+    options.lod = 9;
+    expect_near(thresholds_of(roofs, options), {0, 15});
+    // The same in feet.
+    std::vector<double> feet;
+    for (const double z : roofs)
+        feet.push_back(z / 0.3048);
+    expect_near(thresholds_of(feet, options, 0.3048), {0, 15 / 0.3048});
 }
 
 TEST(BuildingLevels, BelowTheGroundAreLeftOut) {

@@ -231,6 +231,7 @@ TEST(Options, ofDetection) {
 TEST(Options, ofLevels) {
     const auto levels = [](const Texts& arguments) { return parse(arguments).options.levels; };
     EXPECT_EQ(levels({"-levels", "building"}).source, LevelSource::building);
+    EXPECT_EQ(levels({"-levels", "natural"}).source, LevelSource::natural);
     EXPECT_EQ(levels({"-levels", "global"}).source, LevelSource::global);
     EXPECT_EQ(levels({}).source, LevelSource::by_preset);
     EXPECT_EQ(levels({"-lod", "1"}).lod, 1);
