@@ -14,16 +14,24 @@ for patch in "$source_folder"/tests/fuzz/planted/*.patch; do
 done
 cd "$scratch/source"
 cmake --preset fuzz -G Ninja -B "$scratch/build" > /dev/null
-cmake --build "$scratch/build" --target engine_fuzz outlines_fuzz reader_fuzz command_line_fuzz > "$scratch/build.log"
+targets="engine outlines reader values command_line"
+# shellcheck disable=SC2046  # words
+cmake --build "$scratch/build" --target $(printf '%s_fuzz ' $targets) > "$scratch/build.log"
 missed=0
-for target in engine outlines reader command_line; do
-    if "$scratch/build/tests/fuzz/${target}_fuzz" -seed=1 -max_total_time=600 -max_len=1000 -print_final_stats=1 \
-        -artifact_prefix="$scratch/" "tests/fuzz/seeds/$target" < /dev/null > "$scratch/$target.log" 2>&1; then
+for target in $targets; do
+    words=tests/fuzz/$target.dict
+    if [ -e "$words" ]; then words=-dict=$words; else words=; fi
+    start=$(date +%s)
+    log=$scratch/$target.log
+    if "$scratch/build/tests/fuzz/${target}_fuzz" -seed="${D2B_FUZZ_SEED:-1}" ${words:+"$words"} -max_total_time=600 \
+        -max_len=1000 -print_final_stats=1 -artifact_prefix="$scratch/" "tests/fuzz/seeds/$target" \
+        < /dev/null > "$log" 2>&1; then
         echo "$target: not found"
         missed=1
     else
-        echo "$target: $(sed -n 's/^stat::number_of_executed_units: *//p' "$scratch/$target.log") executions," \
-            "$(grep -m 1 -oE 'does not hold: .*|ERROR: AddressSanitizer: [a-z-]*|runtime error: .*|Assertion.*' "$scratch/$target.log")"
+        echo "$target: $(sed -n 's/^stat::number_of_executed_units: *//p' "$log") executions" \
+            "in $(($(date +%s) - start)) s," \
+            "$(grep -m 1 -oE 'does not hold: .*|ERROR: AddressSanitizer: [a-z-]*|runtime error: .*|Assertion.*' "$log")"
     fi
 done
 exit "$missed"

@@ -1,5 +1,7 @@
 // A damaged file is read or refused with a sentence; nothing else happens.
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <cpl_conv.h>
 #include <cpl_vsi.h>
@@ -26,6 +28,9 @@ void start() {
 void read_some(DemSource& source) {
     const Window& window = source.info().window;
     demand(window.rows > 0 && window.cols > 0, "a window has cells");
+    const AffineTransform& g = source.info().transform;
+    demand(std::isfinite(std::hypot(g[0], g[3])) && std::abs(g[1] * g[5] - g[2] * g[4]) > 0,
+           "cells have a place and an area");
     demand(window.row >= 0 && window.row + std::int64_t{window.rows} <= source.info().rows, "it lies inside");
     const std::int32_t rows = std::min(window.rows, 8);
     if (std::int64_t{rows} * window.cols > 1 << 20)

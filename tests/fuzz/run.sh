@@ -11,12 +11,14 @@ corpus=${3:-$build/corpus}
 mkdir -p "$corpus"
 cd "$corpus"
 # What a target prints goes to a file a target; libFuzzer leaves the input that breaks it as crash-* in the corpus folder.
-for target in engine outlines reader command_line; do echo "$target"; done |
+for target in engine outlines reader values command_line; do echo "$target"; done |
     xargs -P "$(nproc)" -I '{}' sh -c '
         mkdir -p "{}"
+        words="$3/../{}.dict"
+        if [ -e "$words" ]; then words="-dict=$words"; else words=; fi
         if UBSAN_OPTIONS=print_stacktrace=1 "$1/tests/fuzz/{}_fuzz" -max_total_time="$2" -timeout=60 -rss_limit_mb=4096 \
-            -max_len=1000 -entropic=0 -seed="${D2B_FUZZ_SEED:-0}" -artifact_prefix="{}_" "{}" "$3/{}" \
-            < /dev/null > "{}.log" 2>&1; then
+            -max_len=1000 -entropic=0 -seed="${D2B_FUZZ_SEED:-0}" ${words:+"$words"} -artifact_prefix="{}_" \
+            "{}" "$3/{}" < /dev/null > "{}.log" 2>&1; then
             echo "fuzz {}: $(grep -a -m 1 "^Done" "{}.log")"
         else
             tail -n 60 "{}.log"
