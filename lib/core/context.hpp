@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -16,6 +18,7 @@ namespace d2b {
 /// ears. The library has no globals, prints nothing and ends no process.
 struct Context {
     RunReport report;
+    std::optional<std::size_t> told;  ///< warnings that the report of the last run ended with; empty before
     std::function<void(const std::string&)> on_warning;  ///< may be empty
     std::function<bool(double)> on_progress;  ///< share done, 0 to 1; false asks to stop; may be empty
     std::function<bool()> stop;               ///< true asks to stop; any thread asks, and often; may be empty

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <limits>
+#include <system_error>
 #include <thread>
 
 #include "core/error.hpp"
@@ -64,9 +65,14 @@ struct Executor::Pool {
 
 Executor::Executor(int threads, std::function<bool()> stop)
     : stop_(std::move(stop)), pool_(std::make_unique<Pool>()) {
-    for (int thread = 1; thread < threads; ++thread)
-        pool_->threads.emplace_back(
-            [pool = pool_.get(), thread] { pool->serve(static_cast<std::size_t>(thread)); });
+    pool_->threads.reserve(static_cast<std::size_t>(std::max(threads, 1) - 1));
+    try {
+        for (int thread = 1; thread < threads; ++thread)
+            pool_->threads.emplace_back(
+                [pool = pool_.get(), thread] { pool->serve(static_cast<std::size_t>(thread)); });
+    } catch (const std::system_error&) {
+        // The user may start no more, or there is no room for a stack: those that are there do all the work.
+    }
 }
 
 Executor::~Executor() {
@@ -152,6 +158,7 @@ void Executor::pipelined(std::size_t count, std::size_t window, const Indexed& m
                 const std::size_t i = taken;
                 lock.unlock();
                 try {
+                    check_stop();
                     take(i);
                 } catch (...) {
                     failure.keep(i, std::current_exception());

@@ -69,6 +69,7 @@ LevelPlan plan_building_levels(const BuildingStatistics& statistics, const std::
                 list.push_back(t);
         plan.thresholds.push_back(std::move(list));
     }
+    check_level_count(plan.level_count(), options);  // the ground is one more than the global plan had
     return plan;
 }
 

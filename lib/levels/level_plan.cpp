@@ -10,9 +10,6 @@
 namespace d2b {
 namespace {
 
-// Level numbers are 16 bits at most, and 0 is "not valid".
-constexpr std::size_t most_thresholds = 65534;
-
 std::vector<double> sliced(const ElevationStatistics& statistics, int lod) {
     const double mean = statistics.moments.mean();
     const double deviation = statistics.moments.standard_deviation();
@@ -26,12 +23,12 @@ std::vector<double> sliced(const ElevationStatistics& statistics, int lod) {
     return result;
 }
 
-std::vector<double> multiples(const ElevationStatistics& statistics, double interval, double offset) {
+std::vector<double> multiples(const ElevationStatistics& statistics, const LevelOptions& options) {
+    const double interval = *options.interval;
+    const double offset = options.offset;
     const double first = std::floor((statistics.minimum - offset) / interval) + 1;
     const double last = std::ceil((statistics.maximum - offset) / interval) - 1;
-    if (!(last - first < static_cast<double>(most_thresholds)))
-        throw OptionError("-i " + number_text(interval) + " gives more than " +
-                          std::to_string(most_thresholds) + " levels on this DEM; use a larger interval.");
+    check_level_count(last - first + 2, options);  // before they are listed
     std::vector<double> result;
     // Counted, since adding 1 to a number beyond 2^53 leaves it as it is.
     const auto count = static_cast<int>(std::max(0.0, last - first + 1));
@@ -47,7 +44,7 @@ std::vector<double> candidates(const ElevationStatistics& statistics, const Leve
     if (statistics.moments.n == 0)
         return {};
     if (options.interval)
-        return multiples(statistics, *options.interval, options.offset);
+        return multiples(statistics, options);
     if (options.source == LevelSource::building || options.source == LevelSource::natural)
         return {};  // each building has its own
     return sliced(statistics, options.lod);
@@ -91,10 +88,18 @@ LevelPlan plan_global_levels(const ElevationStatistics& statistics, const LevelO
     report.mean = statistics.moments.mean();
     report.standard_deviation = statistics.moments.standard_deviation();
     plan.thresholds[1] = usable(candidates(statistics, options), statistics, report);
-    if (plan.thresholds[1].size() > most_thresholds)
-        throw OptionError("-fl and -lod give at most " + std::to_string(most_thresholds) + " levels, not " +
-                          std::to_string(plan.thresholds[1].size()) + ".");
+    check_level_count(plan.level_count(), options);
     return plan;
+}
+
+void check_level_count(double levels, const LevelOptions& options) {
+    if (levels <= most_levels)
+        return;
+    const std::string most = std::to_string(most_levels - 1);  // the root is none to the user
+    if (options.interval && options.fixed.empty())
+        throw OptionError("-i " + number_text(*options.interval) + " gives more than " + most +
+                          " levels on this DEM; use a larger interval.");
+    throw OptionError("-fl and -lod give at most " + most + " levels, not " + number_text(levels - 1) + ".");
 }
 
 }  // namespace d2b

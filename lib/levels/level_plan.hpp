@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "core/context.hpp"
@@ -7,6 +9,9 @@
 #include "levels/statistics.hpp"
 
 namespace d2b {
+
+/// Levels of a label, the root counted: points are counted by them in 16 bits, where 0 is "not valid".
+inline constexpr int most_levels = std::numeric_limits<std::uint16_t>::max();
 
 /// The thresholds, ascending; a point belongs to level k where z > thresholds[label][k - 1], to level 0, the
 /// root, where it is valid. Label 0 has no thresholds.
@@ -29,8 +34,12 @@ struct LevelPlan {
 /// multiple of an interval from an offset. Thresholds that are not above the minimum, not below the maximum
 /// or repeated are dropped and counted in the report, which also gets the statistics.
 /// With LevelSource::building there are no slices of the whole.
-/// @throws OptionError where an interval gives more than 65,534 levels
+/// @throws OptionError as check_level_count() does
 [[nodiscard]] LevelPlan plan_global_levels(const ElevationStatistics& statistics, const LevelOptions& options,
                                            Context& context);
+
+/// For whoever makes a plan. @param levels of the label with most, the root counted; of an interval there may
+/// be more than an integer holds @throws OptionError where they are more than most_levels
+void check_level_count(double levels, const LevelOptions& options);
 
 }  // namespace d2b

@@ -8,14 +8,12 @@
 namespace d2b {
 namespace {
 
-// Some 4 MiB of elevations, in whole multiples of the usual block heights; more where blocks are higher.
-constexpr std::int64_t points_a_band = 1 << 19;
 constexpr std::int32_t usual_block_rows = 64;
 constexpr std::int64_t most_points_a_band = 1 << 21;
 // A thread. Less than three bands let threads wait for each other where one takes longer than the next.
 constexpr std::int64_t points_ahead = 1 << 21;
 
-std::int32_t band_rows(const DemInfo& info) {
+std::int32_t band_rows(const DemInfo& info, std::int64_t points_a_band) {
     const std::int32_t cols = std::max(info.window.cols, 1);
     std::int32_t block = usual_block_rows;
     if (info.block_rows > block && std::int64_t{info.block_rows} * cols <= most_points_a_band)
@@ -38,12 +36,12 @@ std::vector<BandShape> shapes_of(const Window& window, std::int32_t rows_a_band)
 
 }  // namespace
 
-ElevationReader::ElevationReader(DemSource& source, Context& context, std::size_t keep_bytes)
-    : source_(source), context_(context), keep_bytes_(keep_bytes) {
+ElevationReader::ElevationReader(DemSource& source, Context& context, const BandSize& size)
+    : source_(source), context_(context), keep_bytes_(size.keep_bytes) {
     const Window& window = source.info().window;
     const std::size_t points = static_cast<std::size_t>(window.rows) * static_cast<std::size_t>(window.cols);
-    const std::int32_t rows = band_rows(source.info());
-    keep_ = points <= keep_bytes / sizeof(float);
+    const std::int32_t rows = band_rows(source.info(), size.points);
+    keep_ = points <= keep_bytes_ / sizeof(float);
     ahead_ = static_cast<std::size_t>(
         std::clamp<std::int64_t>(points_ahead / (std::int64_t{rows} * std::max(window.cols, 1)), 3, 8));
     shapes_ = shapes_of(window, rows);
@@ -51,18 +49,32 @@ ElevationReader::ElevationReader(DemSource& source, Context& context, std::size_
         kept_.resize(shapes_.size());
 }
 
-ElevationBand ElevationReader::get(std::size_t i, Tally& tally) {
+ElevationBand ElevationReader::get(std::size_t i, const BandShape& part, Tally& tally) {
     const StageClock clock(tally, Stage::read);
-    ElevationBand band{shapes_[i], {}};
+    ElevationBand band{part, {}};
+    const auto take = [&](const auto& kept) {
+        const auto first = static_cast<std::ptrdiff_t>(part.first_row - shapes_[i].first_row) * part.cols;
+        const auto begin = kept.begin() + first;
+        band.elevations.assign(begin, begin + static_cast<std::ptrdiff_t>(part.size()));
+    };
     if (complete_ && kept_[i].narrow.empty()) {
-        band.elevations = kept_[i].wide;
+        take(kept_[i].wide);
     } else if (complete_) {
-        band.elevations.assign(kept_[i].narrow.begin(), kept_[i].narrow.end());
+        take(kept_[i].narrow);
     } else {
-        band.elevations.resize(band.shape.size());
-        source_.read(band.shape.first_row, band.shape.rows, band.elevations);
+        band.elevations.resize(part.size());
+        source_.read(part.first_row, part.rows, band.elevations);
     }
     return band;
+}
+
+/// All of them are rows of the band above: only the first band and the last may have fewer than a halo's
+/// most.
+ElevationBand ElevationReader::get_above(std::size_t i, std::int32_t halo, Tally& tally) {
+    const BandShape& band = shapes_[i];
+    const std::int32_t rows = std::min(halo, band.first_row - shapes_.front().first_row);
+    const BandShape above{band.first_row - rows, rows, band.cols};
+    return rows > 0 ? get(i - 1, above, tally) : ElevationBand{above, {}};
 }
 
 ElevationReader::Kept ElevationReader::keep(const ElevationBand& band) {
@@ -91,7 +103,7 @@ void ElevationReader::put(std::size_t i, Kept&& kept) {
 }
 
 void ElevationReader::for_each(const std::function<void(const ElevationBand&)>& use) {
-    for_each([](std::size_t, const ElevationBand&, Tally&) { return 0; },
+    for_each([](const ElevationBand&, Tally&) { return 0; },
              [&](const ElevationBand& band, int) { use(band); });
 }
 

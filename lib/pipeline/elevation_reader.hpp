@@ -11,6 +11,7 @@
 #include "core/band.hpp"
 #include "core/context.hpp"
 #include "core/dem_source.hpp"
+#include "pipeline/band_size.hpp"
 
 namespace d2b {
 
@@ -19,17 +20,24 @@ namespace d2b {
 /// all threads.
 class ElevationReader {
   public:
-    /// @param keep_bytes most that is kept: 4 a point where that loses nothing, else 8
-    ElevationReader(DemSource& source, Context& context, std::size_t keep_bytes = std::size_t{512} << 20);
+    ElevationReader(DemSource& source, Context& context, const BandSize& size = {});
 
     [[nodiscard]] std::size_t bands() const { return shapes_.size(); }
 
-    /// Calls use(band, prepare(i, band, tally)) for each band, the i-th of bands(), from the first row to the
-    /// last: `prepare` on any thread, `use` on the caller's. @throws InputError, and what these throw
+    /// Calls use(band, prepare(band, tally)) for each band, from the first row to the last: `prepare` on any
+    /// thread, `use` on the caller's. @throws InputError, and what these throw
     template <typename Prepare, typename Use>
     void for_each(const Prepare& prepare, const Use& use) {
-        using Prepared =
-            std::decay_t<decltype(prepare(0, std::declval<const ElevationBand&>(), std::declval<Tally&>()))>;
+        for_each_below(
+            0, [&](ElevationBand&&, const ElevationBand& band, Tally& tally) { return prepare(band, tally); },
+            use);
+    }
+    /// The same with a halo, prepare(above, band, tally): the rows above the band, which its thread gets
+    /// itself and waits for no other. @param halo so many rows, at most 64; fewer where the window begins
+    template <typename Prepare, typename Use>
+    void for_each_below(std::int32_t halo, const Prepare& prepare, const Use& use) {
+        using Prepared = std::decay_t<decltype(prepare(
+            std::declval<ElevationBand>(), std::declval<const ElevationBand&>(), std::declval<Tally&>()))>;
         struct Made {
             ElevationBand band;
             std::optional<Kept> kept;
@@ -44,7 +52,9 @@ class ElevationReader {
             [&](std::size_t i, std::size_t thread) {
                 // `prepare` may refer to the band's values, which stay where they are when it is moved.
                 ElevationBand band = get(i, tallies[thread]);
-                Prepared prepared = prepare(i, band, tallies[thread]);
+                // After the band: whoever reads the one above has decoded these rows by now.
+                ElevationBand above = get_above(i, halo, tallies[thread]);
+                Prepared prepared = prepare(std::move(above), band, tallies[thread]);
                 std::optional<Kept> kept;
                 if (keeping)
                     kept = keep(band);
@@ -83,7 +93,10 @@ class ElevationReader {
                 report.merge(tally);
         }
     };
-    [[nodiscard]] ElevationBand get(std::size_t i, Tally& tally);
+    [[nodiscard]] ElevationBand get(std::size_t i, Tally& tally) { return get(i, shapes_[i], tally); }
+    [[nodiscard]] ElevationBand get_above(std::size_t i, std::int32_t halo, Tally& tally);
+    /// @param part rows of band i
+    [[nodiscard]] ElevationBand get(std::size_t i, const BandShape& part, Tally& tally);
     [[nodiscard]] static Kept keep(const ElevationBand& band);
     void put(std::size_t i, Kept&& kept);
 

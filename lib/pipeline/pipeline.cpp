@@ -4,8 +4,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <exception>
-#include <future>
 #include <limits>
 #include <optional>
 #include <thread>
@@ -13,16 +11,16 @@
 #include "core/number_text.hpp"
 #include "core/progress_span.hpp"
 #include "core/units.hpp"
-#include "detect/one_label.hpp"
 #include "levels/building_levels.hpp"
 #include "pipeline/elevation_reader.hpp"
 #include "pipeline/emit.hpp"
 #include "pipeline/find_buildings.hpp"
+#include "pipeline/own_report.hpp"
 #include "pipeline/preset.hpp"
 #include "pipeline/provenance.hpp"
 #include "pipeline/square_area.hpp"
 #include "pipeline/stage_clock.hpp"
-#include "trace/tracer.hpp"
+#include "pipeline/trace_contours.hpp"
 
 namespace d2b {
 namespace {
@@ -47,9 +45,17 @@ auto within(Context& context, double begin, double end, const Work& work) {
     return work();
 }
 
-int thread_count(const RunOptions& options) {
-    return options.threads > 0 ? options.threads
-                               : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+void start_threads(const RunOptions& options, Context& context) {
+    const int wanted = options.threads > 0
+                           ? options.threads
+                           : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    context.threads = std::make_unique<Executor>(wanted, context.stop);
+    const int started = context.threads->threads();
+    context.report.threads = started;
+    if (started < wanted)
+        context.warn(
+            "Only " + std::to_string(started) + " of " + std::to_string(wanted) +
+            " threads could be started, as the system allows no more; the result is the same, later.");
 }
 
 Crs dem_crs(const Options& options, const DemInfo& info) {
@@ -90,7 +96,7 @@ void warn_of_coarse_cells(const Window& window, const SquareArea& area, const Cr
 ElevationStatistics collect_statistics(ElevationReader& reader, const Window& window, Context& context) {
     ElevationStatistics statistics;
     reader.for_each(
-        [](std::size_t, const ElevationBand& band, Tally& tally) {
+        [](const ElevationBand& band, Tally& tally) {
             const StageClock clock(tally, Stage::levels);
             ElevationStatistics of_band;
             of_band.add(band);
@@ -104,12 +110,6 @@ ElevationStatistics collect_statistics(ElevationReader& reader, const Window& wi
     return statistics;
 }
 
-/// What a band's points belong to.
-LabelBand labels_of(const ElevationBand& band, const FoundBuildings* found, const Window& window) {
-    Context none;
-    return found == nullptr ? detect_one_label(band, none) : found->band(band.shape, window.row);
-}
-
 /// The levels of each building, from the elevations in it.
 LevelPlan plan_levels(ElevationReader& reader, const FoundBuildings& found,
                       const ElevationStatistics& statistics, const LevelPlan& global,
@@ -118,67 +118,15 @@ LevelPlan plan_levels(ElevationReader& reader, const FoundBuildings& found,
     BuildingStatistics buildings(found.count(), statistics.fixed_point(),
                                  options.source == LevelSource::natural ? metres : 0);
     reader.for_each(
-        [&](std::size_t, const ElevationBand& band, Tally& tally) {
+        [&](const ElevationBand& band, Tally& tally) {
             const StageClock clock(tally, Stage::levels);
-            return labels_of(band, &found, window);
+            return found.band(band.shape, window.row);
         },
         [&](const ElevationBand& band, const LabelBand& labels) {
             const StageClock clock(context.report, Stage::levels);
             buildings.add(band, labels);
         });
     return plan_building_levels(buildings, found.ground, global, options, metres);
-}
-
-/// Bands are taken apart on all threads; what is found goes through the tracer in order.
-template <typename Count>
-void trace_bands(ElevationReader& reader, const TraceFrame& frame, const LevelPlan& plan,
-                 const FoundBuildings* found, const TraceOptions& options, ContourSink& sink,
-                 Context& context) {
-    Tracer tracer(frame, options, sink);
-    // Each band needs the last rows of the one before it, which may be in another thread's hands.
-    std::vector<std::promise<PointRows<Count>>> ends(reader.bands() + 1);
-    ends[0].set_value({});
-    reader.for_each(
-        [&](std::size_t i, const ElevationBand& elevations, Tally& tally) {
-            PointRows<Count> band;
-            try {
-                const StageClock clock(tally, Stage::levels);
-                band.elevations = {std::shared_ptr<void>(), &elevations};  // owns nothing
-                band.labels = labels_of(elevations, found, frame.window);
-                band.levels = quantise<Count>(elevations, band.labels, plan);
-                ends[i + 1].set_value(last_rows<Count>({}, band));
-            } catch (...) {
-                ends[i + 1].set_exception(std::current_exception());
-                throw;
-            }
-            const PointRows<Count> before = ends[i].get_future().get();
-            const StageClock clock(tally, Stage::trace);
-            return take_apart(frame, options, before, band);
-        },
-        [&](const ElevationBand& band, std::vector<TraceLine> lines) {
-            {
-                const StageClock clock(context.report, Stage::trace);
-                tracer.trace(std::move(lines));
-            }
-            context.progress(static_cast<double>(band.shape.first_row + band.shape.rows - frame.window.row) /
-                             frame.window.rows);
-        });
-}
-
-std::unique_ptr<StoredContours> trace_contours(ElevationReader& reader, const TraceFrame& frame,
-                                               const LevelPlan& plan, const FoundBuildings* found,
-                                               const Options& options, const SquareArea& area,
-                                               Context& context) {
-    // Footprints that were found stand on nothing.
-    ContourStore store(
-        {options.filter, area, frame.range, frame.fixed, found == nullptr, options.write.rejected},
-        context.make_spool(), context);
-    if (plan.level_count() <= 255)
-        trace_bands<std::uint8_t>(reader, frame, plan, found, options.trace, store, context);
-    else
-        trace_bands<std::uint16_t>(reader, frame, plan, found, options.trace, store, context);
-    const StageClock clock(context.report, Stage::filter);
-    return store.finish();
 }
 
 LatticeBox lattice_frame(const Window& window, TraceMode mode) {
@@ -226,14 +174,15 @@ void warn_of_nothing(const LevelPlan& plan, std::size_t buildings, Context& cont
 
 }  // namespace
 
-void run(const Options& user_options, const Sources& sources, const Sinks& sinks, Context& context) {
+void run(const Options& user_options, const Sources& sources, const Sinks& sinks, Context& context,
+         const BandSize& size) {
     Options options = with_preset(user_options);
-    context.threads = std::make_unique<Executor>(thread_count(options.run), context.stop);
+    const OwnReport own_report(context);
+    start_threads(options.run, context);
     const DemInfo& info = sources.dem.info();
     const Crs crs = dem_crs(options, info);
     const Crs target = target_crs(options, crs);
     RunReport& report = context.report;
-    report.threads = context.threads->threads();
     describe(info, crs, target, report);
     report.output = options.write.destination;
     report.units = resolve_units(info, crs, options.read.vertical_unit);
@@ -245,7 +194,7 @@ void run(const Options& user_options, const Sources& sources, const Sinks& sinks
     if (!options.outline.wall_tolerance)
         options.outline.wall_tolerance = wall_tolerance(cell_size_m(info.window, area));
 
-    ElevationReader reader(sources.dem, context);
+    ElevationReader reader(sources.dem, context, size);
     const Milestones at = detects_buildings(options) ? of_buildings : of_thesis;
     const ElevationStatistics statistics =
         within(context, 0, at.read, [&] { return collect_statistics(reader, info.window, context); });

@@ -5,6 +5,7 @@
 #include "core/feature_sink.hpp"
 #include "core/options.hpp"
 #include "core/raster_sink.hpp"
+#include "pipeline/band_size.hpp"
 
 namespace d2b {
 
@@ -26,10 +27,12 @@ struct Sinks {
 
 /// The whole job: read -> ground -> detect -> levels -> trace -> filter -> outline -> attributes -> write.
 /// Reads the DEM twice (statistics, then contours), or once where it fits in memory; the report in `context`
-/// says what was done, found, dropped and repaired.
+/// says what was done, found, dropped and repaired, by this run alone where the context has seen others.
 /// @param options  as checked by the option table; write.layers `automatic` means both
+/// @param size     of bands; the result does not depend on it
 /// @throws Error: nothing is visible at the sinks then, but where finishing one fails after another is
 /// finished
-void run(const Options& options, const Sources& sources, const Sinks& sinks, Context& context);
+void run(const Options& options, const Sources& sources, const Sinks& sinks, Context& context,
+         const BandSize& size = {});
 
 }  // namespace d2b

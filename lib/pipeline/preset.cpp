@@ -1,6 +1,10 @@
 #include "pipeline/preset.hpp"
 
+#include <cmath>
+#include <string>
+
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 
 namespace d2b {
 namespace {
@@ -49,6 +53,14 @@ void refuse_detection(const Options& options) {
         refuse("write_canopy");
 }
 
+/// Beyond this many intervals thresholds would be off by a thousandth of one and more, or be the same.
+void refuse_far_offset(const LevelOptions& levels) {
+    constexpr double most_intervals = 0x1p43;
+    if (levels.interval && !(std::abs(levels.offset) <= most_intervals * *levels.interval))
+        throw OptionError("-off " + number_text(levels.offset) + " is too far away to count intervals of " +
+                          number_text(*levels.interval) + " from; give a base near the elevations.");
+}
+
 }  // namespace
 
 bool detects_buildings(const Options& options) {
@@ -57,8 +69,11 @@ bool detects_buildings(const Options& options) {
 
 Options with_preset(Options options) {
     const bool detects = detects_buildings(options);
+    if (!detects && options.preset != "thesis")
+        throw OptionError("There is no preset '" + options.preset + "'; choose buildings or thesis.");
     if (!detects)
         refuse_detection(options);
+    refuse_far_offset(options.levels);
     const bool simplifies = options.outline.simplify > 0;
     if (simplifies && options.outline.walls != Walls::by_preset && options.outline.walls != Walls::off)
         throw OptionError(

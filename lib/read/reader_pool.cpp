@@ -37,20 +37,48 @@ ReaderPool::ReaderPtr ReaderPool::idle_with(std::int32_t block_row) {
     return reader;
 }
 
+/// The only thread that decodes a row of blocks, and its reader once it has one. Whatever happens, both are
+/// free again at the end, and who waits for them hears of it.
+class ReaderPool::Turn {
+  public:
+    Turn(ReaderPool& pool, std::int32_t block_row) : pool_(pool), block_row_(block_row) {
+        std::unique_lock lock(pool_.mutex_);
+        pool_.returned_.wait(lock, [&] {
+            return std::ranges::find(pool_.at_work_, block_row) == pool_.at_work_.end() &&
+                   (pool_.may_reopen_ || !pool_.idle_.empty());
+        });
+        pool_.at_work_.push_back(block_row);
+    }
+    Turn(const Turn&) = delete;
+    Turn& operator=(const Turn&) = delete;
+    ~Turn() {
+        {
+            const std::lock_guard lock(pool_.mutex_);
+            std::erase(pool_.at_work_, block_row_);
+            if (reader)
+                pool_.idle_.push_back(std::move(reader));
+        }
+        pool_.returned_.notify_all();
+    }
+
+    ReaderPtr reader;
+
+  private:
+    ReaderPool& pool_;
+    std::int32_t block_row_;
+};
+
 ReaderPool::ReaderPtr ReaderPool::take(std::int32_t block_row) {
     std::unique_lock lock(mutex_);
-    returned_.wait(lock, [&] {
-        return std::ranges::find(at_work_, block_row) == at_work_.end() && (may_reopen_ || !idle_.empty());
-    });
     ReaderPtr reader = idle_with(block_row);
-    at_work_.push_back(block_row);
-    if (!reader && idle_.empty()) {
+    if (!reader && idle_.empty() && may_reopen_) {
+        idle_.reserve(++readers_);
         lock.unlock();
         reader = reopen();
         lock.lock();
         may_reopen_ = may_reopen_ && reader != nullptr;
-        returned_.wait(lock, [&] { return reader || !idle_.empty(); });
     }
+    returned_.wait(lock, [&] { return reader || !idle_.empty(); });
     if (!reader) {
         reader = std::move(idle_.back());
         idle_.pop_back();
@@ -59,33 +87,30 @@ ReaderPool::ReaderPtr ReaderPool::take(std::int32_t block_row) {
     return reader;
 }
 
-void ReaderPool::give_back(ReaderPtr reader, const std::vector<std::string>& warnings) {
-    {
-        const std::lock_guard lock(mutex_);
-        std::erase(at_work_, reader->block_row);
-        idle_.push_back(std::move(reader));
-        const std::vector<std::string>& said = context_.report.warnings;
-        for (const std::string& text : warnings)
-            if (std::ranges::find(said, text) == said.end())
-                context_.warn(text);
-    }
-    returned_.notify_all();
+void ReaderPool::pass_on(const std::vector<std::string>& warnings) {
+    const std::lock_guard lock(mutex_);
+    const std::vector<std::string>& said = context_.report.warnings;
+    for (const std::string& text : warnings)
+        if (std::ranges::find(said, text) == said.end())
+            context_.warn(text);
 }
 
 void ReaderPool::read(std::int32_t first_row, std::int32_t rows, std::span<double> elevations) {
-    ReaderPtr reader = take((first_row + rows - 1) / info_.block_rows);
+    const std::int32_t block_row = (first_row + rows - 1) / info_.block_rows;
     Context own;
     {
         const std::lock_guard lock(mutex_);
         own.report.warnings = context_.report.warnings;  // which say how many more there may be
     }
     try {
-        reader->bands.read(first_row, rows, elevations, own);
+        Turn turn(*this, block_row);
+        turn.reader = take(block_row);
+        turn.reader->bands.read(first_row, rows, elevations, own);
     } catch (...) {
-        give_back(std::move(reader), own.report.warnings);
+        pass_on(own.report.warnings);
         throw;
     }
-    give_back(std::move(reader), own.report.warnings);
+    pass_on(own.report.warnings);
 }
 
 }  // namespace d2b

@@ -34,10 +34,12 @@ class ReaderPool {
     };
     using ReaderPtr = std::unique_ptr<Reader>;
 
+    class Turn;
+
     [[nodiscard]] ReaderPtr take(std::int32_t block_row);
     [[nodiscard]] ReaderPtr idle_with(std::int32_t block_row);
     [[nodiscard]] ReaderPtr reopen() const;
-    void give_back(ReaderPtr reader, const std::vector<std::string>& warnings);
+    void pass_on(const std::vector<std::string>& warnings);
 
     ReadOptions options_;
     std::string path_;
@@ -46,7 +48,8 @@ class ReaderPool {
     std::mutex mutex_;
     std::condition_variable returned_;
     bool may_reopen_;
-    std::vector<ReaderPtr> idle_;
+    std::size_t readers_ = 1;
+    std::vector<ReaderPtr> idle_;        ///< has room for all
     std::vector<std::int32_t> at_work_;  ///< rows of blocks that readers who are not idle decode
 };
 

@@ -184,25 +184,6 @@ std::vector<TraceLine> Cutter<Count>::lines_of_points() const {
     return lines;
 }
 
-/// @param first, last rows of a list of rows
-template <typename Value>
-void append_rows(std::vector<Value>& to, const std::vector<Value>& from, std::int32_t first,
-                 std::int32_t last, std::int32_t cols) {
-    if (!from.empty())
-        to.insert(to.end(), from.begin() + static_cast<std::ptrdiff_t>(first) * cols,
-                  from.begin() + static_cast<std::ptrdiff_t>(last) * cols);
-}
-
-template <typename Count>
-void append_rows(PointRows<Count>& to, ElevationBand& elevations, const PointRows<Count>& from,
-                 std::int32_t rows) {
-    const BandShape& shape = from.shape();
-    append_rows(elevations.elevations, from.elevations->elevations, shape.rows - rows, shape.rows,
-                shape.cols);
-    append_rows(to.labels.labels, from.labels.labels, shape.rows - rows, shape.rows, shape.cols);
-    append_rows(to.levels.counts, from.levels.counts, shape.rows - rows, shape.rows, shape.cols);
-}
-
 }  // namespace
 
 template <typename Count>
@@ -212,27 +193,9 @@ std::vector<TraceLine> take_apart(const TraceFrame& frame, const TraceOptions& o
     return options.mode == TraceMode::points ? cutter.lines_of_points() : cutter.lines_of_cells();
 }
 
-template <typename Count>
-PointRows<Count> last_rows(const PointRows<Count>& before, const PointRows<Count>& band) {
-    constexpr std::int32_t most = 2;
-    const std::int32_t of_band = std::min(most, band.shape().rows);
-    const std::int32_t of_before = std::min(most - of_band, before.shape().rows);
-    PointRows<Count> rows;
-    const auto elevations = std::make_shared<ElevationBand>();
-    if (of_before > 0)
-        append_rows(rows, *elevations, before, of_before);
-    append_rows(rows, *elevations, band, of_band);
-    elevations->shape = {band.end_row() - of_band - of_before, of_band + of_before, band.shape().cols};
-    rows.labels.shape = rows.levels.shape = elevations->shape;
-    rows.elevations = elevations;
-    return rows;
-}
-
 template std::vector<TraceLine> take_apart(const TraceFrame&, const TraceOptions&,
                                            const PointRows<std::uint8_t>&, const PointRows<std::uint8_t>&);
 template std::vector<TraceLine> take_apart(const TraceFrame&, const TraceOptions&,
                                            const PointRows<std::uint16_t>&, const PointRows<std::uint16_t>&);
-template PointRows<std::uint8_t> last_rows(const PointRows<std::uint8_t>&, const PointRows<std::uint8_t>&);
-template PointRows<std::uint16_t> last_rows(const PointRows<std::uint16_t>&, const PointRows<std::uint16_t>&);
 
 }  // namespace d2b

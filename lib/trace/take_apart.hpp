@@ -55,9 +55,15 @@ struct TraceLine {
     std::vector<double> outside;
 };
 
+/// So many rows above a band are needed to take it apart: a line between points has a row of squares on
+/// either side, each between two rows of points.
+[[nodiscard]] constexpr std::int32_t rows_above(TraceMode mode) {
+    return mode == TraceMode::points ? 2 : 0;
+}
+
 /// Cuts rows into runs and sums up their points: all of tracing that does not depend on what lies more than
 /// two rows above, so that bands can be taken apart side by side.
-/// @param before the last two rows above the band, or as many as there are
+/// @param before the last rows_above() rows above the band, or as many as there are; more are not looked at
 /// @param band its elevations must outlive the lines
 /// @return the lines that the band's rows complete, from the top; after the window's last row also the line
 ///         under it
@@ -65,19 +71,11 @@ template <typename Count>
 [[nodiscard]] std::vector<TraceLine> take_apart(const TraceFrame& frame, const TraceOptions& options,
                                                 const PointRows<Count>& before, const PointRows<Count>& band);
 
-/// The last two rows of a band, or as many as there are with those before it.
-template <typename Count>
-[[nodiscard]] PointRows<Count> last_rows(const PointRows<Count>& before, const PointRows<Count>& band);
-
 extern template std::vector<TraceLine> take_apart(const TraceFrame&, const TraceOptions&,
                                                   const PointRows<std::uint8_t>&,
                                                   const PointRows<std::uint8_t>&);
 extern template std::vector<TraceLine> take_apart(const TraceFrame&, const TraceOptions&,
                                                   const PointRows<std::uint16_t>&,
                                                   const PointRows<std::uint16_t>&);
-extern template PointRows<std::uint8_t> last_rows(const PointRows<std::uint8_t>&,
-                                                  const PointRows<std::uint8_t>&);
-extern template PointRows<std::uint16_t> last_rows(const PointRows<std::uint16_t>&,
-                                                   const PointRows<std::uint16_t>&);
 
 }  // namespace d2b

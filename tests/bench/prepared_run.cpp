@@ -60,14 +60,17 @@ std::int64_t PreparedRun::points() const {
 
 void PreparedRun::read() {
     ElevationReader reader(*source, context);
-    reader.for_each([this](const ElevationBand& band) {
-        bands.emplace_back().elevations = std::make_shared<ElevationBand>(band);
-    });
+    reader.for_each_below(
+        rows_above(options.trace.mode), [](ElevationBand halo, const ElevationBand&, Tally&) { return halo; },
+        [this](const ElevationBand& band, ElevationBand halo) {
+            bands.emplace_back().elevations = std::make_shared<ElevationBand>(band);
+            above.emplace_back().elevations = std::make_shared<ElevationBand>(std::move(halo));
+        });
 }
 
 MetreGrid PreparedRun::surface() const {
     MetreGrid grid(source->info().window.rows, source->info().window.cols);
-    for (const PointRows<std::uint8_t>& band : bands)
+    for (const Rows& band : bands)
         std::transform(band.elevations->elevations.begin(), band.elevations->elevations.end(),
                        grid.row(band.shape().first_row).data(),
                        [](double z) { return static_cast<float>(z); });
@@ -80,34 +83,33 @@ void PreparedRun::find() {
         ElevationReader reader(*source, context);
         found = find_buildings(options, {*source}, {nothing}, reader, cell, 1, context);
     }
-    for (PointRows<std::uint8_t>& band : bands)
-        band.labels = found.footprints.empty() ? detect_one_label(*band.elevations, context)
-                                               : found.band(band.shape(), 0);
+    for (std::vector<Rows>* all : {&bands, &above})
+        for (Rows& rows : *all)
+            rows.labels = found.footprints.empty() ? detect_one_label(*rows.elevations, context)
+                                                   : found.band(rows.shape(), 0);
 }
 
 void PreparedRun::make_levels() {
     ElevationStatistics statistics;
-    for (const PointRows<std::uint8_t>& band : bands)
+    for (const Rows& band : bands)
         statistics.add(*band.elevations);
     plan = plan_global_levels(statistics, options.levels, context);
     if (!found.footprints.empty()) {
         BuildingStatistics buildings(found.count(), statistics.fixed_point());
-        for (const PointRows<std::uint8_t>& band : bands)
+        for (const Rows& band : bands)
             buildings.add(*band.elevations, band.labels);
         plan = plan_building_levels(buildings, found.ground, plan, options.levels, 1);
     }
     frame = {source->info().window, plan.level_count(), statistics.fixed_point(), statistics.range()};
-    for (PointRows<std::uint8_t>& band : bands)
-        band.levels = quantise<std::uint8_t>(*band.elevations, band.labels, plan);
+    for (std::vector<Rows>* all : {&bands, &above})
+        for (Rows& rows : *all)
+            rows.levels = quantise<std::uint8_t>(*rows.elevations, rows.labels, plan);
 }
 
 void PreparedRun::trace(ContourSink& sink) const {
     Tracer tracer(frame, options.trace, sink);
-    PointRows<std::uint8_t> before;
-    for (const PointRows<std::uint8_t>& band : bands) {
-        tracer.trace(take_apart(frame, options.trace, before, band));
-        before = last_rows<std::uint8_t>({}, band);
-    }
+    for (std::size_t i = 0; i < bands.size(); ++i)
+        tracer.trace(take_apart(frame, options.trace, above[i], bands[i]));
 }
 
 std::unique_ptr<StoredContours> PreparedRun::filter(std::vector<FinishedContour>&& finished) {

@@ -28,8 +28,10 @@ class PreparedRun {
     Georeference georeference;
     SquareArea area;
     CellSize cell;
-    FoundBuildings found;                        ///< empty with the thesis preset
-    std::vector<PointRows<std::uint8_t>> bands;  ///< with labels and counts
+    FoundBuildings found;  ///< empty with the thesis preset
+    using Rows = PointRows<std::uint8_t>;
+    std::vector<Rows> bands;  ///< with labels and counts
+    std::vector<Rows> above;  ///< the rows above each band that it is taken apart with
     LevelPlan plan;
     TraceFrame frame;
     std::vector<FinishedContour> traced;

@@ -26,7 +26,7 @@ void count_points(State& state, const PreparedRun& run) {
 void read(State& state, PreparedRun& run) {
     for ([[maybe_unused]] auto _ : state) {
         const std::unique_ptr<DemSource> source = open_dem(run.options.read, run.context);
-        ElevationReader reader(*source, run.context, 0);
+        ElevationReader reader(*source, run.context, {.keep_bytes = 0});
         reader.for_each([](const ElevationBand& band) { benchmark::DoNotOptimize(band.elevations.data()); });
     }
     count_points(state, run);

@@ -112,6 +112,8 @@ TEST_F(OptionErrors, refusesWhatDoesNotFitTheInput) {
             "5820000 in y.");
     refused({"-projwin", "0", "1", "1", "0"}, "-projwin 0 1 1 0 holds no cell centre of the raster");
     refused({"-i", "1e-6"}, "-i 1e-06 gives more than 65534 levels on this DEM; use a larger interval.");
+    refused({"-i", "1", "-off", "1e17"},
+            "-off 1e+17 is too far away to count intervals of 1 from; give a base near the elevations.");
     refused({"-a_srs", "EPSG:nothing"}, "-a_srs EPSG:nothing is not a coordinate reference system");
     refused({"-t_srs", "EPSG:nothing"}, "EPSG:nothing");
     refused({"-if", "NoSuch"}, "-if NoSuch names no format of this GDAL; gdalinfo --formats lists them.");

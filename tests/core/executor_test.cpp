@@ -1,13 +1,17 @@
 #include "core/executor.hpp"
 
 #include <atomic>
+#include <cstdlib>
 #include <numeric>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <sys/resource.h>
 #include <thread>
 
 #include <gtest/gtest.h>
+
+#include "core/error.hpp"
 
 namespace d2b {
 namespace {
@@ -117,6 +121,39 @@ TEST_P(Executors, MayBeCalledFromInside) {
         threads.for_each(done[i].size(), [&](std::size_t k) { ++done[i][k]; });
     });
     EXPECT_EQ(done, std::vector<std::vector<int>>(8, std::vector<int>(50, 1)));
+}
+
+TEST_P(Executors, StopBeforeWhatWasMadeIsTaken) {
+    std::atomic<bool> stop = false;
+    Executor stopped(GetParam(), [&] { return stop.load(); });
+    std::size_t taken = 0;
+    EXPECT_THROW(stopped.in_order(
+                     100, [](std::size_t i, std::size_t) { return i; },
+                     [&](std::size_t i, std::size_t) {
+                         taken = i;
+                         stop = i == 50;
+                     }),
+                 Cancelled);
+    EXPECT_EQ(taken, 50U);
+}
+
+/// Room for some stacks, and no more: what there is of threads does all the work.
+void work_in_little_room() {
+    rlimit room{};
+    room.rlim_cur = room.rlim_max = rlim_t{1} << 30;
+    setrlimit(RLIMIT_AS, &room);
+    Executor threads(100000);
+    std::vector<int> done(1000);
+    if (threads.threads() > 1 && threads.threads() < 100000)
+        threads.for_each(done.size(), [&](std::size_t i) { done[i] = 1; });
+    std::_Exit(done == std::vector<int>(1000, 1) ? 0 : 1);
+}
+
+TEST(ExecutorDeathTest, HasFewerThreadsWhereTheSystemStartsNoMore) {
+    if (D2B_SANITIZED != 0)
+        GTEST_SKIP() << "the sanitizers take more room than there is";
+    GTEST_FLAG_SET(death_test_style, "threadsafe");  // a process of its own, whose room can be limited
+    EXPECT_EXIT(work_in_little_room(), testing::ExitedWithCode(0), "");
 }
 
 INSTANTIATE_TEST_SUITE_P(, Executors, testing::Values(1, 2, 3, 8));

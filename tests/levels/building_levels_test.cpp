@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <gtest/gtest.h>
 
@@ -200,6 +201,28 @@ TEST(QuantiseFootprints, AllTheirPointsAreOfLevelOne) {
               (std::vector<std::uint8_t>{2, 2, 2, 2, 3, 2, 1, 0}));
     EXPECT_EQ(quantise<std::uint16_t>(band, labels, plan).counts,
               (std::vector<std::uint16_t>{2, 2, 2, 2, 3, 2, 1, 0}));
+}
+
+/// The ground is one more: what the whole DEM may have, a building that exceeds all of it may not.
+TEST(BuildingLevels, AreAsManyAsSixteenBitsCount) {
+    const auto levels_with = [](int count) {
+        Thresholds global(static_cast<std::size_t>(count));
+        std::iota(global.begin(), global.end(), 1);
+        LevelOptions options;
+        options.interval = 1;
+        return plan_building_levels(statistics_of({0.5, 70000}, {1, 1}, 1, 1e6), {0, 0}, {-5, {{}, global}},
+                                    options, 1);
+    };
+    const LevelPlan most = levels_with(65533);
+    EXPECT_EQ(most.level_count(), 65535);
+    const ElevationBand top{{0, 1, 1}, {70000}};
+    EXPECT_EQ(quantise<std::uint16_t>(top, {{0, 1, 1}, {1}}, most).counts, std::vector<std::uint16_t>{65535});
+    try {
+        static_cast<void>(levels_with(65534));
+        FAIL();
+    } catch (const OptionError& error) {
+        EXPECT_STREQ(error.what(), "-i 1 gives more than 65534 levels on this DEM; use a larger interval.");
+    }
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ TEST(ElevationReader, ReadsAgainWhatItHasNoRoomFor) {
     const auto reads = [](double z, std::size_t room) {
         MemorySource source(20, 30, std::vector<double>(600, z));
         Context context;
-        ElevationReader reader(source, context, room);
+        ElevationReader reader(source, context, {.keep_bytes = room});
         EXPECT_EQ(all_of(reader), all_of(reader));
         EXPECT_EQ(all_of(reader), std::vector<double>(600, z));
         return source.reads;
@@ -60,6 +60,36 @@ TEST(ElevationReader, ReadsAgainWhatItHasNoRoomFor) {
     EXPECT_EQ(reads(0.5, 2399), 3);
     EXPECT_EQ(reads(0.1, 4800), 1);
     EXPECT_EQ(reads(0.1, 4799), 3);  // found out on the way
+}
+
+TEST(ElevationReader, GivesEachBandTheRowsAboveIt) {
+    constexpr std::int32_t cols = 5;
+    std::vector<double> z;
+    for (int i = 0; i < 300 * cols; ++i)
+        z.push_back(0.1 * i);
+    for (const std::size_t room : {std::size_t{0}, std::size_t{1} << 20})
+        for (const std::int32_t first : {0, 62, 63, 64})  // the first band: 64, 2, 1 and 64 rows
+            for (const int threads : {1, 4}) {
+                MemorySource source(300, cols, z);
+                source.edit().window = {first, 0, 300 - first, cols};
+                Context context;
+                context.threads = std::make_unique<Executor>(threads);
+                ElevationReader reader(source, context, {0, room});
+                for (int pass = 0; pass < 2; ++pass)
+                    reader.for_each_below(
+                        2,
+                        [&](ElevationBand above, const ElevationBand& band, Tally&) {
+                            EXPECT_EQ(above.shape.first_row + above.shape.rows, band.shape.first_row);
+                            return above;
+                        },
+                        [&](const ElevationBand& band, const ElevationBand& above) {
+                            const std::int32_t rows = std::min(2, band.shape.first_row - first);
+                            const auto end = z.begin() + std::ptrdiff_t{band.shape.first_row} * cols;
+                            EXPECT_EQ(above.shape.rows, rows);
+                            EXPECT_EQ(above.elevations,
+                                      std::vector<double>(end - std::ptrdiff_t{rows} * cols, end));
+                        });
+            }
 }
 
 TEST(ElevationReader, GivesTheBandsOfSomeRows) {

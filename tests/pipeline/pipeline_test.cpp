@@ -1,4 +1,5 @@
 #include <cmath>
+#include <pthread.h>
 
 #include <gtest/gtest.h>
 
@@ -133,6 +134,80 @@ TEST(Pipeline, CancellingLeavesNothing) {
     context.on_progress = [](double share) { return share < 0.5; };
     EXPECT_THROW(run(cells({10}), {source}, {sink}, context), Cancelled);
     EXPECT_FALSE(sink.finished);
+}
+
+/// As long as it lives, no thread can be started: there is no room for its stack.
+class NoRoomForThreads {
+  public:
+    NoRoomForThreads() {
+        pthread_attr_init(&attributes_);
+        pthread_getattr_default_np(&attributes_);
+        pthread_attr_getstacksize(&attributes_, &before_);
+        set(std::size_t{1} << 46);
+    }
+    NoRoomForThreads(const NoRoomForThreads&) = delete;
+    NoRoomForThreads& operator=(const NoRoomForThreads&) = delete;
+    ~NoRoomForThreads() {
+        set(before_);
+        pthread_attr_destroy(&attributes_);
+    }
+
+  private:
+    void set(std::size_t bytes) {
+        pthread_attr_setstacksize(&attributes_, bytes);
+        pthread_setattr_default_np(&attributes_);
+    }
+    pthread_attr_t attributes_{};
+    std::size_t before_ = 0;
+};
+
+TEST(Pipeline, ThreadsThatCannotBeStartedAreDoneWithout) {
+    const NoRoomForThreads no_room;
+    MemorySource source = block();
+    Options options = cells({10});
+    options.run.threads = 16;
+    Result result;
+    run_on(source, options, result);
+    EXPECT_EQ(result.sink.features[buildings].size(), 1U);
+    EXPECT_EQ(result.context.report.threads, 1);
+    EXPECT_EQ(result.context.report.warnings,
+              std::vector<std::string>{"Only 1 of 16 threads could be started, as the system allows no more; "
+                                       "the result is the same, later."});
+}
+
+TEST(Pipeline, AReportTellsOfItsOwnRun) {
+    for (const char* preset : {"thesis", "buildings"}) {
+        Options options;
+        options.preset = preset;
+        options.levels.interval = 0.1;
+        options.filter.noise_factor = 1000;
+        MemorySource source = block();
+        Context context;
+        const auto run_again = [&] {
+            MemorySink sink;
+            run(options, {source}, {sink}, context);
+            return context.report;
+        };
+        context.warn("opened");
+        const RunReport first = run_again();
+        ASSERT_FALSE(first.warnings.empty());
+        EXPECT_EQ(first.warnings[0], "opened");
+        context.warn("opened again");
+        const RunReport second = run_again();
+        EXPECT_EQ(second.dropped, first.dropped);
+        EXPECT_EQ(second.contours, first.contours);
+        EXPECT_EQ(second.buildings, first.buildings);
+        EXPECT_EQ(second.vertices, first.vertices);
+        EXPECT_EQ(second.valid_points, first.valid_points);
+        EXPECT_EQ(second.levels.size(), first.levels.size());
+        ASSERT_EQ(second.warnings.size(), first.warnings.size());
+        EXPECT_EQ(second.warnings[0], "opened again");
+        // Nor does what a run that failed had counted stay.
+        options.preset = "none";
+        EXPECT_THROW(run_again(), OptionError);
+        options.preset = preset;
+        EXPECT_EQ(run_again().dropped, first.dropped);
+    }
 }
 
 TEST(Pipeline, ReadsOnceWhatFitsInMemory) {

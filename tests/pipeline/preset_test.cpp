@@ -1,6 +1,7 @@
 #include "pipeline/preset.hpp"
 
 #include <functional>
+#include <limits>
 #include <optional>
 
 #include <gtest/gtest.h>
@@ -28,6 +29,31 @@ std::string refusal(const Options& options) {
 TEST(Preset, BuildingsIsTheDefault) {
     EXPECT_TRUE(detects_buildings(Options{}));
     EXPECT_FALSE(detects_buildings(of("thesis")));
+}
+
+TEST(Preset, WhatIsUnknownIsRefused) {
+    for (const char* preset : {"", "building", "Thesis", "thesis "})
+        EXPECT_EQ(refusal(of(preset)),
+                  "There is no preset '" + std::string(preset) + "'; choose buildings or thesis.");
+}
+
+TEST(Preset, AnOffsetIsWhereIntervalsCanBeCountedFrom) {
+    Options options;
+    options.levels.offset = 1e300;
+    EXPECT_EQ(refusal(options), "(not refused)");  // it has no meaning without an interval
+    options.levels.interval = 1;
+    EXPECT_EQ(refusal(options),
+              "-off 1e+300 is too far away to count intervals of 1 from; give a base near the elevations.");
+    options.levels.offset = -1e13;
+    EXPECT_EQ(refusal(options),
+              "-off -10000000000000 is too far away to count intervals of 1 from; give a base near the "
+              "elevations.");
+    options.levels.offset = -8e12;
+    EXPECT_EQ(refusal(options), "(not refused)");
+    options.levels.interval = 0.5;
+    EXPECT_NE(refusal(options), "(not refused)");
+    options.levels.offset = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_NE(refusal(options), "(not refused)");
 }
 
 TEST(Preset, BuildingsDecidesWhatIsNotGiven) {

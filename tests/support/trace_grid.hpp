@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "detect/one_label.hpp"
@@ -44,6 +46,23 @@ struct TraceSettings {
     bool keep_roots = true;
 };
 
+/// Some rows of a grid, as a band of a raster in which the grid begins at `origin`.
+template <typename Count>
+PointRows<Count> point_rows(const TraceGrid& grid, const LevelPlan& plan, LatticePoint origin,
+                            std::int32_t first_row, std::int32_t rows) {
+    const auto begin = static_cast<std::ptrdiff_t>(first_row) * grid.cols;
+    const auto end = begin + static_cast<std::ptrdiff_t>(rows) * grid.cols;
+    const BandShape shape{origin.row + first_row, rows, grid.cols};
+    const auto elevations = std::make_shared<const ElevationBand>(
+        ElevationBand{shape, {grid.z.begin() + begin, grid.z.begin() + end}});
+    Context none;
+    LabelBand labels = detect_one_label(*elevations, none);
+    if (!grid.labels.empty())
+        labels.labels.assign(grid.labels.begin() + begin, grid.labels.begin() + end);
+    LevelBand<Count> levels = quantise<Count>(*elevations, labels, plan);
+    return {elevations, std::move(labels), std::move(levels)};
+}
+
 template <typename Count>
 ContourSet trace_levels(const TraceGrid& grid, const LevelPlan& plan, const TraceSettings& settings,
                         Context& context) {
@@ -59,20 +78,12 @@ ContourSet trace_levels(const TraceGrid& grid, const LevelPlan& plan, const Trac
     const Window window{settings.origin.row, settings.origin.col, grid.rows, grid.cols};
     const TraceFrame frame{window, plan.level_count(), statistics.fixed_point(), statistics.range()};
     Tracer tracer(frame, {settings.mode}, store);
-    PointRows<Count> before;
     for (std::int32_t row = 0; row < grid.rows; row += settings.rows_a_band) {
         const std::int32_t rows = std::min(settings.rows_a_band, grid.rows - row);
-        const auto begin = static_cast<std::ptrdiff_t>(row) * grid.cols;
-        const auto end = begin + static_cast<std::ptrdiff_t>(rows) * grid.cols;
-        const BandShape shape{settings.origin.row + row, rows, grid.cols};
-        const ElevationBand elevations{shape, {grid.z.begin() + begin, grid.z.begin() + end}};
-        LabelBand labels = detect_one_label(elevations, context);
-        if (!grid.labels.empty())
-            labels.labels.assign(grid.labels.begin() + begin, grid.labels.begin() + end);
-        const PointRows<Count> band{std::make_shared<ElevationBand>(elevations), labels,
-                                    quantise<Count>(elevations, labels, plan)};
+        const std::int32_t above = std::min(row, rows_above(settings.mode));
+        const auto before = point_rows<Count>(grid, plan, settings.origin, row - above, above);
+        const auto band = point_rows<Count>(grid, plan, settings.origin, row, rows);
         tracer.trace(take_apart(frame, {settings.mode}, before, band));
-        before = last_rows(before, band);
     }
     return fetch_set(store.finish());
 }

@@ -1,0 +1,87 @@
+#include "pipeline/trace_contours.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "detect/one_label.hpp"
+#include "levels/quantise.hpp"
+#include "pipeline/stage_clock.hpp"
+
+namespace d2b {
+namespace {
+
+/// What of a run all bands are traced with.
+struct Tracing {
+    const TraceFrame& frame;
+    const LevelPlan& plan;
+    const FoundBuildings* found;
+    const TraceOptions& options;
+};
+
+LabelBand labels_of(const ElevationBand& band, const Tracing& tracing) {
+    Context none;
+    return tracing.found == nullptr ? detect_one_label(band, none)
+                                    : tracing.found->band(band.shape, tracing.frame.window.row);
+}
+
+template <typename Count>
+PointRows<Count> point_rows(std::shared_ptr<const ElevationBand> elevations, const Tracing& tracing) {
+    PointRows<Count> rows;
+    rows.labels = labels_of(*elevations, tracing);
+    rows.levels = quantise<Count>(*elevations, rows.labels, tracing.plan);
+    rows.elevations = std::move(elevations);
+    return rows;
+}
+
+/// Bands are taken apart on all threads, each with the rows above it that it needs, which it counts again;
+/// what is found goes through the tracer in order.
+template <typename Count>
+void trace_bands(ElevationReader& reader, const Tracing& tracing, ContourSink& sink, Context& context) {
+    const TraceFrame& frame = tracing.frame;
+    Tracer tracer(frame, tracing.options, sink);
+    reader.for_each_below(
+        rows_above(tracing.options.mode),
+        [&](ElevationBand above, const ElevationBand& elevations, Tally& tally) {
+            PointRows<Count> before;
+            PointRows<Count> band;
+            {
+                const StageClock clock(tally, Stage::levels);
+                before = point_rows<Count>(std::make_shared<ElevationBand>(std::move(above)), tracing);
+                const std::shared_ptr<const ElevationBand> borrowed(std::shared_ptr<void>(), &elevations);
+                band = point_rows<Count>(borrowed, tracing);
+            }
+            const StageClock clock(tally, Stage::trace);
+            return take_apart(frame, tracing.options, before, band);
+        },
+        [&](const ElevationBand& band, std::vector<TraceLine> lines) {
+            {
+                const StageClock clock(context.report, Stage::trace);
+                tracer.trace(std::move(lines));
+            }
+            context.progress(static_cast<double>(band.shape.first_row + band.shape.rows - frame.window.row) /
+                             frame.window.rows);
+        });
+}
+
+}  // namespace
+
+std::unique_ptr<StoredContours> trace_contours(ElevationReader& reader, const TraceFrame& frame,
+                                               const LevelPlan& plan, const FoundBuildings* found,
+                                               const Options& options, const SquareArea& area,
+                                               Context& context) {
+    // Footprints that were found stand on nothing.
+    ContourStore store(
+        {options.filter, area, frame.range, frame.fixed, found == nullptr, options.write.rejected},
+        context.make_spool(), context);
+    const Tracing tracing{frame, plan, found, options.trace};
+    if (plan.level_count() <= std::numeric_limits<std::uint8_t>::max())
+        trace_bands<std::uint8_t>(reader, tracing, store, context);
+    else
+        trace_bands<std::uint16_t>(reader, tracing, store, context);
+    const StageClock clock(context.report, Stage::filter);
+    return store.finish();
+}
+
+}  // namespace d2b
