@@ -96,6 +96,8 @@ class RecordMaker {
     RecordMaker(const ContourList& contours, const AttributeContext& context);
 
     [[nodiscard]] std::size_t buildings() const { return stacks_.size(); }
+    /// Which id the first contour has; 1 where nothing else is said.
+    void number_from(std::int64_t first_id) { context_.first_id = first_id; }
     /// @param i of the contour in the list
     [[nodiscard]] ContourRecord contour(std::size_t i, const Contour& contour) const;
     /// @param record of the same contour, which is of level 1

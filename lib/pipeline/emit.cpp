@@ -28,7 +28,7 @@ struct Drawn {
 /// Draws on all threads, and hands features to the layers that were asked for.
 class Emitter {
   public:
-    Emitter(const Emission& emission, const RecordMaker& records, FeatureSink& sink, Context& context);
+    Emitter(const Emission& emission, RecordMaker& records, FeatureSink& sink, Context& context);
 
     void begin();
     /// @param thread that this runs on
@@ -52,7 +52,7 @@ class Emitter {
                Placed&& placed, double threshold);
 
     const Emission& emission_;
-    const RecordMaker& records_;
+    RecordMaker& records_;
     FeatureSink& sink_;
     Context& context_;
     Outliner outliner_;
@@ -73,7 +73,7 @@ Outliner timed_outliner(const Emission& emission, Context& context) {
                          emission.window, context);
 }
 
-Emitter::Emitter(const Emission& emission, const RecordMaker& records, FeatureSink& sink, Context& context)
+Emitter::Emitter(const Emission& emission, RecordMaker& records, FeatureSink& sink, Context& context)
     : emission_(emission),
       records_(records),
       sink_(sink),
@@ -133,6 +133,7 @@ void Emitter::begin() {
                 context_.report.units.vertical_metres);
     const StageClock clock(context_.report, Stage::write);
     sink_.begin(layers, emission_.provenance);
+    records_.number_from(sink_.first_id());
 }
 
 Drawn Emitter::draw(std::size_t contour, std::size_t thread) {
@@ -232,7 +233,7 @@ void Emitter::finish() {
 
 }  // namespace
 
-void emit(const Emission& emission, const RecordMaker& records, FeatureSink& sink, Context& context) {
+void emit(const Emission& emission, RecordMaker& records, FeatureSink& sink, Context& context) {
     constexpr std::size_t piece = 64;  // contours that a thread draws at a time
     Emitter emitter(emission, records, sink, context);
     emitter.begin();

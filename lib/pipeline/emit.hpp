@@ -26,7 +26,7 @@ struct Emission {
 
 /// Draws every outline, places it, has it checked, measures it, and hands it to the sink with its attributes,
 /// in the order of the contours. What was found is added to the report. The sink is not finished.
-/// @throws Error
-void emit(const Emission& emission, const RecordMaker& records, FeatureSink& sink, Context& context);
+/// @param records are numbered as the sink says @throws Error
+void emit(const Emission& emission, RecordMaker& records, FeatureSink& sink, Context& context);
 
 }  // namespace d2b

@@ -214,9 +214,8 @@ void run(const Options& user_options, const Sources& sources, const Sinks& sinks
     });
 
     const std::vector<Footprint> footprints = found ? std::move(found->footprints) : std::vector<Footprint>();
-    const RecordMaker records(*contours,
-                              {plan, frame.fixed, footprints, report.units.vertical_metres,
-                               lattice_frame(info.window, options.trace.mode), sinks.features.first_id()});
+    RecordMaker records(*contours, {plan, frame.fixed, footprints, report.units.vertical_metres,
+                                    lattice_frame(info.window, options.trace.mode)});
     report_levels(plan, report);
     warn_of_nothing(plan, records.buildings(), context);
     const Emission emission{options,

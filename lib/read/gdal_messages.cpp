@@ -78,14 +78,21 @@ GdalMessages::~GdalMessages() {
 
 void GdalMessages::add(bool is_error, const char* text) {
     const std::string line = one_line(text == nullptr ? "" : text);
-    if (is_error)
+    if (is_error) {
         last_error_ = line.empty() ? "unknown error" : line;
+        if (first_error_.empty())
+            first_error_ = last_error_;
+    }
     if (!line.empty())
         remember(is_error ? errors_ : warnings_, line);
 }
 
 std::string GdalMessages::reason() const {
     return failed() ? last_error_ : "GDAL gives no reason";
+}
+
+std::string GdalMessages::first_reason() const {
+    return failed() ? first_error_ : reason();
 }
 
 std::string GdalMessages::reason_for(const std::string& path) const {

@@ -23,6 +23,8 @@ class GdalMessages {
     [[nodiscard]] bool failed() const { return !last_error_.empty(); }
     /// GDAL's last error: one line without a full stop; "GDAL gives no reason" where there is none.
     [[nodiscard]] std::string reason() const;
+    /// GDAL's first error: what follows is often no more than its consequence.
+    [[nodiscard]] std::string first_reason() const;
     /// The reason without the name of the file that our own sentence has given already.
     [[nodiscard]] std::string reason_for(const std::string& path) const;
     /// One line each, without repetitions, in their order.
@@ -37,6 +39,7 @@ class GdalMessages {
     void add(bool is_error, const char* text);
 
   private:
+    std::string first_error_;
     std::string last_error_;
     std::vector<std::string> errors_;
     std::vector<std::string> warnings_;

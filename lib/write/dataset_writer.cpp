@@ -1,9 +1,16 @@
 #include "write/dataset_writer.hpp"
 
+#include <chrono>
+#include <filesystem>
+#include <system_error>
+#include <thread>
 #include <utility>
 
 #include "core/error.hpp"
+#include "write/database_turn.hpp"
+#include "write/existing_dataset.hpp"
 #include "write/geopackage_tables.hpp"
+#include "write/layer_ids.hpp"
 #include "write/style_sidecar.hpp"
 
 namespace d2b {
@@ -21,6 +28,14 @@ SrsHandle srs_of(const std::string& wkt, const WriteTarget& target) {
     call.check(srs != nullptr, "reading the CRS");
     OSRSetAxisMappingStrategy(srs.get(), OAMS_TRADITIONAL_GIS_ORDER);
     return srs;
+}
+
+/// An empty log is none: opening the database makes one.
+std::string stamp_of_database(const std::string& path) {
+    const std::string log = path + "-wal";
+    std::error_code error;
+    const auto size = std::filesystem::file_size(log, error);
+    return stamp_of(error || size == 0 ? std::vector{path} : std::vector{path, log});
 }
 
 bool has(GDALDatasetH dataset, const char* capability) {
@@ -68,13 +83,48 @@ void DatasetWriter::start_transaction() {
     uncommitted_ = 0;
 }
 
+void DatasetWriter::require_transaction() const {
+    if (guard_.lost())
+        throw OutputError("Cannot write \"" + target_.name +
+                          "\": SQLite has taken all changes back, as it does where a disk is full or fails.");
+}
+
 void DatasetWriter::commit() {
     if (!in_transaction_)
         return;
+    require_transaction();
     OgrCall call(target_);
     const bool done = GDALDatasetCommitTransaction(dataset_.get()) == OGRERR_NONE;
     in_transaction_ = !done;
     call.check(done, "committing the transaction");
+}
+
+void DatasetWriter::open_in_turn(const std::string& path, Mode mode) {
+    constexpr std::chrono::seconds patience(60);
+    const auto start = std::chrono::steady_clock::now();
+    for (;;) {
+        const std::string stamp = stamp_of_database(path);
+        open(path, mode);
+        start_transaction();
+        if (!in_transaction_ || mode == Mode::create)
+            return;
+        const bool ours = take_turn(target_, dataset_.get(), format_, specs_);
+        // What the driver has read on opening must be true still.
+        if (ours && stamp_of_database(path) == stamp)
+            break;
+        GDALDatasetRollbackTransaction(dataset_.get());
+        in_transaction_ = false;
+        dataset_.reset();
+        if (target_.context != nullptr && target_.context->stop && target_.context->stop())
+            throw Cancelled();
+        if (!ours)
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        if (std::chrono::steady_clock::now() - start > patience)
+            throw OutputError(
+                "Cannot write \"" + target_.name +
+                "\": another program has been writing to it for a minute; run again when it is done.");
+    }
+    guard_.watch(dataset_.get());
 }
 
 void DatasetWriter::begin(const std::string& path, Mode mode, std::span<const LayerSpec> specs,
@@ -83,8 +133,11 @@ void DatasetWriter::begin(const std::string& path, Mode mode, std::span<const La
     pending_.resize(specs_.size());
     provenance_ = provenance;
     srs_ = srs_of(provenance.crs_wkt, target_);
-    open(path, mode);
-    start_transaction();
+    if (mode == Mode::extend && !format_.transactions)
+        first_id_ = largest_id(target_, format_, path, specs) + 1;
+    open_in_turn(path, mode);
+    if (mode == Mode::extend && in_transaction_)
+        first_id_ = largest_id(target_, dataset_.get(), specs) + 1;
     if (mode == Mode::replace)
         for (const LayerSpec& spec : specs_)
             remove_layer(spec.name);
@@ -150,6 +203,8 @@ void DatasetWriter::open_layer(const LayerSpec& spec) {
     if (layer != nullptr) {
         require_same_origin(layer);
         layers_.push_back(LayerWriter::adopt(layer, spec, setting));
+        if (in_transaction_)
+            layers_.back().expect(count_rows(target_, dataset_.get(), layers_.back().name()));
         return;
     }
     layers_.push_back(LayerWriter::create(dataset_.get(), spec, setting));
@@ -226,6 +281,7 @@ void DatasetWriter::close() {
         counts_.emplace_back(layer.name(), layer.expected());
     }
     furnish();
+    require_transaction();
     if (in_transaction_ && mode_ != Mode::create)
         check_counts(target_, dataset_.get(), counts_);
     commit();

@@ -8,6 +8,7 @@
 
 #include "core/feature_sink.hpp"
 #include "core/options.hpp"
+#include "write/commit_guard.hpp"
 #include "write/layer_counts.hpp"
 #include "write/layer_writer.hpp"
 
@@ -35,15 +36,21 @@ class DatasetWriter {
     /// Writes what is pending, commits and closes. @throws OutputError: also where only closing fails
     void close();
 
+    /// The first number that a feature may take; known when begin() has been called.
+    [[nodiscard]] std::int64_t first_id() const { return first_id_; }
     /// Name and number of features of each layer that was written; known when close() has been called.
     [[nodiscard]] const LayerCounts& counts() const { return counts_; }
 
   private:
     void open(const std::string& path, Mode mode);
+    /// Opens it and waits until nobody else writes to the layers.
+    void open_in_turn(const std::string& path, Mode mode);
     void make_tables();
     void put_indices_off();
     void start_transaction();
     void commit();
+    /// @throws OutputError where SQLite has ended it by itself
+    void require_transaction() const;
     void remove_layer(const std::string& name);
     void open_layer(const LayerSpec& spec);
     /// @throws OutputError where a layer that is there was made in another way
@@ -58,6 +65,7 @@ class DatasetWriter {
     const WriteOptions& options_;
     Mode mode_ = Mode::create;
     std::string path_;
+    CommitGuard guard_;  ///< goes after the dataset
     DatasetHandle dataset_;
     SrsHandle srs_;
     Provenance provenance_;
@@ -67,6 +75,7 @@ class DatasetWriter {
     bool transactions_ = false;
     bool in_transaction_ = false;
     std::int64_t uncommitted_ = 0;
+    std::int64_t first_id_ = 1;
     LayerCounts counts_;
 };
 

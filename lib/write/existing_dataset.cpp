@@ -63,29 +63,6 @@ std::vector<std::string> files_of(GDALDatasetH dataset, const fs::path& path, co
                       "; remove it first.");
 }
 
-std::int64_t largest_id(const Destination& destination, GDALDatasetH dataset,
-                        const std::vector<std::string>& names, bool any_name) {
-    // A layer ends where it cannot be read on; ids that follow would then be given twice.
-    const GdalMessages messages;
-    std::int64_t largest = 0;
-    for (int i = 0; i < GDALDatasetGetLayerCount(dataset); ++i) {
-        OGRLayerH layer = GDALDatasetGetLayer(dataset, i);
-        const int field = OGR_FD_GetFieldIndex(OGR_L_GetLayerDefn(layer), "id");
-        if (field < 0 || (!any_name && !named(names, OGR_L_GetName(layer))))
-            continue;
-        std::array<const char*, 3> ignored{"OGR_GEOMETRY", "OGR_STYLE", nullptr};
-        OGR_L_SetIgnoredFields(layer, ignored.data());
-        OGR_L_ResetReading(layer);
-        while (const FeatureHandle feature{OGR_L_GetNextFeature(layer)})
-            largest = std::max<std::int64_t>(largest, OGR_F_GetFieldAsInteger64(feature.get(), field));
-        OGR_L_SetIgnoredFields(layer, nullptr);
-    }
-    if (messages.failed())
-        throw OutputError("Cannot append to \"" + destination.name + "\": its features cannot be read (" +
-                          messages.reason_for(destination.path) + ").");
-    return largest;
-}
-
 }  // namespace
 
 ExistingDataset inspect_existing(const Destination& destination, const VectorFormat& format,
@@ -106,8 +83,6 @@ ExistingDataset inspect_existing(const Destination& destination, const VectorFor
     existing.stamp = stamp_of(existing.files);
     if (!format.transactions)
         refuse_foreign(destination, existing, dataset.get(), format, options, names);
-    if (options.append)
-        existing.largest_id = largest_id(destination, dataset.get(), names, !format.several_layers);
     require_writable(destination, format, options, names);
     return existing;
 }
@@ -131,8 +106,6 @@ std::optional<ExistingDataset> inspect_database(const Destination& destination, 
                 "\"" + destination.name + "\" has a layer \"" + name +
                 "\"; say -overwrite to replace it, -append to add to it, or -nln for another name.");
     }
-    if (options.append)
-        existing.largest_id = largest_id(destination, dataset.get(), names, false);
     return existing;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,8 +12,7 @@ namespace d2b {
 struct ExistingDataset {
     std::vector<std::string> files;  ///< all that it consists of; the folder alone for a folder
     std::vector<std::string> layers;
-    std::int64_t largest_id = 0;  ///< of field `id` of the layers asked for; 0 where there is none
-    std::string stamp;            ///< changes when the files do
+    std::string stamp;  ///< changes when the files do
 };
 
 /// @param names layers that the run writes @throws OptionError where the flag cannot be obeyed: not a dataset

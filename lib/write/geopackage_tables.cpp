@@ -5,6 +5,7 @@
 
 #include "write/layer_metadata.hpp"
 #include "write/qml_style.hpp"
+#include "write/sql.hpp"
 
 namespace d2b {
 
@@ -12,43 +13,23 @@ namespace {
 
 constexpr const char* our_style = "'dem2buildings'";
 
-std::string literal(const std::string& text) {
-    std::string quoted = "'";
-    for (const char letter : text)
-        quoted.append(letter == '\'' ? 2 : 1, letter);
-    return quoted + "'";
-}
-
 /// The time, or what the user wants it to be: GDAL's own tables follow the same option.
 std::string now() {
     const char* given = CPLGetConfigOption("OGR_CURRENT_DATE", nullptr);
-    return given != nullptr ? literal(given) : "strftime('%Y-%m-%dT%H:%M:%fZ','now')";
-}
-
-bool run(GDALDatasetH dataset, const std::string& sql) {
-    const GdalMessages messages;
-    if (OGRLayerH rows = GDALDatasetExecuteSQL(dataset, sql.c_str(), nullptr, nullptr))
-        GDALDatasetReleaseResultSet(dataset, rows);
-    return !messages.failed();
+    return given != nullptr ? sql_text(given) : "strftime('%Y-%m-%dT%H:%M:%fZ','now')";
 }
 
 bool has_table(GDALDatasetH dataset, const std::string& name) {
     const GdalMessages quiet;
-    OGRLayerH rows = GDALDatasetExecuteSQL(
-        dataset, ("SELECT 1 FROM sqlite_master WHERE lower(name) = " + literal(name)).c_str(), nullptr,
-        nullptr);
-    if (rows == nullptr)
-        return false;
-    const bool found = FeatureHandle(OGR_L_GetNextFeature(rows)) != nullptr;
-    GDALDatasetReleaseResultSet(dataset, rows);
-    return found;
+    return sql_value(dataset, "SELECT 1 FROM sqlite_master WHERE lower(name) = " + sql_text(name))
+        .has_value();
 }
 
 /// With SQL alone: of a table that the driver knows it would write more after a rollback.
 class Tables {
   public:
     Tables(GDALDatasetH dataset, const NewLayer& layer, const WriteTarget& target)
-        : dataset_(dataset), layer_(layer), target_(target), table_(literal(layer.table)) {}
+        : dataset_(dataset), layer_(layer), target_(target), table_(sql_text(layer.table)) {}
 
     void style() const;
     void metadata(const Provenance& provenance) const;
@@ -94,14 +75,15 @@ void Tables::style() const {
     const std::string of_layer = " FROM layer_styles WHERE lower(f_table_name) = lower(" + table_ + ")";
     const std::string ours = of_layer + " AND styleName = " + our_style + " AND owner = " + our_style;
     // A table of another shape is somebody else's.
-    if (!run(dataset_, "DELETE" + ours))
+    if (!sql_done(dataset_, "DELETE" + ours))
         return;
-    run(dataset_,
+    sql_done(
+        dataset_,
         "INSERT INTO layer_styles (f_table_catalog, f_table_schema, f_table_name, f_geometry_column, "
         "styleName, styleQML, styleSLD, useAsDefault, description, owner, update_time) VALUES ('', '', " +
-            table_ + ", " + literal(layer_.geometry) + ", " + our_style + ", " +
-            literal(qml_style(layer_.spec, layer_.columns)) + ", '', NOT EXISTS (SELECT 1" + of_layer +
-            " AND useAsDefault), " + literal(layer_.spec.style.title) + ", " + our_style + ", " + now() +
+            table_ + ", " + sql_text(layer_.geometry) + ", " + our_style + ", " +
+            sql_text(qml_style(layer_.spec, layer_.columns)) + ", '', NOT EXISTS (SELECT 1" + of_layer +
+            " AND useAsDefault), " + sql_text(layer_.spec.style.title) + ", " + our_style + ", " + now() +
             ")");
 }
 
@@ -113,7 +95,7 @@ void Tables::metadata(const Provenance& provenance) const {
     must(
         "INSERT INTO gpkg_metadata (md_scope, md_standard_uri, mime_type, metadata) VALUES ('dataset', "
         "'http://mrcc.com/qgis.dtd', 'text/xml', " +
-            literal(qgis_metadata(layer_.spec, provenance)) + ")",
+            sql_text(qgis_metadata(layer_.spec, provenance)) + ")",
         doing);
     must(
         "INSERT INTO gpkg_metadata_reference (reference_scope, table_name, timestamp, md_file_id) SELECT "
@@ -154,8 +136,8 @@ void Tables::data_columns() const {
     std::string rows;
     for (std::size_t i = 0; i < layer_.columns.size(); ++i) {
         const FieldSpec& field = layer_.spec.fields[i];
-        rows += (rows.empty() ? "(" : ", (") + table_ + ", " + literal(layer_.columns[i]) + ", " +
-                literal(field.alias) + ", " + literal(field.description) + ")";
+        rows += (rows.empty() ? "(" : ", (") + table_ + ", " + sql_text(layer_.columns[i]) + ", " +
+                sql_text(field.alias) + ", " + sql_text(field.description) + ")";
     }
     // No `name`: it must be unique, and two fields may be called alike by people.
     must("INSERT INTO gpkg_data_columns (table_name, column_name, title, description) VALUES " + rows, doing);

@@ -1,33 +1,11 @@
 #include "write/layer_counts.hpp"
 
 #include "core/error.hpp"
+#include "write/sql.hpp"
 
 namespace d2b {
 
 namespace {
-
-std::string sql_name(std::string name) {
-    for (auto at = name.find('"'); at != std::string::npos; at = name.find('"', at + 2))
-        name.insert(at, 1, '"');
-    name.insert(0, 1, '"');
-    return name + '"';
-}
-
-/// -1 where the database does not answer.
-std::int64_t count_rows(GDALDatasetH dataset, const std::string& layer) {
-    const std::string sql = "SELECT COUNT(*) AS n FROM " + sql_name(layer);
-    OGRLayerH result = GDALDatasetExecuteSQL(dataset, sql.c_str(), nullptr, nullptr);
-    if (result == nullptr)
-        return -1;
-    std::int64_t found = -1;
-    {
-        const FeatureHandle row(OGR_L_GetNextFeature(result));
-        if (row)
-            found = OGR_F_GetFieldAsInteger64(row.get(), 0);
-    }
-    GDALDatasetReleaseResultSet(dataset, result);
-    return found;
-}
 
 /// A file that is a layer may call it as it likes.
 std::int64_t count_layer(GDALDatasetH dataset, const std::string& name, std::size_t index) {
@@ -46,11 +24,16 @@ OutputError wrong_count(const WriteTarget& target, const std::string& layer, std
 
 }  // namespace
 
+std::int64_t count_rows(const WriteTarget& target, GDALDatasetH dataset, const std::string& layer) {
+    OgrCall call(target);
+    const auto found = sql_value(dataset, "SELECT COUNT(*) AS n FROM " + sql_name(layer));
+    call.check(found.has_value(), "counting the features of layer \"" + layer + "\"");
+    return std::stoll(*found);
+}
+
 void check_counts(const WriteTarget& target, GDALDatasetH dataset, const LayerCounts& counts) {
     for (const auto& [name, expected] : counts) {
-        OgrCall call(target);
-        const std::int64_t found = count_rows(dataset, name);
-        call.check(found >= 0, "counting the features of layer \"" + name + "\"");
+        const std::int64_t found = count_rows(target, dataset, name);
         if (found != expected)
             throw wrong_count(target, name, found, expected);
     }

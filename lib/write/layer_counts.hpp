@@ -13,8 +13,11 @@ namespace d2b {
 /// Names of layers and how many features each should hold.
 using LayerCounts = std::vector<std::pair<std::string, std::int64_t>>;
 
-/// Asks the open database, before it commits: what it holds, not what the driver remembers. @throws
-/// OutputError
+/// Of an open database: what it holds, not what the driver remembers. @throws OutputError
+[[nodiscard]] std::int64_t count_rows(const WriteTarget& target, GDALDatasetH dataset,
+                                      const std::string& layer);
+
+/// Asks the open database, before it commits. @throws OutputError
 void check_counts(const WriteTarget& target, GDALDatasetH dataset, const LayerCounts& counts);
 
 /// Opens what was written and counts again. Formats that GDAL does not read are believed.

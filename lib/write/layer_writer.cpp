@@ -27,8 +27,6 @@ LayerWriter::LayerWriter(OGRLayerH layer, const LayerSpec& spec, const LayerSett
       name_(OGR_L_GetName(layer)),
       target_(&setting.target),
       fields_(std::move(fields)),
-      id_field_(static_cast<std::size_t>(std::ranges::find(spec.fields, "id", &FieldSpec::name) -
-                                         spec.fields.begin())),
       has_geometry_(OGR_FD_GetGeomFieldCount(OGR_L_GetLayerDefn(layer)) > 0),
       feature_(OGR_F_Create(OGR_L_GetLayerDefn(layer))),
       wkb_(spec.with_z, wkbFlatten(OGR_L_GetGeomType(layer)) == wkbMultiSurface) {}
@@ -81,8 +79,7 @@ void LayerWriter::set(int field, const FieldValue& value) {
 }
 
 std::string LayerWriter::text_of(const Feature& feature) const {
-    const auto* id =
-        id_field_ < feature.values.size() ? std::get_if<std::int64_t>(&feature.values[id_field_]) : nullptr;
+    const auto* id = feature.values.empty() ? nullptr : std::get_if<std::int64_t>(&feature.values.front());
     return (id != nullptr ? "feature " + std::to_string(*id) : std::string("a feature")) + " of layer \"" +
            name_ + "\"";
 }

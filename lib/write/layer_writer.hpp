@@ -42,6 +42,8 @@ class LayerWriter {
     /// Features that the layer should hold now.
     [[nodiscard]] std::int64_t expected() const { return expected_; }
     [[nodiscard]] OGRLayerH handle() const { return layer_; }
+    /// Where a database has counted better than the driver.
+    void expect(std::int64_t features) { expected_ = features; }
     [[nodiscard]] bool is_new() const { return is_new_; }
     /// Of each field of the spec, as the driver calls it.
     [[nodiscard]] std::vector<std::string> columns() const;
@@ -56,7 +58,6 @@ class LayerWriter {
     std::string name_;
     const WriteTarget* target_;
     std::vector<int> fields_;  ///< index in the layer of each field of the spec
-    std::size_t id_field_;     ///< in the spec; beyond its end where it has none
     bool has_geometry_;
     bool is_new_ = false;
     std::int64_t expected_ = 0;

@@ -18,13 +18,12 @@ void OgrCall::pass_warnings() {
 }
 
 void OgrCall::fail(const std::string& doing) const {
-    std::string reason = messages_.reason();
+    std::string text = reason();
     const std::string& hidden = target_.hidden_folder;
     // Nobody knows the hidden folder, and it is gone when the message is read.
-    for (auto at = reason.find(hidden); !hidden.empty() && at != std::string::npos;
-         at = reason.find(hidden, at))
-        reason.erase(at, hidden.size());
-    throw OutputError("Cannot write \"" + target_.name + "\": " + doing + " failed (" + reason + ").");
+    for (auto at = text.find(hidden); !hidden.empty() && at != std::string::npos; at = text.find(hidden, at))
+        text.erase(at, hidden.size());
+    throw OutputError("Cannot write \"" + target_.name + "\": " + doing + " failed (" + text + ").");
 }
 
 void close_written(const WriteTarget& target, DatasetHandle dataset) {

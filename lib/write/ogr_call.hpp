@@ -26,6 +26,7 @@ class OgrCall {
     /// OutputError
     void check(bool succeeded, const std::string& doing);
     [[nodiscard]] bool succeeded() const { return !messages_.failed(); }
+    [[nodiscard]] std::string reason() const { return messages_.first_reason(); }
     void pass_warnings();
     /// @throws OutputError: always
     [[noreturn]] void fail(const std::string& doing) const;

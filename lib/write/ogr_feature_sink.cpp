@@ -29,7 +29,7 @@ class OgrFeatureSink final : public FeatureSink {
     void begin(std::span<const LayerSpec> layers, const Provenance& provenance) override;
     void add(std::size_t layer, const Feature& feature) override { writer_->add(layer, feature); }
     void finish() override;
-    [[nodiscard]] std::int64_t first_id() const override { return existing_ ? existing_->largest_id + 1 : 1; }
+    [[nodiscard]] std::int64_t first_id() const override { return writer_ ? writer_->first_id() : 1; }
     [[nodiscard]] std::string layer_name(LayerRole role, Layers layers) const override {
         return name_of(options_, format_, role, layers);
     }

@@ -6,6 +6,8 @@
 #include <functional>
 #include <limits>
 
+#include "write/sql.hpp"
+
 namespace d2b {
 namespace {
 
@@ -19,32 +21,6 @@ float below(double value) {
 float above(double value) {
     const auto near = static_cast<float>(value);
     return static_cast<double>(near) < value ? std::nextafter(near, infinity) : near;
-}
-
-/// An SQL identifier or text, in quotes of this kind.
-std::string quoted(const std::string& text, char quote) {
-    std::string result(1, quote);
-    for (const char c : text)
-        result.append(c == quote ? 2 : 1, c);
-    return result + quote;
-}
-
-/// Calls `use` for each row of a query, with its texts. @return whether it could be run
-bool query(GDALDatasetH dataset, const std::string& sql,
-           const std::function<void(const std::vector<std::string>&)>& use) {
-    OGRLayerH rows = GDALDatasetExecuteSQL(dataset, sql.c_str(), nullptr, nullptr);
-    if (rows == nullptr)
-        return false;
-    while (const FeatureHandle row{OGR_L_GetNextFeature(rows)}) {
-        const int fields = OGR_F_GetFieldCount(row.get());
-        std::vector<std::string> texts;
-        texts.reserve(static_cast<std::size_t>(fields));
-        for (int i = 0; i < fields; ++i)
-            texts.emplace_back(OGR_F_GetFieldAsString(row.get(), i));
-        use(texts);
-    }
-    GDALDatasetReleaseResultSet(dataset, rows);
-    return true;
 }
 
 void append_hex(std::string& text, const std::vector<std::byte>& bytes) {
@@ -85,10 +61,7 @@ class Inserts {
 }  // namespace
 
 bool SpatialIndex::run(const std::string& sql) const {
-    const GdalMessages messages;
-    if (OGRLayerH rows = GDALDatasetExecuteSQL(dataset_, sql.c_str(), nullptr, nullptr))
-        GDALDatasetReleaseResultSet(dataset_, rows);
-    return !messages.failed();
+    return sql_done(dataset_, sql);
 }
 
 std::optional<SpatialIndex> SpatialIndex::begin(GDALDatasetH dataset, OGRLayerH layer,
@@ -98,15 +71,15 @@ std::optional<SpatialIndex> SpatialIndex::begin(GDALDatasetH dataset, OGRLayerH 
     const std::string column = OGR_L_GetGeometryColumn(layer);
     SpatialIndex index(dataset, target);
     index.name_ = "rtree_" + table + "_" + column;
-    const std::string nodes = quoted(index.name_ + "_node", '"');
+    const std::string nodes = sql_name(index.name_ + "_node");
     const auto look_at_root = [&] {
-        query(dataset, "SELECT length(data) FROM " + nodes + " WHERE nodeno = 1",
-              [&](const auto& row) { index.node_bytes_ = std::stoul(row[0]); });
+        sql_query(dataset, "SELECT length(data) FROM " + nodes + " WHERE nodeno = 1",
+                  [&](const auto& row) { index.node_bytes_ = std::stoul(row[0]); });
         return index.node_bytes_ > 0;
     };
     // GDAL makes indices that it has put off before it runs any SQL; if not, it is asked to.
     if (!look_at_root() &&
-        !(index.run("SELECT CreateSpatialIndex(" + quoted(table, '\'') + ", " + quoted(column, '\'') + ")") &&
+        !(index.run("SELECT CreateSpatialIndex(" + sql_text(table) + ", " + sql_text(column) + ")") &&
           look_at_root()))
         return std::nullopt;
     // Where SQLite defends its own tables, they cannot be written.
@@ -118,17 +91,17 @@ std::optional<SpatialIndex> SpatialIndex::begin(GDALDatasetH dataset, OGRLayerH 
 
 void SpatialIndex::rest_triggers(const std::string& table) {
     std::vector<std::string> names;
-    query(dataset_,
-          "SELECT name, sql FROM sqlite_master WHERE type = 'trigger' AND tbl_name = " + quoted(table, '\'') +
-              " ORDER BY rowid",
-          [&](const auto& row) {
-              if (!row[0].starts_with(name_))
-                  return;
-              names.push_back(row[0]);
-              triggers_.push_back(row[1]);
-          });
+    sql_query(dataset_,
+              "SELECT name, sql FROM sqlite_master WHERE type = 'trigger' AND tbl_name = " + sql_text(table) +
+                  " ORDER BY rowid",
+              [&](const auto& row) {
+                  if (!row[0].starts_with(name_))
+                      return;
+                  names.push_back(row[0]);
+                  triggers_.push_back(row[1]);
+              });
     for (const std::string& name : names)
-        static_cast<void>(run("DROP TRIGGER " + quoted(name, '"')));
+        static_cast<void>(run("DROP TRIGGER " + sql_name(name)));
 }
 
 void SpatialIndex::add(std::int64_t id, const std::vector<WorldPolygon>& parts) {
@@ -152,13 +125,13 @@ void SpatialIndex::fill(const PackedRtree& tree) const {
         call.check(run(sql), "filling the spatial index");
     };
     const auto head = [&](const char* table) {
-        return "INSERT INTO " + quoted(name_ + table, '"') + " VALUES ";
+        return "INSERT INTO " + sql_name(name_ + table) + " VALUES ";
     };
     Inserts entries(head("_rowid"), insert);
     for (const PackedRtree::Entry& entry : tree.entries)
         entries.add(std::to_string(entry.id) + "," + std::to_string(entry.leaf));
     entries.flush();
-    Inserts nodes("INSERT OR REPLACE INTO " + quoted(name_ + "_node", '"') + " VALUES ", insert);
+    Inserts nodes("INSERT OR REPLACE INTO " + sql_name(name_ + "_node") + " VALUES ", insert);
     Inserts parents(head("_parent"), insert);
     for (const PackedRtree::Node& node : tree.nodes) {
         std::string row = std::to_string(node.number) + ",X'";
@@ -174,8 +147,8 @@ void SpatialIndex::fill(const PackedRtree& tree) const {
 void SpatialIndex::finish() {
     // What has filled it meanwhile in spite of all will have done it well.
     bool empty = true;
-    query(dataset_, "SELECT 1 FROM " + quoted(name_ + "_rowid", '"') + " LIMIT 1",
-          [&](const auto&) { empty = false; });
+    sql_query(dataset_, "SELECT 1 FROM " + sql_name(name_ + "_rowid") + " LIMIT 1",
+              [&](const auto&) { empty = false; });
     if (empty && !boxes_.empty())
         fill(pack_rtree(std::move(boxes_), node_bytes_));
     for (const std::string& sql : triggers_) {

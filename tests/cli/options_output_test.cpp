@@ -115,6 +115,18 @@ TEST_F(OptionEffect, append) {
     EXPECT_EQ(layer("out.gpkg", "notes").records.size(), 1U);
 }
 
+TEST_F(OptionEffect, appendNumbersWhateverTheFieldIsCalled) {
+    for (const auto& [fields, id] : {std::pair("urock", "ID_BUILD"), std::pair("city4cfd", "unique_id")}) {
+        const std::string file = std::string(fields) + ".gpkg";
+        for (const char* mode : {"-overwrite", "-append"})
+            run_well({"-q", "-fl", "5", "-fields", fields, "-layers", "buildings", mode, "blocks.tif", file});
+        EXPECT_EQ(
+            sql_value(path(file), std::string("SELECT COUNT(*) - COUNT(DISTINCT ") + id + ") FROM buildings"),
+            "0");
+        EXPECT_EQ(sql_value(path(file), std::string("SELECT MIN(") + id + ") FROM buildings"), "1");
+    }
+}
+
 TEST_F(OptionEffect, p) {
     const ToolSetup dated{.environment = {"OGR_CURRENT_DATE=2001-02-03T04:05:06Z"}};
     run_well({"-q", "-fl", "5", "--", "blocks.tif", "without.gpkg"}, dated);

@@ -1,3 +1,8 @@
+#include <array>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "core/error.hpp"
 #include "write/ogr_feature_sink.hpp"
 #include "write/write_fixture.hpp"
 
@@ -48,7 +53,94 @@ TEST_F(AppendTest, TheLargestNumberOfEitherLayerCounts) {
     sink->add(1, square(70));
     sink->add(1, square(8));
     sink->finish();
-    EXPECT_EQ(open_sink(more("a.gpkg"), context_)->first_id(), 71);
+    const auto second = open_sink(more("a.gpkg"), context_);
+    second->begin(specs, provenance());
+    EXPECT_EQ(second->first_id(), 71);
+}
+
+TEST_F(AppendTest, NumbersAreTakenWhenWritingBegins) {
+    for (const char* name : {"a.gpkg", "a.sqlite"}) {
+        write(to(name), 2);
+        const auto slow = open_sink(more(name), context_);
+        EXPECT_EQ(write(more(name), 3), 3) << name;
+        const LayerSpec spec = layer_spec("buildings");
+        slow->begin({&spec, 1}, provenance());
+        EXPECT_EQ(slow->first_id(), 6) << name;
+        slow->add(0, square(slow->first_id()));
+        slow->finish();
+        EXPECT_EQ(ids(path(name), "buildings"), (std::vector<std::int64_t>{1, 2, 3, 4, 5, 6})) << name;
+    }
+}
+
+TEST_F(AppendTest, AFileInWalModeThatNobodyHasOpen) {
+    write(to("a.gpkg"), 2);
+    EXPECT_EQ(sql(path("a.gpkg"), "PRAGMA journal_mode = WAL", true), "wal");
+    EXPECT_EQ(write(more("a.gpkg"), 3), 3);
+    EXPECT_EQ(ids(path("a.gpkg"), "buildings"), (std::vector<std::int64_t>{1, 2, 3, 4, 5}));
+}
+
+TEST_F(AppendTest, WaitsForAnotherWhoWrites) {
+    write(to("a.gpkg"), 2);
+    const LayerSpec spec = layer_spec("buildings");
+    std::array<int, 2> ready{};
+    ASSERT_EQ(::pipe(ready.data()), 0);
+    const pid_t child = ::fork();
+    if (child == 0) {
+        const auto sink = open_sink(more("a.gpkg"), context_);
+        sink->begin({&spec, 1}, provenance());
+        sink->add(0, square(sink->first_id()));
+        static_cast<void>(!::write(ready[1], "x", 1));
+        ::usleep(400'000);
+        sink->finish();
+        ::_exit(0);
+    }
+    char byte = 0;
+    ASSERT_EQ(::read(ready[0], &byte, 1), 1);
+    const auto sink = open_sink(more("a.gpkg"), context_);
+    sink->begin({&spec, 1}, provenance());
+    EXPECT_EQ(sink->first_id(), 4);
+    sink->add(0, square(sink->first_id()));
+    sink->finish();
+    int status = -1;
+    ::waitpid(child, &status, 0);
+    EXPECT_EQ(status, 0);
+    EXPECT_EQ(ids(path("a.gpkg"), "buildings"), (std::vector<std::int64_t>{1, 2, 3, 4}));
+    EXPECT_EQ(
+        sql(path("a.gpkg"), "SELECT feature_count FROM gpkg_ogr_contents WHERE table_name = 'buildings'"),
+        "4");
+}
+
+TEST_F(AppendTest, WhoNeverEndsIsNotWaitedForForEver) {
+    write(to("a.gpkg"), 2);
+    const LayerSpec spec = layer_spec("buildings");
+    const auto sink = open_sink(more("a.gpkg"), context_);
+    const Dataset other = open_dataset(path("a.gpkg"), true);
+    ASSERT_EQ(GDALDatasetStartTransaction(other.get(), FALSE), OGRERR_NONE);
+    GDALDatasetReleaseResultSet(
+        other.get(),
+        GDALDatasetExecuteSQL(other.get(), "DELETE FROM buildings WHERE id = 1", nullptr, nullptr));
+    // Whoever is asked to stop meanwhile stops.
+    context_.stop = [] { return true; };
+    EXPECT_THROW(sink->begin({&spec, 1}, provenance()), Cancelled);
+    context_.stop = {};
+    GDALDatasetRollbackTransaction(other.get());
+}
+
+TEST_F(AppendTest, TheFirstFieldIsTheNumberWhateverItsName) {
+    LayerSpec spec = layer_spec("buildings");
+    spec.fields[0].name = "ID_BUILD";
+    for (const char* name : {"a.gpkg", "a.geojson"}) {
+        for (const std::int64_t expected : {1, 8}) {
+            WriteOptions options = expected == 1 ? to(name) : more(name);
+            options.layers = Layers::buildings;
+            const auto sink = open_sink(options, context_);
+            spec.name = sink->layer_name(LayerRole::buildings, Layers::buildings);
+            sink->begin({&spec, 1}, provenance());
+            EXPECT_EQ(sink->first_id(), expected) << name;
+            sink->add(0, square(7));
+            sink->finish();
+        }
+    }
 }
 
 TEST_F(AppendTest, AbsentLayersAreCreated) {

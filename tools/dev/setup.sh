@@ -1,8 +1,8 @@
 # For try.sh and test.sh, which read this file. Debian packages are installed where they are missing; on systems
 # without apt-get, what is installed already has to do.
 
-build_packages="g++ cmake ninja-build libgdal-dev libgeos-dev libproj-dev libgeographiclib-dev libboost-dev
-    libboost-program-options-dev nlohmann-json3-dev"
+build_packages="g++ cmake ninja-build libgdal-dev libgeos-dev libproj-dev libgeographiclib-dev libsqlite3-dev
+    libboost-dev libboost-program-options-dev nlohmann-json3-dev"
 
 # as_root command...: with sudo only where it is needed
 as_root() {

@@ -1,0 +1,58 @@
+#include "write/sql.hpp"
+
+#include "read/gdal_messages.hpp"
+
+namespace d2b {
+
+namespace {
+
+std::string quoted(const std::string& text, char quote) {
+    std::string result(1, quote);
+    for (const char c : text)
+        result.append(c == quote ? 2 : 1, c);
+    return result + quote;
+}
+
+}  // namespace
+
+std::string sql_name(const std::string& name) {
+    return quoted(name, '"');
+}
+
+std::string sql_text(const std::string& text) {
+    return quoted(text, '\'');
+}
+
+bool sql_query(GDALDatasetH dataset, const std::string& sql, const std::function<void(const SqlRow&)>& use) {
+    OGRLayerH rows = GDALDatasetExecuteSQL(dataset, sql.c_str(), nullptr, nullptr);
+    if (rows == nullptr)
+        return false;
+    while (const FeatureHandle row{OGR_L_GetNextFeature(rows)}) {
+        const int fields = OGR_F_GetFieldCount(row.get());
+        SqlRow texts;
+        texts.reserve(static_cast<std::size_t>(fields));
+        for (int i = 0; i < fields; ++i)
+            texts.emplace_back(OGR_F_GetFieldAsString(row.get(), i));
+        use(texts);
+    }
+    GDALDatasetReleaseResultSet(dataset, rows);
+    return true;
+}
+
+std::optional<std::string> sql_value(GDALDatasetH dataset, const std::string& sql) {
+    std::optional<std::string> value;
+    sql_query(dataset, sql, [&](const SqlRow& row) {
+        if (!value && !row.empty())
+            value = row[0];
+    });
+    return value;
+}
+
+bool sql_done(GDALDatasetH dataset, const std::string& sql) {
+    const GdalMessages messages;
+    if (OGRLayerH rows = GDALDatasetExecuteSQL(dataset, sql.c_str(), nullptr, nullptr))
+        GDALDatasetReleaseResultSet(dataset, rows);
+    return !messages.failed();
+}
+
+}  // namespace d2b
