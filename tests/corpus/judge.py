@@ -13,15 +13,14 @@ CAUSES = re.compile(r"-(zunit|snodata|zrange|ground|b|a_srs)\b")
 OF_LIBRARIES = re.compile(r"HDF5-DIAG: |  #\d+: .*[.]c line |    (major|minor): ")
 
 
-def not_json(text):
-    """Infinity and NaN are no JSON."""
+def report_of(text):
+    """Infinity and NaN are no JSON. @return the report, faults"""
     def refuse(name):
         raise ValueError(name)
     try:
-        json.loads(text, parse_constant=refuse)
+        return json.loads(text, parse_constant=refuse), []
     except ValueError as error:
-        return [f"stdout is not JSON: {error}"]
-    return []
+        return {}, [f"stdout is not JSON: {error}"]
 
 
 def faults_of_messages(run):
@@ -38,11 +37,14 @@ def faults_of_messages(run):
 
 
 def judge_success(run, preset):
-    faults = not_json(run.out)
+    report, faults = report_of(run.out)
     if RESULT not in run.left:
         return "no result", [*faults, "there is no result"]
     result = read_result(str(run.folder / RESULT), preset)
     faults += result.faults[:3]
+    for layer, count in result.features.items():
+        if (said := report.get("output", {}).get(layer, count)) != count:
+            faults.append(f"the report says {said} {layer}, and there are {count}")
     if preset == "buildings" and result.highest >= HIGHEST_M and not CAUSES.search(run.err):
         faults.append(f"a building of {result.highest:.0f} m, and no warning that names the cause")
     if result.features.get("buildings", 0) > 0:

@@ -29,13 +29,15 @@ def envelope_of(blob):
 
 
 def faults_of_rows(layer, columns, rows, preset):
-    known = KNOWN[layer] + (KNOWN_BY_DEFAULT if (layer, preset) == ("buildings", "buildings") else [])
+    known = KNOWN.get(layer, []) + (KNOWN_BY_DEFAULT if (layer, preset) == ("buildings", "buildings") else [])
     faults = []
     for row in rows:
         feature = dict(zip(columns, row))
         where = f"{layer} {feature['id']}"
         faults += [f"{where}: {name} is {value}" for name, value in feature.items() if not_finite(value)]
         faults += [f"{where}: {name} is NULL" for name in known if feature.get(name) is None]
+        if not feature["area_m2"] or feature["area_m2"] <= 0:
+            faults.append(f"{where} has no area")
         if not all(map(math.isfinite, envelope_of(feature["geom"]))):
             faults.append(f"{where}: its box is not finite")
     return faults

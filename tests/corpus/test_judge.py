@@ -88,6 +88,10 @@ class Judge(unittest.TestCase):
         self.expect_fault(FINDS_NOTHING, "1 polygons are not valid")
         self.make(SQUARE, height=1e999)
         self.expect_fault(FINDS_NOTHING, "height is")
+        self.make(SQUARE, area_m2=0)
+        self.expect_fault(FINDS_NOTHING, "has no area")
+        said = '{\\"output\\": {\\"buildings\\": 2}}'
+        self.expect_fault(f'echo "{said}"; cp "$MADE" out.gpkg', "the report says 2 buildings")
         self.make(SQUARE, volume_m3=None)
         self.expect_fault(FINDS_NOTHING, "volume_m3 is NULL")
         self.make(SQUARE, height=1100)
