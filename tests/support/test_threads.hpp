@@ -6,7 +6,7 @@ namespace d2b::test {
 
 /// For what does not look at the number of threads: some.
 inline Executor& threads() {
-    static Executor executor(2);
+    static Executor executor(4);
     return executor;
 }
 

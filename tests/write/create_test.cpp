@@ -89,7 +89,8 @@ TEST_F(CreateTest, FilesThatAreOneLayer) {
     for (const char* name :
          {"city.geojson", "city.shp", "city.fgb", "city.geojsonl", "city.csv", "city.tab"}) {
         warnings_.clear();
-        context_ = Context{.report = {}, .on_warning = context_.on_warning, .on_progress = {}, .stop = {}};
+        context_ = Context{
+            .report = {}, .told = {}, .on_warning = context_.on_warning, .on_progress = {}, .stop = {}};
         write(to(name), 4);
         EXPECT_EQ(ids(path(name), "city"), (std::vector<std::int64_t>{1, 2, 3, 4})) << name;
         EXPECT_EQ(warnings_,
