@@ -31,6 +31,11 @@ struct Context {
             on_warning(text);
         report.warnings.push_back(std::move(text));
     }
+    /// For loops over what one object consists of. @throws Cancelled
+    void check_stop() const {
+        if (stop && stop())
+            throw Cancelled();
+    }
     /// @throws Cancelled
     void progress(double share) const {
         if (on_progress && !on_progress(share))

@@ -6,8 +6,6 @@
 #include <system_error>
 #include <thread>
 
-#include "core/error.hpp"
-
 namespace d2b {
 namespace {
 
@@ -89,11 +87,6 @@ int Executor::threads() const {
     return static_cast<int>(pool_->threads.size()) + 1;
 }
 
-void Executor::check_stop() const {
-    if (stop_ && stop_())
-        throw Cancelled();
-}
-
 void Executor::run(const Body& body) {
     Pool& pool = *pool_;
     std::unique_lock lock(pool.mutex);
@@ -120,7 +113,7 @@ void Executor::indexed(std::size_t count, const Indexed& work) {
     run([&](std::size_t thread) {
         for (std::size_t i = next++; i < std::min(count, failure.limit()); i = next++)
             try {
-                check_stop();
+                stop_.check();
                 work(i, thread);
             } catch (...) {
                 failure.keep(i, std::current_exception());
@@ -142,7 +135,7 @@ void Executor::pipelined(std::size_t count, std::size_t window, const Indexed& m
         const std::size_t i = next++;
         lock.unlock();
         try {
-            check_stop();
+            stop_.check();
             make(i, thread);
         } catch (...) {
             failure.keep(i, std::current_exception());

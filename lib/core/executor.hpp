@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/stop_request.hpp"
+
 namespace d2b {
 
 /// The threads of a run. Work is divided by index and results go by index, so that their number shows in the
@@ -25,6 +27,8 @@ class Executor {
     ~Executor();
 
     [[nodiscard]] int threads() const;
+    /// For work that takes long in one piece.
+    [[nodiscard]] const StopRequest& stop() const { return stop_; }
 
     /// Calls work(i) for each i below `count`, on all threads, and comes back when all are done. Of several
     /// exceptions that of the lowest i is thrown, as in a loop.
@@ -72,13 +76,12 @@ class Executor {
 
     /// Runs body on all threads, the caller's is 0; on the caller's alone where the others are busy.
     void run(const Body& body);
-    void check_stop() const;
     void indexed(std::size_t count, const Indexed& work);
     void pipelined(std::size_t count, std::size_t window, const Indexed& make,
                    const std::function<void(std::size_t)>& take);
 
     struct Pool;
-    std::function<bool()> stop_;
+    StopRequest stop_;
     std::unique_ptr<Pool> pool_;
 };
 

@@ -7,28 +7,46 @@
 namespace d2b {
 namespace {
 
-using RingOf = std::function<LatticeRing(std::size_t)>;
+using Keys = std::span<const ContourKey>;
 
-/// Whether any of the keys, sorted, is of the level and lies in the hole: the rows of its box are searched.
-bool any_inside(std::span<const ContourKey> keys, std::int32_t level, const Hole& hole, std::size_t number,
-                const RingOf& ring_of) {
-    LatticeRing ring;
-    for (std::int32_t row = hole.low.row; row < hole.high.row; ++row) {
-        auto key = std::ranges::lower_bound(keys, ContourKey{level, {row, hole.low.col}});
-        for (; key != keys.end() && *key < ContourKey{level, {row, hole.high.col}}; ++key) {
-            if (ring.empty())
-                ring = ring_of(number);
-            if (contains(ring, key->first))
-                return true;
-        }
+/// Whether a key of a level, of keys that are sorted, lies in one row from a column to before another.
+bool any_in_run(Keys keys, std::int32_t level, LatticePoint from, std::int32_t end) {
+    const auto key = std::ranges::lower_bound(keys, ContourKey{level, from});
+    return key != keys.end() && *key < ContourKey{level, {from.row, end}};
+}
+
+bool any_in_box(Keys keys, std::int32_t level, const Hole& hole) {
+    for (std::int32_t row = hole.low.row; row < hole.high.row; ++row)
+        if (any_in_run(keys, level, {row, hole.low.col}, hole.high.col))
+            return true;
+    return false;
+}
+
+/// Where a rectilinear ring crosses the middles of rows, from left to right: its inside lies between the
+/// first and the second crossing of a row, the third and the fourth, and so on.
+std::vector<LatticePoint> crossings(const LatticeRing& ring) {
+    std::vector<LatticePoint> result;
+    LatticePoint from = ring.back();
+    for (const LatticePoint to : ring) {
+        for (std::int32_t row = std::min(from.row, to.row); row < std::max(from.row, to.row); ++row)
+            result.push_back({row, from.col});
+        from = to;
     }
+    std::ranges::sort(result);
+    return result;
+}
+
+bool any_inside(Keys keys, std::int32_t level, std::span<const LatticePoint> crossings) {
+    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
+        if (any_in_run(keys, level, crossings[i], crossings[i + 1].col))
+            return true;
     return false;
 }
 
 }  // namespace
 
 std::vector<bool> fill_holes(std::span<const ContourKey> keys, std::span<const Hole> holes,
-                             const RingOf& ring_of, Context& context) {
+                             const std::function<LatticeRing(std::size_t)>& ring, Context& context) {
     std::vector<std::uint32_t> order(holes.size());
     std::iota(order.begin(), order.end(), 0U);
     std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return holes[i].level; });
@@ -37,14 +55,23 @@ std::vector<bool> fill_holes(std::span<const ContourKey> keys, std::span<const H
     std::vector<ContourKey> remaining_below;
     std::vector<ContourKey> remaining;
     std::int32_t level = 0;
+    const auto is_empty = [&](std::uint32_t i) {
+        const bool own = any_in_box(keys, level, holes[i]);
+        const bool below = any_in_box(remaining_below, level - 1, holes[i]);
+        if (!own && !below)
+            return true;
+        const std::vector<LatticePoint> runs = crossings(ring(i));
+        return !(own && any_inside(keys, level, runs)) &&
+               !(below && any_inside(remaining_below, level - 1, runs));
+    };
     for (const std::uint32_t i : order) {
+        context.check_stop();
         const Hole& hole = holes[i];
         for (; level < hole.level; ++level) {
             std::ranges::sort(remaining);
             remaining_below = std::exchange(remaining, {});
         }
-        filled[i] = hole.reason && !any_inside(keys, level, hole, i, ring_of) &&
-                    !any_inside(remaining_below, level - 1, hole, i, ring_of);
+        filled[i] = hole.reason && is_empty(i);
         if (filled[i])
             context.report.count(*hole.reason);
         else

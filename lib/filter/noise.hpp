@@ -38,7 +38,9 @@ struct Hole {
 /// of the level below that remains lies. So contours stay nested and siblings disjoint. Counted in the
 /// report.
 /// @param keys of all contours that are kept, sorted
-/// @param ring of a hole, by its index
+/// Time is O(n log n) in the points that the holes' rings pass.
+/// @param holes those of one contour one after the other
+/// @param ring of a hole, by its index; those of one contour are asked for one after the other
 /// @return for each hole whether it is filled
 [[nodiscard]] std::vector<bool> fill_holes(std::span<const ContourKey> keys, std::span<const Hole> holes,
                                            const std::function<LatticeRing(std::size_t)>& ring,

@@ -1,6 +1,7 @@
 #include "pipeline/contour_store.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace d2b {
@@ -26,14 +27,14 @@ StoredContours::Stored StoredContours::fetch_stored(std::size_t contour) const {
 
 LatticePolygon StoredContours::fetch(const Rejected& rejected) const {
     ByteReader reader(*spool_, rejected.place);
-    const Contour contour = load_contour(reader);
     LatticePolygon polygon;
-    if (rejected.interior >= 0) {
+    if (rejected.is_hole) {
         // Around what it bounds the other way.
-        polygon.exterior = contour.interiors[static_cast<std::size_t>(rejected.interior)].corners();
+        polygon.exterior = PackedRing::load(reader).corners();
         std::reverse(polygon.exterior.begin() + 1, polygon.exterior.end());
         return polygon;
     }
+    const Contour contour = load_contour(reader);
     polygon.exterior = contour.exterior.corners();
     for (const PackedRing& ring : contour.interiors)
         polygon.interiors.push_back(ring.corners());
@@ -147,16 +148,29 @@ std::vector<bool> ContourStore::fill() {
                     static_cast<std::uint32_t>(keys.size()));
         keys.push_back(entry.head.key);
     }
-    const auto ring = [&](std::size_t hole) {
+    // A contour is loaded once for all of its holes, which follow one another.
+    std::optional<std::uint32_t> loaded;
+    std::vector<PackedRing> rings;
+    const auto ring = [&](std::size_t hole) -> const PackedRing& {
         const Entry& entry = entries_[owner[hole]];
-        ByteReader reader(*spool_, entry.place);
-        return load_contour(reader).interiors[hole - entry.first_hole].corners();
+        if (loaded != owner[hole]) {
+            ByteReader reader(*spool_, entry.place);
+            rings = load_contour(reader).interiors;
+            loaded = owner[hole];
+        }
+        return rings[hole - entry.first_hole];
     };
-    std::vector<bool> filled = fill_holes(keys, holes_, ring, context_);
-    for (std::size_t h = 0; settings_.keep_rejected && h < filled.size(); ++h)
-        if (const Entry& entry = entries_[owner[h]]; filled[h])
-            rejected_.push_back({entry.head.key, *holes_[h].reason, entry.place,
-                                 static_cast<std::int32_t>(h - entry.first_hole)});
+    std::vector<bool> filled = fill_holes(
+        keys, holes_, [&](std::size_t hole) { return ring(hole).corners(); }, context_);
+    for (std::size_t h = 0; settings_.keep_rejected && h < filled.size(); ++h) {
+        if (!filled[h])
+            continue;
+        context_.check_stop();
+        // Apart from the contour, which would have to be loaded for each.
+        ByteWriter writer;
+        ring(h).save(writer);
+        rejected_.push_back({entries_[owner[h]].head.key, *holes_[h].reason, append(*spool_, writer), true});
+    }
     return filled;
 }
 

@@ -28,8 +28,8 @@ class StoredContours : public ContourList {
     struct Rejected {
         ContourKey key;  ///< of the contour, or of the one that has the hole
         Reason reason = Reason::contour_short;
-        SpoolEntry place;
-        std::int32_t interior = -1;  ///< the hole among the contour's interior rings; -1: the contour itself
+        SpoolEntry place;      ///< of the contour, or of the hole's ring alone
+        bool is_hole = false;  ///< that was filled
     };
     struct Stored {
         Contour contour;

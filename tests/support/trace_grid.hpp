@@ -74,7 +74,7 @@ ContourSet trace_levels(const TraceGrid& grid, const LevelPlan& plan, const Trac
     filter.keep_footprints = plan.footprints;
     ContourStore store({filter, [](LatticePoint) { return 1.0; }, statistics.range(),
                         statistics.fixed_point(), settings.keep_roots},
-                       std::make_unique<MemorySpool>(), context);
+                       context.make_spool(), context);
     const Window window{settings.origin.row, settings.origin.col, grid.rows, grid.cols};
     const TraceFrame frame{window, plan.level_count(), statistics.fixed_point(), statistics.range()};
     Tracer tracer(frame, {settings.mode}, store);
