@@ -78,28 +78,31 @@ LatticeRing assemble(const std::vector<ArcUse>& uses, const std::vector<Arc>& ar
 
 }  // namespace
 
-ArcGraph build_arc_graph(std::span<const Contour* const> contours) {
-    const LatticeNet net(contours);
+ArcGraph build_arc_graph(std::span<const Contour* const> contours, const StopRequest& stop) {
+    const LatticeNet net(contours, stop);
     ArcGraph graph;
     ArcCutter cutter(net, graph.arcs);
     graph.outlines.reserve(contours.size());
     std::size_t ring = 0;
     for (const Contour* contour : contours) {
+        stop.check();
         ArcGraph::Outline& outline = graph.outlines.emplace_back();
         outline.exterior = cutter.cut(net.ring(ring++));
         outline.interiors.reserve(contour->interiors.size());
-        for (std::size_t i = 0; i < contour->interiors.size(); ++i)
+        for (std::size_t i = 0; i < contour->interiors.size(); ++i) {
+            stop.check();
             outline.interiors.push_back(cutter.cut(net.ring(ring++)));
+        }
     }
     return graph;
 }
 
-ArcGraph build_arc_graph(const std::vector<Contour>& contours) {
+ArcGraph build_arc_graph(const std::vector<Contour>& contours, const StopRequest& stop) {
     std::vector<const Contour*> all;
     all.reserve(contours.size());
     for (const Contour& contour : contours)
         all.push_back(&contour);
-    return build_arc_graph(all);
+    return build_arc_graph(all, stop);
 }
 
 LatticePolygon ArcGraph::polygon(std::size_t contour) const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/lattice.hpp"
+#include "core/stop_request.hpp"
 #include "trace/contour.hpp"
 
 namespace d2b {
@@ -33,8 +34,9 @@ struct ArcGraph {
 };
 
 /// Nodes the outlines and cuts them into arcs at junctions: points where other than two edges meet.
-/// O(n log n) in vertices.
-[[nodiscard]] ArcGraph build_arc_graph(std::span<const Contour* const> contours);
-[[nodiscard]] ArcGraph build_arc_graph(const std::vector<Contour>& contours);
+/// O(n log n) in vertices. @throws Cancelled
+[[nodiscard]] ArcGraph build_arc_graph(std::span<const Contour* const> contours,
+                                       const StopRequest& stop = {});
+[[nodiscard]] ArcGraph build_arc_graph(const std::vector<Contour>& contours, const StopRequest& stop = {});
 
 }  // namespace d2b

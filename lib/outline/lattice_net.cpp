@@ -16,7 +16,7 @@ std::uint64_t sort_key(std::int32_t first, std::int32_t second) {
 
 }  // namespace
 
-LatticeNet::LatticeNet(std::span<const Contour* const> contours) {
+LatticeNet::LatticeNet(std::span<const Contour* const> contours, const StopRequest& stop) {
     std::vector<LatticePoint> corners;
     std::vector<std::size_t> ends;
     std::size_t count = 0;
@@ -27,6 +27,7 @@ LatticeNet::LatticeNet(std::span<const Contour* const> contours) {
     }
     corners.reserve(count);
     const auto add = [&](const PackedRing& packed) {
+        stop.check();
         const LatticeRing ring = packed.corners();
         corners.insert(corners.end(), ring.begin(), ring.end());
         ends.push_back(corners.size());
@@ -36,7 +37,9 @@ LatticeNet::LatticeNet(std::span<const Contour* const> contours) {
         for (const PackedRing& ring : contour->interiors)
             add(ring);
     }
+    stop.check();
     const std::vector<Vertex> numbers = number_corners(corners);
+    stop.check();
     order_columns();
     ways_.assign(points_.size(), 0);
     vertices_.reserve(numbers.size() + numbers.size() / 4);
@@ -44,6 +47,7 @@ LatticeNet::LatticeNet(std::span<const Contour* const> contours) {
     first_.push_back(0);
     std::size_t begin = 0;
     for (const std::size_t end : ends) {
+        stop.check();
         for (std::size_t i = begin; i < end; ++i)
             append_edge(numbers[i], numbers[i + 1 < end ? i + 1 : begin]);
         first_.push_back(vertices_.size());

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/lattice.hpp"
+#include "core/stop_request.hpp"
 #include "trace/contour.hpp"
 
 namespace d2b {
@@ -18,7 +19,8 @@ class LatticeNet {
     /// The four ways from a vertex; a way and its opposite differ by 2.
     enum class Way : std::uint8_t { east, south, west, north };
 
-    explicit LatticeNet(std::span<const Contour* const> contours);
+    /// @throws Cancelled
+    LatticeNet(std::span<const Contour* const> contours, const StopRequest& stop);
 
     [[nodiscard]] std::size_t size() const { return points_.size(); }
     /// Vertices are sorted by row, then column.

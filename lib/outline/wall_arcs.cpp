@@ -24,11 +24,13 @@ std::optional<WallPiece> arc_for(const WallSamples& samples, const WallStyle& st
     for (std::size_t i = first; i < last; ++i) {
         squares += std::pow(circle->off(0.5 * (samples.at(i) + samples.at(i + 1))), 2);
         largest = std::max(largest, std::abs(circle->off(samples.at(i))));
+        if (largest > style.tolerance - 0.05)
+            return {};
     }
     const double cost = style.price * arc_price + squares / WallStyle::variance;
     const double sweep =
         static_cast<double>(last - first) / 1.27 / circle->radius;  // a staircase is 4 / pi longer
-    if (largest > style.tolerance - 0.05 || cost > bargain * walls_cost || sweep < least_sweep)
+    if (cost > bargain * walls_cost || sweep < least_sweep)
         return {};
     return WallPiece{first, last, WallPiece::free, {}, circle, cost};
 }
@@ -43,9 +45,25 @@ int turn(const WallPiece& a, const WallPiece& b) {
     return sine > 0 ? 1 : -1;
 }
 
+/// Past the longest run of walls from one on that turn one way and not much more than once round: no arc is
+/// longer, and a spiral would be looked through from each of its walls to its end.
+std::size_t end_of_turn(const std::vector<WallPiece>& pieces, std::size_t i) {
+    constexpr double most = 3 * std::numbers::pi;
+    std::size_t end = i + 1;
+    for (double angle = 0; end < pieces.size() && angle < most; ++end) {
+        const int way = turn(pieces[end - 1], pieces[end]);
+        if (way == 0 || way != turn(pieces[i], pieces[i + 1]))
+            break;
+        angle +=
+            std::asin(std::min(1.0, std::abs(cross(pieces[end - 1].line.along, pieces[end].line.along))));
+    }
+    return end;
+}
+
 }  // namespace
 
-void find_arcs(const WallSamples& samples, const WallStyle& style, std::vector<WallPiece>& pieces) {
+void find_arcs(const WallSamples& samples, const WallStyle& style, std::vector<WallPiece>& pieces,
+               const StopRequest& stop) {
     if (style.walls != Walls::automatic || pieces.size() < fewest_walls)
         return;
     double cost = 0;
@@ -59,13 +77,10 @@ void find_arcs(const WallSamples& samples, const WallStyle& style, std::vector<W
         }
     std::vector<WallPiece> result;
     for (std::size_t i = 0; i < pieces.size();) {
-        // The longest run of walls from here that turn one way.
-        std::size_t end = i + 1;
-        while (end < pieces.size() && turn(pieces[end - 1], pieces[end]) != 0 &&
-               turn(pieces[end - 1], pieces[end]) == turn(pieces[i], pieces[i + 1]))
-            ++end;
+        std::size_t end = end_of_turn(pieces, i);
         std::optional<WallPiece> arc;
         for (; !arc && end >= i + fewest_walls; --end) {
+            stop.check();
             double replaced = 0;
             for (std::size_t k = i; k < end; ++k)
                 replaced += pieces[k].cost;

@@ -27,12 +27,13 @@ Int128 WallRounds::twice_area(const std::vector<ArcUse>& ring) const {
 
 /// Measures rings that have changed, but for those that change again.
 void WallRounds::check_areas() {
-    std::vector<Wall> moved;
+    moved_.wipe();
     std::vector<std::uint32_t> waiting;
     std::swap(waiting, waiting_rings_);
     std::sort(waiting.begin(), waiting.end());
     const std::vector<bool> in_conflict = in_conflict_;
     for (const std::uint32_t r : waiting) {
+        stop_.check();
         Ring& ring = rings_[r];
         if (in_conflict[part_of(ring.uses->front().arc)]) {
             waiting_rings_.push_back(r);
@@ -42,7 +43,7 @@ void WallRounds::check_areas() {
         const auto before = static_cast<double>(ring.traced);
         const double after = in_cells(twice_area(*ring.uses));
         if (std::abs(after - before) > largest_area_change * std::abs(before)) {
-            correct(ring, before - after, moved);
+            correct(ring, before - after);
             let_wait(r);
         }
     }
@@ -50,10 +51,11 @@ void WallRounds::check_areas() {
 
 /// Moves the walls that are a ring's own for the most part, or gives what was drawn last of it a simpler
 /// form, where its area is not kept.
-void WallRounds::correct(Ring& ring, double missing, std::vector<Wall>& moved) {
+void WallRounds::correct(Ring& ring, double missing) {
     // 1 where the ring lies on the left of the wall and grows as that goes right
     std::vector<std::pair<Wall, double>> right;
     double whole = 0;
+    gathered_.wipe();
     for (const ArcUse& use : *ring.uses) {
         const std::uint32_t c = graph_.chain_of[use.arc];
         // What stands on a wall does not move it.
@@ -61,15 +63,14 @@ void WallRounds::correct(Ring& ring, double missing, std::vector<Wall>& moved) {
             continue;
         const ArcUse own = graph_.chains[c].arcs[graph_.place_of[use.arc]];
         for (const Wall wall : drawing_.walls_along(use.arc)) {
-            if (std::ranges::find(right, wall, &std::pair<Wall, double>::first) != right.end())
+            if (!gathered_.mark(wall))
                 continue;
             right.emplace_back(wall, own.reversed == use.reversed ? 1 : -1);
             whole += drawing_.length(wall);
         }
     }
     // What a neighbour has moved will be measured again.
-    if (std::ranges::any_of(
-            right, [&](const auto& entry) { return std::ranges::find(moved, entry.first) != moved.end(); }))
+    if (std::ranges::any_of(right, [&](const auto& entry) { return moved_.marked(entry.first); }))
         return;
     // What came of the last time says how much has to be asked for.
     const double gain = ring.asked == 0 ? 1 : (ring.missing - missing) / ring.asked;
@@ -81,7 +82,7 @@ void WallRounds::correct(Ring& ring, double missing, std::vector<Wall>& moved) {
     ring.asked = missing / std::clamp(gain, 0.5, 1.25);
     for (const auto& [wall, sign] : right) {
         drawing_.shift(wall, -sign * ring.asked / whole);
-        moved.push_back(wall);
+        moved_.mark(wall);
     }
 }
 

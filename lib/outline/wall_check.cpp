@@ -27,12 +27,13 @@ std::size_t edges_of(const ArcGraph& graph) {
 }  // namespace
 
 WallCheck::WallCheck(const WallGraph& graph, const WallDrawing& drawing, const SegmentGrid::Arcs& arcs,
-                     double tolerance)
+                     double tolerance, const StopRequest& stop)
     : graph_(graph),
       drawing_(drawing),
       arcs_(arcs),
       grid_(arcs, box_of(graph.graph, tolerance), edges_of(graph.graph)),
       tolerance_(tolerance),
+      stop_(stop),
       changed_(arcs.size()),
       as_traced_(arcs.size()),
       in_conflict_(arcs.size()),
@@ -53,8 +54,10 @@ WallCheck::WallCheck(const WallGraph& graph, const WallDrawing& drawing, const S
 
 WallCheck::Conflicts WallCheck::conflicts(const std::vector<std::uint32_t>& changed) {
     tested_.clear();
-    for (const std::uint32_t arc : changed)
+    for (const std::uint32_t arc : changed) {
+        stop_.check();
         update(arc);
+    }
     for (const std::uint32_t arc : conflicting_) {
         in_conflict_[arc] = 0;
         if (std::exchange(changed_[arc], std::uint8_t{1}) == 0)
@@ -129,6 +132,7 @@ void WallCheck::check_arc(std::uint32_t arc, Conflicts& found) {
     const bool exact = as_traced_[arc] != 0;
     const std::uint32_t chain = graph_.chain_of[arc];
     for (std::uint32_t i = 0; i + 1 < arcs_[arc].size(); ++i) {
+        stop_.check();
         const Edge e{arc, i};
         const FineSegment s = grid_.segment(e);
         if (s.a == s.b) {

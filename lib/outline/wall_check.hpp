@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -24,8 +25,9 @@ class WallCheck {
 
     /// @param arcs as they are drawn, some or all of them not yet
     /// @param tolerance cells: no arc has left its trace by more
+    /// @param stop must outlive this, as the others
     WallCheck(const WallGraph& graph, const WallDrawing& drawing, const SegmentGrid::Arcs& arcs,
-              double tolerance);
+              double tolerance, const StopRequest& stop);
 
     /// Whether an arc is of interest although it has not changed: it may come in the way of others now.
     [[nodiscard]] bool notices(std::uint32_t arc) const {
@@ -33,8 +35,12 @@ class WallCheck {
     }
     /// Takes notice of arcs that are drawn anew. Those that were in conflict are tested again.
     /// @param changed sorted
-    /// @return pairs of chains that are in each other's way, sorted
+    /// @return pairs of chains that are in each other's way, sorted @throws Cancelled
     [[nodiscard]] Conflicts conflicts(const std::vector<std::uint32_t>& changed);
+    [[nodiscard]] std::span<const std::uint32_t> arcs_of_part(std::uint32_t part) const {
+        return std::span(part_arcs_)
+            .subspan(first_of_part_[part], first_of_part_[part + 1] - first_of_part_[part]);
+    }
 
   private:
     using Edge = SegmentGrid::Edge;
@@ -72,6 +78,7 @@ class WallCheck {
     const SegmentGrid::Arcs& arcs_;
     SegmentGrid grid_;
     double tolerance_;
+    const StopRequest& stop_;
     std::vector<std::uint8_t> changed_;      // arcs, this time
     std::vector<std::uint8_t> as_traced_;    // arcs
     std::vector<std::uint8_t> in_conflict_;  // arcs, since they were tested last

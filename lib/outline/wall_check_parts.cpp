@@ -92,6 +92,7 @@ void WallCheck::check_parts(Conflicts& found) {
         return;  // it has no other to lie in
     find_west();
     for (std::uint32_t part = 0; part < graph_.parts; ++part) {
+        stop_.check();
         const West& w = west_[part];
         if (alone(w.at, part))
             continue;

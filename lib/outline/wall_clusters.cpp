@@ -166,7 +166,7 @@ bool is_low(const ContourHead& head) {
 
 /// Joins contours that are near each other, a strip of rows at a time.
 void join_neighbours(const ContourList& contours, const WallOptions& options, std::int64_t rows_a_strip,
-                     Groups& groups) {
+                     Groups& groups, const StopRequest& stop) {
     const LatticePoint reach = conflict_reach(options);
     const auto first_row = [&](std::uint32_t i) {
         return std::int64_t{contours.head(i).key.first.row} - reach.row;
@@ -184,6 +184,7 @@ void join_neighbours(const ContourList& contours, const WallOptions& options, st
         TraceBuckets buckets(reach, rows);
         std::vector<std::uint32_t> still_open;
         const auto add = [&](std::uint32_t i) {
+            stop.check();
             const Contour contour = contours.fetch(i);
             buckets.add(contour, i);
             if (contour.exterior.box().high.row + reach.row >= rows.end)
@@ -200,12 +201,12 @@ void join_neighbours(const ContourList& contours, const WallOptions& options, st
 }  // namespace
 
 std::vector<ClusterPlan> wall_clusters(const ContourList& contours, const WallOptions& options,
-                                       std::int64_t rows_a_strip) {
+                                       const StopRequest& stop, std::int64_t rows_a_strip) {
     Groups groups(contours.size());
     for (std::uint32_t i = 0; i < contours.size(); ++i)
         if (!is_low(contours.head(i)))
             groups.join(i, static_cast<std::uint32_t>(contours.head(i).parent));
-    join_neighbours(contours, options, rows_a_strip, groups);
+    join_neighbours(contours, options, rows_a_strip, groups, stop);
     constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> cluster_of(contours.size(), nowhere);
     std::vector<std::int32_t> place(contours.size());
@@ -227,9 +228,11 @@ std::vector<ClusterPlan> wall_clusters(const ContourList& contours, const WallOp
     return clusters;
 }
 
-FetchedCluster::FetchedCluster(const ContourList& contours, const ClusterPlan& plan) {
+FetchedCluster::FetchedCluster(const ContourList& contours, const ClusterPlan& plan,
+                               const StopRequest& stop) {
     contours_.reserve(plan.numbers.size());
     for (const std::uint32_t number : plan.numbers) {
+        stop.check();
         contours_.push_back(contours.fetch(number));
         cluster_.contours.push_back(&contours_.back());
     }

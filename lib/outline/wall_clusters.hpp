@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/stop_request.hpp"
 #include "outline/wall_options.hpp"
 #include "trace/contour_list.hpp"
 
@@ -25,14 +26,16 @@ struct ClusterPlan {
 /// contours share a cluster depends on nothing but these. O(n) in corners of levels 0 and 1, but for crowds;
 /// in memory are the corners of a strip.
 /// @param rows_a_strip that are looked at together
-/// @return sorted by their first contours
+/// @return sorted by their first contours @throws Cancelled
 [[nodiscard]] std::vector<ClusterPlan> wall_clusters(const ContourList& contours, const WallOptions& options,
+                                                     const StopRequest& stop = {},
                                                      std::int64_t rows_a_strip = 4096);
 
 /// The contours of a cluster.
 class FetchedCluster {
   public:
-    FetchedCluster(const ContourList& contours, const ClusterPlan& plan);
+    /// @throws Cancelled
+    FetchedCluster(const ContourList& contours, const ClusterPlan& plan, const StopRequest& stop = {});
     FetchedCluster(const FetchedCluster&) = delete;
     FetchedCluster& operator=(const FetchedCluster&) = delete;
     ~FetchedCluster() = default;

@@ -25,6 +25,7 @@ Course::Course(DrawnChain drawn, const Chain& chain, const WallSamples& samples,
     for (std::size_t k = 0; k + (closed_ ? 0 : 1) < places_.size(); ++k)
         begins_.push_back(begins_.back() + d2b::length(vertex(k + 1) - vertex(k)));
     nodes_.resize(chain.nodes.size() - (closed_ ? 1 : 0));
+    placed_ = IndexSet(nodes_.size());
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
         nodes_[k].step = chain.node_steps[k];
         nodes_[k].traced = samples.at(nodes_[k].step);
@@ -36,6 +37,8 @@ Course::Course(DrawnChain drawn, const Chain& chain, const WallSamples& samples,
         nodes_.back().point = drawn_.vertices.back();
         nodes_.back().at = begins_.back();
         nodes_.back().edge = edges() - 1;
+        placed_.insert(0);
+        placed_.insert(nodes_.size() - 1);
     }
 }
 
@@ -91,23 +94,23 @@ void Course::bound(std::size_t k, double& low, double& high) const {
     const std::size_t n = nodes_.size();
     const double whole = begins_.back();
     // Nodes in the order of their steps; those of a closed chain begin anywhere.
-    for (std::size_t i = 1; i < n; ++i) {
-        if (!closed_ && i > k)
-            break;
-        const Standing& other = nodes_[(k + n - i) % n];
-        if (!other.point)
-            continue;
-        low = other.at + (other.step > nodes_[k].step ? -whole : 0) + node_room * static_cast<double>(i);
-        break;
+    std::size_t before = placed_.before(k);
+    if (before == IndexSet::none && closed_)
+        before = placed_.before(n);
+    if (before != IndexSet::none) {
+        const Standing& other = nodes_[before];
+        const std::size_t between = before < k ? k - before : k + n - before;
+        low =
+            other.at + (other.step > nodes_[k].step ? -whole : 0) + node_room * static_cast<double>(between);
     }
-    for (std::size_t i = 1; i < n; ++i) {
-        if (!closed_ && k + i >= n)
-            break;
-        const Standing& other = nodes_[(k + i) % n];
-        if (!other.point)
-            continue;
-        high = other.at + (other.step < nodes_[k].step ? whole : 0) - node_room * static_cast<double>(i);
-        break;
+    std::size_t after = placed_.from(k + 1);
+    if (after == IndexSet::none && closed_)
+        after = placed_.from(0);
+    if (after != IndexSet::none) {
+        const Standing& other = nodes_[after];
+        const std::size_t between = after > k ? after - k : after + n - k;
+        high =
+            other.at + (other.step < nodes_[k].step ? whole : 0) - node_room * static_cast<double>(between);
     }
 }
 
@@ -142,6 +145,7 @@ void Course::place(std::size_t k, const std::optional<Line>& wall) {
     if (std::abs(*vertex_at - at) < node_pull)
         at = *vertex_at;
     stand(node, std::max(low, std::min(high, at)));
+    placed_.insert(k);
 }
 
 void Course::place_as(std::size_t k, const Course& other, std::size_t of_other) {
@@ -149,6 +153,8 @@ void Course::place_as(std::size_t k, const Course& other, std::size_t of_other) 
     nodes_[k].point = there.point;
     nodes_[k].edge = there.edge;
     nodes_[k].at = there.at;
+    if (there.point)
+        placed_.insert(k);
 }
 
 void Course::cut(const Standing& from, const Standing& to, DrawnChain& arc) const {
@@ -190,19 +196,32 @@ void Course::match(DrawnChain& arc, std::size_t first, std::size_t last, std::si
     arc.steps.back() = last;
 }
 
-void Course::add_circles(DrawnChain& arc) const {
+/// Those of the drawing stand in its order; an arc that reaches round its end has the last ones first.
+void Course::add_circles(const Standing& from, DrawnChain& arc) const {
     const std::size_t count = drawn_.vertices.size();
     const std::vector<FinePoint>& points = arc.vertices;
-    for (const ArcSpan& span : drawn_.arcs) {
-        const auto first = std::find(points.begin(), points.end(), drawn_.vertices[span.first]);
+    const auto own = std::ranges::lower_bound(drawn_.arcs, from.edge, {}, &ArcSpan::first);
+    const auto begin = static_cast<std::size_t>(own - drawn_.arcs.begin());
+    std::size_t before_the_end = 0;
+    auto at = points.begin();
+    for (std::size_t i = 0; i < drawn_.arcs.size(); ++i) {
+        const bool round = begin + i >= drawn_.arcs.size();
+        const ArcSpan& span = drawn_.arcs[begin + i - (round ? drawn_.arcs.size() : 0)];
+        const auto first = std::find(at, points.end(), drawn_.vertices[span.first]);
+        if (first == points.end() && span.first == from.edge)
+            continue;  // it begins before the node
         if (points.end() - first <= static_cast<std::ptrdiff_t>(span.edges))
-            continue;
+            break;
+        at = first;
         bool whole = true;
-        for (std::size_t i = 1; i <= span.edges && whole; ++i)
-            whole = first[static_cast<std::ptrdiff_t>(i)] == drawn_.vertices[(span.first + i) % count];
+        for (std::size_t k = 1; k <= span.edges && whole; ++k)
+            whole = first[static_cast<std::ptrdiff_t>(k)] == drawn_.vertices[(span.first + k) % count];
         if (whole)
             arc.arcs.push_back({0, static_cast<std::uint32_t>(first - points.begin()), span.edges});
+        if (!round)
+            before_the_end = arc.arcs.size();
     }
+    std::ranges::rotate(arc.arcs, arc.arcs.begin() + static_cast<std::ptrdiff_t>(before_the_end));
 }
 
 void Course::arc(std::size_t k, const WallSamples& samples, DrawnChain& drawn) const {
@@ -221,7 +240,7 @@ void Course::arc(std::size_t k, const WallSamples& samples, DrawnChain& drawn) c
     cut(from, to, drawn);
     match(drawn, from.step, to.step, samples.steps());
     drawn.deviation = deviation(samples, shape_, origin_, drawn, false);
-    add_circles(drawn);
+    add_circles(from, drawn);
 }
 
 }  // namespace d2b

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "outline/index_set.hpp"
 #include "outline/wall_graph.hpp"
 #include "outline/wall_shape.hpp"
 
@@ -25,7 +26,10 @@ class Course {
     void place(std::size_t k, const std::optional<Line>& wall);
     /// Puts a node where it stands on another course of the same drawing.
     void place_as(std::size_t k, const Course& other, std::size_t of_other);
-    void take_away(std::size_t k) { nodes_[k].point.reset(); }
+    void take_away(std::size_t k) {
+        nodes_[k].point.reset();
+        placed_.erase(k);
+    }
 
     /// Gives the drawing of an arc, from node to node, with its own deviation from the trace and its arcs of
     /// circles as far as no node divides them. @param samples of the chain
@@ -47,7 +51,7 @@ class Course {
     void stand(Standing& node, double at);
     void cut(const Standing& from, const Standing& to, DrawnChain& arc) const;
     void match(DrawnChain& arc, std::size_t first, std::size_t last, std::size_t steps) const;
-    void add_circles(DrawnChain& arc) const;
+    void add_circles(const Standing& from, DrawnChain& arc) const;
 
     DrawnChain drawn_;
     std::vector<Vec> places_;  // of its vertices
@@ -55,6 +59,7 @@ class Course {
     CellShape shape_;
     LatticePoint origin_;
     std::vector<Standing> nodes_;  // an open chain's with its ends
+    IndexSet placed_;              // those that have a point
     std::vector<double> begins_;   // of edges along the drawing, and its whole length
 };
 

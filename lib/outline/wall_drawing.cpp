@@ -6,10 +6,12 @@
 
 namespace d2b {
 
-WallDrawing::WallDrawing(const WallGraph& graph, const WallCluster& cluster, const WallOptions& options)
+WallDrawing::WallDrawing(const WallGraph& graph, const WallCluster& cluster, const WallOptions& options,
+                         const StopRequest& stop)
     : graph_(graph),
       cluster_(cluster),
       options_(options),
+      stop_(stop),
       states_(graph.chains.size()),
       plain_(graph.nodes.size()),
       reset_(graph.nodes.size()) {}
@@ -29,6 +31,7 @@ std::vector<std::uint32_t> WallDrawing::draw() {
     for (std::uint32_t c = 0; c < states_.size(); ++c) {
         if (!states_[c].waiting && (!std::exchange(states_[c].lands, false) || ends_where_it_did(c)))
             continue;
+        stop_.check();
         draw_chain(c);
         drawn_.push_back(c);
         const Chain& chain = graph_.chains[c];

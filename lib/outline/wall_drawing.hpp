@@ -20,14 +20,15 @@ class WallDrawing {
         traced   ///< as traced; then the chains that it ends on are as well
     };
 
-    /// @param graph, cluster must outlive this
-    WallDrawing(const WallGraph& graph, const WallCluster& cluster, const WallOptions& options);
+    /// @param graph, cluster, stop must outlive this
+    WallDrawing(const WallGraph& graph, const WallCluster& cluster, const WallOptions& options,
+                const StopRequest& stop);
 
     /// Takes over what has been drawn of the lower levels alone. To be called before anything is drawn.
     void adopt(WallDrawing&& low);
     /// Draws the chains that are not drawn, or have been asked for another form, and what stands on them;
     /// asks for simpler forms where a chain cannot have its own.
-    /// @return the arcs that have changed
+    /// @return the arcs that have changed @throws Cancelled
     [[nodiscard]] std::vector<std::uint32_t> draw();
 
     [[nodiscard]] Form form(std::uint32_t chain) const { return states_[chain].form; }
@@ -93,6 +94,7 @@ class WallDrawing {
     const WallGraph& graph_;
     const WallCluster& cluster_;
     WallOptions options_;
+    const StopRequest& stop_;
     std::vector<State> states_;
     std::vector<bool> plain_;           ///< nodes that stay nearest to their trace
     std::vector<std::uint8_t> reset_;   ///< nodes that are placed anew this time

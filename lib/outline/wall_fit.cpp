@@ -8,11 +8,13 @@
 namespace d2b {
 namespace {
 
-std::vector<WallOutline> outlines_of(const WallRounds& rounds, std::size_t count) {
+std::vector<WallOutline> outlines_of(const WallRounds& rounds, std::size_t count, const StopRequest& stop) {
     std::vector<WallOutline> outlines;
     outlines.reserve(count);
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < count; ++i) {
+        stop.check();
         outlines.push_back(rounds.outline(i));
+    }
     return outlines;
 }
 
@@ -25,19 +27,19 @@ WallCluster low_levels(const WallCluster& cluster) {
 
 }  // namespace
 
-ClusterOutlines fit_walls(const WallCluster& cluster, const WallOptions& options) {
+ClusterOutlines fit_walls(const WallCluster& cluster, const WallOptions& options, const StopRequest& stop) {
     ClusterOutlines result;
     // A wall knows nothing of what stands on it: low levels come first, and higher ones begin with them.
     const WallCluster low = low_levels(cluster);
-    WallRounds rounds(cluster, options);
+    WallRounds rounds(cluster, options, stop);
     if (!low.contours.empty() && low.contours.size() < cluster.contours.size()) {
-        WallRounds low_rounds(low, options);
+        WallRounds low_rounds(low, options, stop);
         low_rounds.settle();
-        result.footprints = outlines_of(low_rounds, low.contours.size());
+        result.footprints = outlines_of(low_rounds, low.contours.size(), stop);
         rounds.adopt(std::move(low_rounds));
     }
     rounds.settle();
-    result.outlines = outlines_of(rounds, cluster.contours.size());
+    result.outlines = outlines_of(rounds, cluster.contours.size(), stop);
     return result;
 }
 

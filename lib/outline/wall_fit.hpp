@@ -31,7 +31,8 @@ struct ClusterOutlines {
 };
 
 /// Fits walls. Depends on the cluster alone; O(n log n) in corners, and some rounds where walls are in each
-/// other's way.
-[[nodiscard]] ClusterOutlines fit_walls(const WallCluster& cluster, const WallOptions& options);
+/// other's way. @throws Cancelled
+[[nodiscard]] ClusterOutlines fit_walls(const WallCluster& cluster, const WallOptions& options,
+                                        const StopRequest& stop = {});
 
 }  // namespace d2b

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <utility>
 
@@ -88,10 +89,11 @@ bool WallDrawing::plan(std::uint32_t c, const std::vector<std::size_t>& points, 
     State& state = states_[c];
     const WallStyle style{options_.walls, options_.tolerance, price};
     state.direction = reference_direction(c, dominant_direction(*state.samples, points));
-    std::optional<std::vector<WallPiece>> pieces = plan_walls(*state.samples, points, style, state.direction);
+    std::optional<std::vector<WallPiece>> pieces =
+        plan_walls(*state.samples, points, style, state.direction, stop_);
     if (!pieces)
         return false;
-    find_arcs(*state.samples, style, *pieces);
+    find_arcs(*state.samples, style, *pieces, stop_);
     settle_ends(*state.samples, *pieces);
     state.pieces = std::move(*pieces);
     state.shifts.assign(state.pieces.size(), {});
@@ -153,9 +155,9 @@ std::vector<WallDrawing::Wall> WallDrawing::walls_along(std::uint32_t arc) const
     const std::size_t begin = chain.node_steps[graph_.place_of[arc]];
     const std::size_t end = chain.node_steps[graph_.place_of[arc] + 1];
     const std::size_t round = state.samples->steps();
-    for (std::size_t i = 0; i < state.pieces.size(); ++i) {
+    const auto add = [&](std::size_t i) {
+        stop_.check();
         const WallPiece& piece = state.pieces[i];
-        // In a closed chain either may reach round its end.
         const auto common = [&](std::size_t arc_round, std::size_t piece_round) {
             const std::size_t first = std::max(begin + arc_round, piece.first + piece_round);
             const std::size_t last = std::min(end + arc_round, piece.last + piece_round);
@@ -165,6 +167,22 @@ std::vector<WallDrawing::Wall> WallDrawing::walls_along(std::uint32_t arc) const
         if (state.shifts[i].times < most_shifts &&
             static_cast<double>(along) >= most * static_cast<double>(piece.last - piece.first))
             walls.push_back({c, i});
+    };
+    // In a closed chain either may reach round its end. Walls follow one another.
+    std::size_t next = 0;
+    for (std::size_t lap = chain.closed ? 0 : 1; lap < (chain.closed ? 3 : 2); ++lap) {
+        const auto ends_after = [&](const WallPiece& piece) {
+            return piece.last + round > begin + lap * round;
+        };
+        const auto begins_before = [&](const WallPiece& piece) {
+            return piece.first + round < end + lap * round;
+        };
+        const auto& pieces = state.pieces;
+        const auto low = std::ranges::partition_point(pieces, std::not_fn(ends_after));
+        const auto high = std::ranges::partition_point(pieces, begins_before);
+        next = std::max(next, static_cast<std::size_t>(low - pieces.begin()));
+        for (; next < static_cast<std::size_t>(high - pieces.begin()); ++next)
+            add(next);
     }
     return walls;
 }

@@ -195,16 +195,15 @@ void Builder::find_parts() {
 
 }  // namespace
 
-WallGraph build_wall_graph(const WallCluster& cluster) {
+WallGraph build_wall_graph(const WallCluster& cluster, const StopRequest& stop) {
     WallGraph walls;
-    walls.graph = build_arc_graph(cluster.contours);
+    walls.graph = build_arc_graph(cluster.contours, stop);
     Builder builder(cluster, walls);
-    builder.find_sides();
-    builder.find_nodes();
-    builder.find_mates();
-    builder.find_chains();
-    builder.find_owners();
-    builder.find_parts();
+    for (const auto part : {&Builder::find_sides, &Builder::find_nodes, &Builder::find_mates,
+                            &Builder::find_chains, &Builder::find_owners, &Builder::find_parts}) {
+        stop.check();
+        (builder.*part)();
+    }
     return walls;
 }
 

@@ -56,7 +56,7 @@ struct WallGraph {
     std::vector<std::uint32_t> first_end;
 };
 
-/// O(n log n) in corners.
-[[nodiscard]] WallGraph build_wall_graph(const WallCluster& cluster);
+/// O(n log n) in corners. @throws Cancelled
+[[nodiscard]] WallGraph build_wall_graph(const WallCluster& cluster, const StopRequest& stop);
 
 }  // namespace d2b

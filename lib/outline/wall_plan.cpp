@@ -18,7 +18,8 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 class Planner {
   public:
-    Planner(const WallSamples& samples, const WallStyle& style) : samples_(samples), style_(style) {}
+    Planner(const WallSamples& samples, const WallStyle& style, const StopRequest& stop)
+        : samples_(samples), style_(style), stop_(stop) {}
     /// @param points steps in ascending order; walls begin and end at the first and the last
     std::optional<std::vector<WallPiece>> plan(const std::vector<std::size_t>& points, double direction);
 
@@ -57,6 +58,7 @@ class Planner {
 
     const WallSamples& samples_;
     WallStyle style_;
+    const StopRequest& stop_;
     std::array<Vec, WallPiece::free> directions_{};
     const std::vector<std::size_t>* points_ = nullptr;
     std::vector<States> states_;
@@ -124,6 +126,7 @@ std::optional<std::vector<WallPiece>> Planner::plan(const std::vector<std::size_
     points_ = &points;
     states_.assign(points.size(), {});
     for (std::size_t to = 1; to < points.size(); ++to) {
+        stop_.check();
         for (std::size_t from = to; from-- > 0 && to - from <= window;) {
             if (points[to] - points[from] > samples_.steps())
                 break;
@@ -192,10 +195,11 @@ std::vector<std::size_t> restarted(const std::vector<std::size_t>& points,
 }  // namespace
 
 std::optional<std::vector<WallPiece>> plan_walls(const WallSamples& samples, std::vector<std::size_t> points,
-                                                 const WallStyle& style, double& direction) {
+                                                 const WallStyle& style, double& direction,
+                                                 const StopRequest& stop) {
     if (samples.closed())
         points.push_back(samples.steps());
-    Planner planner(samples, style);
+    Planner planner(samples, style, stop);
     std::optional<std::vector<WallPiece>> pieces = planner.plan(points, direction);
     if (!pieces || pieces->size() < 2)
         return pieces;

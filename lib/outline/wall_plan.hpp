@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/options.hpp"
+#include "core/stop_request.hpp"
 #include "outline/circle.hpp"
 #include "outline/wall_samples.hpp"
 
@@ -40,10 +41,11 @@ struct WallStyle {
 /// one. O(steps), but for a window of 64 points over which a wall may reach.
 /// @param points at which the chain may turn
 /// @param direction the dominant one, radians; adjusted to the walls that follow it
-/// @return nothing where no such division exists
+/// @return nothing where no such division exists @throws Cancelled
 [[nodiscard]] std::optional<std::vector<WallPiece>> plan_walls(const WallSamples& samples,
                                                                std::vector<std::size_t> points,
-                                                               const WallStyle& style, double& direction);
+                                                               const WallStyle& style, double& direction,
+                                                               const StopRequest& stop);
 
 /// Steps at which a chain may turn: the vertices of its Douglas-Peucker line at 0.8 cells. Starts with 0; an
 /// open chain ends with its last step.

@@ -11,17 +11,20 @@ constexpr int patient_rounds = 24;  // in which forms become simpler step by ste
 
 }  // namespace
 
-WallRounds::WallRounds(const WallCluster& cluster, const WallOptions& options)
+WallRounds::WallRounds(const WallCluster& cluster, const WallOptions& options, const StopRequest& stop)
     : cluster_(cluster),
       options_(options),
-      graph_(build_wall_graph(cluster)),
-      drawing_(graph_, cluster, options),
+      stop_(stop),
+      graph_(build_wall_graph(cluster, stop)),
+      drawing_(graph_, cluster, options, stop),
       arcs_(graph_.graph.arcs.size()),
       spans_(arcs_.size()),
       deviations_(arcs_.size()),
       areas_(arcs_.size()),
       in_conflict_(graph_.parts),
-      check_(graph_, drawing_, arcs_, options.tolerance) {
+      gathered_(graph_.chains.size()),
+      moved_(graph_.chains.size()),
+      check_(graph_, drawing_, arcs_, options.tolerance, stop) {
     find_rings();
 }
 
@@ -64,6 +67,7 @@ void WallRounds::settle() {
 /// Takes over what is drawn. @param changed arcs that may have changed; those that have not are left out
 void WallRounds::collect(std::vector<std::uint32_t>& changed) {
     std::erase_if(changed, [&](std::uint32_t arc) {
+        stop_.check();
         drawing_.arc(arc, drawn_);
         deviations_[arc] = drawn_.deviation;
         spans_[arc].assign(drawn_.arcs.begin(), drawn_.arcs.end());
@@ -137,8 +141,8 @@ void WallRounds::resolve(std::uint32_t a, std::uint32_t b) {
 }
 
 void WallRounds::trace_part(std::uint32_t part) {
-    for (std::uint32_t c = 0; c < graph_.chains.size(); ++c)
-        while (graph_.part_of[c] == part && drawing_.simplify(c))
+    for (const std::uint32_t arc : check_.arcs_of_part(part))
+        while (drawing_.simplify(graph_.chain_of[arc]))
             in_conflict_[part] = true;
 }
 

@@ -5,14 +5,15 @@
 
 #include "outline/wall_check.hpp"
 #include "outline/wall_fit.hpp"
+#include "outline/wall_marks.hpp"
 
 namespace d2b {
 
 /// Draws the walls of a cluster, checks them, and gives what is in the way a simpler form, until nothing is.
 class WallRounds {
   public:
-    /// @param cluster must outlive this
-    WallRounds(const WallCluster& cluster, const WallOptions& options);
+    /// @param cluster, stop must outlive this
+    WallRounds(const WallCluster& cluster, const WallOptions& options, const StopRequest& stop);
     WallRounds(const WallRounds&) = delete;
     WallRounds& operator=(const WallRounds&) = delete;
     ~WallRounds() = default;
@@ -20,7 +21,7 @@ class WallRounds {
     /// Begins with what has been settled for the lower levels alone, which is of no use after that.
     void adopt(WallRounds&& low) { drawing_.adopt(std::move(low.drawing_)); }
     /// Ends: each round makes at least one form simpler or uses up one of the few shifts, and the trace is
-    /// without fault.
+    /// without fault. @throws Cancelled
     void settle();
     [[nodiscard]] WallOutline outline(std::size_t contour) const;
 
@@ -49,13 +50,14 @@ class WallRounds {
 
     void check_areas();
     [[nodiscard]] Int128 twice_area(const std::vector<ArcUse>& ring) const;
-    void correct(Ring& ring, double missing, std::vector<Wall>& moved);
+    void correct(Ring& ring, double missing);
     void simplify_last(const Ring& ring);
     void append(FineRing& to, const ArcUse& use, std::uint32_t number,
                 std::vector<ArcSpan>& ring_spans) const;
 
     const WallCluster& cluster_;
     WallOptions options_;
+    const StopRequest& stop_;
     WallGraph graph_;
     WallDrawing drawing_;
     SegmentGrid::Arcs arcs_;
@@ -68,6 +70,8 @@ class WallRounds {
     std::vector<std::uint32_t> first_of_arc_;
     std::vector<std::uint32_t> waiting_rings_;
     std::vector<bool> in_conflict_;  // parts, this round
+    WallMarks gathered_;             // walls of the ring that is corrected
+    WallMarks moved_;                // walls, this round
     DrawnChain drawn_;
     WallCheck check_;
     int round_ = 0;

@@ -17,8 +17,9 @@ struct DrawnChain {
 };
 
 /// Puts arcs in the place of runs of walls that turn one way, where that is the cheaper description, and a
-/// circle in the place of all walls of a closed chain. Walls::automatic alone.
-void find_arcs(const WallSamples& samples, const WallStyle& style, std::vector<WallPiece>& pieces);
+/// circle in the place of all walls of a closed chain. Walls::automatic alone. @throws Cancelled
+void find_arcs(const WallSamples& samples, const WallStyle& style, std::vector<WallPiece>& pieces,
+               const StopRequest& stop);
 
 /// Moves the ends of walls by some steps to where they fit both neighbours best, and fits the walls again.
 void settle_ends(const WallSamples& samples, std::vector<WallPiece>& pieces);

@@ -4,7 +4,6 @@
 #include <numeric>
 #include <utility>
 
-#include "outline/noding.hpp"
 #include "outline/packed_outline.hpp"
 
 namespace d2b {
@@ -13,9 +12,10 @@ RegularOutlines::RegularOutlines(const ContourList& contours, const WallOptions&
                                  std::unique_ptr<Spool> spool, Executor& executor)
     : contours_(contours),
       spool_(std::move(spool)),
-      clusters_(wall_clusters(contours, options)),
+      clusters_(wall_clusters(contours, options, executor.stop())),
       cluster_of_(contours.size()),
-      outlines_(contours.size()) {
+      outlines_(contours.size()),
+      large_clusters_(std::make_unique<LargeClusters>()) {
     std::size_t low = 0;
     while (low < contours.size() && contours.head(low).key.level <= 1)
         ++low;
@@ -31,8 +31,8 @@ RegularOutlines::RegularOutlines(const ContourList& contours, const WallOptions&
     });
     executor.for_each(order.size(), [&](std::size_t i) {
         const ClusterPlan& plan = clusters_[order[i]];
-        const FetchedCluster fetched(contours, plan);
-        const ClusterOutlines fitted = fit_walls(fetched.cluster(), options);
+        const FetchedCluster fetched(contours, plan, executor.stop());
+        const ClusterOutlines fitted = fit_walls(fetched.cluster(), options, executor.stop());
         for (std::size_t k = 0; k < plan.numbers.size(); ++k)
             outlines_[plan.numbers[k]] = keep(fitted.outlines[k]);
         for (std::size_t k = 0; k < fitted.footprints.size(); ++k)
@@ -50,13 +50,25 @@ FinePolygon RegularOutlines::fetch(const Kept& kept) const {
     return load_outline(*spool_, kept.place);
 }
 
+std::shared_ptr<const CornerIndex> RegularOutlines::corners(std::uint32_t cluster) const {
+    constexpr std::size_t large = 64;  // contours
+    {
+        const std::lock_guard lock(large_clusters_->mutex);
+        if (const auto known = large_clusters_->corners.find(cluster);
+            known != large_clusters_->corners.end())
+            return known->second;
+    }
+    // Several threads may do so at a time: none waits for another.
+    const FetchedCluster fetched(contours_, clusters_[cluster]);
+    const auto made = std::make_shared<const CornerIndex>(fetched.cluster().contours);
+    if (clusters_[cluster].numbers.size() < large)
+        return made;
+    const std::lock_guard lock(large_clusters_->mutex);
+    return large_clusters_->corners.try_emplace(cluster, made).first->second;
+}
+
 FinePolygon RegularOutlines::traced(std::size_t contour) const {
-    const ClusterPlan& plan = clusters_[cluster_of_[contour]];
-    const FetchedCluster fetched(contours_, plan);
-    const auto place = std::ranges::lower_bound(plan.numbers, static_cast<std::uint32_t>(contour));
-    const std::vector<const Contour*>& contours = fetched.cluster().contours;
-    const Contour& own = *contours[static_cast<std::size_t>(place - plan.numbers.begin())];
-    return fine(CornerIndex(contours).noded(traced_polygon(own)));
+    return fine(corners(cluster_of_[contour])->noded(traced_polygon(contours_.fetch(contour))));
 }
 
 }  // namespace d2b

@@ -2,12 +2,15 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "core/executor.hpp"
 #include "core/lattice.hpp"
 #include "core/spool.hpp"
+#include "outline/noding.hpp"
 #include "outline/wall_clusters.hpp"
 #include "outline/wall_fit.hpp"
 #include "trace/contour_list.hpp"
@@ -18,7 +21,7 @@ namespace d2b {
 /// threads, and what was drawn is put aside, in some bytes a vertex.
 class RegularOutlines {
   public:
-    /// @param contours they stay the caller's and must outlive this
+    /// @param contours they stay the caller's and must outlive this @throws Cancelled
     RegularOutlines(const ContourList& contours, const WallOptions& options, std::unique_ptr<Spool> spool,
                     Executor& executor);
 
@@ -40,6 +43,13 @@ class RegularOutlines {
         return contour < footprints_.size() && footprints_[contour].place.size > 0 ? footprints_[contour]
                                                                                    : outlines_[contour];
     }
+    /// The corners of clusters of many contours, once they were asked for: else each contour that GEOS
+    /// refuses would load all of its cluster.
+    struct LargeClusters {
+        std::mutex mutex;
+        std::map<std::uint32_t, std::shared_ptr<const CornerIndex>> corners;
+    };
+    [[nodiscard]] std::shared_ptr<const CornerIndex> corners(std::uint32_t cluster) const;
     [[nodiscard]] Kept keep(const WallOutline& outline);
     [[nodiscard]] FinePolygon fetch(const Kept& kept) const;
 
@@ -49,6 +59,7 @@ class RegularOutlines {
     std::vector<std::uint32_t> cluster_of_;  // a contour
     std::vector<Kept> outlines_;
     std::vector<Kept> footprints_;  // of contours of levels 0 and 1 that differ from their outlines
+    std::unique_ptr<LargeClusters> large_clusters_;
 };
 
 }  // namespace d2b

@@ -164,7 +164,7 @@ TEST_P(Village, IsDividedAlikeInStripsOfAnyHeight) {
     const ContourVector contours = village(GetParam());
     const std::vector<ClusterPlan> whole = wall_clusters(contours, {});
     for (const std::int64_t rows : {1, 7, 64}) {
-        const std::vector<ClusterPlan> strips = wall_clusters(contours, {}, rows);
+        const std::vector<ClusterPlan> strips = wall_clusters(contours, {}, {}, rows);
         ASSERT_EQ(strips.size(), whole.size());
         for (std::size_t i = 0; i < whole.size(); ++i)
             EXPECT_EQ(strips[i].numbers, whole[i].numbers);
