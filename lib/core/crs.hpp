@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/feature_sink.hpp"
+#include "core/stop_request.hpp"
 
 namespace d2b {
 
@@ -75,7 +76,8 @@ class CoordinateTransform {
 /// way round, across the antimeridian.
 class Geodesy {
   public:
-    explicit Geodesy(const Crs& crs);
+    /// @param stop asked between rings and within long ones: they end with a Cancelled
+    explicit Geodesy(const Crs& crs, StopRequest stop = {});
     Geodesy(Geodesy&&) noexcept;
     Geodesy& operator=(Geodesy&&) noexcept;
     ~Geodesy();

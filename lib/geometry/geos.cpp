@@ -1,12 +1,18 @@
 #define GEOS_USE_ONLY_R_API
 #include "geometry/geos.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <new>
+#include <optional>
+#include <string_view>
 #include <type_traits>
+#include <utility>
 
 #include "core/error.hpp"
 #include "geometry/geos_handles.hpp"
+#include "geometry/geos_interrupt.hpp"
+#include "geometry/vast_polygons.hpp"
 
 namespace d2b {
 namespace {
@@ -66,8 +72,12 @@ double signed_area(const std::vector<Point>& ring) {
 struct Geos::Impl {
     ContextPtr context{GEOS_init_r()};
     std::string message;
+    StopRequest stop;
+    GeosInterrupt interrupt;
 
-    Impl() { GEOSContext_setErrorMessageHandler_r(context.get(), remember, this); }
+    explicit Impl(StopRequest the_stop) : stop(std::move(the_stop)) {
+        GEOSContext_setErrorMessageHandler_r(context.get(), remember, this);
+    }
     /// Called from C: nothing may be thrown.
     static void remember(const char* text, void* self) noexcept {
         try {
@@ -78,8 +88,10 @@ struct Geos::Impl {
     }
 
     GeometryPtr own(GEOSGeometry* geometry) const {
-        if (geometry == nullptr)
+        if (geometry == nullptr) {
+            stop.check();
             throw GeometryError("GEOS failed on a polygon: " + message + ".");
+        }
         return {geometry, GeometryDeleter{context.get()}};
     }
 
@@ -110,8 +122,10 @@ struct Geos::Impl {
         GeometryPtr shell = ring(exterior);
         std::vector<GeometryPtr> holes;
         holes.reserve(interiors.size());
-        for (const auto& interior : interiors)
+        for (const auto& interior : interiors) {
+            stop.check();
             holes.push_back(ring(interior));
+        }
         // GEOS owns what it is given, also where it fails.
         std::vector<GEOSGeometry*> given = release(holes);
         return own(GEOSGeom_createPolygon_r(context.get(), shell.release(), given.data(),
@@ -122,8 +136,10 @@ struct Geos::Impl {
     GeometryPtr collection(const std::vector<Polygon>& polygons) {
         std::vector<GeometryPtr> parts;
         parts.reserve(polygons.size());
-        for (const Polygon& p : polygons)
+        for (const Polygon& p : polygons) {
+            stop.check();
             parts.push_back(polygon(p.exterior, p.interiors));
+        }
         std::vector<GEOSGeometry*> given = release(parts);
         return own(GEOSGeom_createCollection_r(context.get(), GEOS_MULTIPOLYGON, given.data(),
                                                static_cast<unsigned>(given.size())));
@@ -144,6 +160,38 @@ struct Geos::Impl {
         if (!result.empty() && (signed_area(result) > 0) != counter_clockwise)
             result = {result.rbegin(), result.rend()};
         return result;
+    }
+
+    /// As Geos::invalidity(), of finite polygons.
+    std::string invalidity(const std::vector<WorldPolygon>& polygons) {
+        GeometryPtr geometry;
+        try {
+            geometry = polygons.size() == 1 ? polygon(polygons.front().exterior, polygons.front().interiors)
+                                            : collection(polygons);
+        } catch (const GeometryError& error) {
+            return error.what();
+        }
+        const char valid = GEOSisValid_r(context.get(), geometry.get());
+        stop.check();
+        if (valid == 1)
+            return {};
+        const std::unique_ptr<char, FreeText> reason(GEOSisValidReason_r(context.get(), geometry.get()),
+                                                     FreeText{context.get()});
+        stop.check();
+        return reason ? reason.get() : "invalid";
+    }
+
+    std::string invalidity_of_vast(const WorldPolygon& polygon) {
+        const std::string reason = invalidity(inside_out(polygon));
+        constexpr std::string_view nested = "Nested shells";
+        if (reason.starts_with(nested))
+            return "Hole lies outside shell or in another hole" + reason.substr(nested.size());
+        if (!reason.empty())
+            return reason;
+        if (const std::optional<Position> parted = parted_at(polygon))
+            return "Interior is disconnected[" + std::to_string(parted->x) + " " + std::to_string(parted->y) +
+                   "]";
+        return {};
     }
 
     /// Appends the polygons of a geometry of any type.
@@ -167,7 +215,7 @@ struct Geos::Impl {
     }
 };
 
-Geos::Geos() : impl_(std::make_unique<Impl>()) {}
+Geos::Geos(StopRequest stop) : impl_(std::make_unique<Impl>(std::move(stop))) {}
 Geos::Geos(Geos&&) noexcept = default;
 Geos& Geos::operator=(Geos&&) noexcept = default;
 Geos::~Geos() = default;
@@ -180,23 +228,20 @@ std::string Geos::invalidity(const std::vector<WorldPolygon>& polygons) {
             if (const char* wrong = wrong_points(ring))
                 return wrong;
     }
-    GeometryPtr geometry;
-    try {
-        geometry = polygons.size() == 1
-                       ? impl_->polygon(polygons.front().exterior, polygons.front().interiors)
-                       : impl_->collection(polygons);
-    } catch (const GeometryError& error) {
-        return error.what();
+    const GeosInterrupt::Watch watch(impl_->stop);
+    if (std::ranges::none_of(polygons, is_vast))
+        return impl_->invalidity(polygons);
+    for (const WorldPolygon& polygon : polygons) {
+        const std::string reason =
+            is_vast(polygon) ? impl_->invalidity_of_vast(polygon) : impl_->invalidity({polygon});
+        if (!reason.empty())
+            return reason;
     }
-    GEOSContextHandle_t context = impl_->context.get();
-    if (GEOSisValid_r(context, geometry.get()) == 1)
-        return {};
-    const std::unique_ptr<char, FreeText> reason(GEOSisValidReason_r(context, geometry.get()),
-                                                 FreeText{context});
-    return reason ? reason.get() : "invalid";
+    return polygons.size() == 1 ? std::string() : impl_->invalidity(without_empty_holes(polygons));
 }
 
 std::vector<WorldPolygon> Geos::repaired(const std::vector<WorldPolygon>& polygons) {
+    const GeosInterrupt::Watch watch(impl_->stop);
     GEOSContextHandle_t context = impl_->context.get();
     const GeometryPtr geometry = impl_->collection(polygons);
     GEOSMakeValidParams* params = GEOSMakeValidParams_create_r(context);
@@ -212,6 +257,7 @@ std::vector<WorldPolygon> Geos::repaired(const std::vector<WorldPolygon>& polygo
 std::vector<FinePolygon> Geos::difference(const FinePolygon& whole, const std::vector<FinePolygon>& parts) {
     if (parts.empty())
         return {whole};
+    const GeosInterrupt::Watch watch(impl_->stop);
     GEOSContextHandle_t context = impl_->context.get();
     const GeometryPtr from = impl_->polygon(whole.exterior, whole.interiors);
     const GeometryPtr pieces = impl_->collection(parts);
@@ -223,6 +269,7 @@ std::vector<FinePolygon> Geos::difference(const FinePolygon& whole, const std::v
 }
 
 double Geos::area_outside(const WorldPolygon& inner, const WorldPolygon& outer) {
+    const GeosInterrupt::Watch watch(impl_->stop);
     GEOSContextHandle_t context = impl_->context.get();
     const GeometryPtr a = impl_->polygon(inner.exterior, inner.interiors);
     const GeometryPtr b = impl_->polygon(outer.exterior, outer.interiors);

@@ -6,13 +6,15 @@
 
 #include "core/feature_sink.hpp"
 #include "core/lattice.hpp"
+#include "core/stop_request.hpp"
 
 namespace d2b {
 
 /// GEOS through its reentrant C API; one object a thread. Its messages become the text of exceptions.
 class Geos {
   public:
-    Geos();
+    /// @param stop asked in the midst of what GEOS does as well, which then ends with a Cancelled
+    explicit Geos(StopRequest stop = {});
     Geos(Geos&&) noexcept;
     Geos& operator=(Geos&&) noexcept;
     ~Geos();

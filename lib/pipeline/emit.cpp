@@ -88,7 +88,8 @@ Emitter::Emitter(const Emission& emission, RecordMaker& records, FeatureSink& si
                               emission.target_crs,
                               emission.window,
                               outliner_,
-                              children_};
+                              children_,
+                              context.threads->stop()};
     for (int thread = 0; thread < context.threads->threads(); ++thread)
         placers_.emplace_back(placement);
 }

@@ -97,12 +97,13 @@ Outliner make_outliner(const ContourList& contours, const OutlineOptions& option
             georeference, x_stretch(georeference, crs, window),  context};
 }
 
-Placer::Placer(const Placement& placement) : placement_(placement), geodesy_(placement.crs) {
+Placer::Placer(const Placement& placement)
+    : placement_(placement), geos_(placement.stop), geodesy_(placement.crs, placement.stop) {
     if (placement.target_crs.kind() == Crs::Kind::none)
         return;
     transform_.emplace(placement.crs, placement.target_crs,
                        corners_of(placement.window, placement.georeference));
-    target_geodesy_.emplace(placement.target_crs);
+    target_geodesy_.emplace(placement.target_crs, placement.stop);
 }
 
 Placer::Parts Placer::shape(std::size_t contour, bool tier, const Draw& draw) {
@@ -136,9 +137,14 @@ Placer::Parts Placer::in_target_crs(Parts parts) {
     if (!transform_)
         return parts;
     const double longest = longest_edge_cells * std::sqrt(placement_.georeference.cell_area());
+    constexpr std::size_t at_once = 10000;  // positions, some 10 ms
     const auto carry = [&](WorldRing& ring) {
         ring = with_short_edges(ring, longest);
-        transform_->apply(ring);
+        for (std::span<Position> rest = ring; !rest.empty();
+             rest = rest.subspan(std::min(rest.size(), at_once))) {
+            placement_.stop.check();
+            transform_->apply(rest.first(std::min(rest.size(), at_once)));
+        }
     };
     for (WorldPolygon& part : parts) {
         part.arcs.clear();  // a circle of one CRS is none in another

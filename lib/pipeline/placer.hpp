@@ -38,6 +38,7 @@ struct Placement {
     Window window;
     const Outliner& outliner;
     const Children& children;  ///< may be empty where no tier is asked for
+    StopRequest stop = {};
 };
 
 /// A polygon as it is written, with its measures and what became of its outline.

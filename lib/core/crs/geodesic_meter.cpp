@@ -65,6 +65,7 @@ Geodesy::Measure GeodesicMeter::measure_cut() {
     constexpr int most_halvings = 30;
     outline_.clear();
     for (std::size_t i = 0; i < corners_.size(); ++i) {
+        stop_.check();
         const Position& place = places_[i];
         outline_.push_back(place);
         cut(corners_[i], edge(i), place, places_[i + 1 == corners_.size() ? 0 : i + 1], most_halvings);

@@ -28,11 +28,13 @@ class GeodesicMeter {
     /// @param name  of the CRS
     /// @param step  length in units of the CRS above which edges are cut without looking
     /// @param turn  units of the CRS in a full circle of longitude, 0 where the coordinates are no angles
-    GeodesicMeter(std::unique_ptr<LonLat> lon_lat, std::string name, double step, double turn)
+    GeodesicMeter(std::unique_ptr<LonLat> lon_lat, std::string name, double step, double turn,
+                  StopRequest stop)
         : lon_lat_(std::move(lon_lat)),
           name_(std::move(name)),
           step_(step),
           turn_(turn),
+          stop_(std::move(stop)),
           polygon_(lon_lat_->radius, lon_lat_->flattening),
           metrics_(step / 8),
           bends_(step / 8) {}
@@ -54,6 +56,7 @@ class GeodesicMeter {
     std::string name_;
     double step_;
     double turn_;
+    StopRequest stop_;
     GeodesicPolygon polygon_;
     LocalMetrics metrics_;
     EdgeBends bends_;

@@ -44,9 +44,11 @@ double longest_edge(const Crs::Impl& crs, double radius) {
 struct Geodesy::Impl {
     std::optional<GeodesicMeter> geodesic;  ///< empty: planar
     double metres = 1;                      ///< in one unit, where planar
+    StopRequest stop;
 };
 
-Geodesy::Geodesy(const Crs& crs) : impl_(std::make_unique<Impl>()) {
+Geodesy::Geodesy(const Crs& crs, StopRequest stop) : impl_(std::make_unique<Impl>()) {
+    impl_->stop = std::move(stop);
     const Crs::Impl& definition = crs.impl();
     if (definition.horizontal_unit)
         impl_->metres = definition.horizontal_unit->metres;
@@ -56,7 +58,7 @@ Geodesy::Geodesy(const Crs& crs) : impl_(std::make_unique<Impl>()) {
         return;
     const double step = longest_edge(definition, lon_lat->radius);
     const double turn = definition.angular_unit > 0 ? 360 / definition.angular_unit : 0;
-    impl_->geodesic.emplace(std::move(lon_lat), definition.name, step, turn);
+    impl_->geodesic.emplace(std::move(lon_lat), definition.name, step, turn, impl_->stop);
 }
 
 Geodesy::Geodesy(Geodesy&&) noexcept = default;
@@ -74,6 +76,7 @@ Geodesy::Measure Geodesy::ring(std::span<const Position> ring) {
 Geodesy::Measure Geodesy::polygon(const WorldPolygon& polygon) {
     Measure sum = ring(polygon.exterior);
     for (const WorldRing& interior : polygon.interiors) {
+        impl_->stop.check();
         const Measure hole = ring(interior);
         sum.area_m2 -= hole.area_m2;
         sum.perimeter_m += hole.perimeter_m;

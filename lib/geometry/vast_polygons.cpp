@@ -1,0 +1,116 @@
+#include "geometry/vast_polygons.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <tuple>
+
+#include "geometry/box_tree.hpp"
+
+namespace d2b {
+namespace {
+
+/// Rings that touch, a point at a time.
+class Touching {
+  public:
+    explicit Touching(std::size_t rings) : up_(rings) { std::iota(up_.begin(), up_.end(), 0U); }
+    /// @return whether they had not been connected before
+    bool join(std::uint32_t a, std::uint32_t b) {
+        a = find(a);
+        b = find(b);
+        up_[std::max(a, b)] = std::min(a, b);
+        return a != b;
+    }
+
+  private:
+    std::uint32_t find(std::uint32_t i) {
+        while (up_[i] != i) {
+            up_[i] = up_[up_[i]];
+            i = up_[i];
+        }
+        return i;
+    }
+    std::vector<std::uint32_t> up_;
+};
+
+struct Vertex {
+    Position at;
+    std::uint32_t ring = 0;
+
+    [[nodiscard]] std::tuple<double, double, std::uint32_t> key() const { return {at.x, at.y, ring}; }
+};
+
+bool covers(const Box& outer, const Box& inner) {
+    return outer.left <= inner.left && outer.right >= inner.right && outer.low <= inner.low &&
+           outer.high >= inner.high;
+}
+
+}  // namespace
+
+bool is_vast(const WorldPolygon& polygon) {
+    constexpr double most_comparisons = 1e7;  // some 30 ms
+    return static_cast<double>(polygon.exterior.size()) * static_cast<double>(polygon.interiors.size()) >
+           most_comparisons;
+}
+
+std::vector<WorldPolygon> inside_out(const WorldPolygon& polygon) {
+    Box frame = box_of(polygon.exterior);
+    const double room = frame.right - frame.left + frame.high - frame.low;
+    frame = {frame.left - room, frame.low - room, frame.right + room, frame.high + room};
+    std::vector<WorldPolygon> result;
+    result.reserve(polygon.interiors.size() + 1);
+    result.push_back({{{frame.left, frame.low},
+                       {frame.right, frame.low},
+                       {frame.right, frame.high},
+                       {frame.left, frame.high}},
+                      {polygon.exterior}});
+    for (const WorldRing& ring : polygon.interiors)
+        result.push_back({ring, {}});
+    return result;
+}
+
+/// Rings that touch each other in a circle, by way of different points, part the inside.
+std::optional<Position> parted_at(const WorldPolygon& polygon) {
+    std::vector<Vertex> vertices;
+    std::uint32_t rings = 0;
+    const auto add = [&](const WorldRing& ring) {
+        for (const Position& p : ring)
+            vertices.push_back({p, rings});
+        ++rings;
+    };
+    add(polygon.exterior);
+    std::ranges::for_each(polygon.interiors, add);
+    std::ranges::sort(vertices, {}, &Vertex::key);
+    Touching touching(rings);
+    for (std::size_t i = 1; i < vertices.size(); ++i) {
+        const Vertex& a = vertices[i - 1];
+        const Vertex& b = vertices[i];
+        const bool touch = a.at.x == b.at.x && a.at.y == b.at.y && a.ring != b.ring;
+        if (touch && !touching.join(a.ring, b.ring))
+            return b.at;
+    }
+    return {};
+}
+
+std::vector<WorldPolygon> without_empty_holes(const std::vector<WorldPolygon>& polygons) {
+    std::vector<Box> boxes;
+    boxes.reserve(polygons.size());
+    for (const WorldPolygon& polygon : polygons)
+        boxes.push_back(box_of(polygon.exterior));
+    const BoxTree tree(boxes);
+    std::vector<WorldPolygon> result;
+    result.reserve(polygons.size());
+    for (std::size_t i = 0; i < polygons.size(); ++i) {
+        WorldPolygon& kept = result.emplace_back(WorldPolygon{polygons[i].exterior, {}});
+        for (const WorldRing& ring : polygons[i].interiors) {
+            const Box hole = box_of(ring);
+            bool holds = false;
+            tree.query(hole, [&](std::size_t other) { holds |= other != i && covers(hole, boxes[other]); });
+            if (holds)
+                kept.interiors.push_back(ring);
+        }
+    }
+    return result;
+}
+
+}  // namespace d2b

@@ -1,0 +1,77 @@
+#include <atomic>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "geometry/geos.hpp"
+#include "support/box.hpp"
+
+namespace d2b {
+namespace {
+
+using test::box;
+
+/// So many teeth: GEOS asks for each stretch of a ring that goes up or down.
+WorldPolygon saw(int teeth) {
+    WorldPolygon polygon;
+    for (int i = 0; i < teeth; ++i)
+        for (const Position p : {Position{2.0 * i, 0}, Position{2.0 * i + 1, 1}})
+            polygon.exterior.push_back(p);
+    polygon.exterior.push_back({2.0 * teeth, 0});
+    polygon.exterior.push_back({2.0 * teeth, 5});
+    polygon.exterior.push_back({0, 5});
+    return polygon;
+}
+
+TEST(StoppedGeos, EndsWithACancelledInTheMidstOfACall) {
+    int asked = 0;
+    bool stops = false;
+    Geos geos(StopRequest([&] { return ++asked > 100 && stops; }));
+    EXPECT_EQ(geos.invalidity({saw(5000)}), "");
+    EXPECT_GT(asked, 1000);  // not before and after the call alone
+    stops = true;
+    asked = 0;
+    EXPECT_THROW(static_cast<void>(geos.invalidity({saw(5000)})), Cancelled);
+    EXPECT_LT(asked, 200);
+    asked = 0;
+    EXPECT_THROW(static_cast<void>(geos.area_outside(saw(5000), box(10, 0, 20, 4))), Cancelled);
+    asked = 0;
+    EXPECT_THROW(static_cast<void>(geos.repaired({saw(5000)})), Cancelled);
+    stops = false;
+    EXPECT_EQ(geos.invalidity({saw(5000)}), "");
+}
+
+TEST(StoppedGeos, AThreadIsNotStoppedByAnother) {
+    std::atomic<bool> ends = false;
+    std::atomic<int> stopped = 0;
+    std::thread other([&] {
+        while (!ends) {
+            Geos geos(StopRequest([] { return true; }));
+            EXPECT_THROW(static_cast<void>(geos.invalidity({saw(200)})), Cancelled);
+            ++stopped;
+        }
+    });
+    Geos geos(StopRequest([] { return false; }));
+    for (int i = 0; i < 200 || stopped < 200; ++i)
+        EXPECT_EQ(geos.invalidity({saw(200)}), "");
+    ends = true;
+    other.join();
+}
+
+TEST(StoppedGeos, WhoElseRegisteredACallbackKeepsIt) {
+    // A second object, an end of the first: GEOS still asks.
+    int asked = 0;
+    const StopRequest stop([&] {
+        ++asked;
+        return false;
+    });
+    auto first = std::make_unique<Geos>(stop);
+    Geos second(stop);
+    first.reset();
+    EXPECT_EQ(second.invalidity({saw(1000)}), "");
+    EXPECT_GT(asked, 100);
+}
+
+}  // namespace
+}  // namespace d2b
