@@ -151,7 +151,7 @@ void Executor::pipelined(std::size_t count, std::size_t window, const Indexed& m
                 const std::size_t i = taken;
                 lock.unlock();
                 try {
-                    check_stop();
+                    stop_.check();
                     take(i);
                 } catch (...) {
                     failure.keep(i, std::current_exception());
