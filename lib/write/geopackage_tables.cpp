@@ -43,6 +43,7 @@ class Tables {
         call.check(true, doing);
     }
     void make_style_table() const;
+    [[nodiscard]] bool has_styles_of_qgis() const;
 
     GDALDatasetH dataset_;
     const NewLayer& layer_;
@@ -67,24 +68,36 @@ void Tables::make_style_table() const {
         doing);
 }
 
+bool Tables::has_styles_of_qgis() const {
+    OgrCall call(target_);
+    const auto columns = sql_value(
+        dataset_,
+        "SELECT COUNT(*) FROM pragma_table_info('layer_styles') WHERE name IN ('f_table_catalog', "
+        "'f_table_schema', 'f_table_name', 'f_geometry_column', 'styleName', 'styleQML', 'styleSLD', "
+        "'useAsDefault', 'description', 'owner', 'update_time')");
+    call.check(columns.has_value(), "reading the table of styles");
+    return *columns == "11";
+}
+
 void Tables::style() const {
     if (layer_.spec.style.title.empty())
         return;
     if (!has_table(dataset_, "layer_styles"))
         make_style_table();
-    const std::string of_layer = " FROM layer_styles WHERE lower(f_table_name) = lower(" + table_ + ")";
-    const std::string ours = of_layer + " AND styleName = " + our_style + " AND owner = " + our_style;
     // A table of another shape is somebody else's.
-    if (!sql_done(dataset_, "DELETE" + ours))
+    if (!has_styles_of_qgis())
         return;
-    sql_done(
-        dataset_,
+    const char* doing = "writing the style";
+    const std::string of_layer = " FROM layer_styles WHERE lower(f_table_name) = lower(" + table_ + ")";
+    must("DELETE" + of_layer + " AND styleName = " + our_style + " AND owner = " + our_style, doing);
+    must(
         "INSERT INTO layer_styles (f_table_catalog, f_table_schema, f_table_name, f_geometry_column, "
         "styleName, styleQML, styleSLD, useAsDefault, description, owner, update_time) VALUES ('', '', " +
             table_ + ", " + sql_text(layer_.geometry) + ", " + our_style + ", " +
             sql_text(qml_style(layer_.spec, layer_.columns)) + ", '', NOT EXISTS (SELECT 1" + of_layer +
             " AND useAsDefault), " + sql_text(layer_.spec.style.title) + ", " + our_style + ", " + now() +
-            ")");
+            ")",
+        doing);
 }
 
 void Tables::metadata(const Provenance& provenance) const {

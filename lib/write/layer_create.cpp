@@ -43,6 +43,8 @@ NameValueList layer_options(GDALDatasetH dataset, const LayerSpec& spec, const L
     };
     offer("IDENTIFIER", title_taken(dataset, spec.title) ? spec.title + " (" + spec.name + ")" : spec.title);
     offer("DESCRIPTION", spec.description);
+    // Beside what it is for, and not where the program was started.
+    offer("TEMPORARY_DIR", setting.target.hidden_folder);
     // By default these drivers drop geometries and characters without a word.
     if (setting.format.name == "CSV")
         offer("GEOMETRY", "AS_WKT");

@@ -1,6 +1,8 @@
 #include "write/ogr_feature_sink.hpp"
 
+#include <filesystem>
 #include <optional>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -11,6 +13,7 @@
 #include "write/layer_choice.hpp"
 #include "write/staging.hpp"
 #include "write/style_sidecar.hpp"
+#include "write/write_watch.hpp"
 
 namespace d2b {
 
@@ -27,7 +30,10 @@ class OgrFeatureSink final : public FeatureSink {
           context_(context) {}
 
     void begin(std::span<const LayerSpec> layers, const Provenance& provenance) override;
-    void add(std::size_t layer, const Feature& feature) override { writer_->add(layer, feature); }
+    void add(std::size_t layer, const Feature& feature) override {
+        writer_->add(layer, feature);
+        require_written();
+    }
     void finish() override;
     [[nodiscard]] std::int64_t first_id() const override { return writer_ ? writer_->first_id() : 1; }
     [[nodiscard]] std::string layer_name(LayerRole role, Layers layers) const override {
@@ -39,6 +45,8 @@ class OgrFeatureSink final : public FeatureSink {
     [[nodiscard]] bool in_place() const { return existing_ && format_.transactions; }
     [[nodiscard]] DatasetWriter::Mode mode() const;
     void require_unchanged() const;
+    /// @throws OutputError where the disk has refused what the driver took for written
+    void require_written() const;
 
     WriteOptions options_;
     VectorFormat format_;
@@ -46,6 +54,7 @@ class OgrFeatureSink final : public FeatureSink {
     std::optional<ExistingDataset> existing_;
     Context& context_;
     std::optional<Staging> staging_;
+    std::optional<WriteWatch> watch_;
     WriteTarget target_;
     std::optional<DatasetWriter> writer_;  ///< goes before the folder that it writes in
 };
@@ -66,8 +75,14 @@ void OgrFeatureSink::begin(std::span<const LayerSpec> layers, const Provenance& 
     std::string path = destination_.path;
     if (destination_.local && !in_place()) {
         staging_.emplace(destination_.name, destination_.path);
-        target_.hidden_folder = staging_->folder().string() + "/";
-        path = staging_->dataset().string();
+        const bool watched = !format_.transactions && keeps_virtual_files(format_.driver);
+        const auto called = [&](const std::filesystem::path& file) {
+            return watched ? watch_->name_of(file.string()) : file.string();
+        };
+        if (watched)
+            watch_.emplace();
+        target_.hidden_folder = called(staging_->folder()) + "/";
+        path = called(staging_->dataset());
         if (mode() == DatasetWriter::Mode::extend) {
             require_unchanged();
             staging_->copy_in(existing_->files);
@@ -84,6 +99,13 @@ void OgrFeatureSink::begin(std::span<const LayerSpec> layers, const Provenance& 
         no_waiting.emplace("OGR_SQLITE_SYNCHRONOUS", "OFF");
     writer_.emplace(target_, format_, options_);
     writer_->begin(path, mode(), layers, provenance);
+    require_written();
+}
+
+void OgrFeatureSink::require_written() const {
+    if (watch_ && watch_->error() != 0)
+        throw OutputError("Cannot write \"" + destination_.name +
+                          "\": " + std::generic_category().message(watch_->error()) + ".");
 }
 
 void OgrFeatureSink::require_unchanged() const {
@@ -94,6 +116,7 @@ void OgrFeatureSink::require_unchanged() const {
 
 void OgrFeatureSink::finish() {
     writer_->close();
+    require_written();
     if (!staging_) {
         // A transaction has been counted before it was committed.
         if (!in_place() && !is_stream(destination_.name))
@@ -105,7 +128,12 @@ void OgrFeatureSink::finish() {
     verify_counts(target_, format_, staging_->dataset().string(), writer_->counts());
     staging_->sync();
     require_unchanged();
-    staging_->publish(existing_ ? existing_->files : std::vector<std::string>());
+    const std::string doubt = staging_->publish(existing_ ? existing_->files : std::vector<std::string>());
+    if (!doubt.empty())
+        context_.warn("\"" + destination_.name +
+                      "\" is written, but may be gone after a power failure: the disk "
+                      "does not confirm its name (" +
+                      doubt + ").");
     staging_.reset();
 }
 

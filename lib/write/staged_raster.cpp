@@ -40,7 +40,7 @@ void StagedRaster::publish(const std::string& renaming) {
     if (stamp_of(place_.old_files) != place_.stamp)
         throw OutputError("\"" + place_.name +
                           "\" has changed while this run was going on and is left alone; run again.");
-    staging_->publish(place_.old_files);
+    static_cast<void>(staging_->publish(place_.old_files));
     staging_.reset();
 }
 

@@ -48,7 +48,8 @@ Staging::Staging(std::string name, fs::path destination)
 
 Staging::~Staging() {
     std::error_code ignored;
-    fs::remove_all(folder_, ignored);
+    if (!keeps_old_)
+        fs::remove_all(folder_, ignored);
 }
 
 void Staging::copy_in(const std::vector<std::string>& files) {
@@ -84,16 +85,25 @@ void Staging::sync() const {
     }
 }
 
-void Staging::publish(const std::vector<std::string>& old_files) {
+std::string Staging::publish(const std::vector<std::string>& old_files) {
     try {
         if (fs::is_directory(dataset()))
             publish_folder(!old_files.empty());
         else
             publish_files(old_files);
+    } catch (const std::system_error& error) {
+        std::error_code ignored;
+        const fs::path old = folder_ / "old";
+        keeps_old_ = fs::exists(old, ignored) && !fs::is_empty(old, ignored);
+        throw cannot_write(name_, "the finished result cannot be renamed (" + error.code().message() + ")" +
+                                      (keeps_old_ ? "; old files lie in \"" + old.string() + "\" now" : ""));
+    }
+    try {
         sync_to_disk(parent_of(destination_));
     } catch (const std::system_error& error) {
-        throw cannot_write(name_, "the finished result cannot be renamed (" + error.code().message() + ")");
+        return error.code().message();
     }
+    return "";
 }
 
 void Staging::publish_folder(bool replaces) {

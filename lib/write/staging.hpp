@@ -29,8 +29,10 @@ class Staging {
     void sync() const;
     /// Puts the result in the place of the old files, all that the destination consists of (none where it is
     /// new). One file and a folder change in one step; a set of files (Shapefile) one after the other, the
-    /// main file last, and back again where one fails. @throws OutputError
-    void publish(const std::vector<std::string>& old_files);
+    /// main file last, and back again where one fails. Where not even that goes, the old files stay in the
+    /// hidden folder. @return why the disk does not confirm the new names; "" where it does @throws
+    /// OutputError
+    [[nodiscard]] std::string publish(const std::vector<std::string>& old_files);
 
   private:
     void publish_folder(bool replaces);
@@ -39,6 +41,7 @@ class Staging {
     std::string name_;
     std::filesystem::path destination_;
     std::filesystem::path folder_;
+    bool keeps_old_ = false;                     ///< files that could not be brought back
     std::vector<std::filesystem::path> result_;  ///< file names, the main one last
 };
 

@@ -121,6 +121,10 @@ bool is_connection(GDALDriverH driver, const std::string& destination) {
     return !prefix.empty() && lower(destination).starts_with(lower(prefix));
 }
 
+bool keeps_virtual_files(GDALDriverH driver) {
+    return metadata(driver, GDAL_DCAP_VIRTUALIO) == "YES";
+}
+
 bool has_layer_option(GDALDriverH driver, const std::string& name) {
     const std::string list = metadata(driver, GDAL_DS_LAYER_CREATIONOPTIONLIST);
     return list.find("name='" + name + "'") != std::string::npos ||

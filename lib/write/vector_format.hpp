@@ -33,6 +33,9 @@ DatasetHandle open_dataset(const VectorFormat& format, const std::string& path, 
 /// Whether the driver takes the destination for the name of a database or a service, e.g. "PG:dbname=city".
 [[nodiscard]] bool is_connection(GDALDriverH driver, const std::string& destination);
 
+/// Whether the driver reads and writes through GDAL's virtual files.
+[[nodiscard]] bool keeps_virtual_files(GDALDriverH driver);
+
 /// Whether the driver has a layer creation option of this name.
 [[nodiscard]] bool has_layer_option(GDALDriverH driver, const std::string& name);
 

@@ -41,7 +41,7 @@ TEST_F(StagingTest, ASetOfFilesComesAsAWhole) {
         staging.seal();
         put_in(staging, "a.cache", "of a reader");
         staging.sync();
-        staging.publish({path("a.txt"), path("a.idx"), path("a.more")});
+        EXPECT_EQ(staging.publish({path("a.txt"), path("a.idx"), path("a.more")}), "");
     }
     EXPECT_EQ(entries(), (Names{"a.idx", "a.txt"}));
     EXPECT_EQ(bytes("a.txt"), "new");
@@ -58,7 +58,7 @@ TEST_F(StagingTest, ASetOfFilesGoesBackAsAWhole) {
             put_in(staging, name, "new");
         staging.seal();
         EXPECT_EQ(thrown<OutputError>([&] {
-                      staging.publish({path("a.txt"), path("a.idx")});
+                      static_cast<void>(staging.publish({path("a.txt"), path("a.idx")}));
                   }),
                   "Cannot write \"name\": the finished result cannot be renamed (File exists).");
     }

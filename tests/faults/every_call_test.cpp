@@ -1,0 +1,207 @@
+#include <algorithm>
+#include <fstream>
+#include <unistd.h>
+
+#include "faults/old_or_new.hpp"
+
+namespace d2b::test {
+namespace {
+
+using Files = std::map<std::string, std::string>;
+namespace fs = std::filesystem;
+
+/// Every call that changes a file or a folder fails in turn: what is there afterwards is what was there
+/// before, or all that was to come, and the status says which.
+class EveryCall : public FaultyTest {
+  protected:
+    void SetUp() override {
+        if (D2B_SANITIZED != 0)
+            GTEST_SKIP() << "the sanitizers' libraries do not go with a preloaded one";
+        FaultyTest::SetUp();
+        write(input_ + "/new.tif", few_buildings(0));
+        write(input_ + "/old.tif", few_buildings(2));
+        for (const char* name : {"dem.tif", "small.tif"})
+            fs::remove(path(name));
+    }
+    void TearDown() override {
+        fs::remove_all(input_);
+        FaultyTest::TearDown();
+    }
+    /// Three buildings, or two lower ones.
+    static RasterSpec few_buildings(int lower) {
+        RasterSpec spec = blocks();
+        spec.rows = 40;
+        spec.cols = 50;
+        spec.values.assign(40UL * 50UL, 0);
+        for (int row = 4; row < 34; ++row)
+            for (int col = 4; col < 46; ++col)
+                if (row % 18 < 12 && row % 18 > 3 && col % 20 > 3 && col % 20 < 17 &&
+                    (lower == 0 || row < 18 || col < 20))
+                    spec.values[static_cast<std::size_t>(row * 50 + col)] = 9 + col / 20 - lower;
+        return spec;
+    }
+    /// One call in so many; all where D2B_FAULT_STEP is 1.
+    static long step() {
+        const char* wanted = std::getenv("D2B_FAULT_STEP");
+        return wanted == nullptr ? 10 : std::max(1L, std::atol(wanted));
+    }
+    static std::vector<std::string> errors() {
+        if (step() > 1)
+            return {"ENOSPC-once", "EIO", "EDQUOT", "short"};
+        return {"ENOSPC", "EIO", "EDQUOT", "EIO-once", "ENOSPC-once", "short", "short-ENOSPC"};
+    }
+
+    [[nodiscard]] ToolResult run_with(const std::string& fault, const Arguments& arguments) const {
+        return run(arguments,
+                   {.environment = {"OGR_CURRENT_DATE=2026-01-01T00:00:00Z", "LD_PRELOAD=" D2B_SHIM,
+                                    "D2B_FAULT=" + fault, "D2B_FAULT_PATH=" + folder_.string(),
+                                    "D2B_FAULT_COUNT=" + input_ + "/calls"}});
+    }
+    /// The layers as they are read, or the files where that is the same.
+    [[nodiscard]] Files content() const {
+        if (destination_ == "out.gpkg")
+            return {{destination_, database_content(path(destination_))}};
+        return files_of(destination_ == "shapes" ? path(destination_) : folder_.string());
+    }
+    void prepare() const {
+        for (const auto& entry : fs::directory_iterator(folder_))
+            fs::remove_all(entry.path());
+        if (fs::exists(input_ + "/kept"))
+            fs::copy(input_ + "/kept", folder_, fs::copy_options::recursive);
+    }
+    /// The result of a run before, and in a database something of the user's.
+    void keep_old() const {
+        run_well({"-q", "-f", format_, "-layers", layers_, input_ + "/old.tif", destination_});
+        if (destination_ == "out.gpkg")
+            run_sql(
+                path(destination_),
+                "CREATE TABLE mine (note); INSERT INTO mine VALUES ('my own'); CREATE VIEW tall AS SELECT "
+                "fid, height FROM buildings WHERE height > 5");
+        fs::copy(folder_, input_ + "/kept", fs::copy_options::recursive);
+    }
+    [[nodiscard]] std::vector<std::string> hidden() const {
+        std::vector<std::string> found;
+        for (const auto& entry : fs::directory_iterator(folder_))
+            if (entry.path().filename().string().starts_with("."))
+                found.push_back(entry.path().string());
+        return found;
+    }
+    /// Where the disk takes no name any more, a set of files is neither here nor there, but none of it is
+    /// lost.
+    [[nodiscard]] bool lies_aside(const Files& old, const std::string& said) const {
+        if (destination_ != "out.shp" ||
+            said.find("the finished result cannot be renamed (") == std::string::npos)
+            return false;
+        Files found = files_of(folder_);
+        for (const std::string& folder : hidden())
+            found.merge(files_of(folder + "/old"));
+        return std::all_of(old.begin(), old.end(),
+                           [&](const auto& file) { return found.contains(file.first); });
+    }
+    void check(const ToolResult& result, const std::string& error, const Files& old,
+               const Files& whole) const {
+        ASSERT_TRUE(result.status == 0 || result.status == 1 || (result.status == 2 && mode_ == "-append"))
+            << result.status << result.err;
+        const Files found = content();
+        if (result.status == 0) {
+            EXPECT_TRUE(found == whole) << "status 0, but not all is there";
+        } else {
+            EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+            EXPECT_TRUE(result.err.starts_with("ERROR: ")) << result.err;
+            EXPECT_TRUE(found == old || lies_aside(old, result.err)) << result.err;
+            if (destination_ == "out.gpkg" && fs::exists(input_ + "/kept")) {
+                EXPECT_TRUE(read_bytes(path(destination_)) == read_bytes(input_ + "/kept/out.gpkg"))
+                    << result.err;
+            }
+        }
+        // A disk that removes nothing keeps the hidden folder, too.
+        if (!error.starts_with("EIO") && result.err.find("old files lie in") == std::string::npos) {
+            EXPECT_TRUE(hidden().empty()) << hidden().front() << result.err;
+        }
+    }
+    void try_all() {
+        SCOPED_TRACE(destination_ + " " + mode_);
+        prepare();
+        if (mode_ != "new")
+            keep_old();
+        const Files old = content();
+        Arguments arguments{"-q",    "-threads",          "1",         "-f", format_, "-layers",
+                            layers_, input_ + "/new.tif", destination_};
+        if (mode_ != "new")
+            arguments.insert(arguments.begin(), mode_);
+        const ToolResult good = run_with("change:0:EIO", arguments);
+        ASSERT_EQ(good.status, 0) << good.err;
+        const Files whole = content();
+        ASSERT_FALSE(whole == old);
+        long count = 0;
+        std::ifstream(input_ + "/calls") >> count;
+        ASSERT_GT(count, 20);
+        long first = 0;
+        for (const std::string& error : errors())
+            for (long nth = 1 + first++ * 3 % step(); nth <= count; nth += step()) {
+                SCOPED_TRACE(error + " at call " + std::to_string(nth) + " of " + std::to_string(count));
+                prepare();
+                const ToolResult result = run_with("change:" + std::to_string(nth) + ":" + error, arguments);
+                check(result, error, old, whole);
+                failed_ += result.status == 0 ? 0 : 1;
+            }
+        RecordProperty("failed", failed_);
+        EXPECT_GT(failed_, count / step());
+    }
+    void try_all(const std::string& destination, const std::string& format, const std::string& layers,
+                 const std::string& mode) {
+        destination_ = destination;
+        format_ = format;
+        layers_ = layers;
+        mode_ = mode;
+        try_all();
+    }
+
+    std::string destination_;
+    std::string format_;
+    std::string layers_;
+    std::string mode_;
+    int failed_ = 0;
+    const std::string input_ = [] {
+        const std::string folder = testing::TempDir() + "d2b_every_call_" + std::to_string(::getpid());
+        fs::create_directory(folder);
+        return folder;
+    }();
+};
+
+TEST_F(EveryCall, ofANewGeoPackage) {
+    try_all("out.gpkg", "GPKG", "both", "new");
+}
+TEST_F(EveryCall, thatReplacesLayersOfAGeoPackage) {
+    try_all("out.gpkg", "GPKG", "both", "-overwrite");
+}
+TEST_F(EveryCall, thatAddsToAGeoPackage) {
+    try_all("out.gpkg", "GPKG", "both", "-append");
+}
+TEST_F(EveryCall, ofANewFolderOfShapefiles) {
+    try_all("shapes", "ESRI Shapefile", "both", "new");
+}
+TEST_F(EveryCall, thatReplacesAFolderOfShapefiles) {
+    try_all("shapes", "ESRI Shapefile", "both", "-overwrite");
+}
+TEST_F(EveryCall, thatAddsToAFolderOfShapefiles) {
+    try_all("shapes", "ESRI Shapefile", "both", "-append");
+}
+TEST_F(EveryCall, ofANewShapefile) {
+    try_all("out.shp", "ESRI Shapefile", "buildings", "new");
+}
+TEST_F(EveryCall, thatReplacesAShapefile) {
+    try_all("out.shp", "ESRI Shapefile", "buildings", "-overwrite");
+}
+TEST_F(EveryCall, thatAddsToAShapefile) {
+    try_all("out.shp", "ESRI Shapefile", "buildings", "-append");
+}
+TEST_F(EveryCall, ofANewFlatGeobuf) {
+    try_all("out.fgb", "FlatGeobuf", "buildings", "new");
+}
+TEST_F(EveryCall, thatReplacesAFlatGeobuf) {
+    try_all("out.fgb", "FlatGeobuf", "buildings", "-overwrite");
+}
+
+}  // namespace
+}  // namespace d2b::test
