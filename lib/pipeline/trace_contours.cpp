@@ -27,11 +27,11 @@ LabelBand labels_of(const ElevationBand& band, const Tracing& tracing) {
 }
 
 template <typename Count>
-PointRows<Count> point_rows(std::shared_ptr<const ElevationBand> elevations, const Tracing& tracing) {
+PointRows<Count> point_rows(const std::shared_ptr<const ElevationBand>& elevations, const Tracing& tracing) {
     PointRows<Count> rows;
     rows.labels = labels_of(*elevations, tracing);
     rows.levels = quantise<Count>(*elevations, rows.labels, tracing.plan);
-    rows.elevations = std::move(elevations);
+    rows.elevations = elevations;
     return rows;
 }
 

@@ -1,7 +1,9 @@
 #include <atomic>
+#include <chrono>
 #include <functional>
 #include <map>
 #include <mutex>
+#include <thread>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -31,8 +33,10 @@ class FaultySource final : public DemSource {
             now.second = ++seen_[first_row];
             reads.push_back(now);
         }
-        if (now == at)
+        if (now == at) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(3));  // the others get ahead
             fault();
+        }
         whole_.read(first_row, rows, elevations);
     }
 

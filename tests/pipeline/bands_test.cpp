@@ -82,7 +82,7 @@ TEST_P(Bands, TheirNumberDoesNotShow) {
 
 INSTANTIATE_TEST_SUITE_P(, Bands,
                          testing::Values(Case{"thesis", TraceMode::points, {}},
-                                         Case{"thesis", TraceMode::points, 0.01},  // counts of 16 bits
+                                         Case{"thesis", TraceMode::points, 0.04},  // counts of 16 bits
                                          Case{"thesis", TraceMode::cells, {}},
                                          Case{"buildings", TraceMode::points, {}},
                                          Case{"buildings", TraceMode::cells, {}}));
