@@ -37,6 +37,17 @@ constexpr std::array known_units{
     KnownUnit{"us survey foot", "US survey foot", survey_foot},
     KnownUnit{"us survey feet", "US survey foot", survey_foot},
     KnownUnit{"foot_us", "US survey foot", survey_foot},
+    KnownUnit{"yd", "yard", 3 * foot},
+    KnownUnit{"yard", "yard", 3 * foot},
+    KnownUnit{"yards", "yard", 3 * foot},
+    KnownUnit{"centimetre", "centimetre", 0.01},
+    KnownUnit{"centimetres", "centimetre", 0.01},
+    KnownUnit{"centimeter", "centimetre", 0.01},
+    KnownUnit{"centimeters", "centimetre", 0.01},
+    KnownUnit{"decimetre", "decimetre", 0.1},
+    KnownUnit{"decimeter", "decimetre", 0.1},
+    KnownUnit{"millimetre", "millimetre", 0.001},
+    KnownUnit{"millimeter", "millimetre", 0.001},
     KnownUnit{"cm", "centimetre", 0.01},
     KnownUnit{"dm", "decimetre", 0.1},
     KnownUnit{"mm", "millimetre", 0.001},
@@ -63,7 +74,7 @@ void resolve_vertical(UnitReport& report, const DemInfo& info, const Crs& crs, s
             throw OptionError("-zunit must be m, ft, us-ft or the metres in one unit, not '" +
                               std::string(option) + "'.");
         set_vertical(report, *unit, "-zunit");
-    } else if (const auto band = parse_length_unit(info.band_unit)) {
+    } else if (const auto band = stated_unit(info.band_unit, "'" + info.name + "'", "-zunit")) {
         set_vertical(report, *band, "unit of the band");
     } else if (const auto vertical = crs.vertical_unit()) {
         set_vertical(report, *vertical, "vertical CRS");
@@ -87,6 +98,19 @@ std::optional<LengthUnit> parse_length_unit(std::string_view text) {
     if (error != std::errc{} || end != name.data() + name.size() || !std::isfinite(metres) || metres <= 0)
         return {};
     return LengthUnit{std::string(text) + " m", metres};
+}
+
+std::optional<LengthUnit> stated_unit(const std::string& band_unit, const std::string& raster,
+                                      const std::string& option) {
+    constexpr std::array<std::string_view, 4> none{"", "unknown", "unspecified", "none"};
+    if (std::ranges::find(none, lower(band_unit)) != none.end())
+        return {};
+    if (auto unit = parse_length_unit(band_unit))
+        return unit;
+    throw InputError(
+        "The unit of " + raster + " is '" + band_unit +
+        "', which is no known unit of length; if the values are elevations, give their unit with " + option +
+        ", for example " + option + " m.");
 }
 
 UnitReport resolve_units(const DemInfo& info, const Crs& crs, std::string_view vertical_option) {

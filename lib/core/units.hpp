@@ -13,6 +13,11 @@ namespace d2b {
 /// @return nothing where the text is none of these
 [[nodiscard]] std::optional<LengthUnit> parse_length_unit(std::string_view text);
 
+/// The unit that a band of elevations states. @param raster "'dem.tif'" @param option that helps
+/// @return nothing where none is stated @throws InputError one that is no known unit of length
+[[nodiscard]] std::optional<LengthUnit> stated_unit(const std::string& band_unit, const std::string& raster,
+                                                    const std::string& option);
+
 /// Finds horizontal and vertical units separately. Vertical: the option, then the band's unit, then the
 /// vertical part of the CRS, then the horizontal unit, then metres; the report says which won.
 /// @param vertical_option as given with -zunit, "" for none @throws OptionError where it is no unit

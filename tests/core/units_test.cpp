@@ -63,6 +63,22 @@ TEST(Units, MetresAreTheLastResort) {
     EXPECT_EQ(resolve_units(with_band_unit(""), Crs(), "").horizontal, "unknown");
 }
 
+TEST(Units, WhatIsNoLengthIsRefusedUnlessTheOptionSaysWhatItIs) {
+    for (const char* unit : {"K", "dBZ", "%", "furlong"}) {
+        DemInfo info = with_band_unit(unit);
+        info.name = "dem.tif";
+        try {
+            static_cast<void>(resolve_units(info, Crs("EPSG:25832"), ""));
+            FAIL();
+        } catch (const InputError& error) {
+            EXPECT_EQ(error.what(), "The unit of 'dem.tif' is '" + std::string(unit) +
+                                        "', which is no known unit of length; if the values are elevations, give "
+                                        "their unit with -zunit, for example -zunit m.");
+        }
+        EXPECT_EQ(resolve_units(info, Crs("EPSG:25832"), "ft").vertical, "foot");
+    }
+}
+
 TEST(Units, AnUnknownOptionIsAnError) {
     try {
         static_cast<void>(resolve_units(with_band_unit(""), Crs(), "cubit"));
