@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 
 #include "core/elevation_sample.hpp"
 
@@ -10,7 +11,17 @@ namespace d2b {
 inline constexpr std::array<double, 4> percentile_shares{0.50, 0.70, 0.90, 0.95};
 using Percentiles = std::array<double, percentile_shares.size()>;
 
-/// Taken when a building is finished, so that its sample can go. @pre sample.size() > 0
-[[nodiscard]] Percentiles take_percentiles(const ElevationSample& sample, const ElevationRange& range);
+/// What the points of a building say of its roof, but those that stand above all around them.
+/// NaN where there are none of these.
+struct RoofElevations {
+    static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    Percentiles percentiles{unknown, unknown, unknown, unknown};
+    double highest = unknown;
+
+    friend bool operator==(const RoofElevations&, const RoofElevations&) = default;
+};
+
+/// Taken when a building is finished, so that its sample can go.
+[[nodiscard]] RoofElevations take_roof(const ElevationSample& sample, const ElevationRange& range);
 
 }  // namespace d2b

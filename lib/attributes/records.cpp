@@ -89,18 +89,17 @@ ContourRecord RecordMaker::contour(std::size_t i, const Contour& contour) const 
 }
 
 BuildingRecord RecordMaker::building(std::size_t i, const Contour& contour, const ContourRecord& record,
-                                     const Percentiles& percentiles) const {
+                                     const RoofElevations& roof) const {
     const ContourHead& head = contours_.head(i);
     const StackFacts& stack = stacks_[static_cast<std::size_t>(head.building)];
     BuildingRecord building;
     building.id = record.building_id;
     building.ground = ground_of(head.label, head.lowest_outside);
-    building.roof = record.highest;
+    building.roof = roof.highest;
     building.height_m = (building.roof - building.ground) * context_.metres;
     for (std::size_t k = 0; k < percentile_shares.size(); ++k)
         building.heights_m[k] =
-            record.points > 0 ? (std::min(percentiles[k], record.highest) - building.ground) * context_.metres
-                              : unknown;
+            (std::min(roof.percentiles[k], roof.highest) - building.ground) * context_.metres;
     building.parts = stack.parts;
     building.levels = stack.levels;
     building.points = record.points;

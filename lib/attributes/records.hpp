@@ -102,7 +102,7 @@ class RecordMaker {
     [[nodiscard]] ContourRecord contour(std::size_t i, const Contour& contour) const;
     /// @param record of the same contour, which is of level 1
     [[nodiscard]] BuildingRecord building(std::size_t i, const Contour& contour, const ContourRecord& record,
-                                          const Percentiles& percentiles) const;
+                                          const RoofElevations& roof) const;
 
   private:
     struct Part {

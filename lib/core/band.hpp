@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -25,10 +26,22 @@ struct BandShape {
 struct ElevationBand {
     BandShape shape;
     std::vector<double> elevations;
+    /// Indices of elevations, ascending: cells that stand above all around them and are no roof. Masts,
+    /// birds.
+    std::vector<std::size_t> spires{};
 
     [[nodiscard]] std::span<const double> row(std::int32_t i) const {
         return {elevations.data() + static_cast<std::size_t>(i) * static_cast<std::size_t>(shape.cols),
                 static_cast<std::size_t>(shape.cols)};
+    }
+    /// Columns of the spires in a row.
+    [[nodiscard]] std::vector<std::int32_t> spires_in_row(std::int32_t i) const {
+        const std::size_t begin = static_cast<std::size_t>(i) * static_cast<std::size_t>(shape.cols);
+        std::vector<std::int32_t> columns;
+        for (auto spire = std::ranges::lower_bound(spires, begin);
+             spire != spires.end() && *spire < begin + static_cast<std::size_t>(shape.cols); ++spire)
+            columns.push_back(static_cast<std::int32_t>(*spire - begin));
+        return columns;
     }
 };
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace d2b {
@@ -31,7 +32,11 @@ struct DemInfo {
     bool georeferenced = false;
     std::string crs_wkt;  ///< WKT2:2019, empty where there is none
     std::string
-        band_unit;  ///< the band's unit of elevation as stated, e.g. "metre", "US survey foot"; may be ""
+        band_unit;      ///< the band's unit of elevation as stated, e.g. "metre", "US survey foot"; may be ""
+    double scale = 1;   ///< elevation = value as stored * scale + offset
+    double offset = 0;  ///< of the same
+    /// The elevation that the file's own NoData value becomes, where an option says that it is none.
+    std::optional<double> set_aside_nodata;
     std::string driver;  ///< short name of the format, for the report
     std::int32_t block_rows =
         1;  ///< rows that are decoded together; bands that keep to multiples of it are read once

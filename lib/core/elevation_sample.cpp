@@ -24,7 +24,7 @@ double ElevationRange::elevation(std::uint32_t bin) const {
 void ElevationSample::add(double elevation, const ElevationRange& range) {
     ++size_;
     if (!histogram_.empty()) {
-        ++histogram_[range.bin(elevation)];
+        count(elevation, range);
         return;
     }
     values_.push_back(elevation);
@@ -50,8 +50,13 @@ void ElevationSample::add(std::span<const double> elevations, const ElevationRan
 void ElevationSample::make_histogram(const ElevationRange& range) {
     histogram_.assign(ElevationRange::bins, 0);
     for (const double value : values_)
-        ++histogram_[range.bin(value)];
+        count(value, range);
     values_ = {};
+}
+
+void ElevationSample::count(double elevation, const ElevationRange& range) {
+    ++histogram_[range.bin(elevation)];
+    highest_ = std::max(highest_, elevation);
 }
 
 void ElevationSample::merge(ElevationSample& other, const ElevationRange& range) {
@@ -62,7 +67,8 @@ void ElevationSample::merge(ElevationSample& other, const ElevationRange& range)
         values_.insert(values_.end(), other.values_.begin(), other.values_.end());
     else
         for (const double value : other.values_)
-            ++histogram_[range.bin(value)];
+            count(value, range);
+    highest_ = std::max(highest_, other.highest_);
     for (std::size_t bin = 0; bin < other.histogram_.size(); ++bin)
         histogram_[bin] += other.histogram_[bin];
     if (values_.size() > largest_list)
@@ -91,7 +97,7 @@ std::vector<double> ElevationSample::percentiles(const std::vector<double>& shar
         }
         while (below + histogram_[bin] < rank)
             below += histogram_[bin++];
-        result.push_back(range.elevation(bin));
+        result.push_back(rank == size_ ? highest_ : range.elevation(bin));
     }
     return result;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -31,16 +32,19 @@ class ElevationSample {
     void merge(ElevationSample& other, const ElevationRange& range);
     [[nodiscard]] std::int64_t size() const { return size_; }
     /// Nearest ranks: the lowest elevations that at least these shares of the points do not exceed.
+    /// The last, of all of them, is the highest and always exact.
     /// @param shares 0 to 1, ascending @pre size() > 0
     [[nodiscard]] std::vector<double> percentiles(const std::vector<double>& shares,
                                                   const ElevationRange& range) const;
 
   private:
     void make_histogram(const ElevationRange& range);
+    void count(double elevation, const ElevationRange& range);
 
     std::int64_t size_ = 0;
     std::vector<double> values_;
     std::vector<std::uint32_t> histogram_;
+    double highest_ = -std::numeric_limits<double>::infinity();  ///< of what is in the histogram
 };
 
 }  // namespace d2b

@@ -24,6 +24,8 @@ struct ReadOptions {
     std::optional<double> nodata;                           ///< overrides the file's
     bool ignore_nodata = false;
     std::string vertical_unit;  ///< "m", "ft", "us-ft" or metres in a unit; found where empty
+    /// lowest and highest elevation in the vertical unit; what occurs on land where it is not given
+    std::optional<std::array<double, 2>> elevation_range;
 };
 
 /// Where `by_preset` stands, the preset decides: see pipeline/preset.hpp.

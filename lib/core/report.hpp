@@ -20,17 +20,21 @@ enum class Reason {
     threshold_not_above_minimum,  ///< a threshold that every point or all but the lowest exceed
     threshold_not_below_maximum,  ///< a threshold that nothing exceeds
     threshold_repeated,
-    contour_short,        ///< fewer grid points than the noise factor
-    contour_small,        ///< less than the smallest area
-    contour_on_dropped,   ///< stands on a contour that was dropped
-    hole_short,           ///< filled: fewer grid points than the noise factor
-    hole_small,           ///< filled: less than the smallest area
-    outline_kept_traced,  ///< straight walls or simplification would have broken the polygon
-    polygon_repaired,     ///< GEOS called it invalid
-    polygon_lost,         ///< nothing of it was left to repair: it is not written
-    building_doubtful,    ///< its confidence is too low
+    contour_short,               ///< fewer grid points than the noise factor
+    contour_small,               ///< less than the smallest area
+    contour_on_dropped,          ///< stands on a contour that was dropped
+    hole_short,                  ///< filled: fewer grid points than the noise factor
+    hole_small,                  ///< filled: less than the smallest area
+    outline_kept_traced,         ///< straight walls or simplification would have broken the polygon
+    polygon_repaired,            ///< GEOS called it invalid
+    polygon_lost,                ///< nothing of it was left to repair: it is not written
+    building_doubtful,           ///< its confidence is too low
+    elevation_outside_range,     ///< no elevation: outside of what occurs on land, or of -zrange
+    elevation_above_neighbours,  ///< no elevation: far above all around it
+    elevation_not_roof,          ///< above all around it: not the height of a building
+    terrain_outside_range,       ///< no elevation of the terrain model
 };
-inline constexpr std::array<std::string_view, 12> reason_names{"threshold_not_above_minimum",
+inline constexpr std::array<std::string_view, 16> reason_names{"threshold_not_above_minimum",
                                                                "threshold_not_below_maximum",
                                                                "threshold_repeated",
                                                                "contour_short",
@@ -41,7 +45,11 @@ inline constexpr std::array<std::string_view, 12> reason_names{"threshold_not_ab
                                                                "outline_kept_traced",
                                                                "polygon_repaired",
                                                                "polygon_lost",
-                                                               "building_doubtful"};
+                                                               "building_doubtful",
+                                                               "elevation_outside_range",
+                                                               "elevation_above_neighbours",
+                                                               "elevation_not_roof",
+                                                               "terrain_outside_range"};
 
 struct LevelReport {
     int level = 0;

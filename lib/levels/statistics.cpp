@@ -6,13 +6,15 @@
 namespace d2b {
 
 void ElevationStatistics::add(const ElevationBand& band) {
-    for (const double z : band.elevations) {
-        if (std::isnan(z))
-            continue;
-        moments.add(z);
-        minimum = std::min(minimum, z);
-        maximum = std::max(maximum, z);
-    }
+    for (const double z : band.elevations)
+        if (!std::isnan(z))
+            add(z);
+}
+
+void ElevationStatistics::add(double elevation) {
+    moments.add(elevation);
+    minimum = std::min(minimum, elevation);
+    maximum = std::max(maximum, elevation);
 }
 
 void ElevationStatistics::merge(const ElevationStatistics& other) {

@@ -17,6 +17,8 @@ struct ElevationStatistics {
     double maximum = -std::numeric_limits<double>::infinity();
 
     void add(const ElevationBand& band);
+    /// @param elevation not NaN
+    void add(double elevation);
     void merge(const ElevationStatistics& other);
 
     [[nodiscard]] ElevationRange range() const;

@@ -16,7 +16,7 @@ StoredContours::Stored StoredContours::fetch_stored(std::size_t contour) const {
     ByteReader reader(*spool_, entry.place);
     Stored stored{load_contour(reader), {}};
     if (entry.head.key.level == 1)
-        stored.percentiles = reader.take<Percentiles>();
+        stored.roof = reader.take<RoofElevations>();
     stored.contour.key = entry.head.key;
     stored.contour.label = entry.head.label;
     stored.contour.parent = entry.head.parent;
@@ -62,12 +62,11 @@ std::int64_t ContourStore::take(FinishedContour&& finished) {
         reject({contour.key, *reason, place});
         return -1;
     }
-    put_aside(contour, finished.sample.size() > 0 ? take_percentiles(finished.sample, settings_.range)
-                                                  : Percentiles{});
+    put_aside(contour, take_roof(finished.sample, settings_.range));
     return name;
 }
 
-void ContourStore::put_aside(const Contour& contour, const Percentiles& percentiles) {
+void ContourStore::put_aside(const Contour& contour, const RoofElevations& roof) {
     Entry& entry = entries_.emplace_back();
     entry.head.key = contour.key;
     entry.head.label = contour.label;
@@ -77,7 +76,7 @@ void ContourStore::put_aside(const Contour& contour, const Percentiles& percenti
     ByteWriter writer;
     save(contour, writer);
     if (contour.key.level == 1)
-        writer.put(percentiles);
+        writer.put(roof);
     entry.place = append(*spool_, writer);
     entry.first_hole = holes_.size();
     entry.holes = contour.interiors.size();

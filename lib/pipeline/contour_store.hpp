@@ -33,7 +33,7 @@ class StoredContours : public ContourList {
     };
     struct Stored {
         Contour contour;
-        Percentiles percentiles{};  ///< of a building's points; in level 1 alone
+        RoofElevations roof;  ///< of a building's points; in level 1 alone
     };
 
     StoredContours(std::shared_ptr<const Spool> spool, std::vector<Entry> entries, std::vector<bool> filled,
@@ -80,7 +80,7 @@ class ContourStore : public ContourSink {
 
   private:
     using Entry = StoredContours::Entry;
-    void put_aside(const Contour& contour, const Percentiles& percentiles);
+    void put_aside(const Contour& contour, const RoofElevations& roof);
     void reject(const StoredContours::Rejected& what);
     void drop_what_stands_on_noise();
     void sort();

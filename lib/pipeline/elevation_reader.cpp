@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "pipeline/stage_clock.hpp"
 
@@ -34,6 +35,31 @@ std::vector<BandShape> shapes_of(const Window& window, std::int32_t rows_a_band)
     return shapes;
 }
 
+/// Spikes wait outside of their band until the rows beyond it have been seen.
+class Withheld {
+  public:
+    Withheld(ElevationBand& band, const std::vector<Spike>& spikes) : band_(band), spikes_(spikes) {
+        for (const Spike& spike : spikes_)
+            at(spike) = std::numeric_limits<double>::quiet_NaN();
+    }
+    Withheld(const Withheld&) = delete;
+    Withheld& operator=(const Withheld&) = delete;
+    ~Withheld() {
+        for (const Spike& spike : spikes_)
+            at(spike) = spike.elevation;
+    }
+
+  private:
+    [[nodiscard]] double& at(const Spike& spike) {
+        return band_
+            .elevations[static_cast<std::size_t>(spike.row) * static_cast<std::size_t>(band_.shape.cols) +
+                        static_cast<std::size_t>(spike.col)];
+    }
+
+    ElevationBand& band_;
+    const std::vector<Spike>& spikes_;
+};
+
 }  // namespace
 
 ElevationReader::ElevationReader(DemSource& source, Context& context, const BandSize& size)
@@ -62,9 +88,18 @@ ElevationBand ElevationReader::get(std::size_t i, const BandShape& part, Tally& 
     } else if (complete_) {
         take(kept_[i].narrow);
     } else {
-        band.elevations.resize(part.size());
-        source_.read(part.first_row, part.rows, band.elevations);
+        band = read(part);
+        limit(band.elevations, rules_.limits);
     }
+    if (decided_)
+        decided_->apply(i, part.first_row - shapes_[i].first_row, band);
+    return band;
+}
+
+ElevationBand ElevationReader::read(const BandShape& part) {
+    ElevationBand band{part, {}};
+    band.elevations.resize(part.size());
+    source_.read(part.first_row, part.rows, band.elevations);
     return band;
 }
 
@@ -75,6 +110,64 @@ ElevationBand ElevationReader::get_above(std::size_t i, std::int32_t halo, Tally
     const std::int32_t rows = std::min(halo, band.first_row - shapes_.front().first_row);
     const BandShape above{band.first_row - rows, rows, band.cols};
     return rows > 0 ? get(i - 1, above, tally) : ElevationBand{above, {}};
+}
+
+ElevationSurvey ElevationReader::survey(const SiftRules& rules,
+                                        const std::function<void(const ElevationBand&)>& done) {
+    struct Seen {
+        StrangeValues strange;
+        ElevationStatistics statistics;
+        std::vector<Spike> spikes;
+    };
+    rules_ = rules;
+    decided_.emplace(context_.make_spool());
+    ElevationSurvey survey{{}, StrangeValues(rules)};
+    SpikeSeams seams;
+    std::size_t band_number = 0;
+    pass(
+        [this](std::size_t i, Tally& tally) {
+            const StageClock clock(tally, Stage::read);
+            return read(shapes_[i]);
+        },
+        [&](std::size_t, ElevationBand& band, Tally& tally) {
+            const StageClock clock(tally, Stage::levels);
+            Seen seen{StrangeValues(rules), {}, {}};
+            const std::vector<Stretch> steep = sift(band, rules, seen.strange);
+            seen.spikes = find_spikes(band, steep, rules.spikes);
+            const Withheld withheld(band, seen.spikes);
+            seen.statistics.add(band);
+            return seen;
+        },
+        [&](const ElevationBand& band, Seen seen) {
+            survey.statistics.merge(seen.statistics);
+            survey.strange.merge(seen.strange);
+            const std::vector<Spike> before = seams.add(band, std::move(seen.spikes));
+            if (band_number++ > 0)
+                settle(before, survey);
+            done(band);
+        });
+    settle(seams.finish(), survey);
+    return survey;
+}
+
+void ElevationReader::settle(const std::vector<Spike>& spikes, ElevationSurvey& survey) {
+    BandCells::Cells cells;
+    for (const Spike& spike : spikes) {
+        const std::size_t index =
+            static_cast<std::size_t>(spike.row) * static_cast<std::size_t>(source_.info().window.cols) +
+            static_cast<std::size_t>(spike.col);
+        if (!spike.stands_alone() && spike.above(rules_.spikes.no_elevation)) {
+            survey.strange.spikes.add(spike.elevation);
+            cells.invalid.push_back(index);
+            continue;
+        }
+        survey.statistics.add(spike.elevation);
+        if (!spike.stands_alone() && spike.above(rules_.spikes.no_roof)) {
+            ++survey.strange.spires;
+            cells.spires.push_back(index);
+        }
+    }
+    decided_->append(cells);
 }
 
 ElevationReader::Kept ElevationReader::keep(const ElevationBand& band) {

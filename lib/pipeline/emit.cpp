@@ -8,7 +8,9 @@
 
 #include "attributes/attribute_table.hpp"
 #include "pipeline/layer_styles.hpp"
+#include "pipeline/odd_heights.hpp"
 #include "pipeline/placer.hpp"
+#include "pipeline/preset.hpp"
 #include "pipeline/rejected_layer.hpp"
 #include "pipeline/stage_clock.hpp"
 #include "pipeline/troubles.hpp"
@@ -65,6 +67,7 @@ class Emitter {
     std::optional<std::size_t> doubtful_layer_;
     std::optional<RejectedLayer> rejected_;
     Troubles troubles_;
+    OddHeights odd_heights_;
 };
 
 Outliner timed_outliner(const Emission& emission, Context& context) {
@@ -81,7 +84,8 @@ Emitter::Emitter(const Emission& emission, RecordMaker& records, FeatureSink& si
       outliner_(timed_outliner(emission, context)),
       children_(emission.options.outline.disjoint ? Children(emission.contours) : Children()),
       written_id_(emission.contours.size(), 0),
-      troubles_(context) {
+      troubles_(context),
+      odd_heights_(context) {
     const Placement placement{emission.options.outline,
                               emission.georeference,
                               emission.crs,
@@ -147,8 +151,7 @@ Drawn Emitter::draw(std::size_t contour, std::size_t thread) {
         drawn.record = records_.contour(contour, stored.contour);
         drawn.own = stored.contour.own;
         if (is_building)
-            drawn.building_record =
-                records_.building(contour, stored.contour, drawn.record, stored.percentiles);
+            drawn.building_record = records_.building(contour, stored.contour, drawn.record, stored.roof);
     }
     if (is_building && building_layer(contour))
         drawn.building = placer.footprint(contour);
@@ -196,6 +199,8 @@ void Emitter::add_building(std::size_t contour, Drawn& drawn) {
     record.deviation_m =
         placed.deviation / std::sqrt(emission_.georeference.cell_area()) * emission_.cell_size_m;
     record.area_change = placed.area_change;
+    if (detects_buildings(emission_.options) && !is_doubtful(contour))
+        odd_heights_.note(record, drawn.record);
     write(*building_layer(contour), building_attributes(), record, std::move(placed), drawn.record.threshold);
 }
 
@@ -225,6 +230,7 @@ void Emitter::add(std::size_t contour, Drawn&& drawn) {
 
 void Emitter::finish() {
     troubles_.finish();
+    odd_heights_.finish();
     if (rejected_)
         rejected_->write(placers_, sink_, context_);
     for (Placer& placer : placers_)

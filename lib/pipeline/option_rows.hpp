@@ -78,31 +78,31 @@ OptionRow number_row(std::string name, std::string values, NumberRange range, Fi
     return row;
 }
 
+using Two = std::array<double, 2>;
 using Four = std::array<double, 4>;
 
-/// @param range what the four must be, as text @param fits the same as a function
-template <class Field>
-OptionRow four_row(std::string name, std::string values, std::string range, bool (*fits)(const Four&),
-                   Field field, Words words) {
+/// Some numbers. @param range what they must be, as text @param fits the same as a function
+template <std::size_t n, class Field>
+OptionRow several_row(std::string name, std::string values, std::string range,
+                      bool (*fits)(const std::array<double, n>&), Field field, Words words) {
     OptionRow row = described(std::move(name), std::move(values), std::move(words));
     row.arity = Arity::several;
-    row.count = 4;
+    row.count = n;
     row.range = std::move(range);
     row.apply = [field, fits, name = row.name, text = row.range](Request& request, OptionValues texts) {
-        Four four{};
-        for (std::size_t i = 0; i < four.size(); ++i)
-            four[i] = read_number({}, texts[i]).value_or(std::numeric_limits<double>::quiet_NaN());
-        const bool numbers = std::ranges::none_of(four, [](double value) { return std::isnan(value); });
-        if (!numbers || !fits(four))
-            refuse_value(name, text, texts[0] + " " + texts[1] + " " + texts[2] + " " + texts[3]);
-        field(request) = four;
+        std::array<double, n> numbers{};
+        std::string all;
+        for (std::size_t i = 0; i < n; ++i) {
+            numbers[i] = read_number({}, texts[i]).value_or(std::numeric_limits<double>::quiet_NaN());
+            all += (i == 0 ? "" : " ") + texts[i];
+        }
+        if (std::ranges::any_of(numbers, [](double value) { return std::isnan(value); }) || !fits(numbers))
+            refuse_value(name, text, all);
+        field(request) = numbers;
     };
     row.show = [field](const Request& request) {
-        std::string text;
-        if (const std::optional<Four>& four = field(request))
-            for (double value : *four)
-                text += (text.empty() ? "" : " ") + number_text(value);
-        return text;
+        const std::optional<std::array<double, n>>& numbers = field(request);
+        return numbers ? numbers_text(*numbers, " ") : std::string();
     };
     return row;
 }

@@ -6,13 +6,14 @@ namespace {
 /// "m", "ft", "us-ft" or metres in a unit.
 OptionRow vertical_unit() {
     const NumberRange metres{.lowest = 0, .above_lowest = true};
-    OptionRow row =
-        described("zunit", "m|ft|us-ft|<metres>",
-                  {.help = "Unit of the elevations.",
-                   .details = "By default the first of these that is known: the unit of the band, of the "
-                              "vertical CRS, of the horizontal CRS; the report says which it was. ft is "
-                              "the international foot, us-ft the US survey foot; a number gives the "
-                              "metres in one unit."});
+    OptionRow row = described(
+        "zunit", "m|ft|us-ft|<metres>",
+        {.help = "Unit of the elevations.",
+         .details = "By default the first of these that is known: the unit of the band, of the "
+                    "vertical CRS, of the horizontal CRS; the report says which it was. A band whose unit is "
+                    "no length is refused without this option. ft is "
+                    "the international foot, us-ft the US survey foot; a number gives the "
+                    "metres in one unit."});
     row.range = "m, ft, us-ft or " + metres.text("a number") + " (metres in one unit)";
     row.apply = [metres, range = row.range](Request& request, OptionValues texts) {
         const std::string& text = texts[0];
@@ -24,6 +25,19 @@ OptionRow vertical_unit() {
     return row;
 }
 
+/// Of elevations.
+OptionRow elevation_range() {
+    return several_row<2>(
+        "zrange", "<lowest> <highest>", "two numbers, the lowest below the highest",
+        [](const Two& range) { return range[0] < range[1]; },
+        [](auto& r) -> auto& { return r.options.read.elevation_range; },
+        {.help = "Elevations that occur; what is outside is no elevation.",
+         .details = "By default from -500 to 9000 m, whatever the unit: no land lies lower or higher. Cells "
+                    "outside are "
+                    "taken for no data, counted and warned of, those of a terrain model too.",
+         .unit = "vertical unit of the input"});
+}
+
 bool whole(double value) {
     return value == std::floor(value);
 }
@@ -31,18 +45,18 @@ bool whole(double value) {
 /// What of the input is used.
 std::vector<OptionRow> windows() {
     std::vector<OptionRow> rows;
-    rows.push_back(four_row(
+    rows.push_back(several_row<4>(
         "srcwin", "<column> <row> <columns> <rows>", "four whole numbers, columns and rows above 0",
         [](const Four& w) { return std::ranges::all_of(w, whole) && w[2] > 0 && w[3] > 0; },
         [](auto& r) -> auto& { return r.options.read.source_window; },
         {.help = "Part of the input to use, in cells from its upper left corner.", .unit = "cells"}));
-    rows.push_back(four_row(
+    rows.push_back(several_row<4>(
         "projwin", "<ulx> <uly> <lrx> <lry>", "four numbers, ulx below lrx and uly above lry",
         [](const Four& w) { return w[0] < w[2] && w[1] > w[3]; },
         [](auto& r) -> auto& { return r.options.read.projected_window; },
         {.help = "Part of the input to use, by its upper left and lower right corner.",
          .unit = "units of the input's CRS"}));
-    rows.push_back(four_row(
+    rows.push_back(several_row<4>(
         "te", "<xmin> <ymin> <xmax> <ymax>", "four numbers, xmin below xmax and ymin below ymax",
         [](const Four& w) { return w[0] < w[2] && w[1] < w[3]; },
         [](auto& r) -> auto& { return r.options.read.extent; },
@@ -86,6 +100,7 @@ std::vector<OptionRow> input() {
     for (OptionRow& row : windows())
         rows.push_back(std::move(row));
     rows.push_back(vertical_unit());
+    rows.push_back(elevation_range());
     return rows;
 }
 

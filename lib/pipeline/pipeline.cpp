@@ -20,6 +20,7 @@
 #include "pipeline/provenance.hpp"
 #include "pipeline/square_area.hpp"
 #include "pipeline/stage_clock.hpp"
+#include "pipeline/strange_values.hpp"
 #include "pipeline/trace_contours.hpp"
 
 namespace d2b {
@@ -93,21 +94,16 @@ void warn_of_coarse_cells(const Window& window, const SquareArea& area, const Cr
                  " m wide, which is too coarse for single buildings; up to 1 m is best, 2.5 m may do.");
 }
 
-ElevationStatistics collect_statistics(ElevationReader& reader, const Window& window, Context& context) {
-    ElevationStatistics statistics;
-    reader.for_each(
-        [](const ElevationBand& band, Tally& tally) {
-            const StageClock clock(tally, Stage::levels);
-            ElevationStatistics of_band;
-            of_band.add(band);
-            return of_band;
-        },
-        [&](const ElevationBand& band, const ElevationStatistics& of_band) {
-            statistics.merge(of_band);
-            context.progress(static_cast<double>(band.shape.first_row + band.shape.rows - window.row) /
-                             window.rows);
-        });
-    return statistics;
+/// What is an elevation, and the statistics of what is.
+ElevationStatistics collect_statistics(ElevationReader& reader, const Options& options, const DemInfo& info,
+                                       Context& context) {
+    const SiftRules rules = sift_rules(options, info, context.report.units.vertical_metres);
+    const ElevationSurvey survey = reader.survey(rules, [&](const ElevationBand& band) {
+        context.progress(static_cast<double>(band.shape.first_row + band.shape.rows - info.window.row) /
+                         info.window.rows);
+    });
+    report_strange_values(survey.strange, survey.statistics.moments.n, info, options, context);
+    return survey.statistics;
 }
 
 /// The levels of each building, from the elevations in it.
@@ -197,7 +193,7 @@ void run(const Options& user_options, const Sources& sources, const Sinks& sinks
     ElevationReader reader(sources.dem, context, size);
     const Milestones at = detects_buildings(options) ? of_buildings : of_thesis;
     const ElevationStatistics statistics =
-        within(context, 0, at.read, [&] { return collect_statistics(reader, info.window, context); });
+        within(context, 0, at.read, [&] { return collect_statistics(reader, options, info, context); });
     LevelPlan plan = plan_global_levels(statistics, options.levels, context);
     std::optional<FoundBuildings> found;
     if (detects_buildings(options)) {

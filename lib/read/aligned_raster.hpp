@@ -36,6 +36,11 @@ class AlignedRaster {
     /// Warns where a part of the window lies outside of the raster. @param consequence "there is no ground"
     void warn_of_gaps(const std::string& consequence) const;
 
+    /// As BandReader::take_only() and counts().
+    void take_only(const ElevationLimits& limits) { reader_.take_only(limits); }
+    [[nodiscard]] const LimitCounts& counts() const { return reader_.counts(); }
+    [[nodiscard]] double stored(double value) const { return reader_.stored(value); }
+
     /// As DemSource::read(), in the band's unit, scale and offset applied. @throws InputError
     void read(std::int32_t first_row, std::int32_t rows, std::span<double> values);
 

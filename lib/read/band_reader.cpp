@@ -114,6 +114,38 @@ void BandReader::read_part(const Window& part, std::span<double> elevations, Con
         if (!std::isfinite(value))
             value = invalid;
     }
+    if (!counted_.empty())
+        take_out(part, elevations);
+}
+
+void BandReader::take_only(const ElevationLimits& limits) {
+    limits_ = limits;
+    counted_.resize(static_cast<std::size_t>(info_.rows) * columns_of_parts());
+}
+
+/// Parts begin at the same few columns whenever they are read, and may be read more than once.
+std::size_t BandReader::columns_of_parts() const {
+    return static_cast<std::size_t>(info_.cols / part_cols + 1);
+}
+
+void BandReader::take_out(const Window& part, std::span<double> elevations) {
+    const auto cols = static_cast<std::size_t>(part.cols);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(part.rows); ++i) {
+        const std::size_t at = (static_cast<std::size_t>(part.row) + i) * columns_of_parts() +
+                               static_cast<std::size_t>(part.col / part_cols);
+        const bool counts = !counted_[at];
+        counted_[at] = true;
+        for (double& value : elevations.subspan(i * cols, cols)) {
+            if (std::isnan(value))
+                continue;
+            const bool within = limits_.hold(value);
+            counts_.within += within && counts ? 1 : 0;
+            if (!within && counts)
+                counts_.outside.add(value);
+            if (!within)
+                value = std::numeric_limits<double>::quiet_NaN();
+        }
+    }
 }
 
 void BandReader::load(GDALRasterBandH band, GDALDataType type, const Window& part, void* values,

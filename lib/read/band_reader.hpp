@@ -7,10 +7,18 @@
 
 #include "core/context.hpp"
 #include "core/dem_info.hpp"
+#include "core/elevation_limits.hpp"
 #include "core/options.hpp"
+#include "core/value_counts.hpp"
 #include "read/gdal_handles.hpp"
 
 namespace d2b {
+
+/// Cells that have values within and outside of limits.
+struct LimitCounts {
+    std::int64_t within = 0;
+    ValueCounts outside;
+};
 
 /// Reads elevations of one band: scale and offset applied, NaN where a value is not valid.
 /// Valid is what is finite and what the band's mask (NoData, mask of the dataset, alpha above 0) lets
@@ -23,6 +31,13 @@ class BandReader {
     /// finite
     BandReader(GDALRasterBandH band, const ReadOptions& options, DemInfo info, Context& context);
 
+    /// From now on values outside of these are not valid, and are counted.
+    void take_only(const ElevationLimits& limits);
+    /// What has been read so far of that, each cell once.
+    [[nodiscard]] const LimitCounts& counts() const { return counts_; }
+    /// Before scale and offset.
+    [[nodiscard]] double stored(double value) const { return stored_value(value, scale_, offset_); }
+
     /// @param elevations rows * window.cols values @throws InputError with GDAL's reason
     void read(std::int32_t first_row, std::int32_t rows, std::span<double> elevations, Context& context);
     /// Any part of the raster, in one piece. @param elevations part.rows * part.cols values
@@ -30,6 +45,9 @@ class BandReader {
     void read_part(const Window& part, std::span<double> elevations, Context& context);
 
   private:
+    static constexpr std::int32_t part_cols = 256;  ///< parts begin that far from each other, or are one
+    [[nodiscard]] std::size_t columns_of_parts() const;
+    void take_out(const Window& part, std::span<double> elevations);
     void load(GDALRasterBandH band, GDALDataType type, const Window& part, void* values,
               Context& context) const;
     [[nodiscard]] std::int32_t chunk_rows() const;
@@ -42,6 +60,9 @@ class BandReader {
     bool single_precision_ = false;
     std::optional<double> nodata_;  ///< set where the user's own takes effect
     std::vector<std::uint8_t> mask_;
+    ElevationLimits limits_;
+    LimitCounts counts_;
+    std::vector<bool> counted_;  ///< a row of a part; empty where nothing is counted
 };
 
 }  // namespace d2b

@@ -19,6 +19,19 @@ namespace d2b {
 
 namespace {
 
+void describe_values(GDALRasterBandH band, const ReadOptions& options, DemInfo& info) {
+    int known = FALSE;
+    if (const double scale = GDALGetRasterScale(band, &known); known != FALSE)
+        info.scale = scale;
+    if (const double offset = GDALGetRasterOffset(band, &known); known != FALSE)
+        info.offset = offset;
+    if (!options.nodata && !options.ignore_nodata)
+        return;
+    const double nodata = GDALGetRasterNoDataValue(band, &known);
+    if (known != FALSE && nodata != options.nodata)
+        info.set_aside_nodata = nodata * info.scale + info.offset;
+}
+
 DemInfo describe(const OpenRaster& raster, const ReadOptions& options, Context& context) {
     const GdalMessages messages;
     DemInfo info;
@@ -29,6 +42,7 @@ DemInfo describe(const OpenRaster& raster, const ReadOptions& options, Context& 
         info.driver = GDALGetDriverShortName(driver);
     if (const char* unit = GDALGetRasterUnitType(raster.band))
         info.band_unit = unit;
+    describe_values(raster.band, options, info);
     read_transform(raster.dataset.get(), info, context);
     read_crs(raster.dataset.get(), options.crs, info, context);
     info.window = choose_window(options, info);

@@ -5,6 +5,7 @@
 
 #include "core/context.hpp"
 #include "core/dem_source.hpp"
+#include "core/elevation_limits.hpp"
 
 namespace d2b {
 
@@ -20,9 +21,14 @@ namespace d2b {
 /// those of another unit (the band's, else the vertical CRS's, else the DEM's own) are converted, vertical
 /// datums are not, with a warning. Between centres of cells, values are interpolated linearly; finer terrain
 /// models are averaged. Warns of the share of the window that lies outside.
+/// What lies outside of the limits is not valid, also where it would be resampled; after the last row it is
+/// counted in the report and warned of.
 /// @param dem_vertical_metres metres in one vertical unit of the DEM
+/// @param limits of elevations, in the DEM's vertical unit
+/// @throws InputError also when reading: more than half of the values are outside of the limits
 [[nodiscard]] std::unique_ptr<DemSource> open_terrain(const std::string& path, const DemInfo& grid,
-                                                      double dem_vertical_metres, Context& context);
+                                                      double dem_vertical_metres,
+                                                      const ElevationLimits& limits, Context& context);
 
 /// Where to look: 1 inside, 0 outside, never NaN. Polygons, the centres of cells inside of any of which are
 /// inside; or a raster, where all that is neither 0 nor invalid is inside, with the value of the cell in

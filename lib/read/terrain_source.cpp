@@ -1,6 +1,9 @@
 #include <optional>
+#include <utility>
 
 #include "core/crs.hpp"
+#include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "core/units.hpp"
 #include "read/aligned_raster.hpp"
 #include "read/side_rasters.hpp"
@@ -10,7 +13,7 @@ namespace d2b {
 namespace {
 
 std::optional<LengthUnit> vertical_unit(const DemInfo& raster) {
-    if (auto band = parse_length_unit(raster.band_unit))
+    if (auto band = stated_unit(raster.band_unit, "terrain '" + raster.name + "'", "gdal_edit.py -units"))
         return band;
     return Crs(raster.crs_wkt).vertical_unit();
 }
@@ -28,10 +31,13 @@ std::string height_reference(const std::string& wkt) {
 
 class TerrainSource final : public DemSource {
   public:
-    TerrainSource(const std::string& path, const DemInfo& grid, double dem_metres, Context& context)
-        : raster_("terrain", path, grid, Resampling::bilinear, context) {
+    TerrainSource(const std::string& path, const DemInfo& grid, double dem_metres,
+                  const ElevationLimits& limits, Context& context)
+        : context_(context), raster_("terrain", path, grid, Resampling::bilinear, context) {
         if (const auto unit = vertical_unit(raster_.raster()))
             factor_ = unit->metres / dem_metres;
+        limits_ = limits.times(1 / factor_);
+        raster_.take_only(limits_);
         raster_.warn_of_gaps("there is no ground");
         const std::string here = height_reference(raster_.raster().crs_wkt);
         const std::string dem = height_reference(grid.crs_wkt);
@@ -48,18 +54,45 @@ class TerrainSource final : public DemSource {
         if (factor_ != 1)
             for (double& elevation : elevations)
                 elevation *= factor_;
+        const Window& window = info().window;
+        if (first_row + rows == window.row + window.rows && !std::exchange(reported_, true))
+            report();
     }
 
   private:
+    void report() const;
+
+    Context& context_;
     AlignedRaster raster_;
     double factor_ = 1;
+    ElevationLimits limits_;
+    bool reported_ = false;
 };
+
+void TerrainSource::report() const {
+    const auto& [within, outside] = raster_.counts();
+    context_.report.count(Reason::terrain_outside_range, outside.cells());
+    if (outside.cells() == 0)
+        return;
+    const std::string what = outside.text("the " + raster_.name()) + ", outside of the range from " +
+                             number_text(limits_.lowest) + " to " + number_text(limits_.highest);
+    if (outside.cells() > within)
+        throw InputError(what +
+                         " and more than half of all; correct its unit with gdal_edit.py -units or its "
+                         "NoData value with gdal_edit.py -a_nodata, or give the range with -zrange.");
+    const auto most = outside.most();
+    context_.warn(what + ", and " + (outside.cells() == 1 ? "is" : "are") + " taken for no data; declare " +
+                  (most ? "that with gdal_edit.py -a_nodata " + value_text(raster_.stored(most->value))
+                        : "it with gdal_edit.py -a_nodata") +
+                  ", or give the range with -zrange.");
+}
 
 }  // namespace
 
 std::unique_ptr<DemSource> open_terrain(const std::string& path, const DemInfo& grid,
-                                        double dem_vertical_metres, Context& context) {
-    return std::make_unique<TerrainSource>(path, grid, dem_vertical_metres, context);
+                                        double dem_vertical_metres, const ElevationLimits& limits,
+                                        Context& context) {
+    return std::make_unique<TerrainSource>(path, grid, dem_vertical_metres, limits, context);
 }
 
 }  // namespace d2b

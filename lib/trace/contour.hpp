@@ -45,7 +45,7 @@ struct Contour {
 /// A contour whose last row has passed; what stands on it has been handed out before.
 struct FinishedContour {
     Contour contour;
-    ElevationSample sample;                    ///< level 1: of all its points
+    ElevationSample sample;                    ///< level 1: of all its points but spires
     std::vector<std::int64_t> standing_on_it;  ///< what the sink called the contours that stand on it
 };
 

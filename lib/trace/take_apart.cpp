@@ -32,6 +32,7 @@ struct Row {
     std::span<const double> elevations;
     std::span<const Label> labels;
     std::span<const Count> counts;
+    std::vector<std::int32_t> spires;
 };
 
 template <typename Count>
@@ -51,7 +52,8 @@ class Cutter {
         const std::int32_t in_band = row - band_.shape().first_row;
         const PointRows<Count>& rows = in_band < 0 ? before_ : band_;
         const std::int32_t i = in_band < 0 ? row - before_.shape().first_row : in_band;
-        return {rows.elevations->row(i), rows.labels.row(i), rows.levels.row(i)};
+        return {rows.elevations->row(i), rows.labels.row(i), rows.levels.row(i),
+                rows.elevations->spires_in_row(i)};
     }
     [[nodiscard]] bool is_last() const { return band_.end_row() == frame_.window.row + frame_.window.rows; }
     [[nodiscard]] RunRow cut(std::span<const Count> counts, std::span<const Label> labels) const;
@@ -102,6 +104,7 @@ std::vector<TraceLine> Cutter<Count>::lines_of_cells() const {
         line.line = r;
         line.squares = cut(cells.counts, cells.labels);
         line.elevations = cells.elevations;
+        line.spires = cells.spires;
         line.outside = outside_of(cells);
         for (std::uint32_t s = 0; s < line.squares.segments.size(); ++s)
             add_share(line, {false, s, line.squares.segments[s].begin, line.squares.segments[s].end, {}});
@@ -131,6 +134,7 @@ TraceLine Cutter<Count>::line_of_points(std::int32_t number, const Holders& abov
     line.line = number;
     const Row<Count> points = row(number);
     line.elevations = points.elevations;
+    line.spires = points.spires;
     if (number < band_.shape().first_row)
         line.owner = before_.elevations;
     const Holders below = holders_of(squares, points.elevations.size() - 1);

@@ -49,6 +49,7 @@ struct TraceLine {
     RunRow squares;            ///< below the line
     std::vector<PointShare> shares;
     std::span<const double> elevations;          ///< of the points on the line
+    std::vector<std::int32_t> spires;            ///< columns of those that are no roof
     std::shared_ptr<const ElevationBand> owner;  ///< of these, where it is not the band that was taken apart
     /// Of the row of points below the line: the elevation where a point is valid and does not qualify, else
     /// +infinity.

@@ -36,11 +36,24 @@ void Tracer::add_points(const TraceLine& line) {
         component_of(segment.level, segment.run).own.merge(share.stats);
         if (segment.building == no_index)
             continue;
-        component_of(1, segment.building)
-            .sample->add(line.elevations.subspan(static_cast<std::size_t>(share.begin),
-                                                 static_cast<std::size_t>(share.end - share.begin)),
-                         range_);
+        add_roof(line, share, *component_of(1, segment.building).sample);
     }
+}
+
+/// What stands on a roof is none.
+void Tracer::add_roof(const TraceLine& line, const PointShare& share, ElevationSample& sample) const {
+    std::int32_t begin = share.begin;
+    const auto add_up_to = [&](std::int32_t end) {
+        sample.add(
+            line.elevations.subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin)),
+            range_);
+    };
+    for (const std::int32_t spire : line.spires)
+        if (spire >= begin && spire < share.end) {
+            add_up_to(spire);
+            begin = spire + 1;
+        }
+    add_up_to(share.end);
 }
 
 }  // namespace d2b

@@ -21,6 +21,7 @@ class Tracer {
 
   private:
     void add_points(const TraceLine& line);
+    void add_roof(const TraceLine& line, const PointShare& share, ElevationSample& sample) const;
 
     bool points_;
     ElevationRange range_;

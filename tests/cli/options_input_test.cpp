@@ -94,6 +94,14 @@ TEST_F(OptionEffect, inodata) {
     EXPECT_EQ(layer("with.gpkg", "contours").sum("n_points", 0), 600);
 }
 
+TEST_F(OptionEffect, zrange) {
+    run_warned({"-q", "-fl", "5", "15", "-zrange", "-0.5", "15", "--", "blocks.tif", "out.gpkg"},
+               {"20 cells of 'blocks.tif' have the elevation 20, which is outside of -zrange -0.5 15, and "
+                "are taken for no "
+                "data; if 20 stands for no data, give -snodata 20, and if not, the range with -zrange."});
+    EXPECT_EQ(contours().sum("n_points", 0), 600 - 20);
+}
+
 TEST_F(OptionEffect, zunit) {
     trace({"-zunit", "m"});
     EXPECT_DOUBLE_EQ(buildings().where("id", 1).number("height"), 20);

@@ -100,7 +100,7 @@ TEST(WithoutRoots, FootprintsAreAtTheBottom) {
     ASSERT_EQ(set.contours.size(), 4U);
     EXPECT_EQ(set.building, (std::vector<std::int64_t>{0, 1, 1, 1}));
     EXPECT_EQ(set.buildings, (std::vector<std::int64_t>{0, 1}));
-    EXPECT_EQ(set.percentiles, before.percentiles);
+    EXPECT_EQ(set.roofs, before.roofs);
     for (std::size_t i = 0; i < set.contours.size(); ++i) {
         EXPECT_EQ(set.contours[i].key, before.contours[i + 2].key);
         EXPECT_EQ(set.contours[i].parent, set.contours[i].key.level == 1 ? -1 : 1);

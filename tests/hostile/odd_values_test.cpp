@@ -73,12 +73,52 @@ TEST_P(OddValues, hugeOnesNeitherOverflowNorHang) {
          {std::pair{0.0, most}, {-most, most}, {-most, 0.0}, {0.0, 1e38}, {1e300, 1e301}}) {
         RasterSpec spec = one_block(low, high);
         spec.type = GDT_Float64;
-        const Layer found = buildings(spec);
+        const Layer found = buildings(spec, {"-zrange", "-1.7976931348623157e308", "1.7976931348623157e308"});
         EXPECT_LE(found.records.size(), 1U);
         if (thesis() && low <= 5 && high > 5) {
             ASSERT_EQ(found.records.size(), 1U) << low << " " << high;
             EXPECT_NEAR(found.records[0].area(), block_area(), slack());
         }
+    }
+}
+
+TEST_P(OddValues, whatNoLandHasIsNoDataAndSaidSo) {
+    for (const double odd : {-9999.0, -32768.0, 9999.0, 65535.0, -3.4028234663852886e38}) {
+        RasterSpec spec = one_block();
+        spec.type = GDT_Float32;
+        for (std::size_t i = 3; i < spec.values.size(); i += 131)
+            spec.values[i] = odd;
+        RasterSpec with_nodata = spec;
+        with_nodata.nodata = odd;
+        const std::vector<std::string> expected = wkts(buildings(with_nodata));
+        EXPECT_FALSE(expected.empty());
+        EXPECT_EQ(wkts(buildings(spec)), expected) << odd;
+        Arguments arguments = GetParam().arguments;
+        arguments.insert(arguments.end(), {"-q", "-overwrite", "--", "dem.tif", "out.gpkg"});
+        EXPECT_NE(run(arguments).err.find("Warning: 23 cells of 'dem.tif' have the elevation "),
+                  std::string::npos);
+    }
+}
+
+TEST_P(OddValues, whereMostAreWhatNoLandHasIsRefused) {
+    write(path("dem.tif"), one_block(20000, 20012));
+    Arguments arguments = GetParam().arguments;
+    arguments.insert(arguments.end(), {"-q", "--", "dem.tif", "out.gpkg"});
+    expect_error(1, "; give the unit of the elevations with -zunit, the range in which they lie with -zrange",
+                 arguments);
+}
+
+TEST_P(OddValues, aUnitThatIsNoLengthIsRefused) {
+    write(path("dem.tif"), one_block());
+    for (const char* unit : {"furlong", "K", "dBZ", "%"}) {
+        const GDALDatasetH dataset = GDALOpen(path("dem.tif").c_str(), GA_Update);
+        GDALSetRasterUnitType(GDALGetRasterBand(dataset, 1), unit);
+        GDALClose(dataset);
+        Arguments arguments = GetParam().arguments;
+        arguments.insert(arguments.end(), {"-q", "--", "dem.tif", "out.gpkg"});
+        expect_error(1,
+                     "The unit of 'dem.tif' is '" + std::string(unit) + "', which is no known unit of length",
+                     arguments);
     }
 }
 

@@ -1,6 +1,7 @@
 #include "pipeline/elevation_reader.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -90,6 +91,59 @@ TEST(ElevationReader, GivesEachBandTheRowsAboveIt) {
                                       std::vector<double>(end - std::ptrdiff_t{rows} * cols, end));
                         });
             }
+}
+
+/// Ground of 10 with spikes of some heights beside every seam, values that are no elevations, and holes.
+std::vector<double> spiky(std::int32_t rows, std::int32_t cols, std::int32_t rows_a_band) {
+    std::vector<double> z(static_cast<std::size_t>(rows) * static_cast<std::size_t>(cols), 10);
+    const auto at = [&](std::int32_t row, std::int32_t col) -> double& {
+        return z[static_cast<std::size_t>(row) * static_cast<std::size_t>(cols) +
+                 static_cast<std::size_t>(col)];
+    };
+    for (std::int32_t seam = rows_a_band; seam < rows; seam += rows_a_band) {
+        at(seam, 3) = 200;
+        at(seam - 1, 7) = 200;
+        at(seam, 11) = 60;
+        at(seam - 1, 15) = 60;
+        at(seam, 19) = at(seam - 1, 20) = 200;  // neighbours
+        at(seam, 24) = at(seam - 1, 24) = -9999;
+    }
+    at(0, 0) = at(rows - 1, cols - 1) = 150;
+    return z;
+}
+
+TEST(ElevationReader, DecidesWhatIsAnElevationAcrossBandsAndForEveryPass) {
+    constexpr std::int32_t cols = 30;
+    constexpr std::int32_t rows_a_band = 64;
+    const std::vector<double> z = spiky(1000, cols, rows_a_band);
+    for (const std::size_t room : {std::size_t{1} << 30, std::size_t{0}})
+        for (const int threads : {1, 2, 16}) {
+            MemorySource source(1000, cols, z);
+            Context context;
+            context.threads = std::make_unique<Executor>(threads);
+            ElevationReader reader(source, context, {.points = 1, .keep_bytes = room});
+            ASSERT_EQ(reader.bands(), 16U);
+            const SiftRules rules{on_land, spikes_m, 1, {}};
+            const ElevationSurvey survey = reader.survey(rules, [](const ElevationBand&) {});
+            EXPECT_EQ(survey.strange.outside.cells(), 15 * 2);
+            EXPECT_EQ(survey.strange.spikes.cells(), 15 * 2 + 2);
+            EXPECT_EQ(survey.strange.spires, 15 * 2);
+            EXPECT_EQ(survey.statistics.moments.n, 30000 - 15 * 4 - 2);
+            EXPECT_EQ(survey.statistics.maximum, 200);  // two side by side
+            EXPECT_EQ(survey.statistics.minimum, 10);
+            for (int pass = 0; pass < 2; ++pass) {
+                std::int64_t invalid = 0;
+                std::size_t spires = 0;
+                reader.for_each([&](const ElevationBand& band) {
+                    invalid += std::ranges::count_if(band.elevations, [](double e) { return std::isnan(e); });
+                    spires += band.spires.size();
+                    for (const std::size_t spire : band.spires)
+                        EXPECT_EQ(band.elevations[spire], 60);
+                });
+                EXPECT_EQ(invalid, 15 * 4 + 2);
+                EXPECT_EQ(spires, 30U);
+            }
+        }
 }
 
 TEST(ElevationReader, GivesTheBandsOfSomeRows) {

@@ -62,7 +62,8 @@ std::vector<double> SideTest::expected(const Surface& surface) const {
 }
 
 std::vector<double> SideTest::terrain(double dem_vertical_metres) {
-    return read_all(*open_terrain(path("side.tif"), grid_, dem_vertical_metres, context_));
+    return read_all(*open_terrain(path("side.tif"), grid_, dem_vertical_metres,
+                                  on_land.times(1 / dem_vertical_metres), context_));
 }
 
 std::vector<double> SideTest::mask(const std::string& name) {

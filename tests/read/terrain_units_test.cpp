@@ -38,11 +38,17 @@ TEST_F(TerrainUnits, ofTheVerticalCrs) {
 
 TEST_F(TerrainUnits, unknownOnesAreTheDems) {
     dem({});
-    for (const char* unit : {"", "floors"}) {
+    for (const char* unit : {"", "unknown"}) {
         one_cell(unit);
         EXPECT_EQ(terrain(1).at(0), 100);
         EXPECT_EQ(terrain(0.3048).at(0), 100);
     }
+    one_cell("floors");
+    EXPECT_EQ(
+        refused<InputError>([&] { (void)terrain(1); }),
+        "The unit of terrain " + quoted("side.tif") +
+            " is 'floors', which is no known unit of length; if the values are elevations, give their unit "
+            "with gdal_edit.py -units, for example gdal_edit.py -units m.");
 }
 
 TEST_F(TerrainUnits, aPlaneInFeetOfAnotherCrsAndScale) {

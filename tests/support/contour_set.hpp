@@ -13,9 +13,9 @@ namespace d2b::test {
 /// Contours of a run side by side, with what relates them.
 struct ContourSet {
     std::vector<Contour> contours;
-    std::vector<std::int64_t> building;    ///< a contour: index into `buildings`, -1 in level 0
-    std::vector<std::int64_t> buildings;   ///< the contours of level 1, in order
-    std::vector<Percentiles> percentiles;  ///< a building
+    std::vector<std::int64_t> building;   ///< a contour: index into `buildings`, -1 in level 0
+    std::vector<std::int64_t> buildings;  ///< the contours of level 1, in order
+    std::vector<RoofElevations> roofs;    ///< a building
     std::shared_ptr<const StoredContours> list;
 };
 
@@ -27,7 +27,7 @@ inline ContourSet fetch_set(std::shared_ptr<const StoredContours> list) {
         set.building.push_back(list->head(i).building);
         if (list->head(i).key.level == 1) {
             set.buildings.push_back(static_cast<std::int64_t>(i));
-            set.percentiles.push_back(stored.percentiles);
+            set.roofs.push_back(stored.roof);
         }
     }
     set.list = std::move(list);
@@ -62,8 +62,8 @@ inline Records make_records(const ContourSet& set, const AttributeContext& conte
     for (std::size_t i = 0; i < set.contours.size(); ++i) {
         records.contours.push_back(maker.contour(i, set.contours[i]));
         if (set.contours[i].key.level == 1)
-            records.buildings.push_back(maker.building(i, set.contours[i], records.contours[i],
-                                                       set.percentiles[records.buildings.size()]));
+            records.buildings.push_back(
+                maker.building(i, set.contours[i], records.contours[i], set.roofs[records.buildings.size()]));
     }
     return records;
 }

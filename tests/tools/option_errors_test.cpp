@@ -59,6 +59,15 @@ TEST(OptionErrors, numbers) {
           "-zunit must be m, ft, us-ft or a number above 0 (metres in one unit), not '0'."}});
 }
 
+TEST(OptionErrors, twoNumbers) {
+    const std::string zrange = "-zrange must be two numbers, the lowest below the highest, not ";
+    expect_refusals({{{"-zrange", "5", "5"}, zrange + "'5 5'."},
+                     {{"-zrange", "5", "-5"}, zrange + "'5 -5'."},
+                     {{"-zrange", "0", "nan"}, zrange + "'0 nan'."},
+                     {{"-zrange", "0", "1e999"}, zrange + "'0 1e999'."},
+                     {{"-zrange", "0", "9,5"}, zrange + "'0 9,5'."}});
+}
+
 TEST(OptionErrors, fourNumbers) {
     const std::string srcwin = "-srcwin must be four whole numbers, columns and rows above 0, not ";
     const std::string projwin = "-projwin must be four numbers, ulx below lrx and uly above lry, not ";

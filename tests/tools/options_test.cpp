@@ -37,6 +37,8 @@ TEST(OptionTable, holdsTheseOptions) {
                                          "a_srs",
                                          "te",
                                          "zunit",
+                                         "zrange",
+                                         "zrange",
                                          "snodata",
                                          "inodata",
                                          "srcwin",
@@ -200,6 +202,7 @@ TEST(Options, ofTheInput) {
     EXPECT_EQ(read({"-cutline", "area.gpkg"}).cutline, "area.gpkg");
     for (const char* unit : {"m", "ft", "us-ft", "0.3048", "1e-3"})
         EXPECT_EQ(read({"-zunit", unit}).vertical_unit, unit);
+    EXPECT_EQ(read({"-zrange", "-10", "2.5e3"}).elevation_range, (std::array<double, 2>{-10, 2500}));
 }
 
 TEST(Options, ofTheGround) {
@@ -332,6 +335,7 @@ TEST(Options, everyOptionChangesWhatItShows) {
                                            {"-inodata"},
                                            {"-cutline", "x"},
                                            {"-zunit", "ft"},
+                                           {"-zrange", "-10", "100"},
                                            {"-srcwin", "0", "0", "1", "1"},
                                            {"-disjoint"},
                                            {"-t_srs", "x"},

@@ -98,7 +98,7 @@ TEST(Footprints, DoNotCountPointsThatAreNotValid) {
     EXPECT_EQ(set.contours[1].squares(), 6);
     EXPECT_EQ(set.contours[1].own.n, 4);
     EXPECT_EQ(set.contours[2].own.n, 1);
-    EXPECT_EQ(set.percentiles[0][0], 3);  // of 8 and four times 3
+    EXPECT_EQ(set.roofs[0].percentiles[0], 3);  // of 8 and four times 3
 }
 
 }  // namespace

@@ -88,12 +88,12 @@ TEST(Percentiles, AreThoseOfAllPointsOfTheBuilding) {
         grid.z[static_cast<std::size_t>((1 + i / 10) * 12 + 1 + i % 10)] = 100 + i;
     Context context;
     const test::ContourSet set = test::trace_grid(grid, {50, 150}, {TraceMode::cells}, context);
-    ASSERT_EQ(set.percentiles.size(), 1U);
+    ASSERT_EQ(set.roofs.size(), 1U);
     // 100 values, 100 to 199: the nearest rank of a share is 99 + 100 share.
-    EXPECT_EQ(set.percentiles[0][0], 149);
-    EXPECT_EQ(set.percentiles[0][1], 169);
-    EXPECT_EQ(set.percentiles[0][2], 189);
-    EXPECT_EQ(set.percentiles[0][3], 194);
+    EXPECT_EQ(set.roofs[0].percentiles[0], 149);
+    EXPECT_EQ(set.roofs[0].percentiles[1], 169);
+    EXPECT_EQ(set.roofs[0].percentiles[2], 189);
+    EXPECT_EQ(set.roofs[0].percentiles[3], 194);
 }
 
 }  // namespace

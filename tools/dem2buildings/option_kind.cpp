@@ -41,7 +41,7 @@ std::string option_kind(const OptionRow& row) {
     for (const Kind& kind : kinds)
         if (row.values == kind.values)
             return std::string(kind.kind);
-    if (row.arity == Arity::list)
+    if (row.arity == Arity::list || row.arity == Arity::several)
         return "numbers";
     if (row.numbers)
         return row.range.starts_with("a whole number") ? "whole" : "number";

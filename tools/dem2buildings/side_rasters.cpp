@@ -7,6 +7,7 @@
 #include "core/crs.hpp"
 #include "core/units.hpp"
 #include "core/version.hpp"
+#include "pipeline/strange_values.hpp"
 #include "read/side_rasters.hpp"
 #include "write/geotiff_sink.hpp"
 
@@ -27,7 +28,8 @@ SideSources open_side_sources(const Options& options, const DemInfo& dem, Contex
     SideSources sources;
     if (options.ground.mode == GroundMode::given) {
         const UnitReport units = resolve_units(grid, Crs(grid.crs_wkt), options.read.vertical_unit);
-        sources.terrain = open_terrain(options.ground.terrain, grid, units.vertical_metres, context);
+        sources.terrain = open_terrain(options.ground.terrain, grid, units.vertical_metres,
+                                       elevation_limits(options.read, units.vertical_metres), context);
     }
     if (!options.detect.mask.empty())
         sources.mask = open_mask(options.detect.mask, grid, context);

@@ -1,0 +1,78 @@
+#include "core/value_counts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "core/number_text.hpp"
+
+namespace d2b {
+
+std::string value_text(double value) {
+    constexpr double large = 1e15;
+    const double size = std::abs(value);
+    if (size < large || size > static_cast<double>(std::numeric_limits<float>::max()))
+        return number_text(value);
+    const auto single = static_cast<float>(value);
+    if (static_cast<double>(single) != value)
+        return number_text(value);
+    std::array<char, 32> text{};
+    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), single).ptr};
+}
+
+double stored_value(double elevation, double scale, double offset) {
+    const double stored = (elevation - offset) / scale;
+    const double nearest = std::round(stored);
+    return std::abs(stored - nearest) <= 1e-6 * std::max(1.0, std::abs(stored)) ? nearest : stored;
+}
+
+std::string cells_have(std::int64_t cells, const std::string& raster) {
+    return std::to_string(cells) + (cells == 1 ? " cell of " : " cells of ") + raster +
+           (cells == 1 ? " has " : " have ");
+}
+
+void ValueCounts::add(double value) {
+    ++cells_;
+    lowest_ = std::min(lowest_, value);
+    highest_ = std::max(highest_, value);
+    if (many_)
+        return;
+    ++counts_[value];
+    many_ = counts_.size() > most_values;
+    if (many_)
+        counts_.clear();
+}
+
+void ValueCounts::merge(const ValueCounts& other) {
+    cells_ += other.cells_;
+    lowest_ = std::min(lowest_, other.lowest_);
+    highest_ = std::max(highest_, other.highest_);
+    for (const auto& [value, cells] : other.counts_)
+        counts_[value] += cells;
+    many_ = many_ || other.many_ || counts_.size() > most_values;
+    if (many_)
+        counts_.clear();
+}
+
+std::optional<SharedValue> ValueCounts::most() const {
+    if (counts_.empty())
+        return {};
+    const auto& [value, cells] =
+        *std::ranges::max_element(counts_, {}, [](const auto& count) { return count.second; });
+    return SharedValue{value, cells};
+}
+
+std::string ValueCounts::text(const std::string& raster) const {
+    const std::string have = cells_have(cells_, raster);
+    if (lowest_ == highest_)
+        return have + "the elevation " + value_text(lowest_);
+    const std::string range = "elevations from " + value_text(lowest_) + " to " + value_text(highest_);
+    const std::optional<SharedValue> shared = most();
+    if (!shared || shared->cells == 1)
+        return have + range;
+    return have + range + " (" + std::to_string(shared->cells) + " of them " + value_text(shared->value) +
+           ")";
+}
+
+}  // namespace d2b

@@ -1,0 +1,308 @@
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "core/value_counts.hpp"
+#include "pipeline/made_town.hpp"
+
+namespace d2b {
+namespace {
+
+using test::MadeTown;
+using test::MemorySource;
+using test::Result;
+using test::run_on;
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+struct Cell {
+    int row;
+    int col;
+};
+constexpr Cell in_flat_roof{26, 28};
+constexpr Cell in_street{60, 50};
+
+std::vector<double> surface_with(const std::vector<Cell>& cells, double value, double metres) {
+    std::vector<double> z = MadeTown::surface();
+    for (double& each : z)
+        each /= metres;
+    for (const Cell& cell : cells)
+        z[MadeTown::index(cell.row, cell.col)] = value;
+    return z;
+}
+
+/// A town some of whose cells have another value, in its unit.
+struct TownWith : MemorySource {
+    TownWith(const std::vector<Cell>& cells, double value, double metres = 1)
+        : MemorySource(MadeTown::rows, MadeTown::cols, surface_with(cells, value, metres)) {
+        edit().name = "town.tif";
+        edit().crs_wkt = Crs("EPSG:25833").wkt();
+        edit().transform = {500000, 1, 0, 5000000, 0, -1};
+    }
+};
+
+Options in_unit(const std::string& unit) {
+    Options options;
+    options.read.vertical_unit = unit;
+    return options;
+}
+
+void expect_same_features(const Result& one, const Result& other) {
+    ASSERT_EQ(one.sink.features.size(), other.sink.features.size());
+    for (std::size_t layer = 0; layer < one.sink.features.size(); ++layer) {
+        ASSERT_EQ(one.sink.features[layer].size(), other.sink.features[layer].size());
+        for (std::size_t i = 0; i < one.sink.features[layer].size(); ++i)
+            EXPECT_EQ(one.sink.features[layer][i].values, other.sink.features[layer][i].values);
+    }
+}
+
+std::vector<double> numbers(const Result& result, const std::string& field) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < result.sink.features[test::buildings].size(); ++i)
+        values.push_back(result.sink.number(test::buildings, i, field));
+    return values;
+}
+
+class NoElevation : public testing::TestWithParam<double> {};
+INSTANTIATE_TEST_SUITE_P(All, NoElevation,
+                         testing::Values(-9999, -32768, 9999, 65535, -3.4028234663852886e38, 1e300));
+
+TEST_P(NoElevation, IsAsIfItWereDeclared) {
+    for (const char* preset : {"buildings", "thesis"}) {
+        Options options;
+        options.preset = preset;
+        TownWith declared({in_flat_roof, in_street}, none);
+        Result clean;
+        run_on(declared, options, clean);
+        EXPECT_EQ(clean.context.report.warnings, std::vector<std::string>());
+        for (const bool ignoring : {false, true}) {
+            options.read.ignore_nodata = ignoring;
+            TownWith undeclared({in_flat_roof, in_street}, GetParam());
+            Result result;
+            run_on(undeclared, options, result);
+            expect_same_features(result, clean);
+            const RunReport& report = result.context.report;
+            EXPECT_EQ(report.counted(Reason::elevation_outside_range), 2);
+            EXPECT_EQ(report.valid_points, clean.context.report.valid_points);
+            ASSERT_EQ(report.warnings.size(), 1U);
+            const std::string value = value_text(GetParam());
+            EXPECT_EQ(report.warnings[0],
+                      "2 cells of 'town.tif' have the elevation " + value +
+                          ", which is not on land, between -500 and 9000 m, and are taken for no data; if " +
+                          value + " stands for no data, give -snodata " + value +
+                          ", and if not, the range with -zrange.");
+        }
+    }
+}
+
+TEST(StrangeValues, TheRangeIsInTheUnitOfTheElevations) {
+    const auto counted = [](double value, const std::string& unit, double metres) {
+        TownWith town({in_flat_roof}, value, metres);
+        Result result;
+        run_on(town, in_unit(unit), result);
+        return result.context.report.counted(Reason::elevation_outside_range);
+    };
+    EXPECT_EQ(counted(-1700, "ft", 0.3048), 1);
+    EXPECT_EQ(counted(-1600, "ft", 0.3048), 0);
+    EXPECT_EQ(counted(-1700, "m", 1), 1);
+    EXPECT_EQ(counted(-51000, "0.01", 0.01), 1);
+    EXPECT_EQ(counted(-9999, "0.01", 0.01), 0);
+}
+
+TEST(StrangeValues, AGivenRangeTakesThePlaceOfWhatIsOnLand) {
+    Options options;
+    options.read.elevation_range = {{0, 120}};
+    TownWith town({in_flat_roof}, -1);
+    Result result;
+    run_on(town, options, result);
+    EXPECT_EQ(result.context.report.counted(Reason::elevation_outside_range), 1 + MadeTown::tower.area());
+    EXPECT_LE(result.context.report.maximum, 120);
+    ASSERT_GE(result.context.report.warnings.size(), 1U);
+    EXPECT_NE(result.context.report.warnings[0].find(
+                  "which is outside of -zrange 0 120, and are taken for no data; "
+                  "give the range of elevations with -zrange."),
+              std::string::npos)
+        << result.context.report.warnings[0];
+    options.read.elevation_range = {{-20000, 20000}};
+    TownWith deep({in_street}, -9999);
+    Result all;
+    run_on(deep, options, all);
+    EXPECT_EQ(all.context.report.minimum, -9999);
+}
+
+TEST(StrangeValues, WhereMostAreNoElevationsTheRunIsRefused) {
+    TownWith town({}, 0, 0.001);  // millimetres
+    Result result;
+    try {
+        run_on(town, {}, result);
+        FAIL();
+    } catch (const InputError& error) {
+        const std::string text = error.what();
+        EXPECT_TRUE(text.starts_with("23800 cells of 'town.tif' have elevations from ")) << text;
+        EXPECT_TRUE(
+            text.ends_with(", which is not on land, between -500 and 9000 m, and these are more than half of "
+                           "all; give the unit of "
+                           "the elevations with -zunit, the range in which they lie with -zrange."))
+            << text;
+    }
+    Result in_millimetres;
+    run_on(town, in_unit("0.001"), in_millimetres);
+    EXPECT_EQ(in_millimetres.context.report.warnings, std::vector<std::string>());
+}
+
+TEST(StrangeValues, WhatManyCellsShareFarFromAllOthersIsWarnedOf) {
+    std::vector<Cell> cells;
+    for (int i = 0; i < 30; ++i)
+        cells.push_back({i * 4 + 2, 5});
+    for (const char* preset : {"buildings", "thesis"}) {
+        Options options;
+        options.preset = preset;
+        TownWith town(cells, 0);
+        town.edit().scale = 0.5;
+        town.edit().offset = -100;
+        Result result;
+        run_on(town, options, result);
+        ASSERT_GE(result.context.report.warnings.size(), 1U);
+        EXPECT_EQ(
+            result.context.report.warnings[0],
+            "30 cells of 'town.tif' have the elevation 0, more than 50 m from any other; if 0 stands for no "
+            "data, give -snodata 200.");
+        EXPECT_EQ(result.context.report.valid_points, MadeTown::rows * MadeTown::cols);
+    }
+}
+
+TEST(StrangeValues, ADeclaredValueThatComesBackIsSaidSo) {
+    TownWith town({in_street}, 99);
+    town.edit().set_aside_nodata = 99;
+    Options options;
+    options.read.nodata = -1;
+    Result result;
+    run_on(town, options, result);
+    ASSERT_EQ(result.context.report.warnings.size(), 1U);
+    EXPECT_EQ(result.context.report.warnings[0],
+              "1 cell of 'town.tif' has the elevation 99, the NoData value that the file declares and that "
+              "-snodata "
+              "takes the place of; if it stands for no data, leave out -snodata.");
+}
+
+TEST(StrangeValues, ADeclaredValueThatNoLandHasIsNamedAsSuch) {
+    for (const bool ignoring : {false, true}) {
+        TownWith town({in_street}, -9999);
+        town.edit().set_aside_nodata = -9999;
+        Options options;
+        options.read.ignore_nodata = ignoring;
+        Result result;
+        run_on(town, options, result);
+        ASSERT_EQ(result.context.report.warnings.size(), 1U);
+        EXPECT_EQ(
+            result.context.report.warnings[0],
+            std::string(
+                "1 cell of 'town.tif' has the elevation -9999, which is not on land, between -500 and 9000 "
+                "m, and is taken for no data; it is the NoData value that the file declares, so leave out ") +
+                (ignoring ? "-inodata." : "-snodata."));
+    }
+}
+
+TEST(StrangeValues, ASpikeIsNoElevationOrNoRoof) {
+    Result clean;
+    TownWith town({}, 0);
+    run_on(town, {}, clean);
+    TownWith holes({in_flat_roof}, none);
+    Result hole;
+    run_on(holes, {}, hole);
+    const double roof = MadeTown::middle(MadeTown::flat) + MadeTown::flat_height;
+    TownWith high({in_flat_roof}, roof + 101);
+    Result no_elevation;
+    run_on(high, {}, no_elevation);
+    expect_same_features(no_elevation, hole);
+    EXPECT_EQ(no_elevation.context.report.counted(Reason::elevation_above_neighbours), 1);
+    ASSERT_EQ(no_elevation.context.report.warnings.size(), 1U);
+    EXPECT_NE(no_elevation.context.report.warnings[0].find(
+                  ", more than 100 m above all cells around, and is taken for no data; if "),
+              std::string::npos);
+
+    TownWith mast({in_flat_roof}, roof + 50);
+    Result no_roof;
+    run_on(mast, {}, no_roof);
+    EXPECT_EQ(no_roof.context.report.counted(Reason::elevation_not_roof), 1);
+    EXPECT_EQ(no_roof.context.report.valid_points, clean.context.report.valid_points);
+    EXPECT_EQ(no_roof.context.report.warnings, std::vector<std::string>());
+    for (const char* field : {"height", "roof", "p95", "p50"}) {
+        const std::vector<double> expected = numbers(clean, field);
+        const std::vector<double> got = numbers(no_roof, field);
+        ASSERT_EQ(got.size(), expected.size());
+        for (std::size_t i = 0; i < got.size(); ++i)
+            EXPECT_NEAR(got[i], expected[i], 0.05) << field;
+    }
+    const std::vector<double> expected = numbers(clean, "volume_m3");
+    const std::vector<double> volume = numbers(no_roof, "volume_m3");
+    double more = 0;
+    for (std::size_t i = 0; i < volume.size(); ++i)
+        more += volume[i] - expected[i];
+    EXPECT_NEAR(more, 50, 3);  // it is a cell of the building all the same
+
+    Options thesis;
+    thesis.preset = "thesis";
+    Result taken;
+    run_on(high, thesis, taken);
+    EXPECT_EQ(taken.context.report.counted(Reason::elevation_above_neighbours), 0);
+    EXPECT_EQ(taken.context.report.maximum, roof + 101);
+}
+
+/// A block of cells in a roof.
+std::vector<Cell> patch(int side) {
+    std::vector<Cell> cells;
+    for (int row = 0; row < side; ++row)
+        for (int col = 0; col < side; ++col)
+            cells.push_back({24 + row, 24 + col});
+    return cells;
+}
+
+TEST(StrangeValues, HeightsThatCannotBeAreWarnedOfWithTheElevationThatMakesThem) {
+    TownWith high(patch(4), 9999, 0.3048);  // 3,048 m is an elevation
+    Result result;
+    run_on(high, in_unit("ft"), result);
+    ASSERT_EQ(result.context.report.warnings.size(), 1U);
+    const std::string& text = result.context.report.warnings[0];
+    EXPECT_NE(text.find(" is more than 1000 m high: building "), std::string::npos) << text;
+    EXPECT_NE(
+        text.find(" m, has an elevation of 9999; give what stands for no data with -snodata, the range of "
+                  "elevations with -zrange, or their unit with -zunit."),
+        std::string::npos)
+        << text;
+    TownWith low(patch(9), -30, 1);
+    Result deep;
+    run_on(low, {}, deep);
+    for (std::size_t i = 0; i < deep.sink.features[test::buildings].size(); ++i)
+        if (deep.sink.number(test::buildings, i, "volume_m3") < 0) {
+            EXPECT_TRUE(std::ranges::any_of(deep.context.report.warnings, [](const std::string& said) {
+                return said.find("has a negative volume, being lower than the ground on average") !=
+                           std::string::npos &&
+                       said.find(" has an elevation of -30; ") != std::string::npos;
+            }));
+        }
+}
+
+TEST(StrangeValues, TheNumberOfThreadsDoesNotMatter) {
+    std::vector<Cell> cells;
+    for (int i = 0; i < 60; ++i)
+        cells.push_back({2 * i + 3, (37 * i) % 165});
+    for (const double value : {150.0, 300.0, 9999.0}) {
+        TownWith town(cells, value);
+        Options options;
+        options.run.threads = 1;
+        Result one;
+        run_on(town, options, one);
+        for (const int threads : {2, 16}) {
+            options.run.threads = threads;
+            Result several;
+            run_on(town, options, several);
+            expect_same_features(several, one);
+            EXPECT_EQ(several.context.report.warnings, one.context.report.warnings);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace d2b
