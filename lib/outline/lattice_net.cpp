@@ -38,7 +38,7 @@ LatticeNet::LatticeNet(std::span<const Contour* const> contours, const StopReque
             add(ring);
     }
     stop.check();
-    const std::vector<Vertex> numbers = number_corners(corners);
+    const std::vector<Vertex> numbers = number_corners(corners, stop);
     stop.check();
     order_columns();
     ways_.assign(points_.size(), 0);
@@ -56,11 +56,14 @@ LatticeNet::LatticeNet(std::span<const Contour* const> contours, const StopReque
 }
 
 /// @return the vertex that each corner is
-std::vector<LatticeNet::Vertex> LatticeNet::number_corners(const std::vector<LatticePoint>& corners) {
+std::vector<LatticeNet::Vertex> LatticeNet::number_corners(const std::vector<LatticePoint>& corners,
+                                                           const StopRequest& stop) {
     std::vector<std::pair<std::uint64_t, std::uint32_t>> order(corners.size());
     for (std::uint32_t i = 0; i < corners.size(); ++i)
         order[i] = {sort_key(corners[i].row, corners[i].col), i};
+    stop.check();
     std::sort(order.begin(), order.end());
+    stop.check();
     std::vector<Vertex> numbers(corners.size());
     points_.reserve(corners.size());
     for (const auto& [place, corner] : order) {

@@ -36,7 +36,7 @@ class LatticeNet {
 
   private:
     static constexpr std::array<std::uint8_t, 16> two_ways{0, 0, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1, 0, 0, 0};
-    std::vector<Vertex> number_corners(const std::vector<LatticePoint>& corners);
+    std::vector<Vertex> number_corners(const std::vector<LatticePoint>& corners, const StopRequest& stop);
     void order_columns();
     void append_edge(Vertex from, Vertex to);
 

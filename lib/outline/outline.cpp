@@ -50,9 +50,10 @@ Outliner::Outliner(const ContourList& contours, Drawing drawing, const OutlineOp
     : impl_(std::make_unique<Impl>(Impl{contours, {}, {}, {}})) {
     if (drawing == Drawing::noded || drawing == Drawing::simplified)
         impl_->corners.emplace(fetch_all(contours));
+    context.check_stop();
     if (drawing == Drawing::simplified) {
-        impl_->arcs = build_arc_graph(fetch_all(contours));
-        simplify(impl_->arcs->arcs, options.simplify, georeference);
+        impl_->arcs = build_arc_graph(fetch_all(contours), context.threads->stop());
+        simplify(impl_->arcs->arcs, options.simplify, georeference, context.threads->stop());
     }
     if (drawing == Drawing::regularized) {
         const WallOptions walls{options.walls, options.wall_tolerance.value_or(1.5),

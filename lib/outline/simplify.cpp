@@ -16,7 +16,8 @@ namespace {
 /// Simplifies all arcs together.
 class Straightener {
   public:
-    Straightener(const std::vector<Arc>& arcs, double tolerance, const Georeference& georeference);
+    Straightener(const std::vector<Arc>& arcs, double tolerance, const Georeference& georeference,
+                 const StopRequest& stop);
     void run();
     [[nodiscard]] Arc result(std::size_t arc) const;
 
@@ -41,6 +42,7 @@ class Straightener {
 
     const Georeference& georeference_;
     double tolerance_;
+    const StopRequest& stop_;
     std::vector<Vertex> vertices_;    // of all arcs, one after the other
     std::vector<std::size_t> first_;  // of each arc, and one past the last
     VertexGrid grid_;
@@ -49,12 +51,14 @@ class Straightener {
     std::vector<std::size_t> blocked_;
 };
 
-Straightener::Straightener(const std::vector<Arc>& arcs, double tolerance, const Georeference& georeference)
-    : georeference_(georeference), tolerance_(tolerance) {
+Straightener::Straightener(const std::vector<Arc>& arcs, double tolerance, const Georeference& georeference,
+                           const StopRequest& stop)
+    : georeference_(georeference), tolerance_(tolerance), stop_(stop) {
     std::set<LatticePoint> ends;  // junctions are shared by arcs, and stand in the grid once
     for (const Arc& arc : arcs) {
         first_.push_back(vertices_.size());
         for (std::size_t i = 0; i < arc.size(); ++i) {
+            stop_.check();
             const bool end = i == 0 || i + 1 == arc.size();
             vertices_.push_back({arc[i], vertices_.size() - 1, vertices_.size() + 1, end});
             if (!end || ends.insert(arc[i]).second)
@@ -97,6 +101,7 @@ void Straightener::consider(std::size_t vertex) {
     const Vertex& v = vertices_[vertex];
     if (v.fixed || v.removed)
         return;
+    stop_.check();
     const double moved = deviation(v.previous, v.next);
     if (moved <= tolerance_)
         queue_.emplace(moved, v.at, vertex, v.previous, v.next);
@@ -126,6 +131,7 @@ void Straightener::run() {
         while (!queue_.empty()) {
             const auto [moved, at, vertex, previous, next] = queue_.top();
             queue_.pop();
+            stop_.check();
             const Vertex& v = vertices_[vertex];
             if (v.removed || v.previous != previous || v.next != next)
                 continue;  // its neighbours have changed: it stands in the queue again
@@ -154,8 +160,9 @@ Arc Straightener::result(std::size_t arc) const {
 
 }  // namespace
 
-void simplify(std::vector<Arc>& arcs, double tolerance, const Georeference& georeference) {
-    Straightener straightener(arcs, tolerance, georeference);
+void simplify(std::vector<Arc>& arcs, double tolerance, const Georeference& georeference,
+              const StopRequest& stop) {
+    Straightener straightener(arcs, tolerance, georeference, stop);
     straightener.run();
     for (std::size_t i = 0; i < arcs.size(); ++i)
         arcs[i] = straightener.result(i);

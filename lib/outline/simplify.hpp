@@ -18,7 +18,8 @@ namespace d2b {
 ///    new edge is not there yet. Then nothing is crossed, and nothing changes sides.
 /// The second test is exact, on integers. Junctions and the first point of a closed arc stay. What remains
 /// has no point that was not in the trace.
-/// @param tolerance in units of the CRS, more than 0
-void simplify(std::vector<Arc>& arcs, double tolerance, const Georeference& georeference);
+/// @param tolerance in units of the CRS, more than 0 @throws Cancelled
+void simplify(std::vector<Arc>& arcs, double tolerance, const Georeference& georeference,
+              const StopRequest& stop = {});
 
 }  // namespace d2b

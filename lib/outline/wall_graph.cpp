@@ -12,8 +12,8 @@ namespace {
 
 class Builder {
   public:
-    Builder(const WallCluster& cluster, WallGraph& result)
-        : cluster_(cluster), walls_(result), tracer_(result) {}
+    Builder(const WallCluster& cluster, WallGraph& result, const StopRequest& stop)
+        : cluster_(cluster), walls_(result), stop_(stop), tracer_(result) {}
     void find_sides();
     void find_nodes();
     void find_mates();
@@ -30,6 +30,7 @@ class Builder {
 
     const WallCluster& cluster_;
     WallGraph& walls_;
+    const StopRequest& stop_;
     ChainTracer tracer_;
     std::vector<std::uint32_t> mate_;  // of an arc end: the one that it goes on with
 };
@@ -56,6 +57,7 @@ struct Users {
 void Builder::find_sides() {
     std::vector<std::array<Users, 2>> users(arcs());
     for (std::size_t c = 0; c < cluster_.contours.size(); ++c) {
+        stop_.check();
         const int level = cluster_.contours[c]->key.level;
         const auto add = [&](const std::vector<ArcUse>& ring) {
             for (const ArcUse& use : ring)
@@ -108,6 +110,7 @@ void Builder::find_nodes() {
 void Builder::find_mates() {
     mate_.assign(2 * arcs(), nobody);
     for (std::size_t n = 0; n < walls_.nodes.size(); ++n) {
+        stop_.check();
         const auto begin = walls_.arc_ends.begin() + walls_.first_end[n];
         const auto end = walls_.arc_ends.begin() + walls_.first_end[n + 1];
         const auto rank = [&](std::uint32_t e) { return walls_.ranks[e / 2]; };
@@ -127,6 +130,7 @@ void Builder::find_mates() {
 
 /// @param from_end where the chain begins
 void Builder::walk(std::uint32_t from_end) {
+    stop_.check();
     Chain chain;
     chain.rank = walls_.ranks[from_end / 2];
     std::uint32_t end = from_end;
@@ -198,7 +202,7 @@ void Builder::find_parts() {
 WallGraph build_wall_graph(const WallCluster& cluster, const StopRequest& stop) {
     WallGraph walls;
     walls.graph = build_arc_graph(cluster.contours, stop);
-    Builder builder(cluster, walls);
+    Builder builder(cluster, walls, stop);
     for (const auto part : {&Builder::find_sides, &Builder::find_nodes, &Builder::find_mates,
                             &Builder::find_chains, &Builder::find_owners, &Builder::find_parts}) {
         stop.check();
