@@ -64,6 +64,11 @@ TEST_F(WatchdogDeathTest, LetsThreadsAndProgramsWork) {
         testing::ExitedWithCode(0), "^$");
 }
 
+TEST_F(WatchdogDeathTest, DoesNotHoldUpAChildThatExits) {
+    GTEST_FLAG_SET(death_test_style, "fast");  // a fork, without the thread that watches
+    EXPECT_EXIT(std::exit(7), testing::ExitedWithCode(7), "");
+}
+
 TEST_F(WatchdogDeathTest, IsCalledOffAtOnce) {
     const auto start = std::chrono::steady_clock::now();
     for (int i = 0; i < 100; ++i)

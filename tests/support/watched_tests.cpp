@@ -9,6 +9,14 @@ namespace d2b::test {
 namespace {
 
 class WatchedTests : public testing::EmptyTestEventListener {
+  public:
+    WatchedTests() = default;
+    WatchedTests(const WatchedTests&) = delete;
+    WatchedTests& operator=(const WatchedTests&) = delete;
+    /// Where a test forks and the child ends by exit(), its watchdog has no thread there to wait for.
+    ~WatchedTests() override { static_cast<void>(watchdog_.release()); }
+
+  private:
     void OnTestStart(const testing::TestInfo& test) override {
         watchdog_ = std::make_unique<Watchdog>(std::string(test.test_suite_name()) + "." + test.name());
     }
