@@ -139,8 +139,7 @@ void DatasetWriter::begin(const std::string& path, Mode mode, std::span<const La
     if (mode == Mode::extend && in_transaction_)
         first_id_ = largest_id(target_, dataset_.get(), specs) + 1;
     if (mode == Mode::replace)
-        for (const LayerSpec& spec : specs_)
-            remove_layer(spec.name);
+        remove_layers();
     if (mode != Mode::extend)
         describe(dataset_.get());
     // Some formats (KML) write one layer after the other: those that follow wait in memory.
@@ -178,6 +177,17 @@ void DatasetWriter::put_indices_off() {
         return;
     for (LayerWriter& layer : layers_)
         layer.index_at_end(dataset_.get());
+}
+
+void DatasetWriter::remove_layers() {
+    std::vector<std::string> there;
+    for (const LayerSpec& spec : specs_)
+        if (OGRLayerH layer = GDALDatasetGetLayerByName(dataset_.get(), spec.name.c_str()))
+            there.emplace_back(OGR_L_GetName(layer));
+    if (in_transaction_ && GDALGetInternalHandle(dataset_.get(), "SQLITE_HANDLE") != nullptr)
+        users_.emplace(dataset_.get(), there);
+    for (const std::string& name : there)
+        remove_layer(name);
 }
 
 void DatasetWriter::remove_layer(const std::string& name) {
@@ -281,6 +291,8 @@ void DatasetWriter::close() {
         counts_.emplace_back(layer.name(), layer.expected());
     }
     furnish();
+    if (users_)
+        users_->bring_back(target_);
     require_transaction();
     if (in_transaction_ && mode_ != Mode::create)
         check_counts(target_, dataset_.get(), counts_);

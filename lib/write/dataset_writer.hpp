@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "write/commit_guard.hpp"
 #include "write/layer_counts.hpp"
 #include "write/layer_writer.hpp"
+#include "write/users_objects.hpp"
 
 namespace d2b {
 
@@ -51,6 +53,8 @@ class DatasetWriter {
     void commit();
     /// @throws OutputError where SQLite has ended it by itself
     void require_transaction() const;
+    /// Notes what of the user's hangs on the layers, and removes them.
+    void remove_layers();
     void remove_layer(const std::string& name);
     void open_layer(const LayerSpec& spec);
     /// @throws OutputError where a layer that is there was made in another way
@@ -70,6 +74,7 @@ class DatasetWriter {
     SrsHandle srs_;
     Provenance provenance_;
     std::vector<LayerSpec> specs_;
+    std::optional<UsersObjects> users_;
     std::vector<LayerWriter> layers_;            ///< the first ones of specs_, or all
     std::vector<std::vector<Feature>> pending_;  ///< of layers that must wait for those before them
     bool transactions_ = false;

@@ -12,6 +12,7 @@
 #include "write/existing_refusals.hpp"
 #include "write/ogr_handles.hpp"
 #include "write/style_sidecar.hpp"
+#include "write/users_objects.hpp"
 
 namespace d2b {
 
@@ -83,6 +84,8 @@ ExistingDataset inspect_existing(const Destination& destination, const VectorFor
     existing.stamp = stamp_of(existing.files);
     if (!format.transactions)
         refuse_foreign(destination, existing, dataset.get(), format, options, names);
+    if (options.overwrite)
+        refuse_what_would_break(destination, dataset.get(), format, names);
     require_writable(destination, format, options, names);
     return existing;
 }
@@ -101,6 +104,8 @@ std::optional<ExistingDataset> inspect_database(const Destination& destination, 
         if (GDALDatasetGetLayerByName(dataset.get(), name.c_str()) == nullptr)
             continue;
         existing.layers.push_back(name);
+        if (options.overwrite)
+            refuse_what_would_break(destination, dataset.get(), format, {name});
         if (!options.overwrite && !options.append)
             throw OptionError(
                 "\"" + destination.name + "\" has a layer \"" + name +

@@ -2,6 +2,8 @@
 
 #include <gdal_version.h>
 
+#include "write/sql.hpp"
+
 namespace d2b {
 
 namespace {
@@ -25,8 +27,13 @@ OGRFieldType ogr_type(FieldType type, GDALDriverH driver) {
     return OFTString;
 }
 
-/// GeoPackage wants titles that differ, whatever other layers there are.
+/// GeoPackage wants titles that differ, whatever other layers there are. What GDAL finds wrong with a view on
+/// the layer that is being replaced is no reason to stop: it will be there again.
 bool title_taken(GDALDatasetH dataset, const std::string& title) {
+    const GdalMessages quiet;
+    if (EQUAL(GDALGetDriverShortName(GDALGetDatasetDriver(dataset)), "GPKG"))
+        return sql_value(dataset, "SELECT 1 FROM gpkg_contents WHERE identifier = " + sql_text(title))
+            .has_value();
     for (int i = 0; i < GDALDatasetGetLayerCount(dataset); ++i) {
         const char* other = GDALGetMetadataItem(GDALDatasetGetLayer(dataset, i), "IDENTIFIER", nullptr);
         if (other != nullptr && title == other)
