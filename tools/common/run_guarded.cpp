@@ -19,6 +19,10 @@ void print_line(const char* kind, std::string text) {
     std::cerr << kind << text << '\n';
 }
 
+void refuse_lost_output() {
+    throw OutputError("Cannot write to stdout; see whether the disk is full or the reader has gone.");
+}
+
 int run_guarded(const std::vector<std::string>& arguments, const std::string& memory_advice,
                 const std::function<int(const std::vector<std::string>&)>& run) {
     // At a limit of the size of files writing then fails, with a message, and cleans up.
@@ -29,7 +33,7 @@ int run_guarded(const std::vector<std::string>& arguments, const std::string& me
         // What cannot be written, a report say, must not look as if it had been.
         // The second condition holds where GDAL could not write to /vsistdout/, of which it says nothing.
         if (!std::cout.flush() || std::ferror(stdout) != 0)
-            throw OutputError("Cannot write to stdout; see whether the disk is full or the reader has gone.");
+            refuse_lost_output();
         return status;
     } catch (const OptionError& error) {
         print_line("ERROR: ", error.what());

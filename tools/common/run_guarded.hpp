@@ -9,6 +9,9 @@ namespace d2b {
 /// A line on stderr, whatever a file name in the text may hold.
 void print_line(const char* kind, std::string text);
 
+/// @throws OutputError: not all that was written to stdout is there
+[[noreturn]] void refuse_lost_output();
+
 /// Runs a tool with every exception as a line on stderr and an exit status; what cannot be written to stdout
 /// is an error, too.
 /// @param memory_advice what to do where memory is short, e.g. "use a part of the input"

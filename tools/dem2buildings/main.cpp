@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/exit_codes.hpp"
+#include "common/own_stdout.hpp"
 #include "common/run_guarded.hpp"
 #include "core/context.hpp"
 #include "core/crs.hpp"
@@ -30,6 +31,7 @@ namespace d2b {
 namespace {
 
 void process(const Request& request) {
+    OwnStdout own_stdout;
     Options options = with_preset(request.options);
     const bool quiet = request.tool.quiet;
     TerminalProgress progress(std::cout);
@@ -53,6 +55,7 @@ void process(const Request& request) {
         if (!quiet)
             progress.update(1);
         std::cout << (request.tool.json ? sweep_json(trials) : sweep_table(trials));
+        own_stdout.finish();
         return;
     }
     const auto sink = open_sink(options.write, context);
@@ -69,6 +72,7 @@ void process(const Request& request) {
     }
     if (request.tool.json)
         std::cout << json_report(context.report);
+    own_stdout.finish();
 }
 
 /// After a signal the run ends with a Cancelled, or with an error where the signal broke off a read.

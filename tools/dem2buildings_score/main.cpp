@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/exit_codes.hpp"
+#include "common/own_stdout.hpp"
 #include "common/run_guarded.hpp"
 #include "core/context.hpp"
 #include "core/crs.hpp"
@@ -20,11 +21,13 @@ namespace d2b {
 namespace {
 
 void measure(const ScoreRequest& request) {
+    OwnStdout own_stdout;
     Context context;
     context.on_warning = [](const std::string& text) { print_line("Warning: ", text); };
     start_gdal();
     const ScoreRun run = compare_datasets(request, context);
     std::cout << (request.json ? score_json(request, run, context) : score_text(request, run, request.quiet));
+    own_stdout.finish();
 }
 
 int run_tool(const std::vector<std::string>& arguments) {

@@ -1,0 +1,62 @@
+#include "common/own_stdout.hpp"
+
+#include <fcntl.h>
+#include <iostream>
+#include <unistd.h>
+
+#include "common/run_guarded.hpp"
+#include "write/standard_output.hpp"
+
+namespace d2b {
+
+/// Hands on to a stream of C.
+class OwnStdout::Buffer : public std::streambuf {
+  public:
+    explicit Buffer(std::FILE* file) : file_(file) {}
+
+  protected:
+    int_type overflow(int_type letter) override {
+        if (traits_type::eq_int_type(letter, traits_type::eof()))
+            return traits_type::not_eof(letter);
+        return std::fputc(letter, file_) == EOF ? traits_type::eof() : letter;
+    }
+    std::streamsize xsputn(const char* text, std::streamsize count) override {
+        return static_cast<std::streamsize>(std::fwrite(text, 1, static_cast<std::size_t>(count), file_));
+    }
+    int sync() override { return std::fflush(file_) == 0 ? 0 : -1; }
+
+  private:
+    std::FILE* file_;
+};
+
+OwnStdout::OwnStdout() {
+    std::cout.flush();
+    static_cast<void>(std::fflush(stdout));
+    const int copy = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+    if (copy < 0)
+        return;
+    file_.reset(fdopen(copy, "w"));
+    if (!file_ || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) {
+        file_.reset();
+        return;
+    }
+    buffer_ = std::make_unique<Buffer>(file_.get());
+    before_ = std::cout.rdbuf(buffer_.get());
+    set_standard_output(file_.get());
+}
+
+OwnStdout::~OwnStdout() {
+    if (!buffer_)
+        return;
+    std::cout.rdbuf(before_);
+    set_standard_output(stdout);
+    static_cast<void>(std::fflush(stdout));
+    static_cast<void>(dup2(fileno(file_.get()), STDOUT_FILENO));
+}
+
+void OwnStdout::finish() {
+    if (!std::cout.flush() || std::ferror(file_ ? file_.get() : stdout) != 0)
+        refuse_lost_output();
+}
+
+}  // namespace d2b
