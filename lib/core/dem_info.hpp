@@ -38,6 +38,8 @@ struct DemInfo {
     /// The elevation that the file's own NoData value becomes, where an option says that it is none.
     std::optional<double> set_aside_nodata;
     std::string driver;  ///< short name of the format, for the report
+    std::int32_t bands = 1;  ///< of the whole raster
+    bool bytes = false;      ///< the band's values are whole numbers from 0 to 255
     std::int32_t block_rows =
         1;  ///< rows that are decoded together; bands that keep to multiples of it are read once
 };

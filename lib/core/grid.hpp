@@ -53,6 +53,9 @@ struct Grid {
 struct CellSize {
     double across = 1;
     double down = 1;
+    double sine = 1;  ///< of the angle between these steps: less than 1 where the grid is sheared
+
+    [[nodiscard]] double area() const { return across * down * sine; }
 };
 
 /// Elevations or heights in metres, NaN where a point is not valid.

@@ -29,12 +29,14 @@ enum class Reason {
     polygon_repaired,            ///< GEOS called it invalid
     polygon_lost,                ///< nothing of it was left to repair: it is not written
     building_doubtful,           ///< its confidence is too low
+    building_small,              ///< what may be a building, but covers less than the smallest area
+    building_low,                ///< what may be a roof, but is not above the smallest height
     elevation_outside_range,     ///< no elevation: outside of what occurs on land, or of -zrange
     elevation_above_neighbours,  ///< no elevation: far above all around it
     elevation_not_roof,          ///< above all around it: not the height of a building
     terrain_outside_range,       ///< no elevation of the terrain model
 };
-inline constexpr std::array<std::string_view, 16> reason_names{"threshold_not_above_minimum",
+inline constexpr std::array<std::string_view, 18> reason_names{"threshold_not_above_minimum",
                                                                "threshold_not_below_maximum",
                                                                "threshold_repeated",
                                                                "contour_short",
@@ -46,6 +48,8 @@ inline constexpr std::array<std::string_view, 16> reason_names{"threshold_not_ab
                                                                "polygon_repaired",
                                                                "polygon_lost",
                                                                "building_doubtful",
+                                                               "building_small",
+                                                               "building_low",
                                                                "elevation_outside_range",
                                                                "elevation_above_neighbours",
                                                                "elevation_not_roof",
@@ -113,6 +117,9 @@ struct RunReport : Tally {
                                 ///< holds it) against the points of all buildings
     std::int64_t vertices = 0;  ///< of the contours as written (of the buildings where these are alone),
                                 ///< closing ones not counted
+    double outlines_m = 0;      ///< length of the outlines of the buildings as written (of the contours where
+                                ///< these are alone)
+    double kept_traced_m = 0;   ///< and of the parts of them that stay as traced although more was asked for
     int threads = 1;            ///< that worked on it
     std::vector<std::string> warnings;
 };

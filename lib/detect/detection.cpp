@@ -1,11 +1,11 @@
 #include "detect/detection.hpp"
 
-#include <cmath>
 #include <utility>
 
 #include "core/row_bands.hpp"
 #include "detect/evidence.hpp"
 #include "detect/holes.hpp"
+#include "detect/left_out.hpp"
 #include "detect/majority.hpp"
 #include "detect/morphology.hpp"
 #include "detect/noise.hpp"
@@ -21,10 +21,6 @@ constexpr double opening_m = 1.5;
 constexpr int border_cells = 3;
 constexpr double smallest_hole_m2 = 10;
 
-std::int64_t cells_of(double area_m2, const Scene& scene) {
-    return static_cast<std::int64_t>(std::ceil(area_m2 / scene.cell_area()));
-}
-
 /// Where plants are known to be, only what is smooth may be a roof.
 void leave_plants_out(const Scene& scene, const Grid<std::uint8_t>& flags, Mask& elevated,
                       Executor& threads) {
@@ -37,15 +33,18 @@ void leave_plants_out(const Scene& scene, const Grid<std::uint8_t>& flags, Mask&
     });
 }
 
+/// @param small gets the rows of the first cells of what is too small
 DetectedObjects find_objects(const Scene& scene, const Mask& elevated, const SmoothSegments& segments,
-                             std::int64_t least_cells, Executor& threads) {
+                             std::int64_t least_cells, std::vector<std::int32_t>& small, Executor& threads) {
     Mask cells = grow_by_majority(mask_of(segments.regions, threads), elevated, scene.cell, threads);
     cells = opened(cells, opening_m, scene.cell, threads);
     cells = grown(std::move(cells), elevated, border_cells, threads);
     cells = smooth_border(cells, elevated, scene.cell, threads);
-    cells = mask_of(connected_regions(cells, 1, least_cells, threads), threads);
-    fill_small_holes(cells, cells_of(smallest_hole_m2, scene), threads);
     Regions regions = connected_regions(cells, 1, 0, threads);
+    small = take_small_out(regions, least_cells);
+    cells = mask_of(regions, threads);
+    fill_small_holes(cells, cells_for(smallest_hole_m2, scene.cell), threads);
+    regions = connected_regions(cells, 1, 0, threads);
     return {std::move(cells), std::move(regions)};
 }
 
@@ -53,6 +52,7 @@ DetectedObjects find_objects(const Scene& scene, const Mask& elevated, const Smo
 struct Judged {
     Regions regions;
     std::vector<DetectedObject> objects;
+    LeftOut left_out;
 };
 
 Judged judged_objects(const Scene& scene, const DetectOptions& options, Executor& threads) {
@@ -61,9 +61,10 @@ Judged judged_objects(const Scene& scene, const DetectOptions& options, Executor
     const Grid<std::uint8_t> flags = smoothness(scene.surface, scene.side(), noise, threads);
     leave_plants_out(scene, flags, elevated, threads);
     const SmoothSegments segments = smooth_segments(scene, elevated, flags, threads);
-    DetectedObjects found =
-        find_objects(scene, elevated, segments, cells_of(options.min_area_m2, scene), threads);
+    const std::int64_t least = cells_for(options.min_area_m2, scene.cell);
     Judged result;
+    result.left_out.low = low_roofs(scene, flags, options.min_height, least, threads);
+    DetectedObjects found = find_objects(scene, elevated, segments, least, result.left_out.small, threads);
     for (const Evidence& evidence : collect_evidence(scene, found, segments, flags, threads)) {
         result.objects.push_back(judge(evidence));
         result.objects.back().cells = found.regions.cells[result.objects.size()];
@@ -73,8 +74,9 @@ Judged judged_objects(const Scene& scene, const DetectOptions& options, Executor
 }
 
 /// Buildings first, then what is doubtful, each in scan order.
-Detection sorted_by_confidence(const Judged& judged, double least, Executor& threads) {
+Detection sorted_by_confidence(Judged&& judged, double least, Executor& threads) {
     Detection result;
+    result.left_out = std::move(judged.left_out);
     std::vector<Label> number(judged.regions.cells.size(), 0);
     for (const bool sure : {true, false}) {
         for (std::size_t i = 0; i < judged.objects.size(); ++i)
@@ -96,7 +98,8 @@ Detection detect_buildings(const Scene& scene, const DetectOptions& options, Con
     Detection result =
         sorted_by_confidence(judged_objects(scene, options, threads), options.min_confidence, threads);
     if (options.split_height > 0)
-        split_buildings(scene, options.split_height, cells_of(options.min_area_m2, scene), result, threads);
+        split_buildings(scene, options.split_height, cells_for(options.min_area_m2, scene.cell), result,
+                        threads);
     return result;
 }
 

@@ -7,6 +7,7 @@
 #include "core/band.hpp"
 #include "core/context.hpp"
 #include "core/options.hpp"
+#include "detect/left_out.hpp"
 #include "detect/scene.hpp"
 
 namespace d2b {
@@ -33,6 +34,7 @@ struct Detection {
     Grid<Label> labels;                   ///< 1 to buildings: buildings; above: what is doubtful
     std::vector<DetectedObject> objects;  ///< by label - 1
     Label buildings = 0;
+    LeftOut left_out;
 };
 
 /// Finds buildings by their form: elevated cells are joined to smooth segments, these grow over what roofs

@@ -9,6 +9,11 @@
 namespace d2b {
 namespace {
 
+// A wall bends the surface by its height, or by some of it where it is smeared over several cells: by more
+// than this, and this a metre of cell.
+constexpr double wall_bend_m = 0.5;
+constexpr double wall_bend = 0.3;
+
 struct Sums {
     double smooth = 0;
     double step = 0;
@@ -17,6 +22,9 @@ struct Sums {
     double log_cells = 0;
     double pieces = 0;
     double green = 0;
+    double inner_border = 0;  // cells
+    double walls = 0;         // of these
+    double fall = 0;          // sum over these
 };
 
 /// The surface, and the ground where there is none: what a cell's neighbours fall to.
@@ -50,11 +58,46 @@ void add_cells(const Scene& scene, const Grid<std::uint8_t>& flags, std::int32_t
             sums.green += scene.greenness->row(r)[c] > plants_ndvi ? 1 : 0;
 }
 
+/// How the surface goes on at a cell: what a wall does and a hillside does not.
+struct Turn {
+    float bend = 0;  // the largest second difference, metres: planes do not bend, however steep
+    float fall = 0;  // to the neighbour that lies lowest for its distance, metres a metre
+};
+
+/// The ground takes the place of what is not known.
+Turn turn_at(const Scene& scene, std::int32_t r, std::int32_t c) {
+    const auto at = [&](std::int32_t down, std::int32_t across) {
+        const float z = scene.surface.at(r + down, c + across);
+        return std::isnan(z) ? scene.terrain.at(r + down, c + across) : z;
+    };
+    const float here = at(0, 0);
+    Turn turn;
+    const auto look = [&](std::int32_t down, std::int32_t across) {
+        const float one = at(-down, -across);
+        const float other = at(down, across);
+        const auto distance =
+            static_cast<float>(std::hypot(down * scene.cell.down, across * scene.cell.across));
+        turn.bend = std::max(turn.bend, std::abs(one + other - 2 * here));
+        turn.fall = std::max(turn.fall, (here - std::min(one, other)) / distance);
+    };
+    look(0, 1);
+    look(1, 0);
+    look(1, 1);
+    look(1, -1);
+    return turn;
+}
+
 void add_border(const Scene& scene, const Mask& cells, std::int32_t r, const RegionRun& run, Sums& sums) {
     for (std::int32_t c = run.begin; c < run.end; ++c)
         if (on_border(cells, r, c) && !std::isnan(scene.surface.at(r, c))) {
             sums.border += 1;
             sums.step += static_cast<double>(scene.surface.at(r, c) - lowest_around(scene, r, c));
+            if (r == 0 || c == 0 || r + 1 == cells.rows || c + 1 == cells.cols)
+                continue;
+            const Turn turn = turn_at(scene, r, c);
+            sums.inner_border += 1;
+            sums.walls += static_cast<double>(turn.bend) > wall_bend_m + wall_bend * scene.side() ? 1 : 0;
+            sums.fall += static_cast<double>(turn.fall);
         }
 }
 
@@ -89,8 +132,13 @@ void add_segments(std::span<const RegionRun> pieces, const std::vector<SegmentLo
 
 Evidence evidence_of(const Sums& sums, double cells) {
     const double pieces = std::max(sums.pieces, 1.0);
-    return {sums.smooth / cells, sums.step / std::max(sums.border, 1.0), std::exp(sums.log_tilt / pieces),
-            std::exp(sums.log_cells / pieces), sums.green / cells};
+    return {sums.smooth / cells,
+            sums.step / std::max(sums.border, 1.0),
+            std::exp(sums.log_tilt / pieces),
+            std::exp(sums.log_cells / pieces),
+            sums.green / cells,
+            sums.inner_border > 0 ? sums.walls / sums.inner_border : 1.0,
+            sums.fall / std::max(sums.inner_border, 1.0)};
 }
 
 }  // namespace

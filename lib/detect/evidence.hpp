@@ -15,6 +15,9 @@ struct Evidence {
     double tilt = 0;     ///< of its segments: geometric mean by cells
     double segment = 0;  ///< cells of its segments: geometric mean by cells
     double green = 0;    ///< share of its cells with the NDVI of plants
+    double walled = 1;   ///< share of its border where the surface bends as at a wall; the raster's own
+                         ///< border is left out, and where there is no other it is not known: 1
+    double fall = 0;     ///< mean slope of its border, down to the lowest cell beside it, metres a metre
 };
 
 /// What detection found so far.
@@ -29,7 +32,8 @@ struct DetectedObjects {
                                                      const Grid<std::uint8_t>& flags, Executor& threads);
 
 /// A logistic model of five terms. Its weights were fitted to cities of 0.5 to 5 m cells; each city was also
-/// left out in turn, see docs/accuracy.md.
+/// left out in turn, see docs/accuracy.md. What has next to no wall, neither sharp nor smeared, is part of
+/// the ground, however smooth and large it is: its confidence is 0. A term that took no part is no doubt.
 [[nodiscard]] DetectedObject judge(const Evidence& evidence);
 
 }  // namespace d2b

@@ -1,5 +1,6 @@
 #include "detect/scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/row_bands.hpp"
@@ -8,6 +9,11 @@ namespace d2b {
 
 double Scene::side() const {
     return std::sqrt(cell_area());
+}
+
+std::int64_t cells_for(double area_m2, const CellSize& cell) {
+    constexpr double most = 0x1p62;  // a raster has at most 2^60 cells
+    return static_cast<std::int64_t>(std::min(std::ceil(area_m2 / cell.area()), most));
 }
 
 Mask elevated_cells(const Scene& scene, double min_height, Executor& threads) {

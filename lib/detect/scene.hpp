@@ -24,8 +24,11 @@ struct Scene {
     [[nodiscard]] float height(std::size_t i) const { return surface.values[i] - terrain.values[i]; }
     /// The side of a square cell of the same area, in metres.
     [[nodiscard]] double side() const;
-    [[nodiscard]] double cell_area() const { return cell.across * cell.down; }
+    [[nodiscard]] double cell_area() const { return cell.area(); }
 };
+
+/// The fewest cells that cover an area; where no number of them does, more than there ever are.
+[[nodiscard]] std::int64_t cells_for(double area_m2, const CellSize& cell);
 
 /// Cells that rise above the terrain by more than a height, where buildings are allowed.
 [[nodiscard]] Mask elevated_cells(const Scene& scene, double min_height, Executor& threads);

@@ -11,7 +11,7 @@ namespace d2b {
 namespace {
 
 constexpr double least_area_m2 = 12;
-constexpr double fewest_cells = 5;
+constexpr std::int64_t fewest_cells = 5;
 
 /// Sums for the plane through a segment, from its first cell: small numbers keep their digits.
 struct PlaneSums {
@@ -95,15 +95,19 @@ void cut_bends(const Grid<std::uint8_t>& flags, std::int32_t r, std::vector<std:
 
 }  // namespace
 
-SmoothSegments smooth_segments(const Scene& scene, const Mask& elevated, const Grid<std::uint8_t>& flags,
-                               Executor& threads) {
+Regions smooth_regions(const Scene& scene, const Mask& cells, const Grid<std::uint8_t>& flags,
+                       Executor& threads) {
     const auto links_of = [&](std::int32_t r, std::vector<std::uint8_t>& links) {
-        edge_links(elevated, r, 1, links);
+        edge_links(cells, r, 1, links);
         cut_bends(flags, r, links);
     };
-    const auto least =
-        static_cast<std::int64_t>(std::ceil(std::max(fewest_cells, least_area_m2 / scene.cell_area())));
-    SmoothSegments result{linked_regions(elevated.rows, elevated.cols, links_of, least, threads), {}};
+    const std::int64_t least = std::max(fewest_cells, cells_for(least_area_m2, scene.cell));
+    return linked_regions(cells.rows, cells.cols, links_of, least, threads);
+}
+
+SmoothSegments smooth_segments(const Scene& scene, const Mask& elevated, const Grid<std::uint8_t>& flags,
+                               Executor& threads) {
+    SmoothSegments result{smooth_regions(scene, elevated, flags, threads), {}};
     for (const PlaneSums& sum : plane_sums(scene, result.regions, threads))
         result.pieces.push_back({static_cast<std::int64_t>(sum.n), sum.tilt()});
     return result;

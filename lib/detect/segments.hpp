@@ -19,6 +19,11 @@ struct SmoothSegments {
     std::vector<SmoothSegment> pieces;  ///< by label - 1
 };
 
+/// Regions of cells across which the surface hardly bends, large enough to be seen as such.
+/// @param flags of smoothness()
+[[nodiscard]] Regions smooth_regions(const Scene& scene, const Mask& cells, const Grid<std::uint8_t>& flags,
+                                     Executor& threads);
+
 /// Joins elevated neighbours across which the surface hardly bends, and keeps the pieces that are large
 /// enough to be seen as such. Roofs are few large pieces, crowns shatter.
 /// @param flags of smoothness()

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <numbers>
 
 namespace d2b {
 namespace {
@@ -48,7 +49,26 @@ class Measured {
     std::shared_ptr<State> state_;
 };
 
+/// Of the angle between a step along a row and one along a column, on the ground.
+double sine_between(const Georeference& georeference, double stretch) {
+    constexpr double rounding = 1e-6;
+    const Position col = georeference.step(0, 1);
+    const Position row = georeference.step(1, 0);
+    const double lengths = std::hypot(col.x * stretch, col.y) * std::hypot(row.x * stretch, row.y);
+    const double cosine = (col.x * row.x * stretch * stretch + col.y * row.y) / lengths;
+    return std::abs(cosine) < rounding ? 1 : std::abs(stretch * (col.x * row.y - col.y * row.x)) / lengths;
+}
+
 }  // namespace
+
+double x_stretch(const Georeference& georeference, const Crs& crs, const Window& window) {
+    constexpr double steepest = 89;  // degrees: where the poles are near, nothing is a right angle
+    if (crs.kind() != Crs::Kind::geographic)
+        return 1;
+    const Position middle =
+        georeference.position(LatticePoint{window.row + window.rows / 2, window.col + window.cols / 2});
+    return std::cos(std::clamp(middle.y, -steepest, steepest) * std::numbers::pi / 180);
+}
 
 SquareArea make_square_area(const Georeference& georeference, const Crs& crs) {
     if (crs.on_ellipsoid())
@@ -67,7 +87,8 @@ CellSize cell_steps(const Window& window, const Georeference& georeference, cons
         return geodesy.ring(ring).perimeter_m / 2;
     };
     return {std::max(finest_cell_m, length({middle.row, middle.col + 1})),
-            std::max(finest_cell_m, length({middle.row + 1, middle.col}))};
+            std::max(finest_cell_m, length({middle.row + 1, middle.col})),
+            sine_between(georeference, x_stretch(georeference, crs, window))};
 }
 
 double cell_size_m(const Window& window, const SquareArea& area) {

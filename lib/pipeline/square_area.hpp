@@ -15,7 +15,11 @@ namespace d2b {
 /// Metres of a cell's side, from its area, in the middle of a window.
 [[nodiscard]] double cell_size_m(const Window& window, const SquareArea& area);
 
-/// Metres of one step along a row and along a column, in the middle of a window; a millimetre at least.
+/// Length on the ground of a unit of x over that of a unit of y, in the middle of a window.
+[[nodiscard]] double x_stretch(const Georeference& georeference, const Crs& crs, const Window& window);
+
+/// Metres of one step along a row and along a column, in the middle of a window, a millimetre at least, and
+/// how they lie to each other.
 [[nodiscard]] CellSize cell_steps(const Window& window, const Georeference& georeference, const Crs& crs);
 
 }  // namespace d2b

@@ -1,5 +1,6 @@
 #include "detect/evidence.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -12,6 +13,7 @@ namespace d2b {
 namespace {
 
 using test::drawn;
+using test::Shape;
 
 /// Where the logarithm of the segments' cells says nothing.
 constexpr double even_cells = 48;
@@ -77,6 +79,65 @@ TEST(Evidence, CellsAtTheRastersBorderAndUnknownCells) {
     EXPECT_NEAR(evidence[0].step_m, 10, 1e-6);
     EXPECT_NEAR(evidence[0].smooth, 1, 1e-12);
     EXPECT_NEAR(evidence[0].green, 0, 1e-12) << "no NDVI";
+}
+
+/// A slope that is taken for an object along the raster's right border, as its ground lies below.
+Evidence of_a_slope(float rise, double side, const Shape& more = {}) {
+    test::Town town(40, 60, {side, side});
+    town.build([&](std::int32_t r, std::int32_t c) {
+        return 100 +
+               rise * static_cast<float>(side) *
+                   (0.8F * static_cast<float>(c) + 0.6F * static_cast<float>(r)) +
+               (more ? more(r, c) : 0.0F);
+    });
+    Mask cells(40, 60);
+    for (std::int32_t r = 0; r < 40; ++r)
+        std::fill(cells.row(r).begin() + 45, cells.row(r).end(), std::uint8_t{1});
+    const Regions none = connected_regions(Mask(40, 60), 1, 0, test::threads());
+    return collect_evidence(town.scene(), {cells, connected_regions(cells, 1, 0, test::threads())},
+                            {none, {}}, Grid<std::uint8_t>(40, 60, smooth_enough), test::threads())
+        .at(0);
+}
+
+TEST(Evidence, ASlopeHasNoWallsHoweverSteep) {
+    for (const float rise : {0.6F, 1.0F, 3.0F})
+        for (const double side : {0.5, 1.0, 2.5}) {
+            const Evidence slope = of_a_slope(rise, side);
+            EXPECT_EQ(slope.walled, 0) << rise << " " << side;
+            // Of eight directions the steepest is at most 22.5 degrees off.
+            EXPECT_LE(slope.fall, static_cast<double>(rise) * 1.001);
+            EXPECT_GE(slope.fall, static_cast<double>(rise) * 0.92);
+        }
+    const auto wall = [](std::int32_t, std::int32_t c) { return c >= 45 ? 3.0F : 0.0F; };
+    EXPECT_EQ(of_a_slope(0.6F, 0.5, wall).walled, 1);
+    EXPECT_GT(of_a_slope(0.6F, 0.5, wall).fall, 6);
+    // 38 cells of the border lie inside of the raster; a wall along the upper 20 rows bends 19 of them, and
+    // the one below its end.
+    const auto half = [](std::int32_t r, std::int32_t c) { return c >= 45 && r < 20 ? 3.0F : 0.0F; };
+    EXPECT_NEAR(of_a_slope(0.6F, 0.5, half).walled, 20 / 38.0, 1e-12);
+}
+
+TEST(Evidence, SmearedWallsAreWalls) {
+    // A house of 24 x 24 m and 5 m high in cells of 0.5 m, whose walls take 8 m along a cosine.
+    test::Town town(80, 80, {0.5, 0.5});
+    town.build([](std::int32_t r, std::int32_t c) {
+        const double from_middle = std::max(std::abs(r - 39.5), std::abs(c - 39.5)) / 2;
+        const double share = std::clamp((16 - from_middle) / 8, 0.0, 1.0);
+        return static_cast<float>(100 + 2.5 * (1 - std::cos(3.14159265 * share)));
+    });
+    const Detection found = test::detect(town);
+    ASSERT_EQ(found.buildings, 1U);
+    EXPECT_GT(found.objects[0].confidence, 0.9);
+}
+
+TEST(Evidence, WallsAreNotKnownWhereAllBorderIsTheRasters) {
+    const test::Town town(5, 5);
+    const Mask cells(5, 5, 1);
+    const Regions none = connected_regions(Mask(5, 5), 1, 0, test::threads());
+    const auto evidence =
+        collect_evidence(town.scene(), {cells, connected_regions(cells, 1, 0, test::threads())}, {none, {}},
+                         Grid<std::uint8_t>(5, 5, smooth_enough), test::threads());
+    EXPECT_EQ(evidence.at(0).walled, 1);
 }
 
 TEST(Judge, NoTermNoOpinion) {
@@ -150,6 +211,26 @@ TEST(Judge, NamesTheWorstTerm) {
     EXPECT_EQ(doubt({0.4, 2.2, 0.4, 9, 0}), "small pieces");
     EXPECT_EQ(doubt({0.4, 2.2, 0.4, even_cells, 1}), "green");
     EXPECT_EQ(judge({0.4, 2.2, 0.4, even_cells, 1}).doubt, Doubt::green);
+}
+
+TEST(Judge, WhatIsNotGreenIsNotDoubtedForIt) {
+    // All terms speak for it, the tilt least.
+    EXPECT_EQ(judge({0.9, 8, 0.35, 4 * even_cells, 0}).doubt, Doubt::steep);
+    EXPECT_EQ(judge({0.9, 8, 0.35, 4 * even_cells, 0.01}).doubt, Doubt::green);
+}
+
+TEST(Judge, WithoutWallsNothingIsABuilding) {
+    const Evidence roof{1, 8, 0.1, 5000, 0, 0.1};
+    Evidence slope = roof;
+    slope.walled = 0.09;
+    EXPECT_GT(judge(roof).confidence, 0.99);
+    EXPECT_EQ(judge(slope).confidence, 0);
+    EXPECT_EQ(judge(slope).doubt, Doubt::no_step);
+    slope.tilt = 0.6;
+    slope.fall = 0.6;
+    EXPECT_EQ(judge(slope).confidence, 0);
+    slope.fall = 2.4;  // 6 m, smeared over 2.5
+    EXPECT_GT(judge(slope).confidence, 0.9);
 }
 
 }  // namespace

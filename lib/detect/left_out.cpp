@@ -1,0 +1,66 @@
+#include "detect/left_out.hpp"
+
+#include <numeric>
+
+#include "core/row_bands.hpp"
+#include "detect/region_builder.hpp"
+#include "detect/segments.hpp"
+
+namespace d2b {
+namespace {
+
+constexpr float lowest_roof_m = 1;  // what is lower is a car, a hedge, or an error of the ground
+
+/// Of regions that are chosen. They are numbered in the order of their first cells.
+template <typename Chosen>
+std::vector<std::int32_t> first_rows(const Regions& regions, const Chosen& chosen) {
+    std::vector<std::int32_t> rows;
+    Label seen = 0;
+    for (std::int32_t r = 0; r < regions.rows; ++r)
+        for (const RegionRun& run : regions.row(r))
+            if (run.label > seen) {
+                seen = run.label;
+                if (chosen(regions.cells[seen]))
+                    rows.push_back(r);
+            }
+    return rows;
+}
+
+Mask low_cells(const Scene& scene, float min_height, Executor& threads) {
+    Mask low(scene.surface.rows, scene.surface.cols, 0, threads);
+    for_row_bands(threads, low.rows, low.cols, [&](RowBand band) {
+        const std::size_t end = low.index(band.end, 0);
+        for (std::size_t i = low.index(band.begin, 0); i < end; ++i) {
+            const float height = scene.height(i);
+            low.values[i] = height > lowest_roof_m && height <= min_height ? 1 : 0;  // not where it is NaN
+        }
+        if (scene.allowed != nullptr)
+            for (std::size_t i = low.index(band.begin, 0); i < end; ++i)
+                low.values[i] &= scene.allowed->values[i];
+    });
+    return low;
+}
+
+}  // namespace
+
+std::vector<std::int32_t> take_small_out(Regions& regions, std::int64_t least_cells) {
+    const auto is_small = [&](std::int64_t cells) { return cells < least_cells; };
+    std::vector<std::int32_t> rows = first_rows(regions, is_small);
+    std::vector<Label> number(regions.cells.size());
+    std::iota(number.begin(), number.end(), Label{0});
+    for (Label& label : number)
+        label = is_small(regions.cells[label]) ? 0 : label;
+    relabel(regions, number);
+    return rows;
+}
+
+std::vector<std::int32_t> low_roofs(const Scene& scene, const Grid<std::uint8_t>& flags, double min_height,
+                                    std::int64_t least_cells, Executor& threads) {
+    if (!(min_height > static_cast<double>(lowest_roof_m)))
+        return {};
+    const Mask low = low_cells(scene, static_cast<float>(min_height), threads);
+    return first_rows(smooth_regions(scene, low, flags, threads),
+                      [&](std::int64_t cells) { return cells >= least_cells; });
+}
+
+}  // namespace d2b

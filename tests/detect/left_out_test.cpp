@@ -1,0 +1,87 @@
+#include "detect/left_out.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "detect_case.hpp"
+#include "support/test_threads.hpp"
+
+namespace d2b {
+namespace {
+
+using test::detect;
+using test::Town;
+
+using Rows = std::vector<std::int32_t>;
+
+/// Three flat roofs of 10 x 10 cells: at rows 5, 25 and 45, of 8, 5 and 1.5 m.
+Town three_roofs() {
+    Town town(60, 40);
+    town.block(5, 10, 15, 20, 108);
+    town.block(25, 10, 35, 20, 105);
+    town.block(45, 10, 55, 20, 101.5F);
+    return town;
+}
+
+DetectOptions least(double area, double height) {
+    DetectOptions options;
+    options.min_area_m2 = area;
+    options.min_height = height;
+    return options;
+}
+
+TEST(LeftOut, SmallRegionsGoAndAreToldByTheirFirstRows) {
+    Regions regions = connected_regions(test::drawn({"##..#",  //
+                                                     "##...",  //
+                                                     "....#",  //
+                                                     ".####"}),
+                                        1, 0, test::threads());
+    EXPECT_EQ(take_small_out(regions, 4), (Rows{0}));
+    EXPECT_EQ(test::drawing(mask_of(regions, test::threads())),
+              (std::vector<std::string>{"##...", "##...", "....#", ".####"}));
+    EXPECT_EQ(take_small_out(regions, 5), (Rows{0}));
+    EXPECT_EQ(take_small_out(regions, 6), (Rows{2}));
+}
+
+TEST(LeftOut, BelowTheSmallestArea) {
+    const Town town = three_roofs();
+    EXPECT_EQ(detect(town, least(30, 1)).left_out.small, Rows{});
+    const Detection none = detect(town, least(500, 1));
+    EXPECT_EQ(none.left_out.small, (Rows{5, 25, 45}));
+    EXPECT_TRUE(none.objects.empty());
+}
+
+TEST(LeftOut, BelowTheSmallestHeight) {
+    const Town town = three_roofs();
+    EXPECT_EQ(detect(town, least(30, 1)).left_out.low, Rows{});
+    EXPECT_EQ(detect(town, least(30, 2)).left_out.low, (Rows{45}));
+    EXPECT_EQ(detect(town, least(30, 6)).left_out.low, (Rows{25, 45}));
+    EXPECT_EQ(detect(town, least(30, 50)).left_out.low, (Rows{5, 25, 45}));
+    EXPECT_EQ(detect(town, least(150, 50)).left_out.low, Rows{}) << "smaller than a building";
+}
+
+TEST(LeftOut, NotWhereNoBuildingMayBe) {
+    const Town town = three_roofs();
+    Mask upper(60, 40);
+    std::fill(upper.row(0).begin(), upper.row(39).end(), std::uint8_t{1});
+    Scene scene = town.scene();
+    scene.allowed = &upper;
+    Context context;
+    EXPECT_EQ(detect_buildings(scene, least(30, 50), context).left_out.low, (Rows{5, 25}));
+}
+
+TEST(Scene, CellsForAnArea) {
+    EXPECT_EQ(cells_for(30, {1, 1}), 30);
+    EXPECT_EQ(cells_for(30, {0.5, 0.5}), 120);
+    EXPECT_EQ(cells_for(30.1, {0.5, 0.5}), 121);
+    EXPECT_EQ(cells_for(30, {1, 2, 0.5}), 30) << "a sheared cell of 1 m2";
+    EXPECT_EQ(cells_for(0, {1, 1}), 0);
+    // More than any raster has, and no overflow.
+    for (const double area : {1e19, 1e308, std::numeric_limits<double>::infinity()})
+        EXPECT_GT(cells_for(area, {0.5, 0.5}), std::int64_t{1} << 60) << area;
+}
+
+}  // namespace
+}  // namespace d2b
