@@ -39,8 +39,8 @@ struct Outliner::Impl {
 namespace {
 
 OutlineQuality quality_of(const WallQuality& quality) {
-    return {quality.fitted ? OutlineStatus::regularized : OutlineStatus::kept_traced, quality.deviation,
-            quality.area_change};
+    return {quality.fitted ? OutlineStatus::regularized : OutlineStatus::kept_traced, quality.traced_share,
+            quality.deviation, quality.area_change};
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ Outliner::~Outliner() = default;
 OutlineQuality Outliner::quality(std::size_t contour) const {
     if (impl_->walls)
         return quality_of(impl_->walls->quality(contour));
-    return {impl_->arcs ? OutlineStatus::simplified : OutlineStatus::traced, 0, 0};
+    return {impl_->arcs ? OutlineStatus::simplified : OutlineStatus::traced, 0, 0, 0};
 }
 
 OutlineQuality Outliner::footprint_quality(std::size_t contour) const {

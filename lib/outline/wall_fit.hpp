@@ -11,9 +11,10 @@ namespace d2b {
 
 /// How a fitted outline differs from its trace.
 struct WallQuality {
-    bool fitted = false;     ///< its exterior ring; else a part of that runs as it was traced
-    double deviation = 0;    ///< cells: outline and trace are nowhere farther apart, either way
-    double area_change = 0;  ///< share of the traced area
+    bool fitted = false;      ///< its exterior ring; else a part of that runs as it was traced
+    double traced_share = 0;  ///< of the length of its rings that runs as it was traced
+    double deviation = 0;     ///< cells: outline and trace are nowhere farther apart, either way
+    double area_change = 0;   ///< share of the traced area
 };
 
 struct WallOutline {

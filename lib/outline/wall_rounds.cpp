@@ -160,8 +160,21 @@ void WallRounds::append(FineRing& to, const ArcUse& use, std::uint32_t number,
         to.insert(to.end(), points.begin(), points.end() - 1);
 }
 
+double WallRounds::arc_length(std::uint32_t arc) const {
+    double sum = 0;
+    for (std::size_t i = 1; i < arcs_[arc].size(); ++i) {
+        const FinePoint a = arcs_[arc][i - 1];
+        const FinePoint b = arcs_[arc][i];
+        sum += length(options_.shape.from_cells(static_cast<double>(b.row - a.row),
+                                                static_cast<double>(b.col - a.col)));
+    }
+    return sum;
+}
+
 WallOutline WallRounds::outline(std::size_t contour) const {
-    WallOutline result{{}, {true, 0, 0}};
+    WallOutline result{{}, {true, 0, 0, 0}};
+    double length = 0;
+    double length_traced = 0;
     Int128 twice = 0;
     std::int64_t traced = 0;
     const std::uint32_t first = first_ring_[contour];
@@ -171,12 +184,16 @@ WallOutline WallRounds::outline(std::size_t contour) const {
         for (const ArcUse& use : *ring.uses) {
             append(points, use, r - first, result.polygon.arcs);
             result.quality.deviation = std::max(result.quality.deviation, deviations_[use.arc]);
-            if (r == first && drawing_.form(graph_.chain_of[use.arc]) != WallDrawing::Form::fitted)
-                result.quality.fitted = false;
+            const bool fitted = drawing_.form(graph_.chain_of[use.arc]) == WallDrawing::Form::fitted;
+            const double arc = arc_length(use.arc);
+            length += arc;
+            length_traced += fitted ? 0 : arc;
+            result.quality.fitted = result.quality.fitted && (fitted || r != first);
         }
         twice += twice_area(*ring.uses);
         traced += ring.traced;
     }
+    result.quality.traced_share = length > 0 ? length_traced / length : 0;
     constexpr double unit = 2.0 * FinePoint::steps * FinePoint::steps;
     result.quality.area_change = static_cast<double>(twice) / unit / static_cast<double>(traced) - 1;
     return result;

@@ -52,6 +52,7 @@ class WallRounds {
     [[nodiscard]] Int128 twice_area(const std::vector<ArcUse>& ring) const;
     void correct(Ring& ring, double missing);
     void simplify_last(const Ring& ring);
+    [[nodiscard]] double arc_length(std::uint32_t arc) const;
     void append(FineRing& to, const ArcUse& use, std::uint32_t number,
                 std::vector<ArcSpan>& ring_spans) const;
 

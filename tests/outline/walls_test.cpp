@@ -95,6 +95,28 @@ TEST_P(TurnedRectangle, RecoversItsFourCorners) {
 
 INSTANTIATE_TEST_SUITE_P(Degrees, TurnedRectangle, testing::Values(0, 3, 11, 20, 30, 37, 45, 58, 71, 85));
 
+TEST(Walls, SayHowMuchOfTheirLengthStaysAsItWasTraced) {
+    const TraceGrid turned = paint(80, [](Place p) { return in_box(p, {40.3, -39.6}, 0.3, 44, 24) ? 1 : 0; });
+    EXPECT_EQ(Drawn(turned).outliner.quality(1).kept_traced, 0);
+    const Drawn tight(turned, walls(Walls::automatic, 0.1));  // no staircase lies so near to a wall
+    EXPECT_EQ(tight.outliner.quality(1).status, OutlineStatus::kept_traced);
+    EXPECT_EQ(tight.outliner.quality(1).kept_traced, 1);
+    EXPECT_EQ(tight.outliner.footprint_quality(1).kept_traced, 1);
+    // Two that touch along a wall of 20 cells, of which the right one's other sides are a staircase.
+    const Drawn pair(paint(60,
+                           [](Place p) {
+                               const bool left = in_box(p, {20, -30}, 0, 20, 20);
+                               const bool right = p.x > 30 && p.x < 45 && std::abs(p.y + 30) < 25 - p.x / 2;
+                               return left ? 1 : right ? 2 : 0;
+                           }),
+                     walls(Walls::automatic, 0.1));
+    for (const std::size_t contour : {1U, 2U}) {
+        EXPECT_GE(pair.outliner.quality(contour).kept_traced, 0);
+        EXPECT_LE(pair.outliner.quality(contour).kept_traced, 1);
+    }
+    EXPECT_GT(pair.outliner.quality(2).kept_traced, 0);
+}
+
 TEST(Walls, LAndHKeepTheirCorners) {
     const double angle = 0.35;
     const Drawn l(paint(90, [&](Place p) {
