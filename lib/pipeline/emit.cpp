@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "attributes/attribute_table.hpp"
+#include "diagnose/traced_doubt.hpp"
+#include "diagnose/words.hpp"
 #include "pipeline/layer_styles.hpp"
 #include "pipeline/odd_heights.hpp"
 #include "pipeline/placer.hpp"
@@ -49,6 +51,7 @@ class Emitter {
     void add_building(std::size_t contour, Drawn& drawn);
     /// @return whether it is in its layer
     bool add_contour(std::size_t contour, Drawn& drawn);
+    void measure(const Placed& placed);
     template <typename Record>
     void write(std::size_t layer, std::span<const Attribute<Record>> attributes, Record& record,
                Placed&& placed, double threshold);
@@ -185,6 +188,12 @@ void Emitter::count(std::size_t contour, const Drawn& drawn) {
         rmse_.add(drawn.own, emission_.fixed);
 }
 
+/// How much of a building's outline stays as it was traced.
+void Emitter::measure(const Placed& placed) {
+    context_.report.outlines_m += placed.measure.perimeter_m;
+    context_.report.kept_traced_m += placed.kept_traced * placed.measure.perimeter_m;
+}
+
 void Emitter::add_building(std::size_t contour, Drawn& drawn) {
     Placed& placed = *drawn.building;
     troubles_.note("Building", drawn.building_record.id, placed);
@@ -193,6 +202,8 @@ void Emitter::add_building(std::size_t contour, Drawn& drawn) {
     if (placed.parts.empty())
         return;
     ++(is_doubtful(contour) ? context_.report.doubtful : context_.report.buildings);
+    if (!is_doubtful(contour))
+        measure(placed);
     if (!contours_layer_)
         context_.report.vertices += vertices_of(placed.parts);
     BuildingRecord& record = drawn.building_record;
@@ -231,6 +242,8 @@ void Emitter::add(std::size_t contour, Drawn&& drawn) {
 void Emitter::finish() {
     troubles_.finish();
     odd_heights_.finish();
+    if (const std::string traced = traced_doubt(context_.report, emission_.cell_size_m); !traced.empty())
+        context_.warn(as_sentence(traced));
     if (rejected_)
         rejected_->write(placers_, sink_, context_);
     for (Placer& placer : placers_)

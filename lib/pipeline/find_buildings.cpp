@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -13,6 +12,7 @@
 #include "detect/detection.hpp"
 #include "detect/merge_strips.hpp"
 #include "ground/ground.hpp"
+#include "pipeline/scene_look.hpp"
 #include "pipeline/scene_rasters.hpp"
 #include "pipeline/side_grids.hpp"
 #include "pipeline/stage_clock.hpp"
@@ -64,20 +64,14 @@ MetreGrid surface_of(const Job& job, RowBand rows) {
     return surface;
 }
 
-/// The terrain that detection stands on: nowhere above the surface.
-MetreGrid terrain_below(const Job& job, RowBand rows, MetreGrid& surface) {
+/// The terrain as it is given or estimated. Where that finds a cell to be far below the ground, the surface
+/// is not known.
+MetreGrid terrain_of(const Job& job, RowBand rows, MetreGrid& surface) {
     const GroundOptions& options = job.options.ground;
     if (options.mode == GroundMode::none)
         return MetreGrid(surface.rows, surface.cols, 0);
-    if (options.mode == GroundMode::given) {
-        MetreGrid terrain = read_grid(*job.sources.terrain, rows, job.metres, job.context);
-        for_cells(job.threads(), terrain, [&](Cells cells) {
-            for (std::size_t i = cells.begin; i < cells.end; ++i)
-                if (terrain.values[i] > surface.values[i])
-                    terrain.values[i] = surface.values[i];
-        });
-        return terrain;
-    }
+    if (options.mode == GroundMode::given)
+        return read_grid(*job.sources.terrain, rows, job.metres, job.context);
     const StageClock clock(job.context.report, Stage::ground);
     const Window& window = job.window();
     Terrain terrain =
@@ -88,6 +82,17 @@ MetreGrid terrain_below(const Job& job, RowBand rows, MetreGrid& surface) {
                 surface.values[i] = unknown;  // far below the ground: neither building nor ground
     });
     return std::move(terrain.elevation);
+}
+
+/// The terrain that detection stands on is nowhere above the surface.
+void keep_below(const Job& job, const MetreGrid& surface, MetreGrid& terrain) {
+    if (job.options.ground.mode != GroundMode::given)
+        return;
+    for_cells(job.threads(), terrain, [&](Cells cells) {
+        for (std::size_t i = cells.begin; i < cells.end; ++i)
+            if (terrain.values[i] > surface.values[i])
+                terrain.values[i] = surface.values[i];
+    });
 }
 
 /// What stands in a strip.
@@ -110,25 +115,41 @@ std::vector<SeenObject> seen_objects(const Detection& detection, const std::vect
     return seen;
 }
 
-StripFound find_in_strip(const Job& job, const Strip& strip) {
+/// What options left out whose first cells lie in rows.
+void count_left_out(const LeftOut& left_out, RowBand own, RunReport& report) {
+    const auto count = [&](const std::vector<std::int32_t>& rows, Reason reason) {
+        report.count(reason, std::ranges::count_if(
+                                 rows, [&](std::int32_t r) { return r >= own.begin && r < own.end; }));
+    };
+    count(left_out.small, Reason::building_small);
+    count(left_out.low, Reason::building_low);
+}
+
+/// @param found gets what is seen of the ground and of what accompanies the DEM
+StripFound find_in_strip(const Job& job, const Strip& strip, FoundBuildings& found) {
+    const RowBand own{strip.own.begin - strip.seen.begin, strip.own.end - strip.seen.begin};
     MetreGrid surface = surface_of(job, strip.seen);
-    const MetreGrid terrain = terrain_below(job, strip.seen, surface);
+    MetreGrid terrain = terrain_of(job, strip.seen, surface);
+    add_fit(surface, terrain, own, found.fit, job.threads());
+    keep_below(job, surface, terrain);
     Mask allowed;
     MetreGrid ndvi;
     Scene scene{surface, terrain, job.cell};
     if (job.sources.mask != nullptr) {
         allowed = read_mask(*job.sources.mask, strip.seen, job.context);
         scene.allowed = &allowed;
+        found.sides.mask = found.sides.mask || meets(surface, allowed, own);
     }
     if (job.sources.ndvi != nullptr) {
         ndvi = read_grid(*job.sources.ndvi, strip.seen, 1, job.context);
         scene.greenness = &ndvi;
+        found.sides.ndvi = found.sides.ndvi || meets(surface, ndvi, own);
     }
     Detection detection = [&] {
         const StageClock clock(job.context.report, Stage::detect);
         return detect_buildings(scene, job.options.detect, job.context);
     }();
-    const RowBand own{strip.own.begin - strip.seen.begin, strip.own.end - strip.seen.begin};
+    count_left_out(detection.left_out, own, job.context.report);
     write_scene_rasters(job.sinks, scene, detection, job.options.detect.min_height, own);
     const StageClock clock(job.context.report, Stage::attributes);
     const std::vector<double> ground =
@@ -196,12 +217,14 @@ FoundBuildings find_buildings(const Options& options, const Sources& sources, co
         strips_of(job.window(), cell, widths_around * options.ground.max_building_width, size);
     FoundBuildings found;
     found.labels = LabelRows(context.make_spool());
+    found.fit = GroundFit(options.detect.min_height);
+    found.sides = {true, sources.mask == nullptr, sources.ndvi == nullptr};
     StripMerger merger;
     SeamRows above;
     for (const Strip& strip : strips) {
         const ProgressSpan span(context, static_cast<double>(strip.own.begin) / job.window().rows,
                                 static_cast<double>(strip.own.end) / job.window().rows);
-        StripFound here = find_in_strip(job, strip);
+        StripFound here = find_in_strip(job, strip, found);
         const StageClock clock(context.report, Stage::detect);
         add_to_labels(here.labels, merger.add(here.objects), job.threads());
         const SeamRows upper_seam = rows_at(here.labels, strip.own.begin - strip.seen.begin);
@@ -212,8 +235,8 @@ FoundBuildings find_buildings(const Options& options, const Sources& sources, co
                             {strip.own.begin - strip.seen.begin, strip.own.end - strip.seen.begin},
                             job.threads());
     }
-    const double least = options.detect.min_area_m2 / (cell.across * cell.down);
-    put_into(found, merger.finish(strips.size() > 1 ? static_cast<std::int64_t>(std::ceil(least)) : 1),
+    found.sides.terrain = options.ground.mode != GroundMode::given || found.fit.cells() > 0;
+    put_into(found, merger.finish(strips.size() > 1 ? cells_for(options.detect.min_area_m2, cell) : 1),
              options.write.doubtful, metres, context.report);
     return found;
 }

@@ -5,6 +5,8 @@
 #include "attributes/records.hpp"
 #include "core/grid.hpp"
 #include "detect/label_rows.hpp"
+#include "diagnose/ground_fit.hpp"
+#include "diagnose/side_doubt.hpp"
 #include "pipeline/elevation_reader.hpp"
 #include "pipeline/pipeline.hpp"
 #include "pipeline/strips.hpp"
@@ -17,6 +19,8 @@ struct FoundBuildings {
     Label buildings = 0;                ///< labels above are doubtful
     std::vector<Footprint> footprints;  ///< by label; [0] is not used
     std::vector<double> ground;         ///< elevations in the vertical unit, by label
+    GroundFit fit{0};                   ///< of the surface to the ground, before that was kept below it
+    SidesKnown sides;
 
     [[nodiscard]] Label count() const { return static_cast<Label>(footprints.size() - 1); }
     /// The labels of a band of the window. From any thread.

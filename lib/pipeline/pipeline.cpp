@@ -11,6 +11,7 @@
 #include "core/number_text.hpp"
 #include "core/progress_span.hpp"
 #include "core/units.hpp"
+#include "diagnose/place_doubt.hpp"
 #include "levels/building_levels.hpp"
 #include "pipeline/elevation_reader.hpp"
 #include "pipeline/emit.hpp"
@@ -18,6 +19,7 @@
 #include "pipeline/own_report.hpp"
 #include "pipeline/preset.hpp"
 #include "pipeline/provenance.hpp"
+#include "pipeline/search_warnings.hpp"
 #include "pipeline/square_area.hpp"
 #include "pipeline/stage_clock.hpp"
 #include "pipeline/strange_values.hpp"
@@ -151,21 +153,22 @@ double wall_tolerance(double cell_size_m) {
     return cell_size_m > 0 ? std::min(most_cells, most_m / cell_size_m) : most_cells;
 }
 
-void warn_of_nothing(const LevelPlan& plan, std::size_t buildings, Context& context) {
+void warn_of_nothing(const LevelPlan& plan, std::size_t buildings, const DemInfo& dem, Context& context) {
     const RunReport& report = context.report;
     if (report.valid_points == 0)
         context.warn("'" + report.input + "' has no valid point; the layers are empty.");
     else if (report.minimum == report.maximum && buildings == 0)
         context.warn("All valid points of '" + report.input +
                      "' have the same elevation; no building was found.");
-    else if (!plan.footprints && plan.level_count() == 1)
+    else if (plan.footprints || buildings > 0)
+        return;
+    else if (plan.level_count() == 1)
         context.warn(
             "No threshold lies between the lowest and the highest elevation; no building was found.");
-    else if (buildings == 0)
-        context.warn(
-            plan.footprints
-                ? "No building was found; -min_height, -min_area or -min_confidence may hide some."
-                : "No building was found; a smaller -nf or -min_area, or more levels, may show some.");
+    else if (const std::string picture = picture_doubt(dem); !picture.empty())
+        context.warn("No building was found: " + picture + ".");
+    else
+        context.warn("No building was found; a smaller -nf or -min_area, or more levels, may show some.");
 }
 
 }  // namespace
@@ -213,7 +216,11 @@ void run(const Options& user_options, const Sources& sources, const Sinks& sinks
     RecordMaker records(*contours, {plan, frame.fixed, footprints, report.units.vertical_metres,
                                     lattice_frame(info.window, options.trace.mode)});
     report_levels(plan, report);
-    warn_of_nothing(plan, records.buildings(), context);
+    warn_of_nothing(plan, found ? found->buildings : records.buildings(), info, context);
+    if (found)
+        warn_of_search({info, options, report, found->fit, found->sides,
+                        cell_steps(info.window, georeference, crs), crs.kind() != Crs::Kind::none},
+                       found->buildings > 0, context);
     const Emission emission{options,
                             georeference,
                             crs,

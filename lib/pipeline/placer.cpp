@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <utility>
 
 #include "core/error.hpp"
 #include "pipeline/checked.hpp"
+#include "pipeline/square_area.hpp"
 #include "pipeline/stage_clock.hpp"
 
 namespace d2b {
@@ -54,16 +54,6 @@ Geodesy::Measure measure(Geodesy& geodesy, const std::vector<WorldPolygon>& part
         sum.perimeter_m += one.perimeter_m;
     }
     return sum;
-}
-
-/// Length on the ground of a unit of x over that of a unit of y.
-double x_stretch(const Georeference& georeference, const Crs& crs, const Window& window) {
-    constexpr double steepest = 89;  // degrees: where the poles are near, nothing is a right angle
-    if (crs.kind() != Crs::Kind::geographic)
-        return 1;
-    const Position middle =
-        georeference.position(LatticePoint{window.row + window.rows / 2, window.col + window.cols / 2});
-    return std::cos(std::clamp(middle.y, -steepest, steepest) * std::numbers::pi / 180);
 }
 
 }  // namespace
@@ -183,6 +173,7 @@ Placed Placer::place(std::size_t contour, Form form) {
         tally_.count(Reason::outline_kept_traced);
     placed.deviation = quality.deviation_cells * std::sqrt(placement_.georeference.cell_area());
     placed.area_change = quality.area_change;
+    placed.kept_traced = quality.kept_traced;
     const bool tier = form == Form::tier;
     Parts parts;
     {
@@ -203,6 +194,8 @@ Placed Placer::place(std::size_t contour, Form form) {
             Checked found = checked(drawn, traced, geos_, placed.status, tally_);
             placed.parts = std::move(found.parts);
             placed.trouble = std::move(found.trouble);
+            if (placed.status == OutlineStatus::kept_traced && !placed.trouble.empty())
+                placed.kept_traced = 1;
         }
     }
     // Measured in the CRS of the DEM, where edges are straight; a repaired polygon is known in that of the

@@ -32,6 +32,11 @@ void describe_values(GDALRasterBandH band, const ReadOptions& options, DemInfo& 
         info.set_aside_nodata = nodata * info.scale + info.offset;
 }
 
+bool holds_bytes(GDALRasterBandH band) {
+    return GDALGetRasterDataType(band) == GDT_Byte && GDALGetRasterScale(band, nullptr) == 1 &&
+           GDALGetRasterOffset(band, nullptr) == 0;
+}
+
 DemInfo describe(const OpenRaster& raster, const ReadOptions& options, Context& context) {
     const GdalMessages messages;
     DemInfo info;
@@ -43,6 +48,8 @@ DemInfo describe(const OpenRaster& raster, const ReadOptions& options, Context& 
     if (const char* unit = GDALGetRasterUnitType(raster.band))
         info.band_unit = unit;
     describe_values(raster.band, options, info);
+    info.bands = GDALGetRasterCount(raster.dataset.get());
+    info.bytes = holds_bytes(raster.band);
     read_transform(raster.dataset.get(), info, context);
     read_crs(raster.dataset.get(), options.crs, info, context);
     info.window = choose_window(options, info);

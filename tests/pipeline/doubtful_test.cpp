@@ -95,8 +95,9 @@ TEST(Doubtful, AreCountedWhereTheyAreNotWritten) {
     EXPECT_EQ(town.context.report.counted(Reason::building_doubtful), static_cast<std::int64_t>(all.size()));
     EXPECT_EQ(town.context.report.doubtful, 0);
     ASSERT_EQ(town.context.report.warnings.size(), 1U);
-    EXPECT_EQ(town.context.report.warnings[0],
-              "No building was found; -min_height, -min_area or -min_confidence may hide some.");
+    EXPECT_EQ(town.context.report.warnings[0], "No building was found: -min_confidence 1 leaves " +
+                                                   std::to_string(all.size()) +
+                                                   " out; a smaller value may show them.");
 }
 
 TEST(Doubtful, AreNoBuildingsInTheCanopy) {
@@ -136,11 +137,14 @@ TEST(Nothing, ToFindIsAWarning) {
               "All valid points of 'memory' have the same elevation; no building was found.");
     EXPECT_EQ(warning(30, 30, std::vector<double>(900, 7.0)),
               "All valid points of 'memory' have the same elevation; no building was found.");
-    const std::string none =
-        "No building was found; -min_height, -min_area or -min_confidence may hide some.";
-    EXPECT_EQ(warning(1, 5, {0, 9, 9, 9, 0}), none);
-    EXPECT_EQ(warning(5, 1, {0, 9, nan, 9, 0}), none);
-    EXPECT_EQ(warning(2, 2, {0, 1, 0, 1}), none);
+    const auto covers = [](const std::string& extent) {
+        return "No building was found: 'memory' covers " + extent +
+               ", which is less than a building; give the right CRS with -a_srs, or a larger part of the "
+               "raster.";
+    };
+    EXPECT_EQ(warning(1, 5, {0, 9, 9, 9, 0}), covers("5 m x 1 m"));
+    EXPECT_EQ(warning(5, 1, {0, 9, nan, 9, 0}), covers("1 m x 5 m"));
+    EXPECT_EQ(warning(2, 2, {0, 1, 0, 1}), covers("2 m x 2 m"));
 }
 
 }  // namespace

@@ -90,6 +90,10 @@ TEST_P(FoundInStrips, IsWhatIsFoundInTheWhole) {
     ASSERT_EQ(strips.buildings.count(), whole.buildings.count());
     EXPECT_EQ(strips.context.report.counted(Reason::building_doubtful),
               whole.context.report.counted(Reason::building_doubtful));
+    for (const Reason reason : {Reason::building_small, Reason::building_low})
+        EXPECT_EQ(strips.context.report.counted(reason), whole.context.report.counted(reason));
+    EXPECT_EQ(strips.buildings.fit.cells(), whole.buildings.fit.cells());
+    EXPECT_EQ(strips.buildings.fit.bare_share(), whole.buildings.fit.bare_share());
     // The same cells, and one label for each of the other.
     std::map<Label, Label> other;
     for (std::size_t i = 0; i < whole.labels.size(); ++i) {

@@ -88,7 +88,7 @@ TEST(OptionErrors, words) {
     expect_refusals({{{"-preset", "other"}, "-preset must be buildings or thesis, not 'other'."},
                      {{"-trace", "lines"}, "-trace must be points or cells, not 'lines'."},
                      {{"-layers", "all"}, "-layers must be buildings, contours or both, not 'all'."},
-                     {{"-levels", "all"}, "-levels must be building or global, not 'all'."},
+                     {{"-levels", "all"}, "-levels must be building, natural or global, not 'all'."},
                      {{"-regularize", "yes"}, "-regularize must be auto, off, right or free, not 'yes'."},
                      {{"-fields", "gml"}, "-fields must be own, urock, city4cfd or osm, not 'gml'."},
                      {{"-oo", "NAME"}, "-oo must be NAME=VALUE, not 'NAME'."},

@@ -55,6 +55,27 @@ TEST(Summary, countsWhatTheLayersHold) {
     EXPECT_EQ(summary(report, Layers::both, "x"), "0 buildings and 0 contours in x\n");
 }
 
+TEST(Summary, saysWhatOptionsLeftOut) {
+    RunReport report;
+    report.buildings = 65;
+    report.contours = 200;
+    report.count(Reason::building_small, 1297);
+    EXPECT_EQ(summary(report, Layers::both, "x"),
+              "65 buildings and 200 contours in x (left out: 1,297 below -min_area)\n");
+    report.count(Reason::building_low, 3);
+    report.count(Reason::building_doubtful, 7);
+    EXPECT_EQ(
+        summary(report, Layers::both, "x"),
+        "65 buildings and 200 contours in x (left out: 1,297 below -min_area, 3 below -min_height, 7 below "
+        "-min_confidence)\n");
+    report.doubtful = 7;  // written
+    report.dropped = {};
+    report.count(Reason::building_doubtful, 7);
+    EXPECT_EQ(summary(report, Layers::buildings, "x"), "65 buildings in x\n");
+    report.count(Reason::contour_small, 4);
+    EXPECT_EQ(summary(report, Layers::contours, "x"), "200 contours in x (left out: 4 below -min_area)\n");
+}
+
 TEST(Interrupt, isSeenAndTheNextOneEndsTheProcess) {
     std::signal(SIGINT, SIG_DFL);
     catch_interrupts();

@@ -9,14 +9,35 @@ namespace {
 
 constexpr int all_ticks = 40;
 
-/// "1,234 buildings"
-std::string counted(std::int64_t n, const std::string& noun) {
+/// "1,234"
+std::string grouped(std::int64_t n) {
     std::string digits = std::to_string(n);
     for (std::size_t comma = digits.size(); comma > 3;) {
         comma -= 3;
         digits.insert(comma, ",");
     }
-    return digits + " " + noun + (n == 1 ? "" : "s");
+    return digits;
+}
+
+/// "1,234 buildings"
+std::string counted(std::int64_t n, const std::string& noun) {
+    return grouped(n) + " " + noun + (n == 1 ? "" : "s");
+}
+
+/// What options left out, or "".
+std::string left_out(const RunReport& report) {
+    const std::int64_t small = report.counted(Reason::building_small) + report.counted(Reason::contour_small);
+    const std::int64_t low = report.counted(Reason::building_low);
+    const std::int64_t doubtful = report.counted(Reason::building_doubtful) - report.doubtful;
+    std::string text;
+    const auto add = [&text](std::int64_t n, const char* why) {
+        if (n > 0)
+            text += (text.empty() ? " (left out: " : ", ") + grouped(n) + why;
+    };
+    add(small, " below -min_area");
+    add(low, " below -min_height");
+    add(doubtful, " below -min_confidence");
+    return text.empty() ? text : text + ")";
 }
 
 }  // namespace
@@ -46,7 +67,7 @@ std::string summary(const RunReport& report, Layers layers, const std::string& d
         text = counted(report.buildings, "building");
     if (layers != Layers::buildings)
         text += (text.empty() ? "" : " and ") + counted(report.contours, "contour");
-    return text + " in " + destination + "\n";
+    return text + " in " + destination + left_out(report) + "\n";
 }
 
 }  // namespace d2b

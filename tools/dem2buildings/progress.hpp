@@ -25,7 +25,8 @@ class TerminalProgress {
     int ticks_ = -1;  // the last one that was printed, of 40
 };
 
-/// What was written, on a line: "1,234 buildings and 5,678 contours in delft.gpkg".
+/// What was written, on a line: "1,234 buildings and 5,678 contours in delft.gpkg"; and where options left
+/// anything out, how much: "(left out: 12 below -min_area, 3 below -min_confidence)".
 /// @param layers as they are in the destination, not `automatic`
 [[nodiscard]] std::string summary(const RunReport& report, Layers layers, const std::string& destination);
 

@@ -1,0 +1,68 @@
+#include "diagnose/nothing_found.hpp"
+
+#include <array>
+#include <functional>
+
+#include "core/number_text.hpp"
+#include "diagnose/ground_doubt.hpp"
+#include "diagnose/place_doubt.hpp"
+
+namespace d2b {
+namespace {
+
+/// An option that leaves objects out, and how many it did.
+struct Sieve {
+    const char* option;
+    double value;
+    double standard;
+    std::int64_t objects;
+};
+
+std::array<Sieve, 3> sieves(const Search& search) {
+    const DetectOptions& detect = search.options.detect;
+    const DetectOptions standard;
+    const Tally& tally = search.tally;
+    return {{{"-min_area", detect.min_area_m2, standard.min_area_m2, tally.counted(Reason::building_small)},
+             {"-min_height", detect.min_height, standard.min_height, tally.counted(Reason::building_low)},
+             {"-min_confidence", detect.min_confidence, standard.min_confidence,
+              tally.counted(Reason::building_doubtful)}}};
+}
+
+/// @param stricter only of options that are stricter than their defaults
+std::string left_out(const Search& search, bool stricter) {
+    std::string text;
+    for (const Sieve& sieve : sieves(search))
+        if (sieve.objects > 0 && (!stricter || sieve.value > sieve.standard))
+            text += (text.empty() ? "" : ", ") + std::string(sieve.option) + " " + number_text(sieve.value) +
+                    " leaves " + std::to_string(sieve.objects) + " out";
+    return text.empty() ? text : text + "; a smaller value may show them";
+}
+
+}  // namespace
+
+std::string why_nothing_was_found(const Search& search) {
+    const DemInfo& dem = search.dem;
+    const DetectOptions& detect = search.options.detect;
+    // What explains most comes first.
+    const std::array<std::function<std::string()>, 8> causes{
+        [&] { return empty_side_doubt(search.sides, search.options); },
+        [&] { return picture_doubt(dem); },
+        [&] { return degrees_doubt(dem, search.has_crs); },
+        [&] {
+            return extent_doubt(dem.name, dem.window.cols * search.cell.across,
+                                dem.window.rows * search.cell.down * search.cell.sine);
+        },
+        [&] { return ground_doubt(search.fit, search.options.ground); },
+        [&] { return left_out(search, true); },
+        [&] { return surface_doubt(search.fit, dem.name); },
+        [&] { return left_out(search, false); },
+    };
+    for (const auto& cause : causes)
+        if (std::string text = cause(); !text.empty())
+            return text;
+    return "nothing that rises by more than " + number_text(detect.min_height) +
+           " m above the ground is as smooth and wide as a roof; cells should be at most 1 m wide, or 2.5 m "
+           "for large buildings, and -write_canopy shows what rises";
+}
+
+}  // namespace d2b

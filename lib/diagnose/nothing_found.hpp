@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+#include "core/dem_info.hpp"
+#include "core/grid.hpp"
+#include "core/options.hpp"
+#include "core/report.hpp"
+#include "diagnose/ground_fit.hpp"
+#include "diagnose/side_doubt.hpp"
+
+namespace d2b {
+
+/// What is known of a search for buildings when it is over.
+struct Search {
+    const DemInfo& dem;
+    const Options& options;
+    const Tally& tally;  ///< of what was left out
+    const GroundFit& fit;
+    SidesKnown sides;
+    CellSize cell;
+    bool has_crs = true;
+};
+
+/// What is most probably the reason why no building was found, and what may help. Without a full stop.
+[[nodiscard]] std::string why_nothing_was_found(const Search& search);
+
+}  // namespace d2b

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "core/options.hpp"
+
+namespace d2b {
+
+/// Whether what accompanies a DEM says anything where the DEM has a valid cell; true where it was not given.
+struct SidesKnown {
+    bool terrain = true;
+    bool mask = true;
+    bool ndvi = true;
+};
+
+/// Why a terrain or a mask leaves nothing to be found. Without a full stop; "" where they do not.
+[[nodiscard]] std::string empty_side_doubt(const SidesKnown& known, const Options& options);
+/// That an NDVI says nothing; "" where it does.
+[[nodiscard]] std::string ndvi_doubt(const SidesKnown& known, const Options& options);
+
+}  // namespace d2b

@@ -1,0 +1,102 @@
+#include "diagnose/nothing_found.hpp"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace d2b {
+namespace {
+
+/// A search in a good surface in which nothing was found; each test spoils something.
+class NothingFound : public ::testing::Test {
+  protected:
+    NothingFound() {
+        dem_.name = "dem.tif";
+        dem_.rows = dem_.window.rows = 200;
+        dem_.cols = dem_.window.cols = 300;
+        dem_.transform = {391000, 1, 0, 5820000, 0, -1};
+        dem_.georeferenced = true;
+        options_.ground.mode = GroundMode::automatic;
+        lie(0.1F);
+        fit_.add(std::vector<float>(300, 12.0F), std::vector<float>(300, 0.0F));  // trees
+    }
+    void lie(float height) {
+        fit_ = GroundFit(options_.detect.min_height);
+        fit_.add(std::vector<float>(700, height), std::vector<float>(700, 0.0F));
+    }
+    /// The beginning of what is said.
+    [[nodiscard]] std::string said(std::size_t length) const {
+        return why_nothing_was_found({dem_, options_, tally_, fit_, sides_, cell_, has_crs_})
+            .substr(0, length);
+    }
+    void expect(const std::string& beginning) const { EXPECT_EQ(said(beginning.size()), beginning); }
+
+    DemInfo dem_;
+    Options options_;
+    Tally tally_;
+    GroundFit fit_{2};
+    SidesKnown sides_;
+    CellSize cell_;
+    bool has_crs_ = true;
+};
+
+TEST_F(NothingFound, WhereNothingElseIsKnown) {
+    expect(
+        "nothing that rises by more than 2 m above the ground is as smooth and wide as a roof; cells should "
+        "be "
+        "at most 1 m wide, or 2.5 m for large buildings, and -write_canopy shows what rises");
+}
+
+TEST_F(NothingFound, ASideWithoutACell) {
+    dem_.bytes = true;
+    options_.ground.terrain = "t.tif";
+    sides_.terrain = false;
+    expect("the terrain 't.tif' has no valid cell");
+    sides_ = {true, false, true};
+    expect("the mask '' has no cell");
+    sides_ = {true, true, false};
+    expect("'dem.tif' has byte values");  // an NDVI hides nothing
+}
+
+TEST_F(NothingFound, APicture) {
+    lie(0);
+    dem_.bands = 3;
+    expect("'dem.tif' has 3 bands, as a picture has");
+}
+
+TEST_F(NothingFound, DegreesAndSmallExtents) {
+    dem_.transform = {13, 1e-5, 0, 52, 0, -1e-5};
+    cell_ = {1e-5, 1e-5};
+    has_crs_ = false;
+    expect("'dem.tif' has no CRS, and its coordinates look like degrees");
+    has_crs_ = true;
+    expect("'dem.tif' covers 0.003 m x 0.002 m");
+}
+
+TEST_F(NothingFound, AGroundThatCannotBeRight) {
+    lie(-43);
+    options_.ground.mode = GroundMode::given;
+    expect("the terrain '' lies 43 m above the surface");
+}
+
+TEST_F(NothingFound, ATerrainModelUnlessAnOptionHidesMore) {
+    lie(0);
+    tally_.count(Reason::building_small, 3);
+    expect("none of the cells of 'dem.tif' rise by more than 2 m");
+    options_.detect.min_area_m2 = 500;
+    expect("-min_area 500 leaves 3 out; a smaller value may show them");
+}
+
+TEST_F(NothingFound, WhatOptionsLeaveOut) {
+    tally_.count(Reason::building_small, 12);
+    tally_.count(Reason::building_low, 3);
+    tally_.count(Reason::building_doubtful, 5);
+    expect(
+        "-min_area 30 leaves 12 out, -min_height 2 leaves 3 out, -min_confidence 0.5 leaves 5 out; a smaller "
+        "value may show them");
+    options_.detect.min_height = 10;
+    expect("-min_height 10 leaves 3 out; a smaller value may show them");
+}
+
+}  // namespace
+}  // namespace d2b
