@@ -117,8 +117,8 @@ struct RunReport : Tally {
                                 ///< holds it) against the points of all buildings
     std::int64_t vertices = 0;  ///< of the contours as written (of the buildings where these are alone),
                                 ///< closing ones not counted
-    double outlines_m = 0;      ///< length of the outlines of the buildings as written (of the contours where
-                                ///< these are alone)
+    double outlines_m = 0;      ///< length of the outlines of the buildings as written, where they are
+                                ///< a layer; those of contours are not counted
     double kept_traced_m = 0;   ///< and of the parts of them that stay as traced although more was asked for
     int threads = 1;            ///< that worked on it
     std::vector<std::string> warnings;
