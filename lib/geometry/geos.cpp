@@ -182,7 +182,7 @@ struct Geos::Impl {
     }
 
     std::string invalidity_of_vast(const WorldPolygon& polygon) {
-        const std::string reason = invalidity(inside_out(polygon));
+        std::string reason = invalidity(inside_out(polygon));
         constexpr std::string_view nested = "Nested shells";
         if (reason.starts_with(nested))
             return "Hole lies outside shell or in another hole" + reason.substr(nested.size());
@@ -232,7 +232,7 @@ std::string Geos::invalidity(const std::vector<WorldPolygon>& polygons) {
     if (std::ranges::none_of(polygons, is_vast))
         return impl_->invalidity(polygons);
     for (const WorldPolygon& polygon : polygons) {
-        const std::string reason =
+        std::string reason =
             is_vast(polygon) ? impl_->invalidity_of_vast(polygon) : impl_->invalidity({polygon});
         if (!reason.empty())
             return reason;

@@ -221,7 +221,8 @@ void Course::add_circles(const Standing& from, DrawnChain& arc) const {
         if (!round)
             before_the_end = arc.arcs.size();
     }
-    std::ranges::rotate(arc.arcs, arc.arcs.begin() + static_cast<std::ptrdiff_t>(before_the_end));
+    std::rotate(arc.arcs.begin(), arc.arcs.begin() + static_cast<std::ptrdiff_t>(before_the_end),
+                arc.arcs.end());
 }
 
 void Course::arc(std::size_t k, const WallSamples& samples, DrawnChain& drawn) const {

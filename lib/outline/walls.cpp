@@ -60,7 +60,7 @@ std::shared_ptr<const CornerIndex> RegularOutlines::corners(std::uint32_t cluste
     }
     // Several threads may do so at a time: none waits for another.
     const FetchedCluster fetched(contours_, clusters_[cluster]);
-    const auto made = std::make_shared<const CornerIndex>(fetched.cluster().contours);
+    auto made = std::make_shared<const CornerIndex>(fetched.cluster().contours);
     if (clusters_[cluster].numbers.size() < large)
         return made;
     const std::lock_guard lock(large_clusters_->mutex);
