@@ -83,7 +83,7 @@ struct Case {
 
 /// As a cell of the type holds it. Beyond the largest float lies how programs write it.
 double stored_as(const Type& type, double value) {
-    if (value == -3.4028235e38 && type.type == GDT_Float32)
+    if (value == -3.4028235e38 && type.fractions)  // GDAL compares doubles as loosely
         return -3.4028234663852886e38;
     if (type.type == GDT_Float32)
         return std::abs(value) > 3.4028234663852886e38 ? std::copysign(infinity, value)
@@ -198,9 +198,9 @@ std::optional<double> reference(const Case& c, const d2b::ReadOptions& options, 
             return {};
         if (c.holes == Holes::nodata && !options.nodata && same(stored, stored_as(c.type, c.nodata)))
             return {};
-        // A value that the type cannot hold stands in no cell.
+        // Of other types than floats a value that they cannot hold stands in no cell.
         if (options.nodata &&
-            same(stored, c.type.fractions ? stored_as(c.type, *options.nodata) : *options.nodata))
+            same(stored, c.type.type == GDT_Float32 ? stored_as(c.type, *options.nodata) : *options.nodata))
             return {};
     }
     const double elevation = stored * c.scale + c.offset;
