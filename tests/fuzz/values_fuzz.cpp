@@ -106,7 +106,8 @@ CPLStringList layout_of(Bytes& bytes) {
         creation.SetNameValue("BLOCKYSIZE", std::to_string(1 + bytes.below(8)).c_str());
     }
     creation.SetNameValue("COMPRESS", std::array{"NONE", "LZW", "DEFLATE"}[bytes.below(3)]);
-    creation.SetNameValue("ENDIANNESS", bytes.below(4) == 0 ? "BIG" : "LITTLE");
+    // Not of the other byte order: GDAL 3.6 writes strips of NoData alone in this one.
+    creation.SetNameValue("BIGTIFF", bytes.below(4) == 0 ? "YES" : "NO");
     return creation;
 }
 
