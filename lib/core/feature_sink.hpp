@@ -66,7 +66,7 @@ struct LayerSpec {
     std::string title;
     std::string description;
     std::vector<FieldSpec> fields;  ///< the first is the number of a feature
-    bool with_z = false;  ///< every vertex carries Feature::z
+    bool with_z = false;            ///< every vertex carries Feature::z
     bool with_arcs =
         false;  ///< runs of vertices that stand for arcs are written as such where the format has curves
     LayerStyle style = {};
@@ -106,8 +106,8 @@ class FeatureSink {
     /// Makes the result visible, all of it or nothing. @throws OutputError
     virtual void finish() = 0;
 
-    /// The first number that a feature may take, given what the destination already holds (append). Known once
-    /// begin() has been called: nobody else adds to the destination from then on.
+    /// The first number that a feature may take, given what the destination already holds (append). Known
+    /// once begin() has been called: nobody else adds to the destination from then on.
     [[nodiscard]] virtual std::int64_t first_id() const { return 1; }
 
     /// What the destination calls a layer. @param layers what is written

@@ -100,7 +100,7 @@ void DatasetWriter::commit() {
 }
 
 void DatasetWriter::open_in_turn(const std::string& path, Mode mode) {
-    constexpr std::chrono::seconds patience(60);
+    constexpr std::chrono::seconds longest_wait(60);
     const auto start = std::chrono::steady_clock::now();
     for (;;) {
         const std::string stamp = stamp_of_database(path);
@@ -119,7 +119,7 @@ void DatasetWriter::open_in_turn(const std::string& path, Mode mode) {
             throw Cancelled();
         if (!ours)
             std::this_thread::sleep_for(std::chrono::milliseconds(50));
-        if (std::chrono::steady_clock::now() - start > patience)
+        if (std::chrono::steady_clock::now() - start > longest_wait)
             throw OutputError(
                 "Cannot write \"" + target_.name +
                 "\": another program has been writing to it for a minute; run again when it is done.");

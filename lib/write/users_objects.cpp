@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "core/error.hpp"
 #include "write/sql.hpp"
@@ -88,8 +89,8 @@ void refuse_in_postgresql(const Destination& destination, GDALDatasetH dataset, 
 
 }  // namespace
 
-UsersObjects::UsersObjects(GDALDatasetH dataset, const std::vector<std::string>& layers)
-    : dataset_(dataset), layers_(layers) {
+UsersObjects::UsersObjects(GDALDatasetH dataset, std::vector<std::string> layers)
+    : dataset_(dataset), layers_(std::move(layers)) {
     const GdalMessages quiet;
     // GDAL reads the columns of a layer when it first needs them. Those of a view cannot be read while what
     // it shows is being replaced.

@@ -13,7 +13,7 @@ namespace d2b {
 class UsersObjects {
   public:
     /// @param layers that are to be replaced
-    UsersObjects(GDALDatasetH dataset, const std::vector<std::string>& layers);
+    UsersObjects(GDALDatasetH dataset, std::vector<std::string> layers);
 
     /// Once the new layers are written, within the same transaction. @throws OutputError with the name of
     /// what does not fit them
