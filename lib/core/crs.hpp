@@ -36,6 +36,9 @@ class Crs {
     [[nodiscard]] std::string wkt() const;   ///< WKT2:2019, "" for none
     /// Of the horizontal axes; empty where they are angles, or there is no CRS.
     [[nodiscard]] std::optional<LengthUnit> horizontal_unit() const;
+    /// Units of the horizontal axes in a full circle of longitude; 0 where they are lengths, or there is no
+    /// CRS.
+    [[nodiscard]] double turn() const;
     /// Of the vertical part of a compound CRS or of the height axis of a 3D one; empty where there is none.
     [[nodiscard]] std::optional<LengthUnit> vertical_unit() const;
     /// Whether places have a longitude and a latitude on an ellipsoid (so that areas are geodesic). False
@@ -48,6 +51,16 @@ class Crs {
   private:
     std::shared_ptr<const Impl> impl_;
 };
+
+/// A raster needs a plane: projected, geographic or local coordinates, or none.
+/// @param option that gave the CRS ("-a_srs EPSG:5773"), "" where it is the raster's own @param input its
+/// name
+/// @throws OptionError, or InputError where no option gave it
+void require_plane(const Crs& crs, const std::string& option, const std::string& input);
+
+/// What is probably meant by a code without its authority: "EPSG:4326" for "4326", "4326+5773" or "epsg4326";
+/// "" for all else.
+[[nodiscard]] std::string code_meant_by(std::string_view text);
 
 /// From one CRS to another with PROJ, axes in GIS order on both sides. The vertical parts of compound CRSs
 /// are ignored: heights are not transformed.
@@ -63,6 +76,8 @@ class CoordinateTransform {
     /// In place. @throws InputError naming the first position that has no image; all positions are unchanged
     /// then
     void apply(std::span<Position> positions);
+    /// In place; what has no image becomes infinite or NaN. @return whether all have one
+    [[nodiscard]] bool try_apply(std::span<Position> positions);
 
   private:
     struct Impl;

@@ -56,6 +56,32 @@ TEST(CoordinateTransform, KeepsTheShiftOfABoundCrs) {
     EXPECT_NEAR(places[0].y, 0, 1e-9);
 }
 
+/// PROJ 9.1 calls itself without end where the area of interest begins or ends at 180 degrees.
+TEST(CoordinateTransform, TakesAnAreaAtTheAntimeridian) {
+    for (const std::vector<Position>& area : {std::vector<Position>{{180, -17}},
+                                              {{-180, -17}},
+                                              {{180, -17}, {180, -16.9}},
+                                              {{180, -17}, {-180, -16.9}},
+                                              {{-180, -90}, {180, 90}}})
+        for (const char* target : {"EPSG:32660", "EPSG:3460", "EPSG:25832"}) {
+            std::vector<Position> places{{180, -17}};
+            EXPECT_EQ(CoordinateTransform(Crs("EPSG:4326"), Crs(target), area).try_apply(places),
+                      std::string(target) != "EPSG:25832");
+        }
+}
+
+TEST(CoordinateTransform, SaysWhatHasNoImage) {
+    std::vector<Position> places{{11, 48}, {11, 91}, {12, 48}};
+    CoordinateTransform transform(Crs("EPSG:4326"), Crs("EPSG:25832"), {});
+    EXPECT_FALSE(transform.try_apply(places));
+    EXPECT_NEAR(places[0].y, 5317000, 2000);
+    EXPECT_FALSE(std::isfinite(places[1].x));
+    EXPECT_TRUE(std::isfinite(places[2].x));
+    std::vector<Position> good{{11, 48}};
+    EXPECT_TRUE(transform.try_apply(good));
+    EXPECT_EQ(good[0], places[0]);
+}
+
 TEST(CoordinateTransform, TakesAnyArea) {
     const Crs geographic("EPSG:4326");
     const Crs fiji("EPSG:3460");

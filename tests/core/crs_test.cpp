@@ -144,6 +144,31 @@ TEST(Crs, RefusesWhatIsNoCrs) {
             << text;
 }
 
+TEST(Crs, SuggestsTheCodeThatIsMeant) {
+    for (const auto& [text, code] : {std::pair("4326", "EPSG:4326"),
+                                     {"25832+7837", "EPSG:25832+7837"},
+                                     {"epsg4326", "EPSG:4326"},
+                                     {"EPSG 4326", "EPSG:4326"}}) {
+        EXPECT_EQ(code_meant_by(text), code);
+        EXPECT_EQ(message_of<OptionError>([&] { Crs crs(text); }),
+                  std::string("'") + text + "' is not a coordinate reference system; write " + code +
+                      " if that is meant.");
+    }
+    for (const char* text : {"", " ", "EPSG:4326", "EPSG:", "EPSG", "0", "4326 ", "WGS 84", "+4326", "foo"})
+        EXPECT_EQ(code_meant_by(text), "") << text;
+}
+
+TEST(Crs, RequiresAPlane) {
+    for (const char* text : {"EPSG:25832", "EPSG:4326", "EPSG:7415"})
+        EXPECT_NO_THROW(require_plane(Crs(text), "", "dem.tif")) << text;
+    EXPECT_NO_THROW(require_plane(Crs(), "", "dem.tif"));
+    EXPECT_NO_THROW(require_plane(Crs(local_feet), "", "dem.tif"));
+    EXPECT_EQ(message_of<OptionError>([] { require_plane(Crs("EPSG:5773"), "-a_srs EPSG:5773", ""); }),
+              "-a_srs EPSG:5773 is 'EGM96 height', which has no plane coordinates; give a projected or "
+              "geographic coordinate reference system.");
+    EXPECT_THROW(require_plane(Crs("EPSG:4978"), "", "dem.tif"), InputError);
+}
+
 TEST(Crs, PrintsNothing) {
     testing::internal::CaptureStderr();
     testing::internal::CaptureStdout();

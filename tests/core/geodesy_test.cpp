@@ -70,6 +70,16 @@ TEST(Geodesy, PolygonIsExteriorLessInteriors) {
     EXPECT_EQ(plane.polygon(polygon).area_m2, 0);
 }
 
+/// As narrow as a hair and round the Earth: an error of 1e-7 of its area would take a vertex every few
+/// centimetres.
+TEST(Geodesy, CutsNoEdgeWithoutEnd) {
+    Geodesy geodesy{Crs("EPSG:4326")};
+    const WorldRing hair = rectangle(-170, 50, 340, 1e-9);
+    const Geodesy::Measure measure = geodesy.ring(hair);
+    EXPECT_NEAR(measure.perimeter_m, 2 * 340 * 71700, 2 * 340 * 100);  // 71.7 km a degree at 50 degrees
+    EXPECT_LT(measure.area_m2, 1e6);
+}
+
 TEST(Geodesy, DoesNotDependOnEarlierRings) {
     const WorldRing house = rectangle(755000.25, 5500000.5, 250, 310);
     Geodesy fresh{Crs("EPSG:25832")};

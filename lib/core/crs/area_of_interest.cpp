@@ -12,6 +12,20 @@
 namespace d2b {
 namespace {
 
+/// PROJ 9.1 looks for what lies east of 180 degrees, or west of -180, in calls of itself until the stack is
+/// full.
+std::pair<double, double> off_the_antimeridian(std::pair<double, double> range) {
+    constexpr double half = 180;
+    auto& [west, east] = range;
+    if (west == east)
+        return west == half ? std::pair(-half, -half) : range;
+    if (west == half)
+        west = -half;
+    if (east == -half)
+        east = half;
+    return range;
+}
+
 /// The smallest range of longitudes that holds all: what is left of the circle without its widest gap.
 /// The first may be east of the second: the range crosses the antimeridian.
 std::pair<double, double> longitude_range(std::vector<double> longitudes) {
@@ -46,7 +60,7 @@ AreaPtr area_of(const PJ* crs, std::span<const Position> positions) {
         south = std::min(south, p.y);
         north = std::max(north, p.y);
     }
-    const auto [west, east] = longitude_range(std::move(longitudes));
+    const auto [west, east] = off_the_antimeridian(longitude_range(std::move(longitudes)));
     AreaPtr area(proj_area_create());
     proj_area_set_bbox(area.get(), west, south, east, north);
     return area;

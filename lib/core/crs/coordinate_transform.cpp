@@ -73,4 +73,10 @@ void CoordinateTransform::apply(std::span<Position> positions) {
     std::copy(images.begin(), images.end(), positions.begin());
 }
 
+bool CoordinateTransform::try_apply(std::span<Position> positions) {
+    if (impl_->operation)
+        carry_out(impl_->operation.get(), positions);
+    return std::all_of(positions.begin(), positions.end(), is_finite);
+}
+
 }  // namespace d2b

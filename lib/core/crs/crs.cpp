@@ -12,6 +12,8 @@
 #include "core/crs/lon_lat.hpp"
 #include "core/crs/parse_crs.hpp"
 #include "core/crs/proj_objects.hpp"
+#include "core/crs/text.hpp"
+#include "core/error.hpp"
 
 namespace d2b {
 
@@ -61,11 +63,25 @@ std::string Crs::wkt() const {
 std::optional<LengthUnit> Crs::horizontal_unit() const {
     return impl_->horizontal_unit;
 }
+double Crs::turn() const {
+    return impl_->angular_unit > 0 ? 360 / impl_->angular_unit : 0;
+}
 std::optional<LengthUnit> Crs::vertical_unit() const {
     return impl_->vertical_unit;
 }
 bool Crs::on_ellipsoid() const {
     return impl_->on_ellipsoid;
+}
+
+void require_plane(const Crs& crs, const std::string& option, const std::string& input) {
+    if (crs.kind() != Crs::Kind::other)
+        return;
+    const std::string what = quoted(crs.name()) + ", which has no plane coordinates; ";
+    if (!option.empty())
+        throw OptionError(option + " is " + what +
+                          "give a projected or geographic coordinate reference system.");
+    throw InputError("The coordinate reference system of '" + input + "' is " + what +
+                     "correct it with gdal_edit.py -a_srs, or for the DEM with -a_srs.");
 }
 
 }  // namespace d2b

@@ -63,6 +63,8 @@ void GeodesicMeter::cut_long_edges() {
 /// With edges cut where they are longer than harmless and sag by more than largest_sag_.
 Geodesy::Measure GeodesicMeter::measure_cut() {
     constexpr int most_halvings = 30;
+    constexpr std::size_t most_cuts = std::size_t{1} << 18;  // a second or so
+    most_places_ = corners_.size() + most_cuts;
     outline_.clear();
     for (std::size_t i = 0; i < corners_.size(); ++i) {
         stop_.check();
@@ -81,12 +83,15 @@ void GeodesicMeter::cut(const Position& start, const Position& along, const Posi
     const double squared = squared_length(along);
     if (halvings == 0 || squared <= harmless_squared_)
         return;
+    const auto room = static_cast<double>(most_places_ - std::min(most_places_, outline_.size()));
+    if (room < 1)
+        return;
     const Position middle = point_along(start, along, 0.5);
     const Position place = locate(middle);
     const double sag = polygon_.sag(a, place, b);
     if (sag <= largest_sag_)
         return;
-    const double pieces = std::ceil(std::sqrt(sag / largest_sag_));
+    const double pieces = std::min(room, std::ceil(std::sqrt(sag / largest_sag_)));
     if (pieces <= 2) {
         outline_.push_back(place);
     } else if (squared <= bends_.tile() * bends_.tile()) {  // the bend is the same all along

@@ -66,6 +66,8 @@ class GeodesicMeter {
     std::vector<Position> outline_;  ///< places of the corners and of the pieces between them
     double largest_sag_ = 0;         ///< metres
     double harmless_squared_ = 0;    ///< units of the CRS, squared
+    std::size_t most_places_ =
+        0;  ///< of the outline: a ring as narrow as a hair and round the Earth ends, too
 };
 
 }  // namespace d2b

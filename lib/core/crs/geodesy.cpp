@@ -57,8 +57,7 @@ Geodesy::Geodesy(const Crs& crs, StopRequest stop) : impl_(std::make_unique<Impl
     if (!lon_lat)
         return;
     const double step = longest_edge(definition, lon_lat->radius);
-    const double turn = definition.angular_unit > 0 ? 360 / definition.angular_unit : 0;
-    impl_->geodesic.emplace(std::move(lon_lat), definition.name, step, turn, impl_->stop);
+    impl_->geodesic.emplace(std::move(lon_lat), definition.name, step, crs.turn(), impl_->stop);
 }
 
 Geodesy::Geodesy(Geodesy&&) noexcept = default;

@@ -1,7 +1,10 @@
 #include "core/crs/parse_crs.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <string>
 
+#include "core/crs.hpp"
 #include "core/crs/text.hpp"
 
 namespace d2b {
@@ -25,11 +28,27 @@ OptionError unusable(std::string_view text, const std::string& why) {
 
 }  // namespace
 
+std::string code_meant_by(std::string_view text) {
+    constexpr std::string_view authority = "epsg";
+    if (letters_and_digits(text.substr(0, authority.size())) == authority) {
+        text.remove_prefix(authority.size());
+        text.remove_prefix(std::min(text.find_first_not_of(" -_/"), text.size()));
+    }
+    const bool digits =
+        std::ranges::all_of(text, [](unsigned char c) { return std::isdigit(c) != 0 || c == '+'; });
+    if (text.empty() || !digits || text.find_first_of("123456789") != 0)
+        return "";
+    return "EPSG:" + std::string(text);
+}
+
 OptionError unreadable(std::string_view text, const ProjContext& context) {
     return unusable(text, "a coordinate reference system (PROJ: " + context.reason() + ")");
 }
 
 PjPtr parse_crs(const ProjContext& context, std::string_view text) {
+    if (const std::string code = code_meant_by(text); !code.empty())
+        throw OptionError(quoted(text) + " is not a coordinate reference system; write " + code +
+                          " if that is meant.");
     std::string definition(text);
     if (is_proj_string(text) && text.find("type=crs") == std::string_view::npos)
         definition += " +type=crs";
