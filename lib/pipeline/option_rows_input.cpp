@@ -1,3 +1,8 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "pipeline/option_rows.hpp"
 
 namespace d2b::rows {
@@ -42,6 +47,16 @@ bool whole(double value) {
     return value == std::floor(value);
 }
 
+/// Some tools of GDAL take the upper left corner first, and some the lower left. @throws OptionError
+void require_lower_left_first(const Four& extent) {
+    const auto& [left, top, right, bottom] = extent;
+    if (left < right && top > bottom)
+        throw OptionError(
+            "-te takes xmin ymin xmax ymax, and " + numbers_text(extent, " ") +
+            " is the upper left and the lower right corner, as -projwin takes them; write -te " +
+            numbers_text(Four{left, bottom, right, top}, " ") + ".");
+}
+
 /// What of the input is used.
 std::vector<OptionRow> windows() {
     std::vector<OptionRow> rows;
@@ -58,7 +73,10 @@ std::vector<OptionRow> windows() {
          .unit = "units of the input's CRS"}));
     rows.push_back(several_row<4>(
         "te", "<xmin> <ymin> <xmax> <ymax>", "four numbers, xmin below xmax and ymin below ymax",
-        [](const Four& w) { return w[0] < w[2] && w[1] < w[3]; },
+        [](const Four& w) {
+            require_lower_left_first(w);
+            return w[0] < w[2] && w[1] < w[3];
+        },
         [](auto& r) -> auto& { return r.options.read.extent; },
         {.help = "Part of the input to use, by its extent: the points within it.",
          .unit = "units of the input's CRS"}));

@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "read/gdal_messages.hpp"
+#include "read/ring_clip.hpp"
 
 namespace d2b {
 
@@ -53,9 +54,16 @@ bool meets(const PixelPolygon& polygon, const Window& w) {
            top < static_cast<double>(w.row) + w.rows;
 }
 
-GeometryOwner to_geometry(const PixelPolygon& polygon) {
+/// GDAL counts cells in 32 bits; what is farther away than any side is long makes no difference.
+ClipBox countable(const Window& w) {
+    constexpr double room = 1e8;
+    return {w.col - room, w.row - room, w.col + w.cols + room, w.row + w.rows + room};
+}
+
+GeometryOwner to_geometry(const PixelPolygon& polygon, const Window& window) {
     GeometryOwner geometry(OGR_G_CreateGeometry(wkbPolygon));
-    for (const WorldRing& ring : polygon) {
+    for (const WorldRing& whole : polygon) {
+        const WorldRing ring = clipped(whole, countable(window));
         GeometryOwner line(OGR_G_CreateGeometry(wkbLinearRing));
         OGR_G_SetPointCount(line.get(), static_cast<int>(ring.size()));
         for (std::size_t i = 0; i < ring.size(); ++i)
@@ -71,7 +79,7 @@ GeometryOwner to_geometry(const PixelPolygon& polygon) {
 CutlineMask::CutlineMask(const std::vector<PixelPolygon>& polygons, const Window& window) : window_(window) {
     for (const PixelPolygon& polygon : polygons)
         if (meets(polygon, window))
-            geometries_.push_back(to_geometry(polygon));
+            geometries_.push_back(to_geometry(polygon, window));
 }
 
 void CutlineMask::burn(std::int32_t first_row) {

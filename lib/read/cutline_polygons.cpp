@@ -1,11 +1,15 @@
 #include "read/cutline_polygons.hpp"
 
+#include <algorithm>
+
 #include "core/error.hpp"
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/georeference.hpp"
 #include "read/polygon_geometry.hpp"
+#include "read/ring_clip.hpp"
 #include "read/ring_projector.hpp"
+#include "read/surroundings.hpp"
 
 namespace d2b {
 
@@ -44,17 +48,38 @@ TransformOwner transform_between(OGRSpatialReferenceH from, const std::string& n
     return transform;
 }
 
-void add_polygon(OGRGeometryH polygon, RingProjector& projector, std::vector<PixelPolygon>& polygons) {
-    PixelPolygon rings;
+std::vector<WorldRing> rings_of(OGRGeometryH polygon) {
+    std::vector<WorldRing> rings;
     for (int i = 0; i < OGR_G_GetGeometryCount(polygon); ++i) {
         const OGRGeometryH line = OGR_G_GetGeometryRef(polygon, i);
-        WorldRing ring;
+        WorldRing& ring = rings.emplace_back();
         for (int k = 0; k < OGR_G_GetPointCount(line); ++k)
             ring.push_back({OGR_G_GetX(line, k), OGR_G_GetY(line, k)});
-        rings.push_back(projector.project(ring));
     }
-    if (!rings.empty())
-        polygons.push_back(std::move(rings));
+    return rings;
+}
+
+/// What of the rings lies in a box.
+std::vector<WorldRing> clipped(const std::vector<WorldRing>& rings, const ClipBox& box) {
+    std::vector<WorldRing> kept;
+    for (const WorldRing& ring : rings)
+        if (WorldRing part = clipped(ring, box); !part.empty())
+            kept.push_back(std::move(part));
+    return kept;
+}
+
+void add_polygon(const std::vector<WorldRing>& rings, RingProjector& projector, const Surroundings& around,
+                 std::vector<PixelPolygon>& polygons) {
+    const bool on_earth =
+        std::ranges::all_of(rings, [&](const WorldRing& ring) { return around.earth.holds(ring); });
+    const std::vector<ClipBox> everywhere(1);
+    for (const ClipBox& box : around.boxes.empty() || !on_earth ? everywhere : around.boxes) {
+        PixelPolygon pixels;
+        for (const WorldRing& ring : clipped(rings, box))
+            pixels.push_back(projector.project(ring));
+        if (!pixels.empty())
+            polygons.push_back(std::move(pixels));
+    }
 }
 
 }  // namespace
@@ -68,7 +93,11 @@ std::vector<PixelPolygon> read_cutline(const std::string& path, const DemInfo& i
         throw InputError("The " + name + " has no layer; give a dataset with polygons.");
     const TransformOwner transform = transform_between(OGR_L_GetSpatialRef(layer), name, info, context);
     RingProjector projector(transform.get(), info.transform, name);
+    Surroundings around;
+    if (transform)
+        around = surroundings(OGR_L_GetSpatialRef(layer), horizontal_crs(info.crs_wkt).get(), info);
     std::vector<PixelPolygon> polygons;
+    bool any = false;
     const GdalMessages messages;
     OGR_L_ResetReading(layer);
     while (const FeatureOwner feature{OGR_L_GetNextFeature(layer)}) {
@@ -77,13 +106,16 @@ std::vector<PixelPolygon> read_cutline(const std::string& path, const DemInfo& i
             continue;
         const GeometryOwner straight(OGR_G_GetLinearGeometry(geometry, 0, nullptr));  // arcs become lines
         if (straight)
-            for (OGRGeometryH const polygon : polygons_within(straight.get()))
-                add_polygon(polygon, projector, polygons);
+            for (OGRGeometryH const polygon : polygons_within(straight.get())) {
+                const std::vector<WorldRing> rings = rings_of(polygon);
+                any = any || !rings.empty();
+                add_polygon(rings, projector, around, polygons);
+            }
     }
     if (messages.failed())
         throw InputError("The " + name + " cannot be read: " + messages.reason() + ".");
     messages.pass_warnings(context);
-    if (polygons.empty())
+    if (!any)
         throw InputError("The first layer of the " + name + " (" + OGR_L_GetName(layer) +
                          ") has no polygons; give a dataset with polygons.");
     return polygons;

@@ -14,7 +14,8 @@ using PixelPolygon = std::vector<WorldRing>;
 
 /// The polygons of the first layer of a vector dataset in pixel coordinates of a DEM: x is columns, y is rows
 /// (downwards), (0, 0) the outer corner of the first cell. Edges that bend on the way from the layer's CRS to
-/// the DEM's are followed to a small part of a cell.
+/// the DEM's are followed to a small part of a cell. What lies far from the window of the DEM may be left
+/// out.
 /// @param path any vector dataset that GDAL opens @param info georeferencing of the DEM
 /// @param role what messages call it
 /// @throws InputError: cannot be opened or read, no polygons, a CRS where the DEM has none, not transformable

@@ -53,6 +53,8 @@ DemInfo describe(const OpenRaster& raster, const ReadOptions& options, Context& 
     read_transform(raster.dataset.get(), info, context);
     read_crs(raster.dataset.get(), options.crs, info, context);
     info.window = choose_window(options, info);
+    if (const std::string doubt = doubt_of_extent(options, info); !doubt.empty())
+        context.warn(doubt);
     int block_cols = 0;
     GDALGetBlockSize(raster.band, &block_cols, &info.block_rows);
     info.block_rows = std::clamp(info.block_rows, 1, std::max(info.rows, 1));

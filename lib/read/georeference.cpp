@@ -6,6 +6,8 @@
 
 #include <ogr_spatialref.h>
 
+#include "core/crs.hpp"
+#include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
@@ -33,6 +35,9 @@ std::string wkt_of(OGRSpatialReferenceH crs) {
 }
 
 std::string wkt_from_user(const std::string& text) {
+    if (const std::string code = code_meant_by(text); !code.empty())
+        throw OptionError("-a_srs " + text + " is not a coordinate reference system; write -a_srs " + code +
+                          " if that is meant.");
     const GdalMessages messages;
     OGRSpatialReference crs;
     // As a library we may be handed this text from far away: it must not make us open files or connections.
@@ -58,6 +63,17 @@ void read_transform(GDALDatasetH dataset, DemInfo& info, Context& context) {
         info.transform = transform;
         return;
     }
+    // GDAL can place these cell by cell; outlines need a grid.
+    const auto has = [&](const char* domain) {
+        const CSLConstList items = GDALGetMetadata(dataset, domain);
+        return items != nullptr && items[0] != nullptr;
+    };
+    if (has("RPC"))
+        throw InputError("'" + info.name + "' is placed by rational polynomials (RPCs) only; " +
+                         "turn it into a regular grid with gdalwarp -rpc first.");
+    if (has("GEOLOCATION"))
+        throw InputError("'" + info.name + "' is placed by geolocation arrays only; " +
+                         "turn it into a regular grid with gdalwarp -geoloc first.");
     if (GDALGetGCPCount(dataset) > 0)
         throw InputError("'" + info.name + "' is placed by ground control points only; " +
                          "turn it into a regular grid with gdalwarp first.");
@@ -67,6 +83,14 @@ void read_transform(GDALDatasetH dataset, DemInfo& info, Context& context) {
 
 void read_crs(GDALDatasetH dataset, const std::string& user_crs, DemInfo& info, Context& context) {
     info.crs_wkt = user_crs.empty() ? wkt_of(GDALGetSpatialRef(dataset)) : wkt_from_user(user_crs);
+    const Crs crs(info.crs_wkt);
+    require_plane(crs, user_crs.empty() ? "" : "-a_srs " + one_line(user_crs), info.name);
+    if (!info.georeferenced && user_crs.empty() && crs.kind() == Crs::Kind::geographic) {
+        info.crs_wkt.clear();
+        context.warn("'" + info.name + "' has a coordinate reference system in degrees, which columns and " +
+                     "rows are not; it is left out.");
+        return;
+    }
     if (info.crs_wkt.empty())
         context.warn("'" + info.name +
                      "' has no coordinate reference system; lengths are taken as plain units; " +

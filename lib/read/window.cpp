@@ -67,6 +67,18 @@ Window from_cells(const std::array<double, 4>& cells, const DemInfo& info) {
             static_cast<std::int32_t>(cols)};
 }
 
+bool within(const Axis& axis, double low, double high) {
+    return axis.low() <= low && low < high && high <= axis.high();
+}
+
+/// Where x and y have changed places, the right order. @param box xmin, ymin, xmax, ymax
+std::string order_hint(const std::array<double, 4>& box, const Axis& x, const Axis& y) {
+    const auto& [a, b, c, d] = box;
+    if (!within(x, b, d) || !within(y, a, c))
+        return "";
+    return "; x comes before y, so write -te " + numbers_text(std::array{b, a, d, c}, " ");
+}
+
 /// @param extent xmin, ymin, xmax, ymax
 Window from_extent(const std::array<double, 4>& extent, const std::string& option, const DemInfo& info) {
     const AffineTransform& g = info.transform;
@@ -81,7 +93,8 @@ Window from_extent(const std::array<double, 4>& extent, const std::string& optio
     if (cols.count == 0 || rows.count == 0)
         throw OptionError(option + " holds no cell centre of the raster, which extends from " +
                           number_text(x.low()) + " to " + number_text(x.high()) + " in x and from " +
-                          number_text(y.low()) + " to " + number_text(y.high()) + " in y.");
+                          number_text(y.low()) + " to " + number_text(y.high()) + " in y" +
+                          (option.starts_with("-te") ? order_hint(extent, x, y) : "") + ".");
     return {rows.first, cols.first, rows.count, cols.count};
 }
 
@@ -117,6 +130,21 @@ Window choose_window(const ReadOptions& options, const DemInfo& info) {
     if (options.extent)
         return from_box(*options.extent, info);
     return {0, 0, info.rows, info.cols};
+}
+
+std::string doubt_of_extent(const ReadOptions& options, const DemInfo& info) {
+    const AffineTransform& g = info.transform;
+    if (!options.extent || g[2] != 0 || g[4] != 0)
+        return "";
+    const Axis x{g[0], g[1], info.cols};
+    const Axis y{g[3], g[5], info.rows};
+    const auto& [a, b, c, d] = *options.extent;
+    if ((within(x, a, c) && within(y, b, d)) || !within(x, a, b) || !within(y, c, d))
+        return "";
+    return "-te " + numbers_text(*options.extent, " ") +
+           " (xmin ymin xmax ymax) reaches beyond the raster; if it is xmin xmax ymin ymax, as QGIS has it, "
+           "write -te " +
+           numbers_text(std::array{a, c, b, d}, " ") + ".";
 }
 
 void require_rows(const DemInfo& info, std::int32_t first_row, std::int32_t rows, std::size_t size) {

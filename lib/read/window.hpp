@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 #include "core/dem_info.hpp"
 #include "core/options.hpp"
@@ -14,6 +15,9 @@ namespace d2b {
 /// @param info rows, cols and transform of the whole raster
 /// @throws OptionError more than one window, or one that does not fit the raster
 [[nodiscard]] Window choose_window(const ReadOptions& options, const DemInfo& info);
+
+/// A sentence where an extent is probably one of QGIS, in which both x come before both y; "" elsewhere.
+[[nodiscard]] std::string doubt_of_extent(const ReadOptions& options, const DemInfo& info);
 
 /// @param size of the buffer for the rows @throws InputError where they are not rows of the window, or the
 /// buffer has another size

@@ -44,6 +44,21 @@ TEST_F(OptionErrors, refusesUnknownOptionsWithAdvice) {
     refused({"-config", "A", "B"}, "There is no option -config; did you mean --config?");
 }
 
+TEST_F(OptionErrors, suggestsTheCodeThatANumberMeans) {
+    refused({"-a_srs", "4326"},
+            "-a_srs 4326 is not a coordinate reference system; write -a_srs EPSG:4326 if that is meant.");
+    refused({"-t_srs", "4326"},
+            "'4326' is not a coordinate reference system; write EPSG:4326 if that is meant.");
+}
+
+TEST_F(OptionErrors, saysInWhichOrderCornersCome) {
+    refused({"-te", "0", "5", "4", "1"},
+            "-te takes xmin ymin xmax ymax, and 0 5 4 1 is the upper left and the lower right corner, as "
+            "-projwin takes them; write -te 0 1 4 5.");
+    refused({"-te", "5819990", "391002", "5819999", "391010"},
+            "; x comes before y, so write -te 391002 5819990 391010 5819999.");
+}
+
 TEST_F(OptionErrors, refusesValuesOutOfRange) {
     refused({"-b", "0"}, "-b must be a whole number from 1 to 65536, not '0'.");
     refused({"-b", "x"}, "not 'x'.");

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 
 #include <ogr_api.h>
 
@@ -65,6 +66,48 @@ TEST_F(ReadCutline, theCellsWhoseCentresLieInside) {
     write_cutline({polygon(box("500014", "5538656", "500036", "5538674"))});
     // Centres x 5, 15, 25, 35, ...; y 85, 75, 65, 55: of the cells that the box touches only these.
     expect_values(valid(), {21, 22, 23});
+    EXPECT_TRUE(context_.report.warnings.empty());
+}
+
+/// GDAL counts cells in 32 bits, and UTM has no image of what is a quarter of the Earth away.
+TEST_F(ReadCutline, whatReachesFarBeyondTheDemHoldsIt) {
+    for (const char* far : {"1e9", "1e10", "1e15", "1e200"}) {
+        const std::string minus = std::string("-") + far;
+        write_cutline({polygon(box(minus, minus, far, far))});
+        EXPECT_EQ(valid().size(), 36U) << far;
+        // All but the first column.
+        write_cutline({polygon(box("500010", minus, far, far))});
+        EXPECT_EQ(valid().size(), 30U) << far;
+    }
+    for (const auto& [west, south, east, north] :
+         {std::array{"-90", "-80", "90", "80"}, {"-179", "-80", "179", "80"}, {"-180", "-90", "180", "90"}}) {
+        write_cutline({polygon(box(west, south, east, north))}, "OGC:1.3:CRS84");
+        EXPECT_EQ(valid().size(), 36U) << west;
+        write_cutline({polygon(box(west, south, east, north) + "," + box("-10", "-10", "20", "70"))},
+                      "OGC:1.3:CRS84");
+        EXPECT_EQ(valid().size(), 0U) << west;
+    }
+    // The meridian of 9 degrees is x = 500000 in UTM zone 32: the western half of a DEM that is moved by 30.
+    spec_.transform = {{499970, 10, 0, 5538690, 0, -10}};
+    write(path("dem.tif"), spec_);
+    write_cutline({polygon(box("-180", "-90", "9", "90"))}, "OGC:1.3:CRS84");
+    EXPECT_EQ(valid().size(), 18U);
+    EXPECT_TRUE(context_.report.warnings.empty());
+}
+
+/// The window lies on both sides of 180 degrees, and the polygons on one or on both.
+TEST_F(ReadCutline, whatReachesFarAcrossTheAntimeridian) {
+    spec_.transform = {{819740, 10, 0, 8140198, 0, -10}};  // 180 degrees are at x = 819789 or so
+    spec_.crs = "EPSG:32760";
+    write(path("dem.tif"), spec_);
+    write_cutline({polygon(box("-180", "-90", "180", "90"))}, "OGC:1.3:CRS84");
+    EXPECT_EQ(valid().size(), 36U);
+    write_cutline({polygon(box("0", "-90", "180", "90"))}, "OGC:1.3:CRS84");
+    const std::size_t west = valid().size();
+    EXPECT_GT(west, 20U);
+    EXPECT_LT(west, 36U);
+    write_cutline({polygon(box("-180", "-90", "0", "90"))}, "OGC:1.3:CRS84");
+    EXPECT_EQ(valid().size(), 36 - west);
     EXPECT_TRUE(context_.report.warnings.empty());
 }
 

@@ -127,10 +127,70 @@ TEST_F(ReadGeoreference, groundControlPointsAloneAreRefused) {
                   "gdalwarp first.");
 }
 
-TEST_F(ReadGeoreference, rationalPolynomialsCountAsNoTransform) {
-    options_.source = vrt("<Metadata domain=\"RPC\"><MDI key=\"LINE_OFF\">1</MDI></Metadata>");
-    EXPECT_FALSE(open()->info().georeferenced);
-    expect_has(context_.report.warnings.at(0), "has no georeferencing");
+TEST_F(ReadGeoreference, rationalPolynomialsAloneAreRefused) {
+    const std::string rpc = R"(<Metadata domain="RPC"><MDI key="LINE_OFF">1</MDI></Metadata>)";
+    options_.source = vrt(rpc);
+    EXPECT_EQ(
+        message<InputError>(),
+        "'" + options_.source +
+            "' is placed by rational polynomials (RPCs) only; turn it into a regular grid with gdalwarp "
+            "-rpc first.");
+    options_.source = vrt(placed + rpc);
+    EXPECT_TRUE(open()->info().georeferenced);
+}
+
+TEST_F(ReadGeoreference, geolocationArraysAloneAreRefused) {
+    const std::string arrays =
+        R"(<Metadata domain="GEOLOCATION"><MDI key="X_DATASET">x.tif</MDI></Metadata>)";
+    options_.source = vrt(arrays);
+    EXPECT_EQ(message<InputError>(),
+              "'" + options_.source +
+                  "' is placed by geolocation arrays only; turn it into a regular grid with gdalwarp -geoloc "
+                  "first.");
+    options_.source = vrt(placed + arrays);
+    EXPECT_TRUE(open()->info().georeferenced);
+}
+
+TEST_F(ReadGeoreference, aCrsWithoutAPlaneIsRefused) {
+    write(path("dem.tif"), {.values = {1}});
+    for (const auto& [code, name] : {std::pair("EPSG:5773", "EGM96 height"), {"EPSG:4978", "WGS 84"}}) {
+        options_.crs = code;
+        EXPECT_EQ(
+            message<OptionError>("dem.tif"),
+            "-a_srs " + options_.crs + " is '" + name +
+                "', which has no plane coordinates; give a projected or geographic coordinate reference "
+                "system.");
+        options_.crs.clear();
+        const std::string own =
+            vrt(std::string(placed) + "<SRS dataAxisToSRSAxisMapping=\"1\">" + code + "</SRS>");
+        options_.source = own;
+        EXPECT_EQ(
+            message<InputError>(),
+            "The coordinate reference system of '" + own + "' is '" + name +
+                "', which has no plane coordinates; correct it with gdal_edit.py -a_srs, or for the DEM "
+                "with -a_srs.");
+        options_.crs = "EPSG:25832";
+        EXPECT_TRUE(open()->info().georeferenced);
+        options_.source.clear();
+    }
+}
+
+TEST_F(ReadGeoreference, aBareNumberIsNoCrs) {
+    write(path("dem.tif"), {.values = {1}});
+    options_.crs = "4326";
+    EXPECT_EQ(message<OptionError>("dem.tif"),
+              "-a_srs 4326 is not a coordinate reference system; write -a_srs EPSG:4326 if that is meant.");
+}
+
+/// Else a picture of 200 rows reaches beyond the south pole.
+TEST_F(ReadGeoreference, pixelsAreNoDegrees) {
+    write(path("picture.tif"), {.values = {1}, .transform = {}, .crs = "EPSG:4326"});
+    EXPECT_EQ(open("picture.tif")->info().crs_wkt, "");
+    ASSERT_EQ(context_.report.warnings.size(), 2U);
+    EXPECT_EQ(context_.report.warnings[1],
+              quoted("picture.tif") +
+                  " has a coordinate reference system in degrees, which columns and rows are not; it is left "
+                  "out.");
 }
 
 }  // namespace
