@@ -90,8 +90,8 @@ struct Provenance {
 };
 
 /// Where features go: a file (write/), or a list in tests and in other programs.
-/// begin, then add in the order in which features are to stand in their layers, then finish. A sink that is
-/// destroyed without finish() leaves the destination as it was.
+/// May be asked whether it takes a CRS; then begin, then add in the order in which features are to stand in
+/// their layers, then finish. A sink that is destroyed without finish() leaves the destination as it was.
 class FeatureSink {
   public:
     FeatureSink() = default;
@@ -99,6 +99,11 @@ class FeatureSink {
     FeatureSink& operator=(const FeatureSink&) = delete;
     virtual ~FeatureSink() = default;
 
+    /// Asked before the work begins. @param wkt of the coordinates that will be written; "" for none @param
+    /// name what messages call it @param place a position among them
+    /// @throws OutputError where the destination cannot hold such coordinates
+    virtual void require_crs(const std::string& /*wkt*/, const std::string& /*name*/,
+                             const Position& /*place*/) {}
     /// @throws OutputError
     virtual void begin(std::span<const LayerSpec> layers, const Provenance& provenance) = 0;
     /// @param layer index into the layers that begin() got @throws OutputError

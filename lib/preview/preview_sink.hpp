@@ -33,6 +33,9 @@ class PreviewSink final : public FeatureSink {
     PreviewSink(FeatureSink& features, DemSource& dem, Crs crs, PreviewLook look, const Context& context,
                 Taken taken);
 
+    void require_crs(const std::string& wkt, const std::string& name, const Position& place) override {
+        features_.require_crs(wkt, name, place);
+    }
     void begin(std::span<const LayerSpec> layers, const Provenance& provenance) override;
     void add(std::size_t layer, const Feature& feature) override;
     void finish() override;

@@ -74,7 +74,9 @@ ExistingDataset inspect_existing(const Destination& destination, const VectorFor
     // at all.
     if (format.transactions)
         open_dataset(format, destination.path, GDAL_OF_UPDATE);
-    const DatasetHandle dataset = open_dataset(format, destination.path, GDAL_OF_READONLY);
+    DatasetHandle dataset = open_dataset(format, destination.path, GDAL_OF_READONLY);
+    if (!dataset)  // one that holds rasters only opens as such alone
+        dataset = open_dataset(format, destination.path, GDAL_OF_RASTER | GDAL_OF_READONLY);
     if (!dataset)
         refuse_unopened(destination, format, messages);
     for (int i = 0; i < GDALDatasetGetLayerCount(dataset.get()); ++i)

@@ -3,11 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include <cpl_vsi.h>
+
+#include "core/crs.hpp"
 #include "core/error.hpp"
+#include "read/gdal_messages.hpp"
 #include "write/config_option.hpp"
 #include "write/geotiff_file.hpp"
 #include "write/staged_raster.hpp"
@@ -84,11 +89,35 @@ void GeoTiffSink::finish() {
     staged_.publish("renaming the finished result");
 }
 
+/// By a trial of one cell: what GDAL has no keys of GeoTIFF for goes into a file beside, which would outlive
+/// a run that fails, or nowhere.
+void require_crs_kept(const std::string& name, DemInfo grid, const RasterMeta& meta) {
+    if (grid.crs_wkt.empty())
+        return;
+    grid.window.rows = grid.window.cols = 1;
+    const GdalMessages quiet;
+    const ConfigOption no_sidecar("GDAL_PAM_ENABLED", "NO");
+    const std::string file =
+        "/vsimem/d2b_crs_" + std::to_string(reinterpret_cast<std::uintptr_t>(&grid)) + ".tif";
+    const WriteTarget target{.name = name, .hidden_folder = "", .context = nullptr};
+    GeoTiffFile(target, file, grid, meta).close();
+    DatasetHandle dataset(GDALOpen(file.c_str(), GA_ReadOnly));
+    const bool kept = dataset && GDALGetSpatialRef(dataset.get()) != nullptr;
+    dataset.reset();
+    VSIUnlink(file.c_str());
+    if (!kept)
+        throw OutputError(
+            "Cannot write \"" + name + "\": GeoTIFF cannot hold the coordinate reference system '" +
+            Crs(grid.crs_wkt).name() + "' of the DEM; bring it to another one with gdalwarp first.");
+}
+
 }  // namespace
 
 std::unique_ptr<RasterSink> open_geotiff_sink(const RasterTarget& target, const DemInfo& grid,
                                               const RasterMeta& meta, Context& context) {
-    return std::make_unique<GeoTiffSink>(locate_raster(target), grid, meta, context);
+    RasterPlace place = locate_raster(target);
+    require_crs_kept(target.destination, grid, meta);
+    return std::make_unique<GeoTiffSink>(std::move(place), grid, meta, context);
 }
 
 }  // namespace d2b

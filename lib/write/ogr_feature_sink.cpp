@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "write/config_option.hpp"
+#include "write/crs_misfit.hpp"
 #include "write/dataset_writer.hpp"
 #include "write/existing_dataset.hpp"
 #include "write/layer_choice.hpp"
@@ -29,6 +30,7 @@ class OgrFeatureSink final : public FeatureSink {
           existing_(std::move(existing)),
           context_(context) {}
 
+    void require_crs(const std::string& wkt, const std::string& name, const Position& place) override;
     void begin(std::span<const LayerSpec> layers, const Provenance& provenance) override;
     void add(std::size_t layer, const Feature& feature) override {
         writer_->add(layer, feature);
@@ -68,6 +70,15 @@ DatasetWriter::Mode OgrFeatureSink::mode() const {
     return format_.transactions || is_connection(format_.driver, destination_.path)
                ? DatasetWriter::Mode::replace
                : DatasetWriter::Mode::create;
+}
+
+void OgrFeatureSink::require_crs(const std::string& wkt, const std::string& name, const Position& place) {
+    const std::string misfit =
+        format_.keeps_crs ? crs_misfit(format_.driver, destination_.name, wkt, place) : "";
+    if (!misfit.empty())
+        throw OutputError("Cannot write \"" + destination_.name + "\": " + format_.name +
+                          " cannot hold the coordinate reference system '" + name + "' (" + misfit +
+                          "); choose another one with -t_srs, or another format.");
 }
 
 void OgrFeatureSink::begin(std::span<const LayerSpec> layers, const Provenance& provenance) {

@@ -1,3 +1,5 @@
+#include <array>
+#include <filesystem>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -5,6 +7,7 @@
 #include <cpl_conv.h>
 
 #include "write/ogr_feature_sink.hpp"
+#include "write/ogr_handles.hpp"
 #include "write/write_fixture.hpp"
 
 namespace d2b::test {
@@ -116,6 +119,32 @@ TEST_F(GeoPackageTest, OverwriteAddsToAFileOfOthers) {
     write(over("a.gpkg"), 2);
     EXPECT_EQ(count(path("a.gpkg"), "buildings"), 2);
     EXPECT_EQ(count(path("a.gpkg"), "points"), 3);
+}
+
+/// One that holds rasters alone does not open as a dataset of vectors, but for writing.
+TEST_F(GeoPackageTest, LayersAreAddedToRasters) {
+    const DatasetHandle memory(GDALCreate(GDALGetDriverByName("MEM"), "", 50, 40, 1, GDT_Byte, nullptr));
+    std::array<double, 6> transform{400000, 1, 0, 5000000, 0, -1};
+    GDALSetGeoTransform(memory.get(), transform.data());
+    const auto make = [&] {
+        const DatasetHandle raster(GDALCreateCopy(GDALGetDriverByName("GPKG"), path("r.gpkg").c_str(),
+                                                  memory.get(), FALSE, nullptr, nullptr, nullptr));
+        ASSERT_TRUE(raster);
+    };
+    for (const bool append : {true, false}) {
+        make();
+        WriteOptions options = to("r.gpkg");
+        (append ? options.append : options.overwrite) = true;
+        write(options, 2);
+        EXPECT_EQ(count(path("r.gpkg"), "buildings"), 2);
+        const std::string tiles = sql(path("r.gpkg"), "SELECT group_concat(hex(tile_data)) FROM r");
+        EXPECT_TRUE(tiles.starts_with("89504E47")) << tiles;  // a PNG
+        EXPECT_EQ(sql(path("r.gpkg"), "PRAGMA integrity_check"), "ok");
+        write(over("r.gpkg"), 3);
+        EXPECT_EQ(count(path("r.gpkg"), "buildings"), 3);
+        EXPECT_EQ(sql(path("r.gpkg"), "SELECT group_concat(hex(tile_data)) FROM r"), tiles);
+        std::filesystem::remove(path("r.gpkg"));
+    }
 }
 
 TEST_F(GeoPackageTest, TitlesStayDifferent) {
