@@ -35,8 +35,9 @@ enum class Reason {
     elevation_above_neighbours,  ///< no elevation: far above all around it
     elevation_not_roof,          ///< above all around it: not the height of a building
     terrain_outside_range,       ///< no elevation of the terrain model
+    outline_torn,                ///< the CRS of the output tears it apart: it is not written
 };
-inline constexpr std::array<std::string_view, 18> reason_names{"threshold_not_above_minimum",
+inline constexpr std::array<std::string_view, 19> reason_names{"threshold_not_above_minimum",
                                                                "threshold_not_below_maximum",
                                                                "threshold_repeated",
                                                                "contour_short",
@@ -53,7 +54,8 @@ inline constexpr std::array<std::string_view, 18> reason_names{"threshold_not_ab
                                                                "elevation_outside_range",
                                                                "elevation_above_neighbours",
                                                                "elevation_not_roof",
-                                                               "terrain_outside_range"};
+                                                               "terrain_outside_range",
+                                                               "outline_torn"};
 
 struct LevelReport {
     int level = 0;

@@ -15,6 +15,8 @@
 #include "pipeline/preset.hpp"
 #include "pipeline/rejected_layer.hpp"
 #include "pipeline/stage_clock.hpp"
+#include "pipeline/target_frame.hpp"
+#include "pipeline/torn_features.hpp"
 #include "pipeline/troubles.hpp"
 
 namespace d2b {
@@ -71,6 +73,7 @@ class Emitter {
     std::optional<RejectedLayer> rejected_;
     Troubles troubles_;
     OddHeights odd_heights_;
+    TornFeatures torn_;
 };
 
 Outliner timed_outliner(const Emission& emission, Context& context) {
@@ -197,6 +200,7 @@ void Emitter::measure(const Placed& placed) {
 void Emitter::add_building(std::size_t contour, Drawn& drawn) {
     Placed& placed = *drawn.building;
     troubles_.note("Building", drawn.building_record.id, placed);
+    torn_.note("building", drawn.building_record.id, placed);
     if (rejected_)
         rejected_->note(contour, LayerRole::buildings, drawn.building_record.id, placed);
     if (placed.parts.empty())
@@ -217,6 +221,7 @@ void Emitter::add_building(std::size_t contour, Drawn& drawn) {
 
 bool Emitter::add_contour(std::size_t contour, Drawn& drawn) {
     troubles_.note("Contour", drawn.record.id, *drawn.contour);
+    torn_.note("contour", drawn.record.id, *drawn.contour);
     // A contour that its children cover whole has no band of its own.
     if (rejected_)
         rejected_->note(contour, LayerRole::contours, drawn.record.id, *drawn.contour);
@@ -244,6 +249,7 @@ void Emitter::finish() {
     odd_heights_.finish();
     if (const std::string traced = traced_doubt(context_.report, emission_.cell_size_m); !traced.empty())
         context_.warn(as_sentence(traced));
+    torn_.finish(spoken_name(emission_.target_crs, emission_.options.outline.target_crs), context_);
     if (rejected_)
         rejected_->write(placers_, sink_, context_);
     for (Placer& placer : placers_)

@@ -96,7 +96,10 @@ std::vector<OptionRow> output() {
                     "or the buildings alone where the format holds one layer a file."}));
     rows.push_back(text_row(
         "t_srs", "<crs>", [](auto& r) -> auto& { return r.options.outline.target_crs; },
-        {.help = "CRS of the output; by default the input's.", .details = "Written as for -a_srs."}));
+        {.help = "CRS of the output; by default the input's.",
+         .details =
+             "Written as for -a_srs. Features that it tears apart (across 180 degrees, over a pole) are left "
+             "out with a warning; where it tears the whole area, the run is refused."}));
     rows.push_back(switch_row("3d", [](auto& r) -> auto& { return r.options.write.with_z; },
                               {.help = "Write the threshold as the Z of every vertex."}));
     for (OptionRow& row : dataset())

@@ -23,6 +23,7 @@
 #include "pipeline/square_area.hpp"
 #include "pipeline/stage_clock.hpp"
 #include "pipeline/strange_values.hpp"
+#include "pipeline/target_frame.hpp"
 #include "pipeline/trace_contours.hpp"
 
 namespace d2b {
@@ -62,7 +63,10 @@ void start_threads(const RunOptions& options, Context& context) {
 }
 
 Crs dem_crs(const Options& options, const DemInfo& info) {
-    return Crs(options.read.crs.empty() ? info.crs_wkt : options.read.crs);
+    const bool given = !options.read.crs.empty();
+    const Crs crs(given ? options.read.crs : info.crs_wkt);
+    require_plane(crs, given ? "-a_srs " + options.read.crs : "", info.name);
+    return crs;
 }
 
 Crs target_crs(const Options& options, const Crs& crs) {
@@ -71,6 +75,15 @@ Crs target_crs(const Options& options, const Crs& crs) {
     if (crs.kind() == Crs::Kind::none)
         throw OptionError("-t_srs needs to know the CRS of the DEM, which has none; give it with -a_srs.");
     return Crs(options.outline.target_crs);
+}
+
+/// Asks the destination before the work whether it can hold the CRS. @param place in it
+void require_crs(const Options& options, const Crs& crs, const Crs& target, const Position& place,
+                 FeatureSink& sink) {
+    const bool moved = target.kind() != Crs::Kind::none;
+    const Crs& written = moved ? target : crs;
+    const std::string& given = moved ? options.outline.target_crs : options.read.crs;
+    sink.require_crs(written.wkt(), spoken_name(written, given), place);
 }
 
 void describe(const DemInfo& info, const Crs& crs, const Crs& target, RunReport& report) {
@@ -127,11 +140,6 @@ LevelPlan plan_levels(ElevationReader& reader, const FoundBuildings& found,
     return plan_building_levels(buildings, found.ground, global, options, metres);
 }
 
-LatticeBox lattice_frame(const Window& window, TraceMode mode) {
-    const std::int32_t less = mode == TraceMode::points ? 1 : 0;
-    return {{window.row, window.col}, {window.row + window.rows - less, window.col + window.cols - less}};
-}
-
 void report_levels(const LevelPlan& plan, RunReport& report) {
     for (int level = 0; level < plan.level_count(); ++level)
         report.levels.push_back(
@@ -186,7 +194,10 @@ void run(const Options& user_options, const Sources& sources, const Sinks& sinks
     report.output = options.write.destination;
     report.units = resolve_units(info, crs, options.read.vertical_unit);
     const Georeference georeference(info.transform, options.trace.mode);
-    const SquareArea area = make_square_area(georeference, crs);
+    const Position middle = require_whole_frame(info, options, crs, target);
+    require_crs(options, crs, target, middle, sinks.features);
+    const SquareArea area =
+        make_square_area(georeference, crs, lattice_frame({0, 0, info.rows, info.cols}, options.trace.mode));
     warn_of_coarse_cells(info.window, area, crs, context);
     warn_of_large_tolerance(options.outline.simplify, georeference, context);
 

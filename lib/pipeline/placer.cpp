@@ -9,6 +9,7 @@
 #include "pipeline/checked.hpp"
 #include "pipeline/square_area.hpp"
 #include "pipeline/stage_clock.hpp"
+#include "pipeline/target_frame.hpp"
 
 namespace d2b {
 namespace {
@@ -21,29 +22,14 @@ std::vector<Position> corners_of(const Window& window, const Georeference& geore
     return corners;
 }
 
-/// The longest edge that is brought to another CRS in one piece, in cells: straight lines bend there, by L^2
-/// / 8R or so, which is far below a cell for these.
-constexpr double longest_edge_cells = 64;
-
-/// Cuts long edges into equal parts. An edge that two outlines share is cut alike in both, whichever way they
-/// run.
-WorldRing with_short_edges(const WorldRing& ring, double longest) {
-    WorldRing result;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Position from = ring[i];
-        const Position to = ring[(i + 1) % ring.size()];
-        result.push_back(from);
-        const int pieces =
-            static_cast<int>(std::min(1e6, std::ceil(std::hypot(to.x - from.x, to.y - from.y) / longest)));
-        const bool forwards = std::pair(from.x, from.y) < std::pair(to.x, to.y);
-        const Position a = forwards ? from : to;
-        const Position b = forwards ? to : from;
-        for (int k = 1; k < pieces; ++k) {
-            const double share = static_cast<double>(forwards ? k : pieces - k) / pieces;
-            result.push_back({a.x + (b.x - a.x) * share, a.y + (b.y - a.y) * share});
-        }
-    }
-    return result;
+/// The longest edge that is brought to another CRS in one piece: straight lines bend there, by L^2 / 8R or
+/// so, which is far below a cell for these. No edge gets more pieces than it passes cells.
+double longest_edge(const Georeference& georeference) {
+    constexpr double cells = 64;
+    const Position row = georeference.step(1, 0);
+    const Position col = georeference.step(0, 1);
+    return std::max(
+        {cells * std::sqrt(georeference.cell_area()), std::hypot(row.x, row.y), std::hypot(col.x, col.y)});
 }
 
 Geodesy::Measure measure(Geodesy& geodesy, const std::vector<WorldPolygon>& parts) {
@@ -91,9 +77,9 @@ Placer::Placer(const Placement& placement)
     : placement_(placement), geos_(placement.stop), geodesy_(placement.crs, placement.stop) {
     if (placement.target_crs.kind() == Crs::Kind::none)
         return;
-    transform_.emplace(placement.crs, placement.target_crs,
-                       corners_of(placement.window, placement.georeference));
-    target_geodesy_.emplace(placement.target_crs, placement.stop);
+    carrier_.emplace(placement.crs, placement.target_crs,
+                     corners_of(placement.window, placement.georeference),
+                     longest_edge(placement.georeference), placement.stop);
 }
 
 Placer::Parts Placer::shape(std::size_t contour, bool tier, const Draw& draw) {
@@ -123,18 +109,15 @@ Placer::Parts Placer::traced_shape(std::size_t contour, bool tier) {
     }
 }
 
+/// Nothing where they are torn.
 Placer::Parts Placer::in_target_crs(Parts parts) {
-    if (!transform_)
+    if (!carrier_)
         return parts;
-    const double longest = longest_edge_cells * std::sqrt(placement_.georeference.cell_area());
-    constexpr std::size_t at_once = 10000;  // positions, some 10 ms
+    const double ground_m = measure(geodesy_, parts).perimeter_m;
+    double length = 0;
     const auto carry = [&](WorldRing& ring) {
-        ring = with_short_edges(ring, longest);
-        for (std::span<Position> rest = ring; !rest.empty();
-             rest = rest.subspan(std::min(rest.size(), at_once))) {
-            placement_.stop.check();
-            transform_->apply(rest.first(std::min(rest.size(), at_once)));
-        }
+        torn_ = torn_ || carrier_->carry(ring) != RingFate::whole;
+        length += length_of(ring);
     };
     for (WorldPolygon& part : parts) {
         part.arcs.clear();  // a circle of one CRS is none in another
@@ -142,19 +125,21 @@ Placer::Parts Placer::in_target_crs(Parts parts) {
         for (WorldRing& ring : part.interiors)
             carry(ring);
     }
-    return parts;
+    torn_ = torn_ || is_overstretched(length, placement_.target_crs, ground_m);
+    return torn_ ? Parts() : parts;
 }
 
 /// An outline that stands as it was traced, on exact positions, is valid (docs/method.md). GEOS would need a
 /// fifth of a run to find that, and for vast ones the product of their vertices and their holes.
 bool Placer::is_valid_as_traced(const Placed& placed, Form form) const {
-    return placed.status == OutlineStatus::traced && form != Form::tier && !transform_ &&
+    return placed.status == OutlineStatus::traced && form != Form::tier && !carrier_ &&
            placement_.georeference.is_exact(placement_.window);
 }
 
 Placed Placer::as_traced(const LatticePolygon& polygon) {
     Placed placed;
     const StageClock clock(tally_, Stage::outline);
+    torn_ = false;
     const Parts parts{placement_.georeference.polygon(polygon)};
     placed.measure = measure(geodesy_, parts);
     const auto drawn = [&] { return in_target_crs(parts); };
@@ -168,6 +153,7 @@ Placed Placer::place(std::size_t contour, Form form) {
     const OutlineQuality quality =
         form == Form::footprint ? outliner.footprint_quality(contour) : outliner.quality(contour);
     Placed placed;
+    torn_ = false;
     placed.status = quality.status;
     if (quality.status == OutlineStatus::kept_traced)
         tally_.count(Reason::outline_kept_traced);
@@ -198,13 +184,25 @@ Placed Placer::place(std::size_t contour, Form form) {
                 placed.kept_traced = 1;
         }
     }
-    // Measured in the CRS of the DEM, where edges are straight; a repaired polygon is known in that of the
-    // output.
+    placed.torn = torn_;
+    if (placed.torn)
+        tally_.count(Reason::outline_torn);
     const StageClock clock(tally_, Stage::attributes);
-    const bool repaired = placed.status == OutlineStatus::repaired;
-    placed.measure =
-        measure(repaired && target_geodesy_ ? *target_geodesy_ : geodesy_, repaired ? placed.parts : parts);
+    placed.measure = measured(placed, parts);
     return placed;
+}
+
+/// In the CRS of the DEM, where edges are straight: what GEOS repairs in that of the output says nothing of
+/// the ground.
+Geodesy::Measure Placer::measured(const Placed& placed, const Parts& drawn) {
+    if (placed.status != OutlineStatus::repaired)
+        return measure(geodesy_, drawn);
+    if (!carrier_)
+        return measure(geodesy_, placed.parts);
+    const auto as_drawn = [&] { return drawn; };
+    OutlineStatus status = OutlineStatus::traced;
+    Tally uncounted;  // what was repaired already was
+    return measure(geodesy_, checked(as_drawn, as_drawn, geos_, status, uncounted).parts);
 }
 
 }  // namespace d2b

@@ -12,6 +12,7 @@
 #include "core/report.hpp"
 #include "geometry/geos.hpp"
 #include "outline/outline.hpp"
+#include "pipeline/ring_carrier.hpp"
 
 namespace d2b {
 
@@ -51,6 +52,7 @@ struct Placed {
     double kept_traced = 0;  ///< share of its length that stays as it was traced although more was asked for
     double area_change = 0;  ///< of a regularized outline, share of the traced area
     std::string trouble;     ///< what GEOS said of it, where it is not written as it was drawn
+    bool torn = false;       ///< the CRS of the output tears it apart: it has no parts
 };
 
 /// Draws outlines, places them in the CRS of the output, has them checked and measures them; one object a
@@ -81,13 +83,14 @@ class Placer {
     [[nodiscard]] Parts shape(std::size_t contour, bool tier, const Draw& draw);
     [[nodiscard]] Parts traced_shape(std::size_t contour, bool tier);
     [[nodiscard]] Parts in_target_crs(Parts parts);
+    [[nodiscard]] Geodesy::Measure measured(const Placed& placed, const Parts& drawn);
     [[nodiscard]] bool is_valid_as_traced(const Placed& placed, Form form) const;
 
     Placement placement_;
     Geos geos_;
     Geodesy geodesy_;
-    std::optional<CoordinateTransform> transform_;
-    std::optional<Geodesy> target_geodesy_;
+    std::optional<RingCarrier> carrier_;  ///< empty: nothing is reprojected
+    bool torn_ = false;                   ///< the feature at hand
     Tally tally_;
 };
 

@@ -6,6 +6,8 @@
 #include <memory>
 #include <numbers>
 
+#include "core/error.hpp"
+
 namespace d2b {
 namespace {
 
@@ -17,8 +19,8 @@ constexpr double finest_cell_m = 0.001;
 /// Remembers what it has measured; copies share it.
 class Measured {
   public:
-    Measured(const Georeference& georeference, const Crs& crs)
-        : state_(std::make_shared<State>(State{georeference, Geodesy(crs), {}})) {}
+    Measured(const Georeference& georeference, const Crs& crs, const LatticeBox& raster)
+        : state_(std::make_shared<State>(State{georeference, Geodesy(crs), raster, {}})) {}
 
     double operator()(LatticePoint square) const {
         const LatticePoint block{square.row >> block_shift, square.col >> block_shift};
@@ -32,13 +34,18 @@ class Measured {
     struct State {
         Georeference georeference;
         Geodesy geodesy;
+        LatticeBox raster;
         std::map<LatticePoint, double> blocks;
     };
 
-    [[nodiscard]] double measure(LatticePoint block) const {
-        constexpr std::int32_t half = 1 << (block_shift - 1);
-        const std::int32_t row = block.row * (1 << block_shift) + half;
-        const std::int32_t col = block.col * (1 << block_shift) + half;
+    [[nodiscard]] double measure(LatticePoint block) const;
+    [[nodiscard]] LatticePoint in_raster(std::int32_t row, std::int32_t col) const {
+        const auto& [low, high] = state_->raster;
+        return {std::clamp(row, low.row, std::max(low.row, high.row - 1)),
+                std::clamp(col, low.col, std::max(low.col, high.col - 1))};
+    }
+    [[nodiscard]] double measure_square(LatticePoint square) const {
+        const auto [row, col] = square;
         WorldRing ring;
         for (const LatticePoint corner :
              {LatticePoint{row, col}, {row + 1, col}, {row + 1, col + 1}, {row, col + 1}})
@@ -59,6 +66,27 @@ double sine_between(const Georeference& georeference, double stretch) {
     return std::abs(cosine) < rounding ? 1 : std::abs(stretch * (col.x * row.y - col.y * row.x)) / lengths;
 }
 
+/// In the middle of the block, or as near to it as the raster reaches: beside a pole or the edge of a CRS
+/// there is nothing beyond. A raster may itself reach beyond (a full disk, a grid of the world): then
+/// anywhere in the block.
+double Measured::measure(LatticePoint block) const {
+    constexpr std::int32_t size = 1 << block_shift;
+    const LatticePoint first{block.row * size, block.col * size};
+    try {
+        return measure_square(in_raster(first.row + size / 2, first.col + size / 2));
+    } catch (const InputError&) {
+        constexpr std::int32_t step = size / 8;
+        for (std::int32_t row = 0; row < size; row += step)
+            for (std::int32_t col = 0; col < size; col += step)
+                try {
+                    return measure_square(in_raster(first.row + row, first.col + col));
+                } catch (const InputError&) {
+                    continue;
+                }
+        throw;
+    }
+}
+
 }  // namespace
 
 double x_stretch(const Georeference& georeference, const Crs& crs, const Window& window) {
@@ -70,9 +98,9 @@ double x_stretch(const Georeference& georeference, const Crs& crs, const Window&
     return std::cos(std::clamp(middle.y, -steepest, steepest) * std::numbers::pi / 180);
 }
 
-SquareArea make_square_area(const Georeference& georeference, const Crs& crs) {
+SquareArea make_square_area(const Georeference& georeference, const Crs& crs, const LatticeBox& raster) {
     if (crs.on_ellipsoid())
-        return Measured(georeference, crs);
+        return Measured(georeference, crs, raster);
     const auto unit = crs.horizontal_unit();
     const double metres = unit ? unit->metres : 1.0;
     return [area = georeference.cell_area() * metres * metres](LatticePoint) { return area; };

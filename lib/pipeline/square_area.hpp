@@ -9,8 +9,10 @@
 namespace d2b {
 
 /// Square metres of a cell, as areas are measured for the output: geodesic where the CRS is on an ellipsoid,
-/// taken once for each block of 256 x 256 cells of the absolute grid.
-[[nodiscard]] SquareArea make_square_area(const Georeference& georeference, const Crs& crs);
+/// taken once for each block of 256 x 256 cells of the absolute grid, in its middle or as near to that as the
+/// raster reaches. @param raster all squares of the whole raster, whatever the window
+[[nodiscard]] SquareArea make_square_area(const Georeference& georeference, const Crs& crs,
+                                          const LatticeBox& raster);
 
 /// Metres of a cell's side, from its area, in the middle of a window.
 [[nodiscard]] double cell_size_m(const Window& window, const SquareArea& area);

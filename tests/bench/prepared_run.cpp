@@ -10,6 +10,7 @@
 #include "pipeline/pipeline.hpp"
 #include "pipeline/preset.hpp"
 #include "pipeline/square_area.hpp"
+#include "pipeline/target_frame.hpp"
 #include "read/gdal_dem_source.hpp"
 #include "support/memory_io.hpp"
 
@@ -43,7 +44,9 @@ PreparedRun::PreparedRun(const std::string& dem, const std::string& preset)
       source(open_dem(options.read, context)),
       crs(source->info().crs_wkt),
       georeference(source->info().transform, options.trace.mode),
-      area(make_square_area(georeference, crs)),
+      area(make_square_area(
+          georeference, crs,
+          lattice_frame({0, 0, source->info().rows, source->info().cols}, options.trace.mode))),
       cell(cell_steps(source->info().window, georeference, crs)) {
     context.threads = std::make_unique<Executor>(2);
     read();

@@ -92,6 +92,71 @@ TEST_F(InputErrors, groundControlPointsOnly) {
         "gcps.tif");
 }
 
+TEST_F(InputErrors, rationalPolynomialsOrGeolocationArraysOnly) {
+    RasterSpec spec = blocks();
+    spec.transform.reset();
+    spec.crs = "";
+    const auto with_metadata = [&](const std::string& name, const char* domain, const Arguments& items) {
+        const GDALDatasetH dataset = create(path(name), spec);
+        CPLStringList list;
+        for (const std::string& item : items)
+            list.AddString(item.c_str());
+        ASSERT_EQ(GDALSetMetadata(dataset, list.List(), domain), CE_None);
+        GDALClose(dataset);
+    };
+    std::string zeros = "1";
+    for (int i = 1; i < 20; ++i)
+        zeros += " 0";
+    with_metadata(
+        "rpc.tif", "RPC",
+        {"LINE_OFF=10", "SAMP_OFF=10", "LAT_OFF=52", "LONG_OFF=4", "HEIGHT_OFF=0", "LINE_SCALE=10",
+         "SAMP_SCALE=10", "LAT_SCALE=.001", "LONG_SCALE=.001", "HEIGHT_SCALE=100", "LINE_NUM_COEFF=" + zeros,
+         "LINE_DEN_COEFF=" + zeros, "SAMP_NUM_COEFF=" + zeros, "SAMP_DEN_COEFF=" + zeros});
+    with_metadata("arrays.tif", "GEOLOCATION", {"X_DATASET=x.tif", "Y_DATASET=y.tif", "X_BAND=1"});
+    failed(
+        "'rpc.tif' is placed by rational polynomials (RPCs) only; turn it into a regular grid with gdalwarp "
+        "-rpc first.",
+        "rpc.tif");
+    failed(
+        "'arrays.tif' is placed by geolocation arrays only; turn it into a regular grid with gdalwarp "
+        "-geoloc first.",
+        "arrays.tif");
+    // The same holds for what is given beside the DEM.
+    write(path("dem.tif"), blocks());
+    failed("'rpc.tif' is placed by rational polynomials (RPCs) only", "dem.tif",
+           {"-preset", "buildings", "-mask", "rpc.tif"});
+}
+
+TEST_F(InputErrors, targetsThatTearTheDemApart) {
+    RasterSpec spec = blocks();
+    spec.crs = "EPSG:4326";
+    spec.transform = std::array<double, 6>{179.9999, 1e-5, 0, -17, 0, -1e-5};
+    write(path("fiji.tif"), spec);
+    failed("'fiji.tif' cannot be brought to 'WGS 84 / Pseudo-Mercator', which tears its area apart",
+           "fiji.tif", {"-t_srs", "EPSG:3857"});
+    run_well({"-q", "-t_srs", "EPSG:32760", "fiji.tif", "fiji.gpkg"});
+}
+
+TEST_F(InputErrors, aCrsOfHeights) {
+    RasterSpec spec = blocks();
+    write(path("dem.tif"), spec);
+    expect_error(2, "-a_srs EPSG:5773 is 'EGM96 height', which has no plane coordinates; give a projected or",
+                 {"-a_srs", "EPSG:5773", "dem.tif", "out.gpkg"});
+    expect_error(2, "-a_srs EPSG:4978 is 'WGS 84', which has no plane coordinates",
+                 {"-a_srs", "EPSG:4978", "dem.tif", "out.gpkg"});
+    expect_error(2, "'EGM96 height' has no plane coordinates to transform to",
+                 {"-t_srs", "EPSG:5773", "dem.tif", "out.gpkg"});
+    write_text(path("heights.vrt"), R"(<VRTDataset rasterXSize="30" rasterYSize="20"><SRS>EPSG:5773</SRS>
+        <GeoTransform>391000,1,0,5820000,0,-1</GeoTransform><VRTRasterBand dataType="Float32" band="1">
+        <SimpleSource><SourceFilename relativeToVRT="1">dem.tif</SourceFilename><SourceBand>1</SourceBand>
+        </SimpleSource></VRTRasterBand></VRTDataset>)");
+    failed(
+        "The coordinate reference system of 'heights.vrt' is 'EGM96 height', which has no plane coordinates; "
+        "correct it with gdal_edit.py -a_srs, or for the DEM with -a_srs.",
+        "heights.vrt");
+    run_well({"-q", "-a_srs", "EPSG:25833", "heights.vrt", "out.gpkg"});
+}
+
 TEST_F(InputErrors, singularTransform) {
     RasterSpec spec = blocks();
     spec.transform = std::array<double, 6>{391000, 1, 2, 5820000, 2, 4};

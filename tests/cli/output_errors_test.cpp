@@ -55,6 +55,29 @@ TEST_F(OutputErrors, existingDestinations) {
     failed(2, R"(Writing "out.shp" would replace )", "out.shp", {"-layers", "buildings"});
 }
 
+TEST_F(OutputErrors, aCrsThatTheFormatCannotHold) {
+    const std::string rotated = "+proj=ob_tran +o_proj=longlat +o_lat_p=39.25 +o_lon_p=0 +lon_0=18";
+    for (const std::string& crs : {std::string("+proj=igh_o +datum=WGS84"), rotated,
+                                   std::string("+proj=peirce_q +lon_0=25 +shape=square")})
+        failed(1,
+               "Cannot write \"out.gpkg\": GPKG cannot hold the coordinate reference system '" + crs +
+                   "' (PROJ: proj_as_wkt: ",
+               "out.gpkg", {"-t_srs", crs});
+    failed(1,
+           "Cannot write \"out.shp\": ESRI Shapefile cannot hold the coordinate reference system '" +
+               rotated + "' (it would be lost); choose another one with -t_srs, or another format.",
+           "out.shp", {"-t_srs", rotated, "-layers", "buildings"});
+    failed(1, "(it would be read as 'WGS 84')", "out.geojson",
+           {"-t_srs", "+proj=igh_o +datum=WGS84", "-layers", "buildings"});
+    failed(
+        1, "Cannot write \"ground.tif\": GeoTIFF cannot hold the coordinate reference system '", "out.fgb",
+        {"-preset", "buildings", "-a_srs", rotated, "-layers", "buildings", "-write_ground", "ground.tif"});
+    run_well({"-q", "-t_srs", "+proj=igh_o +datum=WGS84", "-layers", "buildings", "dem.tif", "out.fgb"});
+    run_well({"-q", "-t_srs", rotated, "-layers", "buildings", "dem.tif", "other.fgb"});
+    run_well({"-q", "-t_srs", "EPSG:3857", "-layers", "buildings", "dem.tif", "out.geojson"});
+    run_well({"-q", "-t_srs", "+proj=laea +lat_0=52 +lon_0=13", "dem.tif", "own.gpkg"});
+}
+
 TEST_F(OutputErrors, appendsNothingThatDoesNotFit) {
     run_well({"-q", "dem.tif", "out.gpkg"});
     failed(

@@ -72,6 +72,30 @@ TEST_P(OddPlaces, besideAPole) {
     }
 }
 
+/// Where areas are measured in blocks of cells, the middle of a block may lie beyond the raster, and the
+/// pole.
+TEST_P(OddPlaces, nothingIsMeasuredBeyondThePole) {
+    RasterSpec spec = one_block();
+    spec.crs = "EPSG:4326";
+    for (const Transform& transform : {Transform{10, 5e-4, 0, -89.99978, 0, -4.4e-6},  // south, 24 m off
+                                       {10, 5e-4, 0, 89.99978, 0, 4.4e-6},
+                                       {10, 1, 0, -20, 0, -1.4},  // coarse, down to the pole
+                                       {-180, 6, 0, 90, 0, -3.6}}) {
+        spec.transform = transform;
+        static_cast<void>(buildings(spec));  // status 0
+    }
+    // Rows of a metre from 61 to 11 m before the south pole, columns of half a degree: the block is 20 m long
+    // and 12.5 degrees wide at 36 m on average, or 19 m and 12 degrees between its points.
+    spec.transform = Transform{10, 0.5, 0, -90 + 5.5e-4, 0, -9e-6};
+    const Layer found = buildings(spec, {"-min_area", "100"});
+    EXPECT_LE(found.records.size(), 1U);
+    if (thesis()) {
+        ASSERT_EQ(found.records.size(), 1U);
+    }
+    for (const Record& record : found.records)
+        EXPECT_NEAR(record.number("area_m2"), 150, 30);
+}
+
 TEST_P(OddPlaces, cellsOfAPicometre) {
     RasterSpec spec = one_block();
     spec.transform = Transform{391000, 1e-12, 0, 5820000, 0, -1e-12};
