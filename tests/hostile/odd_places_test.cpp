@@ -87,7 +87,7 @@ TEST_P(OddPlaces, nothingIsMeasuredBeyondThePole) {
     // Rows of a metre from 61 to 11 m before the south pole, columns of half a degree: the block is 20 m long
     // and 12.5 degrees wide at 36 m on average, or 19 m and 12 degrees between its points.
     spec.transform = Transform{10, 0.5, 0, -90 + 5.5e-4, 0, -9e-6};
-    const Layer found = buildings(spec, {"-min_area", "100"});
+    const Layer found = buildings(spec);
     EXPECT_LE(found.records.size(), 1U);
     if (thesis()) {
         ASSERT_EQ(found.records.size(), 1U);
