@@ -37,7 +37,7 @@ struct DemInfo {
     double offset = 0;  ///< of the same
     /// The elevation that the file's own NoData value becomes, where an option says that it is none.
     std::optional<double> set_aside_nodata;
-    std::string driver;  ///< short name of the format, for the report
+    std::string driver;      ///< short name of the format, for the report
     std::int32_t bands = 1;  ///< of the whole raster
     bool bytes = false;      ///< the band's values are whole numbers from 0 to 255
     std::int32_t block_rows =
