@@ -72,16 +72,20 @@ TEST(OptionErrors, fourNumbers) {
     const std::string srcwin = "-srcwin must be four whole numbers, columns and rows above 0, not ";
     const std::string projwin = "-projwin must be four numbers, ulx below lrx and uly above lry, not ";
     const std::string te = "-te must be four numbers, xmin below xmax and ymin below ymax, not ";
-    expect_refusals({{{"-srcwin", "0", "0", "0", "5"}, srcwin + "'0 0 0 5'."},
-                     {{"-srcwin", "0", "0", "5", "-1"}, srcwin + "'0 0 5 -1'."},
-                     {{"-srcwin", "0.5", "0", "5", "5"}, srcwin + "'0.5 0 5 5'."},
-                     {{"-srcwin", "0", "a", "5", "5"}, srcwin + "'0 a 5 5'."},
-                     {{"-projwin", "1", "1", "1", "0"}, projwin + "'1 1 1 0'."},
-                     {{"-projwin", "0", "0", "1", "1"}, projwin + "'0 0 1 1'."},
-                     {{"-te", "0", "0", "nan", "1"}, te + "'0 0 nan 1'."},
-                     {{"-te", "0", "0", "0", "1"}, te + "'0 0 0 1'."},
-                     {{"-te", "0", "2", "1", "1"}, te + "'0 2 1 1'."},
-                     {{"-te", "1", "2", "3"}, te + "'1 2 3 in.tif'."}});
+    expect_refusals(
+        {{{"-srcwin", "0", "0", "0", "5"}, srcwin + "'0 0 0 5'."},
+         {{"-srcwin", "0", "0", "5", "-1"}, srcwin + "'0 0 5 -1'."},
+         {{"-srcwin", "0.5", "0", "5", "5"}, srcwin + "'0.5 0 5 5'."},
+         {{"-srcwin", "0", "a", "5", "5"}, srcwin + "'0 a 5 5'."},
+         {{"-projwin", "1", "1", "1", "0"}, projwin + "'1 1 1 0'."},
+         {{"-projwin", "0", "0", "1", "1"}, projwin + "'0 0 1 1'."},
+         {{"-te", "0", "0", "nan", "1"}, te + "'0 0 nan 1'."},
+         {{"-te", "0", "0", "0", "1"}, te + "'0 0 0 1'."},
+         {{"-te", "1", "0", "0", "1"}, te + "'1 0 0 1'."},
+         {{"-te", "0", "2", "1", "1"},
+          "-te takes xmin ymin xmax ymax, and 0 2 1 1 is the upper left and the lower right corner, as "
+          "-projwin takes them; write -te 0 1 1 2."},
+         {{"-te", "1", "2", "3"}, te + "'1 2 3 in.tif'."}});
 }
 
 TEST(OptionErrors, words) {
