@@ -64,7 +64,7 @@ void start_threads(const RunOptions& options, Context& context) {
 
 Crs dem_crs(const Options& options, const DemInfo& info) {
     const bool given = !options.read.crs.empty();
-    const Crs crs(given ? options.read.crs : info.crs_wkt);
+    Crs crs(given ? options.read.crs : info.crs_wkt);
     require_plane(crs, given ? "-a_srs " + options.read.crs : "", info.name);
     return crs;
 }

@@ -51,13 +51,13 @@ bool has_wkt1(OGRSpatialReferenceH srs) {
 
 }  // namespace
 
-std::string crs_misfit(GDALDriverH driver, const std::string& destination, const std::string& wkt,
-                       const Position& place) {
+CrsMisfit crs_misfit(GDALDriverH driver, const std::string& destination, const std::string& wkt,
+                     const Position& place) {
     const GdalMessages messages;
     const SrsHandle srs(wkt.empty() ? nullptr : OSRNewSpatialReference(wkt.c_str()));
     if (!srs || is_connection(driver, destination) || !says_yes(driver, GDAL_DCAP_VIRTUALIO) ||
         (EQUAL(GDALGetDriverShortName(driver), "GPKG") && has_wkt1(srs.get())))
-        return "";
+        return {};
     OSRSetAxisMappingStrategy(srs.get(), OAMS_TRADITIONAL_GIS_ORDER);
     const MemoryFolder memory;
     const std::string file = memory.file(trial_name(driver, destination));
@@ -65,19 +65,19 @@ std::string crs_misfit(GDALDriverH driver, const std::string& destination, const
     const GdalMessages of_layer;
     OGRLayerH layer = dataset ? add_trial_layer(dataset.get(), "probe", srs.get()) : nullptr;
     if (of_layer.failed())
-        return takes_plain_degrees(driver, destination) ? of_layer.reason() : "";
+        return takes_plain_degrees(driver, destination) ? CrsMisfit{of_layer.reason()} : CrsMisfit{};
     const GdalMessages quiet;
     if (layer == nullptr || !add_trial_feature(layer, place))
-        return "";  // the trial says nothing
+        return {};  // the trial says nothing
     dataset.reset();
     dataset = reopen_trial(driver, file);
     layer = dataset ? GDALDatasetGetLayer(dataset.get(), 0) : nullptr;
     if (layer == nullptr || !is_at(layer, place))
-        return "";
+        return {};
     OGRSpatialReferenceH back = OGR_L_GetSpatialRef(layer);
     if (back == nullptr)
-        return "it would be lost";
-    return same_kind(back, srs.get()) ? "" : "it would be read as '" + std::string(OSRGetName(back)) + "'";
+        return {"it would be lost"};
+    return same_kind(back, srs.get()) ? CrsMisfit{} : CrsMisfit{"", OSRGetName(back)};
 }
 
 }  // namespace d2b

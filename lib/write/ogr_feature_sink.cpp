@@ -73,12 +73,16 @@ DatasetWriter::Mode OgrFeatureSink::mode() const {
 }
 
 void OgrFeatureSink::require_crs(const std::string& wkt, const std::string& name, const Position& place) {
-    const std::string misfit =
-        format_.keeps_crs ? crs_misfit(format_.driver, destination_.name, wkt, place) : "";
-    if (!misfit.empty())
-        throw OutputError("Cannot write \"" + destination_.name + "\": " + format_.name +
-                          " cannot hold the coordinate reference system '" + name + "' (" + misfit +
+    if (!format_.keeps_crs)
+        return;
+    const CrsMisfit misfit = crs_misfit(format_.driver, destination_.name, wkt, place);
+    const std::string what = format_.name + " cannot hold the coordinate reference system '" + name + "'";
+    if (!misfit.lost.empty())
+        throw OutputError("Cannot write \"" + destination_.name + "\": " + what + " (" + misfit.lost +
                           "); choose another one with -t_srs, or another format.");
+    if (!misfit.read_as.empty())
+        context_.warn(what + ": programs will take the coordinates of \"" + destination_.name + "\" for '" +
+                      misfit.read_as + "'; choose that one with -t_srs, or another format.");
 }
 
 void OgrFeatureSink::begin(std::span<const LayerSpec> layers, const Provenance& provenance) {

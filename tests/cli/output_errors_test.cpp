@@ -67,8 +67,12 @@ TEST_F(OutputErrors, aCrsThatTheFormatCannotHold) {
            "Cannot write \"out.shp\": ESRI Shapefile cannot hold the coordinate reference system '" +
                rotated + "' (it would be lost); choose another one with -t_srs, or another format.",
            "out.shp", {"-t_srs", rotated, "-layers", "buildings"});
-    failed(1, "(it would be read as 'WGS 84')", "out.geojson",
-           {"-t_srs", "+proj=igh_o +datum=WGS84", "-layers", "buildings"});
+    EXPECT_EQ(run_warned({"-q", "-t_srs", "+proj=igh_o +datum=WGS84", "-layers", "buildings", "dem.tif",
+                          "igh.geojson"},
+                         {"GeoJSON cannot hold the coordinate reference system '+proj=igh_o +datum=WGS84': "
+                          "programs will take "
+                          "the coordinates of \"igh.geojson\" for 'WGS 84'; choose that one with -t_srs"}),
+              "");
     failed(
         1, "Cannot write \"ground.tif\": GeoTIFF cannot hold the coordinate reference system '", "out.fgb",
         {"-preset", "buildings", "-a_srs", rotated, "-layers", "buildings", "-write_ground", "ground.tif"});
