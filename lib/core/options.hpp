@@ -21,6 +21,7 @@ struct ReadOptions {
     std::optional<std::array<double, 4>> projected_window;  ///< ulx, uly, lrx, lry
     std::optional<std::array<double, 4>> extent;            ///< xmin, ymin, xmax, ymax
     std::string cutline;                                    ///< polygons that bound the area of interest
+    std::string cutline_layer;                              ///< its layer; "": the first with geometries
     std::optional<double> nodata;                           ///< overrides the file's
     bool ignore_nodata = false;
     std::string vertical_unit;  ///< "m", "ft", "us-ft" or metres in a unit; found where empty
@@ -42,6 +43,7 @@ struct DetectOptions {
     double min_area_m2 = 30;      ///< of a building; FilterOptions::min_area_m2 where that is given
     double min_confidence = 0.5;  ///< what is below is doubtful
     std::string mask;             ///< raster or polygons: buildings are looked for in them alone
+    std::string mask_layer;       ///< of polygons; "": the first with geometries
     std::string ndvi;             ///< raster of the normalised difference vegetation index
     double split_height = 0;      ///< m: a step that divides buildings; 0: none does
 };

@@ -62,6 +62,9 @@ std::vector<OptionRow> evidence() {
         {.help = "Look for buildings only where this raster is not 0, or in these polygons.",
          .details = "Any dataset that GDAL reads, in any CRS. The ground is estimated everywhere."}));
     rows.push_back(
+        text_row("mask_layer", "<layer>", [](auto& r) -> auto& { return r.options.detect.mask_layer; },
+                 {.help = "Layer of the polygons of -mask; by default the first that has geometries."}));
+    rows.push_back(
         text_row("ndvi", "<raster>", [](auto& r) -> auto& { return r.options.detect.ndvi; },
                  {.help = "Vegetation index from -1 to 1, which helps to tell trees from buildings.",
                   .details = "Values above 0.3 are taken for plants."}));

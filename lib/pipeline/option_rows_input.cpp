@@ -84,6 +84,9 @@ std::vector<OptionRow> windows() {
         "cutline", "<polygons>", [](auto& r) -> auto& { return r.options.read.cutline; },
         {.help = "Vector dataset whose polygons bound the area of interest.",
          .details = "Any dataset that GDAL reads. Points outside the polygons are taken for no data."}));
+    rows.push_back(text_row("cutline_layer", "<layer>",
+                            [](auto& r) -> auto& { return r.options.read.cutline_layer; },
+                            {.help = "Layer of the cutline; by default the first that has geometries."}));
     return rows;
 }
 

@@ -10,6 +10,7 @@
 #include "read/ring_clip.hpp"
 #include "read/ring_projector.hpp"
 #include "read/surroundings.hpp"
+#include "read/vector_dataset.hpp"
 
 namespace d2b {
 
@@ -23,6 +24,25 @@ DatasetOwner open_vector(const std::string& path, const std::string& name, Conte
         throw InputError("The " + name + " cannot be opened: " + messages.reason_for(path) + ".");
     messages.pass_all(context);
     return dataset;
+}
+
+OGRLayerH layer_of(GDALDatasetH dataset, const PolygonPlace& place, const std::string& name,
+                   Context& context) {
+    const std::vector<std::string> names = geometry_layers(dataset);
+    const std::string all = quoted_names(names);
+    if (!place.layer.empty()) {
+        const GdalMessages quiet;
+        if (const OGRLayerH layer = GDALDatasetGetLayerByName(dataset, place.layer.c_str()))
+            return layer;
+        throw OptionError("The " + name + " has no layer '" + place.layer + "'; " +
+                          (names.empty() ? "it has none with geometries." : "it has " + all + "."));
+    }
+    if (names.empty())
+        throw InputError("The " + name + " has no layer with geometries; give a dataset with polygons.");
+    if (names.size() > 1)
+        context.warn("The " + name + " has the layers " + all + "; '" + names.front() + "' is taken, and -" +
+                     place.role + "_layer takes another.");
+    return GDALDatasetGetLayerByName(dataset, names.front().c_str());
 }
 
 /// From the layer's CRS to the DEM's; nothing where they are the same or the layer has none.
@@ -84,13 +104,10 @@ void add_polygon(const std::vector<WorldRing>& rings, RingProjector& projector, 
 
 }  // namespace
 
-std::vector<PixelPolygon> read_cutline(const std::string& path, const DemInfo& info, Context& context,
-                                       const std::string& role) {
-    const std::string name = role + " '" + path + "'";
-    const DatasetOwner dataset = open_vector(path, name, context);
-    const OGRLayerH layer = GDALDatasetGetLayer(dataset.get(), 0);
-    if (layer == nullptr)
-        throw InputError("The " + name + " has no layer; give a dataset with polygons.");
+std::vector<PixelPolygon> read_cutline(const PolygonPlace& place, const DemInfo& info, Context& context) {
+    const std::string name = place.role + " '" + place.path + "'";
+    const DatasetOwner dataset = open_vector(place.path, name, context);
+    const OGRLayerH layer = layer_of(dataset.get(), place, name, context);
     const TransformOwner transform = transform_between(OGR_L_GetSpatialRef(layer), name, info, context);
     RingProjector projector(transform.get(), info.transform, name);
     Surroundings around;
@@ -116,8 +133,8 @@ std::vector<PixelPolygon> read_cutline(const std::string& path, const DemInfo& i
         throw InputError("The " + name + " cannot be read: " + messages.reason() + ".");
     messages.pass_warnings(context);
     if (!any)
-        throw InputError("The first layer of the " + name + " (" + OGR_L_GetName(layer) +
-                         ") has no polygons; give a dataset with polygons.");
+        throw InputError("The layer '" + std::string(OGR_L_GetName(layer)) + "' of the " + name +
+                         " has no polygons; give one that has, for example with -" + place.role + "_layer.");
     return polygons;
 }
 

@@ -12,14 +12,22 @@ namespace d2b {
 /// The rings of one polygon; a point is inside where it is inside of an odd number of them.
 using PixelPolygon = std::vector<WorldRing>;
 
-/// The polygons of the first layer of a vector dataset in pixel coordinates of a DEM: x is columns, y is rows
+/// Where polygons are read from.
+struct PolygonPlace {
+    std::string
+        role;  ///< what messages call it: "cutline" or "mask"; with -<role>_layer users name the layer
+    std::string path{};   ///< any vector dataset that GDAL opens
+    std::string layer{};  ///< "": the first that has geometries, with a warning where there are several
+};
+
+/// The polygons of a layer of a vector dataset in pixel coordinates of a DEM: x is columns, y is rows
 /// (downwards), (0, 0) the outer corner of the first cell. Edges that bend on the way from the layer's CRS to
 /// the DEM's are followed to a small part of a cell. What lies far from the window of the DEM may be left
 /// out.
-/// @param path any vector dataset that GDAL opens @param info georeferencing of the DEM
-/// @param role what messages call it
+/// @param info georeferencing of the DEM
 /// @throws InputError: cannot be opened or read, no polygons, a CRS where the DEM has none, not transformable
-[[nodiscard]] std::vector<PixelPolygon> read_cutline(const std::string& path, const DemInfo& info,
-                                                     Context& context, const std::string& role = "cutline");
+/// @throws OptionError: no such layer
+[[nodiscard]] std::vector<PixelPolygon> read_cutline(const PolygonPlace& place, const DemInfo& info,
+                                                     Context& context);
 
 }  // namespace d2b

@@ -31,11 +31,11 @@ class RasterMask final : public DemSource {
 
 class PolygonMask final : public DemSource {
   public:
-    PolygonMask(const std::string& path, const DemInfo& grid, Context& context)
-        : info_(grid), mask_(read_cutline(path, grid, context, "mask"), grid.window) {
-        info_.name = path;
+    PolygonMask(const PolygonPlace& place, const DemInfo& grid, Context& context)
+        : info_(grid), mask_(read_cutline(place, grid, context), grid.window) {
+        info_.name = place.path;
         if (!mask_.meets_window())
-            throw InputError("The mask '" + path + "' has no polygon in the part of '" + grid.name +
+            throw InputError("The mask '" + place.path + "' has no polygon in the part of '" + grid.name +
                              "' that is used; give one of the same area.");
     }
 
@@ -68,10 +68,13 @@ bool is_vector(const std::string& path) {
 
 }  // namespace
 
-std::unique_ptr<DemSource> open_mask(const std::string& path, const DemInfo& grid, Context& context) {
+std::unique_ptr<DemSource> open_mask(const std::string& path, const std::string& layer, const DemInfo& grid,
+                                     Context& context) {
     // What comes in on the standard input can be opened once; GDAL reads no rasters from there by itself.
     if (!is_standard_input(path) && is_vector(path))
-        return std::make_unique<PolygonMask>(path, grid, context);
+        return std::make_unique<PolygonMask>(PolygonPlace{"mask", path, layer}, grid, context);
+    if (!layer.empty())
+        throw OptionError("The mask '" + path + "' is a raster and has no layers; leave out -mask_layer.");
     return std::make_unique<RasterMask>(path, grid, context);
 }
 

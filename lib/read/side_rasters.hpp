@@ -33,8 +33,10 @@ namespace d2b {
 /// Where to look: 1 inside, 0 outside, never NaN. Polygons, the centres of cells inside of any of which are
 /// inside; or a raster, where all that is neither 0 nor invalid is inside, with the value of the cell in
 /// which a centre lies. What is not covered is outside.
-[[nodiscard]] std::unique_ptr<DemSource> open_mask(const std::string& path, const DemInfo& grid,
-                                                   Context& context);
+/// @param layer of the polygons; "" for the first that has geometries @throws OptionError: no such layer, or
+/// a raster, which has none
+[[nodiscard]] std::unique_ptr<DemSource> open_mask(const std::string& path, const std::string& layer,
+                                                   const DemInfo& grid, Context& context);
 
 /// The normalised difference vegetation index, resampled as terrain is. Scaled products (bytes, 16-bit
 /// integers) are understood by scale and offset of the band. A value outside of [-1, 1] is refused when it is

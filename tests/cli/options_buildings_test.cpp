@@ -148,6 +148,28 @@ TEST_F(OptionEffect, mask) {
     EXPECT_EQ(found.metadata.at("D2B_MASK"), "mask.gpkg");
 }
 
+TEST_F(OptionEffect, mask_layer) {
+    const auto file = [this](const std::string& name, const Box& box) {
+        const auto at = [](int row, int col) {
+            return std::to_string(391000 + col) + " " + std::to_string(5820000 - row);
+        };
+        const int bottom = box.row + box.rows;
+        const int right = box.col + box.cols;
+        write_text(path(name + ".csv"), "WKT\n\"POLYGON ((" + at(box.row, box.col) + "," +
+                                            at(box.row, right) + "," + at(bottom, right) + "," +
+                                            at(bottom, box.col) + "," + at(box.row, box.col) + "))\"\n");
+        return "<OGRVRTLayer name=\"" + name + "\"><SrcDataSource relativeToVRT=\"1\">" + name +
+               ".csv</SrcDataSource><SrcLayer>" + name +
+               "</SrcLayer><LayerSRS>EPSG:25833</LayerSRS>"
+               "</OGRVRTLayer>";
+    };
+    write_text(path("areas.vrt"), "<OGRVRTDataSource>" + file("one", MadeTown::flat) +
+                                      file("other", MadeTown::gabled) + "</OGRVRTDataSource>");
+    find({"-mask", "areas.vrt", "-mask_layer", "other"});
+    ASSERT_EQ(buildings().records.size(), 1U);
+    EXPECT_NEAR(at(buildings(), MadeTown::gabled).area(), MadeTown::gabled.area(), 8);
+}
+
 TEST_F(OptionEffect, ndvi) {
     find({});
     const double standard = at(buildings(), MadeTown::gabled).number("confidence");

@@ -48,4 +48,27 @@ TEST_F(OptionEffect, cutline) {
     EXPECT_EQ(buildings().records[0].area(), 3 + 2 + 1);  // what is inside of rows 5, 6 and 7
 }
 
+/// Two rectangles of cells, one a layer of areas.vrt: rows 5 to 7 of a building, and what is to the left of
+/// it.
+TEST_F(OptionEffect, cutline_layer) {
+    const auto file = [this](const std::string& name, int left, int right) {
+        const auto x = [](int col) { return std::to_string(391000 + col); };
+        write_text(path(name + ".csv"), "WKT\n\"POLYGON ((" + x(left) + " 5820000," + x(right) + " 5820000," +
+                                            x(right) + " 5819980," + x(left) + " 5819980," + x(left) +
+                                            " 5820000))\"\n");
+        return "<OGRVRTLayer name=\"" + name + "\"><SrcDataSource relativeToVRT=\"1\">" + name +
+               ".csv</SrcDataSource><SrcLayer>" + name +
+               "</SrcLayer><LayerSRS>EPSG:25833</LayerSRS>"
+               "</OGRVRTLayer>";
+    };
+    write_text(path("areas.vrt"),
+               "<OGRVRTDataSource>" + file("west", 0, 15) + file("east", 15, 30) + "</OGRVRTDataSource>");
+    trace({"-cutline", "areas.vrt", "-cutline_layer", "east", "-trace", "cells"});
+    EXPECT_EQ(contours().sum("n_points", 0), 15 * 20);
+    EXPECT_EQ(buildings().records.size(), 2U);
+    run_warned({"-q", "-overwrite", "-fl", "5", "-cutline", "areas.vrt", "blocks.tif", "out.gpkg"},
+               {"has the layers 'west' and 'east'; 'west' is taken, and -cutline_layer takes another."});
+    EXPECT_EQ(buildings().records.size(), 1U);
+}
+
 }  // namespace d2b::test

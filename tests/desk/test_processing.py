@@ -17,8 +17,10 @@ os.environ["DEM2BUILDINGS"] = TOOL
 
 sys.path.append("/usr/share/qgis/python/plugins")
 from processing.core.Processing import Processing
-from qgis.core import (QgsApplication, QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback,
-                       QgsProcessingParameterDefinition, QgsProcessingUtils, QgsProject)
+from qgis.core import (QgsApplication, QgsCoordinateTransformContext, QgsFeature, QgsFeatureRequest, QgsGeometry,
+                       QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback,
+                       QgsProcessingParameterDefinition, QgsProcessingUtils, QgsProject, QgsRasterLayer, QgsRectangle,
+                       QgsVectorFileWriter, QgsVectorLayer)
 
 ALGORITHM = "dem2buildings:extractbuildings"
 
@@ -130,6 +132,53 @@ class Toolbox(DeskCase):
             details.postProcessor().postProcessLayer(layer, context, Feedback())
             self.assertEqual(layer.renderer().type(), "graduatedSymbol")
             self.assertGreater(layer.featureCount(), 300)
+
+    def test_every_layer_of_the_run_is_loaded_and_no_other(self):
+        target = str(self.folder / "layers.gpkg")
+        results, _, _ = self.run_it(OUTPUT=target, write_doubtful=True, write_rejected=True)
+        self.assertEqual(results, {"OUTPUT": target, **{name.upper(): f"{target}|layername={name}" for name in
+                                                        ("buildings", "contours", "doubtful", "rejected")}})
+        results, _, _ = self.run_it(OUTPUT=target, layers=1, write_rejected=True)  # the others stay in the file
+        self.assertEqual(results, {"OUTPUT": target, "CONTOURS": f"{target}|layername=contours",
+                                   "REJECTED": f"{target}|layername=rejected"})
+        results, _, _ = self.run_it(OUTPUT=target, layers=1, nln="bands")
+        self.assertEqual(results, {"OUTPUT": target, "CONTOURS": f"{target}|layername=bands"})
+
+    def areas(self):
+        """A GeoPackage with two layers, of which the second covers the western half of the hotel."""
+        target = self.folder / "areas.gpkg"
+        if not target.exists():
+            dem = QgsRasterLayer(str(self.folder / "hotel_70x85.tif"), "dem")
+            box = dem.extent()
+            for name, right in (("all", box.xMaximum()), ("west", box.center().x())):
+                layer = QgsVectorLayer("Polygon", name, "memory")
+                layer.setCrs(dem.crs())
+                feature = QgsFeature()
+                feature.setGeometry(QgsGeometry.fromRect(QgsRectangle(box.xMinimum(), box.yMinimum(), right,
+                                                                      box.yMaximum())))
+                layer.dataProvider().addFeatures([feature])
+                options = QgsVectorFileWriter.SaveVectorOptions()
+                options.layerName = name
+                if target.exists():
+                    options.actionOnExistingFile = QgsVectorFileWriter.CreateOrOverwriteLayer
+                QgsVectorFileWriter.writeAsVectorFormatV3(layer, str(target), QgsCoordinateTransformContext(), options)
+        return target
+
+    def test_the_layer_that_was_chosen_is_the_cutline_and_the_mask(self):
+        for option in ("cutline", "mask"):
+            for place in ("layername=west", "layerid=1"):
+                _, log = self.log_of(**{option: f"{self.areas()}|{place}"})
+                self.assertIn(f"-{option} {self.areas()} -{option}_layer west", log)
+                self.assertNotIn("Warning", log)
+
+    def test_a_layer_in_memory_is_written_to_a_file_first(self):
+        layer = QgsVectorLayer(f"{self.areas()}|layername=west", "west", "ogr")
+        layer.selectAll()
+        copy = layer.materialize(QgsFeatureRequest())
+        QgsProject.instance().addMapLayer(copy)
+        _, log = self.log_of(mask=copy.id())
+        self.assertRegex(log, r"-mask \S+\.gpkg")
+        QgsProject.instance().removeMapLayer(copy.id())
 
     def test_a_file_of_one_layer_is_loaded_too(self):
         target = str(self.folder / "one.geojson")

@@ -260,15 +260,64 @@ TEST_F(ReadCutline, cannotBeOpened) {
 
 TEST_F(ReadCutline, hasNoLayer) {
     options_.cutline = "<OGRVRTDataSource></OGRVRTDataSource>";
-    EXPECT_EQ(
-        message<InputError>("dem.tif"),
-        "The cutline '<OGRVRTDataSource></OGRVRTDataSource>' has no layer; give a dataset with polygons.");
+    EXPECT_EQ(message<InputError>("dem.tif"),
+              "The cutline '<OGRVRTDataSource></OGRVRTDataSource>' has no layer with geometries; give a "
+              "dataset with polygons.");
+}
+
+/// A table without geometries, and two layers that cover cell 0 and cell 12.
+void write_layers(const std::string& path) {
+    const GDALDatasetH dataset =
+        GDALCreate(GDALGetDriverByName("GPKG"), path.c_str(), 0, 0, 0, GDT_Unknown, nullptr);
+    ASSERT_NE(GDALDatasetCreateLayer(dataset, "notes", nullptr, wkbNone, nullptr), nullptr);
+    const OGRSpatialReferenceH crs = OSRNewSpatialReference(nullptr);
+    ASSERT_EQ(OSRImportFromEPSG(crs, 32632), OGRERR_NONE);
+    for (const char* name : {"first", "second"}) {
+        const OGRLayerH layer = GDALDatasetCreateLayer(dataset, name, crs, wkbPolygon, nullptr);
+        const OGRFeatureH feature = OGR_F_Create(OGR_L_GetLayerDefn(layer));
+        std::string text =
+            name == std::string("first")
+                ? "POLYGON((500000 5538690,500010 5538690,500010 5538680,500000 5538680,500000 "
+                  "5538690))"
+                : "POLYGON((500020 5538680,500030 5538680,500030 5538670,500020 5538670,500020 "
+                  "5538680))";
+        char* cursor = text.data();
+        OGRGeometryH geometry = nullptr;
+        ASSERT_EQ(OGR_G_CreateFromWkt(&cursor, nullptr, &geometry), OGRERR_NONE);
+        OGR_F_SetGeometryDirectly(feature, geometry);
+        ASSERT_EQ(OGR_L_CreateFeature(layer, feature), OGRERR_NONE);
+        OGR_F_Destroy(feature);
+    }
+    OSRDestroySpatialReference(crs);
+    GDALClose(dataset);
+}
+
+TEST_F(ReadCutline, theLayerIsTheOneThatIsNamed) {
+    write_layers(path("cut.gpkg"));
+    options_.cutline = path("cut.gpkg");
+    options_.cutline_layer = "second";
+    expect_values(valid(), {12});
+    EXPECT_TRUE(context_.report.warnings.empty());
+    options_.cutline_layer = "third";
+    EXPECT_EQ(message<OptionError>("dem.tif"),
+              "The cutline '" + path("cut.gpkg") + "' has no layer 'third'; it has 'first' and 'second'.");
+}
+
+TEST_F(ReadCutline, withoutANameTheFirstWithGeometriesIsTakenAndSaid) {
+    write_layers(path("cut.gpkg"));
+    options_.cutline = path("cut.gpkg");
+    expect_values(valid(), {0});
+    EXPECT_EQ(context_.report.warnings,
+              (std::vector<std::string>{"The cutline '" + path("cut.gpkg") +
+                                        "' has the layers 'first' and 'second'; 'first' is taken, and "
+                                        "-cutline_layer takes another."}));
 }
 
 TEST_F(ReadCutline, hasNoPolygons) {
     write_cutline({R"({"type":"Point","coordinates":[500000,5538690]})"});
-    EXPECT_EQ(message<InputError>("dem.tif"), "The first layer of the cutline '" + path("cut.geojson") +
-                                                  "' (cut) has no polygons; give a dataset with polygons.");
+    EXPECT_EQ(message<InputError>("dem.tif"),
+              "The layer 'cut' of the cutline '" + path("cut.geojson") +
+                  "' has no polygons; give one that has, for example with -cutline_layer.");
 }
 
 TEST_F(ReadCutline, hasACrsWhereTheDemHasNone) {

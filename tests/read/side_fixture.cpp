@@ -66,8 +66,8 @@ std::vector<double> SideTest::terrain(double dem_vertical_metres) {
                                   on_land.times(1 / dem_vertical_metres), context_));
 }
 
-std::vector<double> SideTest::mask(const std::string& name) {
-    return read_all(*open_mask(path(name), grid_, context_));
+std::vector<double> SideTest::mask(const std::string& name, const std::string& layer) {
+    return read_all(*open_mask(path(name), layer, grid_, context_));
 }
 
 std::vector<double> SideTest::ndvi() {

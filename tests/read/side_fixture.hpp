@@ -25,7 +25,7 @@ class SideTest : public ReadTest {
     [[nodiscard]] std::vector<double> expected(const Surface& surface) const;
 
     std::vector<double> terrain(double dem_vertical_metres = 1);
-    std::vector<double> mask(const std::string& name = "side.tif");
+    std::vector<double> mask(const std::string& name = "side.tif", const std::string& layer = "");
     std::vector<double> ndvi();
 
     template <typename E>

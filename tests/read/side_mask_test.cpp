@@ -61,7 +61,7 @@ TEST_F(Mask, polygons) {
             "EPSG::25832");
     // The left side passes x = 500000.45 at the centres of the first row and 500000.55 at the second's.
     expect_values(mask("side.geojson"), {1, 1, 0, 0, 0, 1, 1, 0});
-    const auto source = open_mask(path("side.geojson"), grid_, context_);
+    const auto source = open_mask(path("side.geojson"), "", grid_, context_);
     EXPECT_EQ(source->info().name, path("side.geojson"));
     EXPECT_EQ(source->info().transform, grid_.transform);
     std::vector<double> row(4);
@@ -85,13 +85,26 @@ TEST_F(Mask, otherPlacesAreRefused) {
 TEST_F(Mask, messagesOfPolygonsSpeakOfAMask) {
     write_text(path("side.csv"), "id,WKT\n1,\"POINT (500001 5538649)\"\n");
     EXPECT_EQ(refused<InputError>([this] { mask("side.csv"); }),
-              "The first layer of the mask " + quoted("side.csv") +
-                  " (side) has no polygons; give a dataset with polygons.");
+              "The layer 'side' of the mask " + quoted("side.csv") +
+                  " has no polygons; give one that has, for example with -mask_layer.");
     polygon("[500000,5538650],[500002,5538650],[500002,5538648],[500000,5538650]", "EPSG::25832");
     dem({.crs = ""});
     EXPECT_EQ(refused<InputError>([this] { mask("side.geojson"); }),
               "The mask " + quoted("side.geojson") + " has a coordinate reference system and " +
                   quoted("dem.tif") + " has none; give the DEM's with -a_srs.");
+}
+
+TEST_F(Mask, aRasterHasNoLayers) {
+    write(path("side.tif"), {.cols = 4, .rows = 2, .values = counting(8)});
+    EXPECT_EQ(refused<OptionError>([this] { mask("side.tif", "roofs"); }),
+              "The mask " + quoted("side.tif") + " is a raster and has no layers; leave out -mask_layer.");
+}
+
+TEST_F(Mask, theLayerIsTheOneThatIsNamed) {
+    polygon("[500000,5538650],[500002,5538650],[500002,5538648],[500000,5538650]", "EPSG::25832");
+    EXPECT_NO_THROW(mask("side.geojson", "side"));
+    EXPECT_EQ(refused<OptionError>([this] { mask("side.geojson", "roofs"); }),
+              "The mask " + quoted("side.geojson") + " has no layer 'roofs'; it has 'side'.");
 }
 
 TEST_F(Mask, subDatasetsAreNamed) {

@@ -32,7 +32,7 @@ SideSources open_side_sources(const Options& options, const DemInfo& dem, Contex
                                        elevation_limits(options.read, units.vertical_metres), context);
     }
     if (!options.detect.mask.empty())
-        sources.mask = open_mask(options.detect.mask, grid, context);
+        sources.mask = open_mask(options.detect.mask, options.detect.mask_layer, grid, context);
     if (!options.detect.ndvi.empty())
         sources.ndvi = open_ndvi(options.detect.ndvi, grid, context);
     return sources;

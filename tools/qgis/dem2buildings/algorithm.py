@@ -9,7 +9,21 @@ from qgis.core import (QgsProcessingAlgorithm, QgsProcessingContext, QgsProcessi
 from . import parameters, program
 
 INPUT, OUTPUT = "INPUT", "OUTPUT"
-LAYERS = ("buildings", "contours", "doubtful")
+LAYERS = ("buildings", "contours", "doubtful", "rejected")
+
+
+def written_layers(options):
+    """Of a command line: what each layer that it writes is, and how it is called."""
+    chosen = options[options.index("-layers") + 1] if "-layers" in options else "both"
+    prefix = options[options.index("-nln") + 1] if "-nln" in options else None
+    layers = []
+    for name in LAYERS:
+        main = name in ("buildings", "contours")
+        if (main and chosen not in (name, "both")) or (not main and f"-write_{name}" not in options):
+            continue
+        alone = name == "buildings" or chosen == name
+        layers.append((name, name if prefix is None else prefix if alone else f"{prefix}_{name}"))
+    return layers
 
 
 class WithItsStyle(QgsProcessingLayerPostProcessorInterface):
@@ -92,16 +106,14 @@ class ExtractBuildings(QgsProcessingAlgorithm):
         return self.load(target, options, context)
 
     def load(self, target, options, context):
-        """Puts the layers into the project, in their style."""
+        """Puts the layers of this run into the project, in their style; others that the file holds are none of it."""
         results = {OUTPUT: target}
-        prefix = options[options.index("-nln") + 1] if "-nln" in options else None
-        for name in LAYERS:
-            table = name if prefix is None else prefix if name == "buildings" else f"{prefix}_{name}"
+        for name, table in written_layers(options):
             place = f"{target}|layername={table}"
             if not QgsVectorLayer(place, table, "ogr").isValid():
                 # A file that is one layer, whatever its name.
                 place = target
-                if name != LAYERS[0] or not QgsVectorLayer(place, table, "ogr").isValid():
+                if len(results) > 1 or not QgsVectorLayer(place, table, "ogr").isValid():
                     continue
             results[name.upper()] = place
             if context.project() is None:

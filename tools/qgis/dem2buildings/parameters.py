@@ -1,14 +1,18 @@
 """Parameters of the dialog, made of the program's table of options, and command lines made of them."""
 
-from qgis.core import (QgsProcessingException, QgsProcessingParameterBoolean, QgsProcessingParameterCrs,
-                       QgsProcessingParameterDefinition, QgsProcessingParameterEnum, QgsProcessingParameterExtent,
-                       QgsProcessingParameterFileDestination, QgsProcessingParameterMapLayer,
-                       QgsProcessingParameterNumber, QgsProcessingParameterRasterDestination,
-                       QgsProcessingParameterRasterLayer, QgsProcessingParameterString,
-                       QgsProcessingParameterVectorLayer)
+from osgeo import ogr
+from qgis.core import (QgsProcessingException, QgsProcessingFeedback, QgsProcessingParameterBoolean,
+                       QgsProcessingParameterCrs, QgsProcessingParameterDefinition, QgsProcessingParameterEnum,
+                       QgsProcessingParameterExtent, QgsProcessingParameterFileDestination,
+                       QgsProcessingParameterMapLayer, QgsProcessingParameterNumber,
+                       QgsProcessingParameterRasterDestination, QgsProcessingParameterRasterLayer,
+                       QgsProcessingParameterString, QgsProcessingParameterVectorLayer, QgsProviderRegistry,
+                       QgsRasterLayer, QgsVectorFileWriter)
 
-# What the dialog does itself: it shows progress, and its file dialog has asked whether to replace a file.
-LEFT_OUT = {"q", "json", "sweep", "help", "version", "overwrite", "f", "srcwin", "projwin", "if"}
+# What the dialog does itself: it shows progress, its file dialog has asked whether to replace a file, and a layer that
+# is chosen has its name.
+LEFT_OUT = {"q", "json", "sweep", "help", "version", "overwrite", "f", "srcwin", "projwin", "if", "cutline_layer",
+            "mask_layer"}
 # The first that are looked at; the others are advanced.
 BASIC = ("preset", "ground", "min_height", "min_area", "lod", "nf", "layers")
 TERRAIN = "_model"
@@ -101,6 +105,21 @@ def _file_of(layer, name):
     return layer.source().split("|")[0]
 
 
+def _polygons(algorithm, option, given, context):
+    """File and layer that hold what was chosen: what is filtered, or in no file, is written into one first."""
+    layer = algorithm.parameterAsLayer(given, option["name"], context)
+    if layer is None or isinstance(layer, QgsRasterLayer):
+        return [_file_of(layer, option["name"])]
+    place, name = algorithm.parameterAsCompatibleSourceLayerPathAndLayerName(
+        given, option["name"], context, QgsVectorFileWriter.supportedFormatExtensions(), "gpkg",
+        QgsProcessingFeedback())
+    number = QgsProviderRegistry.instance().decodeUri("ogr", layer.source()).get("layerId")
+    if not name and number is not None:
+        dataset = ogr.Open(place)  # must outlive its layer
+        name = dataset.GetLayer(int(number)).GetName()
+    return [place.split("|")[0], *([f"-{option['name']}_layer", name] if name else [])]
+
+
 def _values(algorithm, option, given, context):
     """The texts behind an option; None where it is as the program has it anyway."""
     name, kind = option["name"], option["kind"]
@@ -124,7 +143,7 @@ def _values(algorithm, option, given, context):
     if kind == "raster":
         return [_file_of(algorithm.parameterAsRasterLayer(given, name, context), name)]
     if kind in ("vector", "dataset"):
-        return [_file_of(algorithm.parameterAsLayer(given, name, context), name)]
+        return _polygons(algorithm, option, given, context)
     if kind.startswith("file:"):
         return [algorithm.parameterAsFileOutput(given, name, context)]
     return [algorithm.parameterAsString(given, name, context)]
