@@ -104,6 +104,9 @@ class FeatureSink {
     /// @throws OutputError where the destination cannot hold such coordinates
     virtual void require_crs(const std::string& /*wkt*/, const std::string& /*name*/,
                              const Position& /*place*/) {}
+    /// Tries, before the work, whether such layers can be written; nothing is left of the trial.
+    /// @param crs_wkt of their coordinates; "" for none @throws OutputError, OptionError
+    virtual void rehearse(std::span<const LayerSpec> /*layers*/, const std::string& /*crs_wkt*/) {}
     /// @throws OutputError
     virtual void begin(std::span<const LayerSpec> layers, const Provenance& provenance) = 0;
     /// @param layer index into the layers that begin() got @throws OutputError

@@ -9,6 +9,7 @@
 #include "attributes/attribute_table.hpp"
 #include "diagnose/traced_doubt.hpp"
 #include "diagnose/words.hpp"
+#include "pipeline/layer_specs.hpp"
 #include "pipeline/layer_styles.hpp"
 #include "pipeline/odd_heights.hpp"
 #include "pipeline/placer.hpp"
@@ -105,43 +106,16 @@ Emitter::Emitter(const Emission& emission, RecordMaker& records, FeatureSink& si
 }
 
 void Emitter::begin() {
-    const WriteOptions& write = emission_.options.write;
-    const std::string& source = context_.report.input;
-    // A circle of one CRS is none in another.
-    const bool with_arcs = emission_.options.outline.arcs && emission_.target_crs.kind() == Crs::Kind::none;
-    std::vector<LayerSpec> layers;
-    const auto building_fields = field_specs(building_attributes(), emission_.vertical_unit, write.fields);
-    if (write.layers != Layers::contours) {
-        buildings_layer_ = layers.size();
-        layers.push_back({sink_.layer_name(LayerRole::buildings, write.layers), "Buildings",
-                          "One polygon a building, from " + source, building_fields, write.with_z,
-                          with_arcs});
-    }
-    if (write.layers != Layers::buildings) {
-        contours_layer_ = layers.size();
-        const char* what = emission_.options.outline.disjoint
-                               ? "Bands between thresholds that do not overlap, from "
-                               : "Stacked contours, low to high, from ";
-        layers.push_back({sink_.layer_name(LayerRole::contours, write.layers), "Contours", what + source,
-                          field_specs(contour_attributes(), emission_.vertical_unit), write.with_z,
-                          with_arcs});
-    }
-    if (write.doubtful) {
-        doubtful_layer_ = layers.size();
-        layers.push_back({sink_.layer_name(LayerRole::doubtful, write.layers), "Doubtful buildings",
-                          "What may be a building, with the reason for the doubt, from " + source,
-                          building_fields, write.with_z, with_arcs});
-    }
-    std::optional<std::size_t> rejected_layer;
-    if (write.rejected) {
-        rejected_layer = layers.size();
-        rejected_.emplace(emission_, layers.size());
-        layers.push_back({sink_.layer_name(LayerRole::rejected, write.layers), "Rejected",
-                          "What was dropped, filled or kept as traced, with the reason, from " + source,
-                          field_specs(rejected_attributes(), emission_.vertical_unit), write.with_z, false});
-    }
-    give_styles(layers, {buildings_layer_, contours_layer_, doubtful_layer_, rejected_layer}, emission_,
-                context_.report.units.vertical_metres);
+    auto [layers, places] = layer_specs(
+        emission_.options,
+        {context_.report.input, emission_.vertical_unit, emission_.target_crs.kind() != Crs::Kind::none},
+        sink_);
+    buildings_layer_ = places.buildings;
+    contours_layer_ = places.contours;
+    doubtful_layer_ = places.doubtful;
+    if (places.rejected)
+        rejected_.emplace(emission_, *places.rejected);
+    give_styles(layers, places, emission_, context_.report.units.vertical_metres);
     const StageClock clock(context_.report, Stage::write);
     sink_.begin(layers, emission_.provenance);
     records_.number_from(sink_.first_id());

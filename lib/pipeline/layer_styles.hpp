@@ -1,21 +1,12 @@
 #pragma once
 
-#include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "core/feature_sink.hpp"
 #include "pipeline/emit.hpp"
+#include "pipeline/layer_specs.hpp"
 
 namespace d2b {
-
-/// Where each layer stands in a list; nothing where it is not written.
-struct LayerPlaces {
-    std::optional<std::size_t> buildings;
-    std::optional<std::size_t> contours;
-    std::optional<std::size_t> doubtful;
-    std::optional<std::size_t> rejected;
-};
 
 /// How the layers are shown by default: all by the same classes of height in metres, contours from low to
 /// high, and in 3D the stack, or where it is not written each building as a block.

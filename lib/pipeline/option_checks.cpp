@@ -1,35 +1,15 @@
 #include "pipeline/option_checks.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cstddef>
 #include <vector>
 
 #include "core/error.hpp"
+#include "pipeline/option_rules.hpp"
 
 namespace d2b {
 namespace {
-
-struct Conflict {
-    std::string_view one;
-    std::string_view other;
-    std::string_view advice;
-};
-
-constexpr std::string_view one_window = "give one of -srcwin, -projwin and -te";
-constexpr std::array conflicts{
-    Conflict{"fl", "i", "list the levels or give an interval"},
-    Conflict{"lod", "fl", "the listed levels take the place of those of -lod"},
-    Conflict{"lod", "i", "the interval takes the place of -lod"},
-    Conflict{"sweep", "fl", "the levels of a sweep are those of its lod"},
-    Conflict{"sweep", "i", "the levels of a sweep are those of its lod"},
-    Conflict{"srcwin", "projwin", one_window},
-    Conflict{"srcwin", "te", one_window},
-    Conflict{"projwin", "te", one_window},
-    Conflict{"snodata", "inodata", "set a NoData value or ignore it"},
-    Conflict{"overwrite", "append", "replace the layers or add to them"},
-};
 
 std::string lower(std::string_view text) {
     std::string result(text);
@@ -56,15 +36,53 @@ std::size_t edit_distance(std::string_view one, std::string_view other) {
     return cost.back().back();
 }
 
+/// Whether an option that is set to `value` is used in this way.
+bool is_so(const OptionUse& use, const std::string& value) {
+    switch (use.match) {
+        case Match::any:
+            break;
+        case Match::equal:
+            return value == use.value;
+        case Match::other:
+            return value != use.value;
+        case Match::names:
+            return value.find(std::string(use.value) + "=") != std::string::npos;
+    }
+    return true;
+}
+
+/// The use as it is written on a command line.
+std::string written(const OptionUse& use, const Request& request) {
+    const std::string option = "-" + std::string(use.name);
+    switch (use.match) {
+        case Match::any:
+            break;
+        case Match::equal:
+        case Match::other:
+            return option + " " + find_option(use.name)->show(request);
+        case Match::names:
+            return option + " " + std::string(use.value) + "=...";
+    }
+    return option;
+}
+
 }  // namespace
 
-void check_conflicts(const OptionNames& given) {
-    for (const auto& [one, other, advice] : conflicts)
-        if (given.contains(one) && given.contains(other))
-            throw OptionError("-" + std::string(one) + " cannot be used together with -" +
-                              std::string(other) + "; " + std::string(advice) + ".");
-    if (given.contains("off") && !given.contains("i"))
-        throw OptionError("-off needs -i <interval>; it is the elevation that the intervals count from.");
+void check_conflicts(const OptionNames& given, const Request& request) {
+    const auto holds = [&](const OptionUse& use) {
+        return given.contains(use.name) && is_so(use, find_option(use.name)->show(request));
+    };
+    for (const OptionRule& rule : option_rules())
+        if (holds(rule.one) && holds(rule.other) && (rule.unless.name.empty() || !holds(rule.unless)))
+            throw OptionError(
+                written(rule.one, request) +
+                (rule.kind == RuleKind::exclude ? " cannot be used together with " : " has no effect with ") +
+                written(rule.other, request) + "; " + std::string(rule.advice) + ".");
+    for (const OptionNeed& need : option_needs())
+        if (given.contains(need.name) && !given.contains(need.needed))
+            throw OptionError("-" + std::string(need.name) + " needs " +
+                              option_synopsis(*find_option(need.needed)) + "; " + std::string(need.advice) +
+                              ".");
 }
 
 std::string nearest_name(std::string_view typed, std::span<const std::string> candidates) {

@@ -6,14 +6,18 @@
 #include <string>
 #include <string_view>
 
+#include "pipeline/option_table.hpp"
+
 namespace d2b {
 
 /// Canonical names of options, without dash.
 using OptionNames = std::set<std::string, std::less<>>;
 
-/// @param given the options that were given, whatever their values
-/// @throws OptionError: two that exclude each other, or one without the other that it needs
-void check_conflicts(const OptionNames& given);
+/// Refuses what option_rules() and option_needs() forbid. @param given the options that were given
+/// @param request what they were set to
+/// @throws OptionError: two that exclude each other, one that has no effect beside another, or one without
+/// the other that it needs
+void check_conflicts(const OptionNames& given, const Request& request);
 
 /// The candidate that a mistyped name most likely stands for; "" where none is near.
 /// Letter case does not count; a beginning of at least three letters is near.

@@ -44,7 +44,7 @@ std::vector<OptionRow> also_written() {
     rows.push_back(choice_row("fields", "own|urock|city4cfd|osm", names,
                               [](auto& r) -> auto& { return r.options.write.fields; },
                               {.help = "Names of the fields of buildings: those that another program reads.",
-                               .details = "Some are longer than a Shapefile can hold."}));
+                               .details = "Some are longer than a Shapefile can hold, which is refused."}));
     rows.push_back(
         switch_row("write_doubtful", [](auto& r) -> auto& { return r.options.write.doubtful; },
                    {.help = "Also write a layer of what may be a building, with the reason for the doubt.",

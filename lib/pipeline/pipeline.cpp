@@ -16,6 +16,7 @@
 #include "pipeline/elevation_reader.hpp"
 #include "pipeline/emit.hpp"
 #include "pipeline/find_buildings.hpp"
+#include "pipeline/layer_specs.hpp"
 #include "pipeline/own_report.hpp"
 #include "pipeline/preset.hpp"
 #include "pipeline/provenance.hpp"
@@ -193,6 +194,11 @@ void run(const Options& user_options, const Sources& sources, const Sinks& sinks
     describe(info, crs, target, report);
     report.output = options.write.destination;
     report.units = resolve_units(info, crs, options.read.vertical_unit);
+    sinks.features.rehearse(
+        layer_specs(options, {report.input, report.units.vertical, target.kind() != Crs::Kind::none},
+                    sinks.features)
+            .layers,
+        target.kind() == Crs::Kind::none ? crs.wkt() : target.wkt());
     const Georeference georeference(info.transform, options.trace.mode);
     const Position middle = require_whole_frame(info, options, crs, target);
     require_crs(options, crs, target, middle, sinks.features);

@@ -23,7 +23,7 @@ void refuse_detection(const Options& options) {
     const auto refuse = [](const char* option) {
         throw OptionError(
             std::string("-") + option +
-            " has no meaning with -preset thesis, which detects no buildings; leave one of them out.");
+            " has no effect with -preset thesis; it detects no buildings, so leave one of them out.");
     };
     if (options.ground.mode == GroundMode::automatic || options.ground.mode == GroundMode::given)
         refuse("ground");
@@ -61,6 +61,19 @@ void refuse_far_offset(const LevelOptions& levels) {
                           number_text(*levels.interval) + " from; give a base near the elevations.");
 }
 
+/// What stands in layers that are not written.
+void refuse_for_layers(const Options& options) {
+    const WriteOptions& write = options.write;
+    if (options.outline.disjoint && write.layers == Layers::buildings)
+        throw OptionError(
+            "-disjoint has no effect where the buildings alone are written; use -layers contours, "
+            "or a format that holds both layers, such as GeoPackage.");
+    if (write.fields != FieldNames::own && write.layers == Layers::contours && !write.doubtful)
+        throw OptionError(
+            "-fields has no effect where the contours alone are written; only fields of buildings "
+            "have other names.");
+}
+
 }  // namespace
 
 bool detects_buildings(const Options& options) {
@@ -74,6 +87,7 @@ Options with_preset(Options options) {
     if (!detects)
         refuse_detection(options);
     refuse_far_offset(options.levels);
+    refuse_for_layers(options);
     const bool simplifies = options.outline.simplify > 0;
     if (simplifies && options.outline.walls != Walls::by_preset && options.outline.walls != Walls::off)
         throw OptionError(

@@ -17,7 +17,7 @@ namespace d2b {
 ///   -min_area     30 m2, of buildings    0, of all contours
 ///
 /// Done again, it changes nothing.
-/// @throws OptionError where an option has no meaning in the preset, or two exclude each other
+/// @throws OptionError where an option has no effect in the preset, or two exclude each other
 [[nodiscard]] Options with_preset(Options options);
 
 }  // namespace d2b

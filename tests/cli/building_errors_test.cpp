@@ -34,8 +34,9 @@ TEST_F(BuildingErrors, refusesValuesOutOfRange) {
 }
 
 TEST_F(BuildingErrors, refusesWhatExcludesEachOther) {
-    refused(2, {"-simplify", "1", "-regularize", "auto"},
-            "-simplify cannot be used together with -regularize; straight walls need no simplification.");
+    refused(
+        2, {"-simplify", "1", "-regularize", "auto"},
+        "-simplify 1 cannot be used together with -regularize auto; straight walls need no simplification.");
     for (const Arguments& arguments : {Arguments{"-ground", "auto"},
                                        {"-mask", "m.tif"},
                                        {"-ndvi", "n.tif"},
@@ -52,7 +53,7 @@ TEST_F(BuildingErrors, refusesWhatExcludesEachOther) {
         all.insert(all.end(), arguments.begin(), arguments.end());
         refused(2, all, arguments[0]);
         refused(2, all,
-                " has no meaning with -preset thesis, which detects no buildings; leave one of them out.");
+                " has no effect with -preset thesis; it detects no buildings, so leave one of them out.");
     }
 }
 

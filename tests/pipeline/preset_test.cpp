@@ -139,6 +139,30 @@ TEST(Preset, SimplifiedOutlinesHaveNoStraightWalls) {
         }
 }
 
+/// A format that holds one layer gets the buildings alone.
+TEST(Preset, RefusesWhatStandsInLayersThatAreNotWritten) {
+    Options options = of("buildings");
+    options.outline.disjoint = true;
+    for (const Layers layers : {Layers::automatic, Layers::both, Layers::contours}) {
+        options.write.layers = layers;
+        EXPECT_EQ(refusal(options), "(not refused)");
+    }
+    options.write.layers = Layers::buildings;
+    EXPECT_EQ(
+        refusal(options),
+        "-disjoint has no effect where the buildings alone are written; use -layers contours, or a format "
+        "that holds both layers, such as GeoPackage.");
+    options = of("buildings");
+    options.write.fields = FieldNames::osm;
+    options.write.layers = Layers::contours;
+    EXPECT_EQ(
+        refusal(options),
+        "-fields has no effect where the contours alone are written; only fields of buildings have other "
+        "names.");
+    options.write.doubtful = true;
+    EXPECT_EQ(refusal(options), "(not refused)");
+}
+
 TEST(Preset, ThesisRefusesWhatLooksForBuildings) {
     using Change = std::function<void(Options&)>;
     const std::vector<std::pair<std::string, Change>> changes{
@@ -159,9 +183,9 @@ TEST(Preset, ThesisRefusesWhatLooksForBuildings) {
     for (const auto& [name, change] : changes) {
         Options options = of("thesis");
         change(options);
-        EXPECT_EQ(refusal(options), name +
-                                        " has no meaning with -preset thesis, which detects no buildings; "
-                                        "leave one of them out.");
+        EXPECT_EQ(
+            refusal(options),
+            name + " has no effect with -preset thesis; it detects no buildings, so leave one of them out.");
         options.preset = "buildings";
         EXPECT_EQ(refusal(options), "(not refused)") << name;
     }

@@ -44,6 +44,10 @@ TEST(OptionTable, holdsTheseOptions) {
                                          "srcwin",
                                          "projwin",
                                          "cutline",
+                                         "cutline_layer",
+                                         "mask_layer",
+                                         "cutline_layer",
+                                         "mask_layer",
                                          "layers",
                                          "t_srs",
                                          "3d",
@@ -200,6 +204,7 @@ TEST(Options, ofTheInput) {
     EXPECT_EQ(read({"-projwin", "-10", "5", "10.5", "-5"}).projected_window, (Four{-10, 5, 10.5, -5}));
     EXPECT_EQ(read({"-te", "-10", "-20", "1e3", "2000.25"}).extent, (Four{-10, -20, 1000, 2000.25}));
     EXPECT_EQ(read({"-cutline", "area.gpkg"}).cutline, "area.gpkg");
+    EXPECT_EQ(read({"-cutline", "area.gpkg", "-cutline_layer", "town"}).cutline_layer, "town");
     for (const char* unit : {"m", "ft", "us-ft", "0.3048", "1e-3"})
         EXPECT_EQ(read({"-zunit", unit}).vertical_unit, unit);
     EXPECT_EQ(read({"-zrange", "-10", "2.5e3"}).elevation_range, (std::array<double, 2>{-10, 2500}));
@@ -227,6 +232,7 @@ TEST(Options, ofDetection) {
     EXPECT_EQ(detect({"-min_confidence", "1"}).min_confidence, 1);
     EXPECT_EQ(detect({"-min_confidence", "0"}).min_confidence, 0);
     EXPECT_EQ(detect({"-mask", "area.gpkg"}).mask, "area.gpkg");
+    EXPECT_EQ(detect({"-mask", "area.gpkg", "-mask_layer", "town"}).mask_layer, "town");
     EXPECT_EQ(detect({"-ndvi", "ndvi.tif"}).ndvi, "ndvi.tif");
     EXPECT_EQ(detect({"-split_height", "4"}).split_height, 4);
 }
@@ -334,6 +340,7 @@ TEST(Options, everyOptionChangesWhatItShows) {
                                            {"-snodata", "0"},
                                            {"-inodata"},
                                            {"-cutline", "x"},
+                                           {"-cutline", "x", "-cutline_layer", "y"},
                                            {"-zunit", "ft"},
                                            {"-zrange", "-10", "100"},
                                            {"-srcwin", "0", "0", "1", "1"},
@@ -365,6 +372,7 @@ TEST(Options, everyOptionChangesWhatItShows) {
                                            {"-min_height", "3"},
                                            {"-min_confidence", "0.4"},
                                            {"-mask", "x"},
+                                           {"-mask", "x", "-mask_layer", "y"},
                                            {"-ndvi", "x"},
                                            {"-split_height", "3"},
                                            {"-levels", "global"},
@@ -381,8 +389,9 @@ TEST(Options, everyOptionChangesWhatItShows) {
                                            {"-write_canopy", "x"}};
     std::set<std::string> seen{"p"};  // no effect
     for (const Texts& arguments : command_lines) {
-        const OptionRow& row =
-            *find_option(arguments[arguments.size() > 2 && arguments[2] == "-off" ? 2 : 0]);
+        const bool needs_the_first =
+            arguments.size() == 4 && (arguments[2] == "-off" || arguments[2].ends_with("_layer"));
+        const OptionRow& row = *find_option(arguments[needs_the_first ? 2 : 0]);
         EXPECT_NE(row.show(parse(arguments)), row.standard) << row.name;
         seen.insert(row.name);
     }

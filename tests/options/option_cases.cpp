@@ -1,0 +1,136 @@
+#include "options/option_cases.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "core/error.hpp"
+#include "dem2buildings/command_line.hpp"
+#include "dem2buildings/help.hpp"
+
+namespace d2b::test {
+namespace {
+
+/// Values that show on the scene, of the options whose words the table does not list.
+const std::map<std::string, std::vector<Texts>>& values() {
+    static const std::map<std::string, std::vector<Texts>> all{
+        {"b", {{"2"}}},
+        {"oo", {{"NUM_THREADS=1"}}},
+        {"if", {{"GTiff"}}},
+        {"a_srs", {{"+proj=tmerc +lon_0=15 +k=0.9996 +x_0=500001 +ellps=GRS80 +type=crs"}}},
+        {"snodata", {{"16"}}},
+        {"srcwin", {{"0", "0", "105", "70"}}},
+        {"projwin", {{"391005", "5820000", "391108", "5819905"}}},
+        {"te", {{"391000", "5819907", "391098", "5820000"}}},
+        {"cutline", {{"/vsimem/scene/areas.gpkg"}}},
+        {"cutline_layer", {{"north"}}},
+        {"zunit", {{"ft"}}},
+        {"zrange", {{"0", "9"}}},
+        {"max_building_width", {{"5"}}},
+        {"min_height", {{"4"}}},
+        {"min_confidence", {{"0"}, {"0.97"}}},
+        {"mask", {{"/vsimem/scene/masks.gpkg"}}},
+        {"mask_layer", {{"middle"}}},
+        {"ndvi", {{"/vsimem/scene/ndvi.tif"}}},
+        {"split_height", {{"3"}}},
+        {"ground", {{"none"}, {"/vsimem/scene/dtm.tif"}}},
+        {"lod", {{"2"}}},
+        {"fl", {{"6", "9"}}},
+        {"i", {{"2.5"}}},
+        {"off", {{"1"}}},
+        {"nf", {{"50"}}},
+        {"min_area", {{"150"}}},
+        {"regularize_tolerance", {{"0.8"}}},
+        {"simplify", {{"1.2"}}},
+        {"t_srs", {{"EPSG:4326"}}},
+        {"f", {{"GPKG"}}},
+        {"dsco", {{"VERSION=1.3"}}},
+        {"lco", {{"FID=fid"}}},
+        {"nln", {{"roofs"}}},
+        {"write_ground", {{"g.tif"}}},
+        {"write_height", {{"h.tif"}}},
+        {"write_canopy", {{"c.tif"}}},
+        {"preview", {{"p.png"}}},
+        {"sweep", {{"lod=1..2"}, {"nf=5..10"}}},
+        {"threads", {{"1"}}},
+    };
+    return all;
+}
+
+const std::map<std::string, Texts>& needs() {
+    static const std::map<std::string, Texts> all{{"cutline_layer", {"-cutline", "/vsimem/scene/areas.gpkg"}},
+                                                  {"mask_layer", {"-mask", "/vsimem/scene/masks.gpkg"}},
+                                                  {"off", {"-i", "2.5"}}};
+    return all;
+}
+
+std::vector<Texts> values_of(const OptionRow& row) {
+    if (row.arity == Arity::none)
+        return {{}};
+    if (const auto listed = values().find(row.name); listed != values().end())
+        return listed->second;
+    std::vector<Texts> words;
+    for (const std::string& word : option_words(row))
+        words.push_back({word});
+    return words;
+}
+
+}  // namespace
+
+Texts OptionCase::words() const {
+    Texts words = with;
+    words.push_back("-" + name);
+    words.insert(words.end(), values.begin(), values.end());
+    return words;
+}
+
+std::string OptionCase::text() const {
+    std::string text;
+    for (const std::string& word : words())
+        text += (text.empty() ? "" : " ") + word;
+    return text;
+}
+
+bool OptionCase::is_given_with(const OptionCase& other) const {
+    return std::ranges::find(with, "-" + other.name) != with.end();
+}
+
+std::vector<OptionCase> option_cases() {
+    const Request standard;
+    std::vector<OptionCase> cases;
+    for (const OptionRow& row : option_table()) {
+        Request request;
+        if (row.arity == Arity::none)
+            row.apply(request, {});
+        if (row.hidden || request.tool.prints_text())
+            continue;
+        for (const Texts& texts : values_of(row)) {
+            const auto needed = needs().find(row.name);
+            cases.push_back({row.name, texts, needed == needs().end() ? Texts{} : needed->second});
+        }
+    }
+    return cases;
+}
+
+bool shapes_the_result(const std::string& name) {
+    static const std::set<std::string> others{"oo",    "if",      "f",      "dsco",      "lco",
+                                              "nln",   "q",       "json",   "overwrite", "append",
+                                              "sweep", "threads", "preview"};
+    return !others.contains(name);
+}
+
+std::string refusal_of(const Texts& words) {
+    Texts all = words;
+    const bool sweeps = std::ranges::find(words, "-sweep") != words.end();
+    all.insert(all.end(), {"--", "in.tif"});
+    if (!sweeps)
+        all.emplace_back("out.gpkg");
+    try {
+        static_cast<void>(parse_command_line(all));
+        return "";
+    } catch (const OptionError& error) {
+        return error.what();
+    }
+}
+
+}  // namespace d2b::test

@@ -1,0 +1,111 @@
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "options/option_scene.hpp"
+
+namespace d2b::test {
+namespace {
+
+/// What says again what the other implies is taken: it misleads nobody.
+bool says_again(const std::string& one, const std::string& other) {
+    static const std::map<std::string, std::set<std::string>> implied{
+        {"-preset thesis", {"-ground none", "-levels global", "-trace points", "-regularize off"}},
+        {"-simplify 1.2", {"-regularize off"}}};
+    const auto found = implied.find(other);
+    return found != implied.end() && found->second.contains(one);
+}
+
+/// The scene has one object of each kind: where the second takes it away, the first has nothing to show.
+bool takes_its_object(const std::string& one, const std::string& other) {
+    static const std::set<std::string> of_ruin{"-b",     "-srcwin",     "-cutline_layer",
+                                               "-zunit", "-mask_layer", "-min_area"};
+    static const std::set<std::string> of_rough{"-zunit", "-ndvi", "-min_confidence"};
+    static const std::set<std::string> of_tower{"-cutline_layer", "-split_height", "-fl",
+                                                "-max_building_width"};
+    static const std::map<std::string, std::set<std::string>> of{{"-min_confidence 0", of_ruin},
+                                                                 {"-min_confidence 0.97", of_rough},
+                                                                 {"-ndvi /vsimem/scene/ndvi.tif", of_rough},
+                                                                 {"-nf 50", of_tower}};
+    const auto found = of.find(one);
+    return found != of.end() && found->second.contains(other);
+}
+
+Texts joined(const Texts& one, const Texts& other) {
+    Texts all = one;
+    for (std::size_t i = 0; i < other.size();) {
+        // What both need is given once.
+        std::size_t end = i + 1;
+        while (end < other.size() && (other[end][0] != '-' || end == i))
+            ++end;
+        if (std::ranges::find(one, other[i]) == one.end())
+            all.insert(all.end(), other.begin() + static_cast<std::ptrdiff_t>(i),
+                       other.begin() + static_cast<std::ptrdiff_t>(end));
+        i = end;
+    }
+    return all;
+}
+
+class OptionEffects : public OptionScene {
+  protected:
+    const Outcome& outcome(const Texts& words) {
+        std::string key;
+        for (const std::string& word : words)
+            key += word + " ";
+        const auto known = known_.find(key);
+        return known != known_.end() ? known->second : known_.emplace(key, outcome_of(words)).first->second;
+    }
+    /// Whether a case changes what the other words give.
+    bool shows(const OptionCase& option, const Texts& others) {
+        const Outcome with = outcome_of(joined(others, option.words()));
+        return with != outcome(joined(others, option.with));
+    }
+    std::map<std::string, Outcome> known_;
+};
+
+/// Else the scene is too poor to tell anything.
+TEST_F(OptionEffects, eachOptionShowsByItself) {
+    for (const OptionCase& option : option_cases()) {
+        const OptionRow& row = *find_option(option.name);
+        Request request;
+        apply_option(row, request, option.values);
+        const bool standard = row.show(request) == row.standard;
+        const std::set<std::string> of_the_preset{"-ground auto", "-levels building", "-trace cells",
+                                                  "-regularize auto", "-layers both"};
+        if (shapes_the_result(option.name) && !standard && !of_the_preset.contains(option.text())) {
+            EXPECT_TRUE(shows(option, {})) << option.text();
+        }
+    }
+}
+
+/// A share of the options, so that no test takes long.
+class EachOption : public OptionEffects, public ::testing::WithParamInterface<std::size_t> {};
+constexpr std::size_t shares = 8;
+
+/// An option that changes nothing beside another would be ignored in silence: it is refused.
+TEST_P(EachOption, showsBesideEachOther) {
+    const std::vector<OptionCase> cases = option_cases();
+    int tried = 0;
+    for (std::size_t i = GetParam(); i < cases.size(); i += shares) {
+        const OptionCase& one = cases[i];
+        if (!shapes_the_result(one.name) || !shows(one, {}))
+            continue;
+        for (const OptionCase& other : cases) {
+            const bool same = one.name == other.name || one.is_given_with(other) || other.is_given_with(one);
+            if (same || !shapes_the_result(other.name) || says_again(one.text(), other.text()) ||
+                takes_its_object(one.text(), "-" + other.name))
+                continue;
+            if (refusal_of(joined(other.words(), one.words())).empty()) {
+                ++tried;
+                EXPECT_TRUE(shows(one, other.words())) << one.text() << " beside " << other.text();
+            }
+        }
+    }
+    EXPECT_GT(tried, 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shares, EachOption, ::testing::Range(std::size_t{0}, shares));
+
+}  // namespace
+}  // namespace d2b::test
