@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "read/gdal_messages.hpp"
+#include "read/source_advice.hpp"
 #include "read/window.hpp"
 
 namespace d2b {
@@ -43,11 +44,17 @@ class NoBigReads {
     std::optional<std::string> before_;
 };
 
+/// What GDAL has opened; of the standard input that is a file which users do not know.
+std::string path_of(GDALRasterBandH band) {
+    const GDALDatasetH dataset = GDALGetBandDataset(band);
+    return dataset == nullptr ? "" : GDALGetDescription(dataset);
+}
+
 }  // namespace
 
 BandReader::BandReader(GDALRasterBandH band, const ReadOptions& options, DemInfo info, Context& context)
     : band_(band), info_(std::move(info)) {
-    const GdalMessages messages;
+    const GdalMessages messages(path_of(band_), info_.name);
     if (options.nodata && options.ignore_nodata)
         throw OptionError("-snodata and -inodata exclude each other; give only one of them.");
     int known = FALSE;
@@ -150,15 +157,15 @@ void BandReader::take_out(const Window& part, std::span<double> elevations) {
 
 void BandReader::load(GDALRasterBandH band, GDALDataType type, const Window& part, void* values,
                       Context& context) const {
-    const GdalMessages messages;
+    const std::string path = path_of(band_);
+    const GdalMessages messages(path, info_.name);
     const NoBigReads no_big_reads;
     const CPLErr status = GDALRasterIOEx(band, GF_Read, part.col, part.row, part.cols, part.rows, values,
                                          part.cols, part.rows, type, 0, 0, nullptr);
     if (status != CE_None || messages.failed())
         throw InputError("Rows " + std::to_string(part.row) + " to " +
                          std::to_string(part.row + part.rows - 1) + " of '" + info_.name +
-                         "' cannot be read: " + messages.reason() +
-                         "; the file may be truncated or damaged.");
+                         "' cannot be read: " + messages.reason() + unread_advice(path, info_.driver) + ".");
     messages.pass_warnings(context);
 }
 

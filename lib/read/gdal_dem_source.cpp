@@ -38,7 +38,7 @@ bool holds_bytes(GDALRasterBandH band) {
 }
 
 DemInfo describe(const OpenRaster& raster, const ReadOptions& options, Context& context) {
-    const GdalMessages messages;
+    const GdalMessages messages(GDALGetDescription(raster.dataset.get()), options.source);
     DemInfo info;
     info.name = options.source;
     info.rows = GDALGetRasterYSize(raster.dataset.get());
@@ -71,7 +71,7 @@ class GdalDemSource final : public DemSource {
           info_(describe(raster, options, context)),
           readers_(std::move(raster), options, spooled_ ? spooled_->path() : options.source, info_, context) {
         if (!options.cutline.empty())
-            cut(options.cutline);
+            cut({"cutline", options.cutline, options.cutline_layer});
     }
 
     [[nodiscard]] const DemInfo& info() const override { return info_; }
@@ -84,10 +84,10 @@ class GdalDemSource final : public DemSource {
     }
 
   private:
-    void cut(const std::string& path) {
-        cutline_.emplace(read_cutline(path, info_, context_), info_.window);
+    void cut(const PolygonPlace& place) {
+        cutline_.emplace(read_cutline(place, info_, context_), info_.window);
         if (!cutline_->meets_window())
-            context_.warn("The cutline '" + path + "' does not meet the part of '" + info_.name +
+            context_.warn("The cutline '" + place.path + "' does not meet the part of '" + info_.name +
                           "' that is used; no point of it is valid.");
     }
 

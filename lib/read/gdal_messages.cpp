@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include <cpl_error.h>
 
@@ -23,6 +24,13 @@ void CPL_STDCALL collect(CPLErr level, CPLErrorNum, const char* text) {
     } catch (...) {  // Out of memory; an exception must not travel through GDAL's C frames.
         return;
     }
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    if (!from.empty())
+        for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+            text.replace(at, from.size(), to);
+    return text;
 }
 
 void remember(std::vector<std::string>& list, const std::string& line) {
@@ -67,7 +75,8 @@ std::string one_line(std::string_view text) {
     return line;
 }
 
-GdalMessages::GdalMessages() {
+GdalMessages::GdalMessages(std::string hidden, std::string shown)
+    : hidden_(hidden == shown ? "" : std::move(hidden)), shown_(std::move(shown)) {
     CPLPushErrorHandlerEx(collect, this);
     CPLSetCurrentErrorHandlerCatchDebug(FALSE);
 }
@@ -77,7 +86,7 @@ GdalMessages::~GdalMessages() {
 }
 
 void GdalMessages::add(bool is_error, const char* text) {
-    const std::string line = one_line(text == nullptr ? "" : text);
+    const std::string line = one_line(replaced(text == nullptr ? "" : text, hidden_, shown_));
     if (is_error) {
         last_error_ = line.empty() ? "unknown error" : line;
         if (first_error_.empty())

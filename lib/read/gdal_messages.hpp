@@ -14,7 +14,9 @@ namespace d2b {
 /// Scopes may nest; they must end in the reverse order, in the thread that began them.
 class GdalMessages {
   public:
-    GdalMessages();
+    /// @param hidden the name of a file or folder that users do not know @param shown what messages say
+    /// instead
+    explicit GdalMessages(std::string hidden = "", std::string shown = "");
     GdalMessages(const GdalMessages&) = delete;
     GdalMessages& operator=(const GdalMessages&) = delete;
     ~GdalMessages();
@@ -40,6 +42,8 @@ class GdalMessages {
 
   private:
     std::string first_error_;
+    std::string hidden_;
+    std::string shown_;
     std::string last_error_;
     std::vector<std::string> errors_;
     std::vector<std::string> warnings_;

@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/header_claims.hpp"
+#include "read/source_advice.hpp"
 
 namespace d2b {
 
@@ -21,14 +22,14 @@ void check_options(const ReadOptions& options) {
 }
 
 DatasetOwner open_dataset(const ReadOptions& options, const std::string& path, Context& context) {
-    const GdalMessages messages;
+    const GdalMessages messages(path, options.source);
     const StringList drivers(options.drivers);
     const StringList open_options(options.open_options);
     DatasetOwner dataset(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
                                     drivers.get(), open_options.get(), nullptr));
     if (!dataset)
-        throw InputError("'" + options.source +
-                         "' cannot be opened as a raster: " + messages.reason_for(path) + ".");
+        throw InputError("'" + options.source + "' cannot be opened as a raster: " +
+                         messages.reason_for(options.source) + unopened_advice(path) + ".");
     messages.pass_all(context);
     return dataset;
 }

@@ -40,6 +40,10 @@ class DatasetWriter {
 
     /// The first number that a feature may take; known when begin() has been called.
     [[nodiscard]] std::int64_t first_id() const { return first_id_; }
+    /// Of each field of a layer, as the driver calls it; none of a layer that waits for those before it.
+    [[nodiscard]] std::vector<std::string> columns(std::size_t layer) const {
+        return layer < layers_.size() ? layers_[layer].columns() : std::vector<std::string>();
+    }
     /// Name and number of features of each layer that was written; known when close() has been called.
     [[nodiscard]] const LayerCounts& counts() const { return counts_; }
 

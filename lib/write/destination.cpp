@@ -1,5 +1,7 @@
 #include "write/destination.hpp"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <system_error>
 
@@ -49,12 +51,26 @@ void locate_local(Destination& destination, const VectorFormat& format) {
 
 }  // namespace
 
+void refuse_archive(const std::string& name) {
+    constexpr std::array archives{"/vsizip/", "/vsitar/", "/vsi7z/", "/vsirar/"};
+    constexpr std::array read_only{"/vsicurl/",    "/vsicurl?",  "/vsicurl_streaming/",
+                                   "/vsisubfile/", "/vsistdin/", "/vsistdin?"};
+    const auto begins = [&](const char* prefix) { return name.starts_with(prefix); };
+    if (std::ranges::any_of(archives, begins))
+        throw OptionError(
+            in_quotes(name) +
+            " lies in an archive, into which nothing is written; give a file, and pack it then.");
+    if (std::ranges::any_of(read_only, begins))
+        throw OptionError(in_quotes(name) + " can only be read; give a file.");
+}
+
 Destination locate(const WriteOptions& options, const VectorFormat& format) {
     if (options.overwrite && options.append)
         throw OptionError("-overwrite and -append exclude each other; give one of them.");
     Destination destination{.name = options.destination, .path = options.destination};
     if (is_stream(options.destination) || is_connection(format.driver, options.destination))
         return destination;
+    refuse_archive(options.destination);
     if (options.destination.starts_with("/vsi")) {
         VSIStatBufL status{};
         destination.exists = VSIStatExL(options.destination.c_str(), &status,

@@ -16,6 +16,9 @@ struct Destination {
     bool exists = false;  ///< an empty folder does not count where the format makes a folder
 };
 
+/// For rasters as well. @throws OptionError: in an archive, or at a place that is only read
+void refuse_archive(const std::string& name);
+
 /// Looks at the destination and whether it can be written. @throws OptionError: -overwrite with -append,
 /// exists without either, a folder where a file is meant, files in the way. @throws OutputError: no such
 /// folder, not writable

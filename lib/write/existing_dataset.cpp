@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "read/gdal_messages.hpp"
 #include "write/existing_refusals.hpp"
+#include "write/ogr_call.hpp"
 #include "write/ogr_handles.hpp"
 #include "write/style_sidecar.hpp"
 #include "write/users_objects.hpp"
@@ -59,7 +60,7 @@ std::vector<std::string> files_of(GDALDatasetH dataset, const fs::path& path, co
                                                                   drivers.data(), nullptr) != nullptr;
     if (unreadable || ours)
         throw OutputError("Cannot write \"" + destination.name + "\": it exists and cannot be opened (" +
-                          messages.reason_for(destination.path) + ").");
+                          messages.reason_for(destination.path) + ")" + advice_for(messages.reason()) + ".");
     throw OptionError("\"" + destination.name + "\" exists and is not a dataset of format " + format.name +
                       "; remove it first.");
 }

@@ -1,11 +1,16 @@
 #include "write/existing_refusals.hpp"
 
 #include <algorithm>
+#include <cerrno>
+#include <chrono>
 #include <filesystem>
 #include <system_error>
+#include <thread>
+#include <unistd.h>
 
 #include "core/error.hpp"
 #include "read/gdal_messages.hpp"
+#include "write/ogr_call.hpp"
 
 namespace d2b {
 
@@ -26,6 +31,26 @@ std::string foreign_file(const fs::path& folder, GDALDatasetH dataset,
             return file;
     }
     return "";
+}
+
+/// Whoever is about to write keeps all others from writing, but not from reading until he commits. One who is
+/// done soon is waited for.
+void refuse_locked(const Destination& destination, GDALDatasetH dataset) {
+    using std::chrono::steady_clock;
+    constexpr std::chrono::seconds longest(3);
+    constexpr std::chrono::milliseconds between(50);
+    for (const auto start = steady_clock::now();; std::this_thread::sleep_for(between)) {
+        const GdalMessages messages;
+        GDALDatasetExecuteSQL(dataset, "BEGIN IMMEDIATE", nullptr, nullptr);
+        if (!messages.failed())
+            break;
+        if (steady_clock::now() - start > longest)
+            throw OutputError("Cannot write \"" + destination.name + "\": locking it failed (" +
+                              messages.reason_for(destination.path) + ")" + advice_for(messages.reason()) +
+                              ".");
+    }
+    const GdalMessages quiet;
+    GDALDatasetExecuteSQL(dataset, "ROLLBACK", nullptr, nullptr);
 }
 
 }  // namespace
@@ -61,10 +86,16 @@ void refuse_foreign(const Destination& destination, const ExistingDataset& exist
 void require_writable(const Destination& destination, const VectorFormat& format, const WriteOptions& options,
                       const std::vector<std::string>& names) {
     const GdalMessages messages;
+    if (destination.local && ::access(destination.path.c_str(), W_OK) != 0 && errno != ENOENT)
+        throw OutputError("Cannot write \"" + destination.name + "\": it is read-only (" +
+                          std::generic_category().message(errno) +
+                          "); allow writing, or choose another destination.");
     const DatasetHandle dataset = open_dataset(format, destination.path, GDAL_OF_UPDATE);
     if (!dataset && format.transactions)
         throw OutputError("Cannot write \"" + destination.name + "\": opening it for writing failed (" +
-                          messages.reason() + ").");
+                          messages.reason() + ")" + advice_for(messages.reason()) + ".");
+    if (format.name == "GPKG" || format.name == "SQLite")
+        refuse_locked(destination, dataset.get());
     if (!options.append)
         return;
     bool appendable = dataset != nullptr;

@@ -6,6 +6,16 @@
 
 namespace d2b {
 
+std::string advice_for(const std::string& reason) {
+    if (reason.find("database is locked") != std::string::npos)
+        return "; another program is using it: close it there (in QGIS end editing and remove its layers), "
+               "then "
+               "run again";
+    if (reason.find("readonly database") != std::string::npos)
+        return "; it is read-only: allow writing, or choose another destination";
+    return "";
+}
+
 void OgrCall::check(bool succeeded, const std::string& doing) {
     if (!succeeded || messages_.failed())
         fail(doing);
@@ -18,12 +28,9 @@ void OgrCall::pass_warnings() {
 }
 
 void OgrCall::fail(const std::string& doing) const {
-    std::string text = reason();
-    const std::string& hidden = target_.hidden_folder;
-    // Nobody knows the hidden folder, and it is gone when the message is read.
-    for (auto at = text.find(hidden); !hidden.empty() && at != std::string::npos; at = text.find(hidden, at))
-        text.erase(at, hidden.size());
-    throw OutputError("Cannot write \"" + target_.name + "\": " + doing + " failed (" + text + ").");
+    const std::string text = reason();
+    throw OutputError("Cannot write \"" + target_.name + "\": " + doing + " failed (" + text + ")" +
+                      advice_for(text) + ".");
 }
 
 void close_written(const WriteTarget& target, DatasetHandle dataset) {

@@ -20,7 +20,7 @@ struct WriteTarget {
 /// what is lost is lost, and drivers report full disks in this way alone.
 class OgrCall {
   public:
-    explicit OgrCall(const WriteTarget& target) : target_(target) {}
+    explicit OgrCall(const WriteTarget& target) : target_(target), messages_(target.hidden_folder) {}
 
     /// Passes warnings on. @param doing what was tried, e.g. "creating layer \"buildings\"" @throws
     /// OutputError
@@ -35,6 +35,10 @@ class OgrCall {
     const WriteTarget& target_;
     GdalMessages messages_;
 };
+
+/// What a user can do about a failure of a database, as the end of a sentence that begins with "; "; "" where
+/// nothing is known. @param reason GDAL's
+[[nodiscard]] std::string advice_for(const std::string& reason);
 
 /// Writes what is pending and closes. @throws OutputError: also where only closing fails
 void close_written(const WriteTarget& target, DatasetHandle dataset);

@@ -12,6 +12,7 @@
 #include "write/dataset_writer.hpp"
 #include "write/existing_dataset.hpp"
 #include "write/layer_choice.hpp"
+#include "write/rehearsal.hpp"
 #include "write/staging.hpp"
 #include "write/style_sidecar.hpp"
 #include "write/write_watch.hpp"
@@ -31,6 +32,7 @@ class OgrFeatureSink final : public FeatureSink {
           context_(context) {}
 
     void require_crs(const std::string& wkt, const std::string& name, const Position& place) override;
+    void rehearse(std::span<const LayerSpec> layers, const std::string& crs_wkt) override;
     void begin(std::span<const LayerSpec> layers, const Provenance& provenance) override;
     void add(std::size_t layer, const Feature& feature) override {
         writer_->add(layer, feature);
@@ -83,6 +85,15 @@ void OgrFeatureSink::require_crs(const std::string& wkt, const std::string& name
     if (!misfit.read_as.empty())
         context_.warn(what + ": programs will take the coordinates of \"" + destination_.name + "\" for '" +
                       misfit.read_as + "'; choose that one with -t_srs, or another format.");
+}
+
+void OgrFeatureSink::rehearse(std::span<const LayerSpec> layers, const std::string& crs_wkt) {
+    // What has no surprises is not tried: it would take longer than a small raster.
+    const bool plain = format_.name == "GPKG" && options_.layer_name.empty() &&
+                       options_.layer_options.empty() && options_.dataset_options.empty();
+    const bool creates = mode() != DatasetWriter::Mode::extend;
+    if (creates && !plain && !is_connection(format_.driver, destination_.path))
+        d2b::rehearse(destination_, format_, options_, layers, crs_wkt);
 }
 
 void OgrFeatureSink::begin(std::span<const LayerSpec> layers, const Provenance& provenance) {

@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "read/gdal_messages.hpp"
+#include "write/destination.hpp"
 #include "write/existing_dataset.hpp"
 #include "write/local_path.hpp"
 #include "write/ogr_handles.hpp"
@@ -107,6 +108,7 @@ bool exists(const RasterPlace& place) {
 RasterPlace locate_raster(const RasterTarget& target) {
     const std::string& name = target.destination;
     require_name(name, target.format);
+    refuse_archive(name);
     RasterPlace place;
     place.name = place.path = name;
     place.local = !name.starts_with("/vsi");

@@ -155,7 +155,7 @@ TEST_F(OptionEffect, mask_layer) {
         };
         const int bottom = box.row + box.rows;
         const int right = box.col + box.cols;
-        write_text(path(name + ".csv"), "WKT\n\"POLYGON ((" + at(box.row, box.col) + "," +
+        write_text(path(name + ".csv"), "id,WKT\n1,\"POLYGON ((" + at(box.row, box.col) + "," +
                                             at(box.row, right) + "," + at(bottom, right) + "," +
                                             at(bottom, box.col) + "," + at(box.row, box.col) + "))\"\n");
         return "<OGRVRTLayer name=\"" + name + "\"><SrcDataSource relativeToVRT=\"1\">" + name +

@@ -115,7 +115,7 @@ TEST_F(OptionEffect, append) {
     EXPECT_EQ(layer("out.gpkg", "notes").records.size(), 1U);
 }
 
-TEST_F(OptionEffect, appendNumbersWhateverTheFieldIsCalled) {
+TEST_F(OptionEffect, append__numbersWhateverTheFieldIsCalled) {
     for (const auto& [fields, id] : {std::pair("urock", "ID_BUILD"), std::pair("city4cfd", "unique_id")}) {
         const std::string file = std::string(fields) + ".gpkg";
         for (const char* mode : {"-overwrite", "-append"})

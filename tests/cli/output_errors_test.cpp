@@ -122,7 +122,9 @@ TEST_F(OutputErrors, folderWithoutPermission) {
 }
 
 TEST_F(OutputErrors, creationOptionsThatFail) {
-    failed(1, R"(Cannot write "out.gpkg": )", "out.gpkg", {"-lco", "GEOMETRY_NAME=id"});
+    failed(1, R"(; see whether -nln, -lco or -dsco ask for what cannot be, or write another format, such as)",
+           "out.shp", {"-layers", "buildings", "-lco", "SHPT=NONSENSE"});
+    failed(2, "-lco GEOMETRY_NAME=id is the name of a field", "out.gpkg", {"-lco", "GEOMETRY_NAME=id"});
 }
 
 TEST_F(OutputErrors, fullDiskOnStdout) {

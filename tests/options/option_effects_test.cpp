@@ -24,10 +24,16 @@ bool takes_its_object(const std::string& one, const std::string& other) {
     static const std::set<std::string> of_rough{"-zunit", "-ndvi", "-min_confidence"};
     static const std::set<std::string> of_tower{"-cutline_layer", "-split_height", "-fl",
                                                 "-max_building_width"};
+    static const std::set<std::string> high{"-zrange"};
     static const std::map<std::string, std::set<std::string>> of{{"-min_confidence 0", of_ruin},
                                                                  {"-min_confidence 0.97", of_rough},
                                                                  {"-ndvi /vsimem/scene/ndvi.tif", of_rough},
-                                                                 {"-nf 50", of_tower}};
+                                                                 {"-nf 50", of_tower},
+                                                                 {"-max_building_width 5", high},
+                                                                 {"-split_height 3", high},
+                                                                 {"-arcs", high},
+                                                                 {"-snodata 16", high},
+                                                                 {"-inodata", high}};
     const auto found = of.find(one);
     return found != of.end() && found->second.contains(other);
 }

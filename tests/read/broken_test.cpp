@@ -90,7 +90,9 @@ TEST_F(ReadBroken, aMosaicWhosePartIsMissing) {
     const std::string text = message<InputError>();
     expect_has(text, "Rows 0 to 0 of '");
     expect_has(text,
-               "no_such_folder/none.tif: No such file or directory; the file may be truncated or damaged.");
+               "no_such_folder/none.tif: No such file or directory; see whether the files and functions that "
+               "the VRT "
+               "names are there.");
 }
 
 }  // namespace

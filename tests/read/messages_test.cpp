@@ -45,6 +45,17 @@ TEST(GdalMessages, innerScopesKeepTheirMessages) {
     EXPECT_EQ(outer.reason(), "outer");
 }
 
+TEST(GdalMessages, hiddenNamesAreNotShown) {
+    const GdalMessages messages("/tmp/dem2buildings_x1", "/vsistdin/");
+    say(CE_Warning, "/tmp/dem2buildings_x1: odd tag");
+    say(CE_Failure, "`/tmp/dem2buildings_x1' is not /tmp/dem2buildings_x1");
+    EXPECT_EQ(messages.warnings(), (std::vector<std::string>{"/vsistdin/: odd tag"}));
+    EXPECT_EQ(messages.reason(), "`/vsistdin/' is not /vsistdin/");
+    const GdalMessages folder("./.dem2buildings.x/", "");
+    say(CE_Failure, "dataset ./.dem2buildings.x/o.gpkg has no option");
+    EXPECT_EQ(folder.reason(), "dataset o.gpkg has no option");
+}
+
 TEST(GdalMessages, aWarningIsPassedOnceInARun) {
     Context context;
     std::vector<std::string> heard;

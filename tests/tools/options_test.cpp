@@ -38,7 +38,6 @@ TEST(OptionTable, holdsTheseOptions) {
                                          "te",
                                          "zunit",
                                          "zrange",
-                                         "zrange",
                                          "snodata",
                                          "inodata",
                                          "srcwin",

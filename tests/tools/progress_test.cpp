@@ -40,6 +40,30 @@ TEST(TerminalProgress, endsItsLineWhereTheRunStops) {
     EXPECT_EQ(untouched.str(), "");
 }
 
+/// Found in a terminal: "0...10..Warning: ...".
+TEST(TerminalProgress, letsALineIn) {
+    std::ostringstream out;
+    {
+        TerminalProgress progress(out);
+        progress.interrupt(true, [&] { out << "first\n"; });
+        progress.update(0.15);
+        progress.interrupt(true, [&] { out << "second\n"; });
+        progress.interrupt(true, [&] { out << "third\n"; });
+        progress.update(0.15);
+        progress.update(0.225);
+    }
+    EXPECT_EQ(out.str(), "first\n0...10..\nsecond\nthird\n.20.\n");
+    std::ostringstream apart;
+    {
+        TerminalProgress progress(apart);
+        progress.update(0.05);
+        progress.interrupt(false, [] {});
+        progress.update(1);
+        progress.interrupt(true, [] {});
+    }
+    EXPECT_EQ(apart.str(), "0...10...20...30...40...50...60...70...80...90...100 - done.\n");
+}
+
 TEST(Summary, countsWhatTheLayersHold) {
     RunReport report;
     report.buildings = 1234;

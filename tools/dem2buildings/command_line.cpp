@@ -67,8 +67,19 @@ void take_file_names(const std::vector<std::string>& names, Options& options) {
     }
     if (names[0] == names[1])
         throw OptionError("The destination '" + names[1] + "' is the source; give another name.");
+    if (names[1].starts_with("/vsimem/"))
+        throw OptionError("The destination '" + names[1] +
+                          "' lies in memory and is gone when the program ends; give a file.");
     options.read.source = names[0];
     options.write.destination = names[1];
+}
+
+/// Rasters and pictures that are written beside the layers.
+void check_side_files(const WriteOptions& write) {
+    for (const std::string& name : {write.ground, write.height, write.canopy, write.preview})
+        if (name.starts_with("/vsimem/"))
+            throw OptionError("'" + name +
+                              "' lies in memory and is gone when the program ends; give a file.");
 }
 
 }  // namespace
@@ -87,11 +98,13 @@ Request parse_command_line(const std::vector<std::string>& arguments) {
     // A preset sets defaults, so it comes first wherever it stands.
     std::stable_partition(tokens.options.begin(), tokens.options.end(),
                           [](const GivenOption& option) { return option.row->name == "preset"; });
-    check_conflicts(apply_all(tokens.options, request));
+    const OptionNames given = apply_all(tokens.options, request);
+    check_conflicts(given, request);
     if (request.tool.sweep.empty())
         take_file_names(tokens.file_names, request.options);
     else
         take_source(tokens.file_names, request.options);
+    check_side_files(request.options.write);
     if (request.tool.json && writes_to_stdout(request))
         throw OptionError(
             "-json cannot be used with a destination in /vsistdout/; both would write to stdout.");

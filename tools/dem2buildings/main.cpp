@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <string>
+#include <unistd.h>
 #include <vector>
 
 #include "common/exit_codes.hpp"
@@ -24,11 +26,24 @@
 #include "pipeline/preset.hpp"
 #include "read/gdal_command_line.hpp"
 #include "read/gdal_dem_source.hpp"
+#include "read/source_advice.hpp"
 #include "write/file_spool.hpp"
 #include "write/ogr_feature_sink.hpp"
 
 namespace d2b {
 namespace {
+
+/// Who gives the file names in the wrong order reads nothing of the raster that he gave.
+std::unique_ptr<DemSource> open_source(const Options& options, Context& context) {
+    try {
+        return open_dem(options.read, context);
+    } catch (const InputError&) {
+        if (!are_swapped(options.read.source, options.write.destination))
+            throw;
+        throw OptionError("'" + options.read.source + "' is no raster and '" + options.write.destination +
+                          "' is one; the source comes first, so change their order.");
+    }
+}
 
 void process(const Request& request) {
     OwnStdout own_stdout;
@@ -36,7 +51,10 @@ void process(const Request& request) {
     const bool quiet = request.tool.quiet;
     TerminalProgress progress(std::cout);
     Context context;
-    context.on_warning = [](const std::string& text) { print_line("Warning: ", text); };
+    const bool terminal = ::isatty(STDOUT_FILENO) != 0 && ::isatty(STDERR_FILENO) != 0;
+    context.on_warning = [&progress, terminal](const std::string& text) {
+        progress.interrupt(terminal, [&] { print_line("Warning: ", text); });
+    };
     context.on_progress = [&progress, quiet](double share) {
         if (!quiet)
             progress.update(share);
@@ -45,7 +63,7 @@ void process(const Request& request) {
     context.make_spool = [] { return std::make_unique<FileSpool>(); };
     context.stop = interrupted;
     start_gdal();
-    const auto source = open_dem(options.read, context);
+    const auto source = open_source(options, context);
     const SideSources side_sources = open_side_sources(options, source->info(), context);
     const Sources sources{*source, side_sources.terrain.get(), side_sources.mask.get(),
                           side_sources.ndvi.get()};

@@ -43,14 +43,20 @@ std::string left_out(const RunReport& report) {
 }  // namespace
 
 TerminalProgress::~TerminalProgress() {
-    if (ticks_ >= 0 && ticks_ < all_ticks)
+    if (line_is_open())
         out_ << std::endl;
 }
 
+bool TerminalProgress::line_is_open() const {
+    return line_begun_ && ticks_ < all_ticks;
+}
+
 void TerminalProgress::update(double share) {
+    const std::lock_guard lock(mutex_);
     const int ticks = static_cast<int>(std::clamp(share, 0.0, 1.0) * all_ticks);
     while (ticks_ < ticks) {
         ++ticks_;
+        line_begun_ = true;
         if (ticks_ % 4 == 0)
             out_ << ticks_ / 4 * 10;
         else
@@ -59,6 +65,15 @@ void TerminalProgress::update(double share) {
             out_ << " - done.\n";
     }
     out_.flush();
+}
+
+void TerminalProgress::interrupt(bool shared, const std::function<void()>& say) {
+    const std::lock_guard lock(mutex_);
+    if (shared && line_is_open()) {
+        out_ << std::endl;
+        line_begun_ = false;
+    }
+    say();
 }
 
 std::string summary(const RunReport& report, Layers layers, const std::string& destination) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <iosfwd>
+#include <mutex>
 #include <string>
 
 #include "core/options.hpp"
@@ -19,10 +21,18 @@ class TerminalProgress {
 
     /// @param share done, 0 to 1; what is below the last one adds nothing
     void update(double share);
+    /// Calls `say`, which writes a line to the same terminal: at the beginning of a line, and progress goes
+    /// on in one of its own.
+    /// @param shared whether they share a terminal; progress is one line else
+    void interrupt(bool shared, const std::function<void()>& say);
 
   private:
+    [[nodiscard]] bool line_is_open() const;
+
     std::ostream& out_;
-    int ticks_ = -1;  // the last one that was printed, of 40
+    std::mutex mutex_;         // warnings may come from threads that read
+    int ticks_ = -1;           // the last one that was printed, of 40
+    bool line_begun_ = false;  // by ticks after it, where a line came between them
 };
 
 /// What was written, on a line: "1,234 buildings and 5,678 contours in delft.gpkg"; and where options left

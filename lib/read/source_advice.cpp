@@ -1,0 +1,109 @@
+#include "read/source_advice.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstddef>
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+#include <cpl_string.h>
+#include <cpl_vsi.h>
+#include <gdal.h>
+
+#include "read/gdal_handles.hpp"
+#include "read/gdal_messages.hpp"
+
+namespace d2b {
+
+namespace {
+
+/// The first bytes of a file, fewer where it has no more.
+std::string head_of(const std::string& path) {
+    constexpr std::size_t most = 8;
+    const GdalOwner<VSILFILE*, VSIFCloseL> file(VSIFOpenL(path.c_str(), "rb"));
+    std::string head(most, '\0');
+    head.resize(file ? VSIFReadL(head.data(), 1, most, file.get()) : 0);
+    return head;
+}
+
+std::string lower(std::string text) {
+    std::ranges::transform(text, text.begin(),
+                           [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    return text;
+}
+
+bool is_points(const std::string& path, const std::string& head) {
+    const std::string name = lower(path);
+    return head.starts_with("LASF") || name.ends_with(".las") || name.ends_with(".laz");
+}
+
+/// What GDAL puts before an archive's name to look into it; "" where the file is none.
+std::string_view archive_prefix(const std::string& path, const std::string& head) {
+    const std::string name = lower(path);
+    if (head.starts_with("PK\x03\x04"))
+        return "/vsizip/";
+    if (name.ends_with(".tar") || name.ends_with(".tar.gz") || name.ends_with(".tgz"))
+        return "/vsitar/";
+    return head.starts_with("\x1f\x8b") ? "/vsigzip/" : "";
+}
+
+bool opens_as(unsigned kind, const std::string& path) {
+    return DatasetOwner(GDALOpenEx(path.c_str(), kind | GDAL_OF_READONLY, nullptr, nullptr, nullptr)) !=
+           nullptr;
+}
+
+/// The first raster in an archive; "" where there is none.
+std::string raster_within(const std::string& archive) {
+    constexpr int most = 1000;
+    if (opens_as(GDAL_OF_RASTER, archive))
+        return archive;
+    const CPLStringList names(VSIReadDirRecursive(archive.c_str()));
+    for (int i = 0; i < std::min(names.Count(), most); ++i) {
+        const std::string inside = archive + "/" + names[i];
+        if (opens_as(GDAL_OF_RASTER, inside))
+            return inside;
+    }
+    return "";
+}
+
+}  // namespace
+
+std::string unopened_advice(const std::string& path) {
+    const GdalMessages quiet;
+    const std::string head = head_of(path);
+    if (is_points(path, head))
+        return "; it is a cloud of points, of which a raster must be made first, for example with pdal "
+               "(writers.gdal) or gdal_grid";
+    if (const std::string_view prefix = archive_prefix(path, head); !prefix.empty()) {
+        const std::string raster = raster_within(std::string(prefix) + path);
+        return raster.empty() ? "; it is an archive without a raster that GDAL reads"
+                              : "; it is an archive, so give the raster in it: " + raster;
+    }
+    if (opens_as(GDAL_OF_VECTOR, path))
+        return "; it holds vector layers, and buildings are found in a raster of elevations";
+    return "";
+}
+
+std::string unread_advice(const std::string& path, const std::string& driver) {
+    constexpr std::array servers{"WMS", "WCS", "WMTS", "OGCAPI", "EEDAI", "DAAS", "PLMOSAIC"};
+    constexpr std::array remote{"/vsicurl", "/vsis3",    "/vsigs",      "/vsiaz",  "/vsiadls",
+                                "/vsioss",  "/vsiswift", "/vsiwebhdfs", "/vsihdfs"};
+    if (driver == "VRT")
+        return "; see whether the files and functions that the VRT names are there";
+    if (std::ranges::find(servers, driver) != servers.end() ||
+        std::ranges::any_of(remote, [&](const char* prefix) { return path.starts_with(prefix); }))
+        return "; see whether the server answers, or copy the file here first";
+    return "; the file may be truncated or damaged";
+}
+
+bool are_swapped(const std::string& source, const std::string& destination) {
+    const GdalMessages quiet;
+    std::error_code error;
+    const bool no_source = !source.starts_with("/vsi") && !std::filesystem::exists(source, error);
+    return (no_source || (opens_as(GDAL_OF_VECTOR, source) && !opens_as(GDAL_OF_RASTER, source))) &&
+           !destination.empty() && opens_as(GDAL_OF_RASTER, destination);
+}
+
+}  // namespace d2b
