@@ -60,6 +60,8 @@ struct LevelOptions {
     std::vector<double> fixed;       ///< explicit thresholds
     std::optional<double> interval;  ///< thresholds at offset + n * interval
     double offset = 0;
+    double detail =
+        0;  ///< m: how far a strip a metre wide must stand out to be a tier; 0: the image is not cleaned
 };
 
 struct TraceOptions {

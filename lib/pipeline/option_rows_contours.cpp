@@ -92,6 +92,16 @@ std::vector<OptionRow> levels() {
                     "elevation to one above it into "
                     "n + 1 equal slices; with -levels natural n is the largest number of "
                     "breaks in a building."}));
+    rows.push_back(number_row(
+        "detail", "<height>", {.lowest = 0, .highest = 1000},
+        [](auto& r) -> auto& { return r.options.levels.detail; },
+        {.help = "Clean tiers: what stands out by less than this, as a strip one metre wide, belongs to the "
+                 "roof beside it.",
+         .details =
+             "So does what is narrower than two cells: chimneys, dormers, edges that a wall smears. Wider "
+             "strips may stand out by less, narrower ones must by more. A larger height gives fewer "
+             "contours with fewer vertices; 0, the default, keeps every cell's own elevation.",
+         .unit = "m"}));
     rows.push_back(fixed_levels());
     rows.push_back(number_row("i", "<interval>", {.lowest = 0, .above_lowest = true},
                               [](auto& r) -> auto& { return r.options.levels.interval; },

@@ -75,6 +75,7 @@ constexpr std::array rules{
     // -preset thesis.
     no_effect(is_not("ground", "none"), is("preset", "thesis"), thesis),
     no_effect(is_not("levels", "global"), is("preset", "thesis"), thesis),
+    no_effect(is_not("detail", "0"), is("preset", "thesis"), thesis),
     no_effect(is_not("split_height", "0"), is("preset", "thesis"), thesis),
     no_effect(given("max_building_width"), is("preset", "thesis"), thesis),
     no_effect(given("min_height"), is("preset", "thesis"), thesis),

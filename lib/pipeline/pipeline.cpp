@@ -13,6 +13,7 @@
 #include "core/units.hpp"
 #include "diagnose/place_doubt.hpp"
 #include "levels/building_levels.hpp"
+#include "pipeline/clean_tiers.hpp"
 #include "pipeline/elevation_reader.hpp"
 #include "pipeline/emit.hpp"
 #include "pipeline/find_buildings.hpp"
@@ -123,7 +124,8 @@ ElevationStatistics collect_statistics(ElevationReader& reader, const Options& o
 }
 
 /// The levels of each building, from the elevations in it.
-LevelPlan plan_levels(ElevationReader& reader, const FoundBuildings& found,
+/// @param clean may be null
+LevelPlan plan_levels(ElevationReader& reader, const FoundBuildings& found, const CleanRows* clean,
                       const ElevationStatistics& statistics, const LevelPlan& global,
                       const LevelOptions& options, const Window& window, Context& context) {
     const double metres = context.report.units.vertical_metres;
@@ -136,7 +138,7 @@ LevelPlan plan_levels(ElevationReader& reader, const FoundBuildings& found,
         },
         [&](const ElevationBand& band, const LabelBand& labels) {
             const StageClock clock(context.report, Stage::levels);
-            buildings.add(band, labels);
+            buildings.add(clean != nullptr ? clean->clean(band) : band, labels);
         });
     return plan_building_levels(buildings, found.ground, global, options, metres);
 }
@@ -216,17 +218,26 @@ void run(const Options& user_options, const Sources& sources, const Sinks& sinks
         within(context, 0, at.read, [&] { return collect_statistics(reader, options, info, context); });
     LevelPlan plan = plan_global_levels(statistics, options.levels, context);
     std::optional<FoundBuildings> found;
+    std::optional<CleanRows> clean;
     if (detects_buildings(options)) {
         found = within(context, at.read, at.found, [&] {
             return find_buildings(options, sources, sinks, reader, cell_steps(info.window, georeference, crs),
                                   report.units.vertical_metres, context);
         });
-        plan = plan_levels(reader, *found, statistics, plan, options.levels, info.window, context);
+        if (options.levels.detail > 0)
+            clean =
+                clean_tiers(reader, *found,
+                            region_options(options.levels.detail, cell_steps(info.window, georeference, crs),
+                                           report.units.vertical_metres),
+                            info.window, context);
+        plan = plan_levels(reader, *found, clean ? &*clean : nullptr, statistics, plan, options.levels,
+                           info.window, context);
     }
     const FoundBuildings* buildings = found ? &*found : nullptr;
     const TraceFrame frame{info.window, plan.level_count(), statistics.fixed_point(), statistics.range()};
     const auto contours = within(context, at.found, at.traced, [&] {
-        return trace_contours(reader, frame, plan, buildings, options, area, context);
+        return trace_contours(reader, frame, {plan, buildings, clean ? &*clean : nullptr}, options, area,
+                              context);
     });
 
     const std::vector<Footprint> footprints = found ? std::move(found->footprints) : std::vector<Footprint>();

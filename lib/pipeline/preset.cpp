@@ -33,6 +33,8 @@ void refuse_detection(const Options& options) {
         refuse("levels building");
     if (options.levels.source == LevelSource::natural)
         refuse("levels natural");
+    if (options.levels.detail > 0)
+        refuse("detail");
     if (!detect.mask.empty())
         refuse("mask");
     if (!detect.ndvi.empty())

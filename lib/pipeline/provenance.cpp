@@ -58,6 +58,7 @@ std::map<std::string, std::string> detection_metadata(const Options& options) {
             {"D2B_NDVI", options.detect.ndvi},
             {"D2B_SPLIT_HEIGHT_M", number_text(options.detect.split_height)},
             {"D2B_LEVELS", name_of(options.levels.source)},
+            {"D2B_DETAIL_M", number_text(options.levels.detail)},
             {"D2B_LOD", std::to_string(options.levels.lod)},
             {"D2B_REGULARIZE", name_of(options.outline.walls)}};
 }

@@ -15,22 +15,24 @@ namespace {
 /// What of a run all bands are traced with.
 struct Tracing {
     const TraceFrame& frame;
-    const LevelPlan& plan;
-    const FoundBuildings* found;
+    const TierImage& image;
     const TraceOptions& options;
 };
 
 LabelBand labels_of(const ElevationBand& band, const Tracing& tracing) {
     Context none;
-    return tracing.found == nullptr ? detect_one_label(band, none)
-                                    : tracing.found->band(band.shape, tracing.frame.window.row);
+    const FoundBuildings* found = tracing.image.found;
+    return found == nullptr ? detect_one_label(band, none)
+                            : found->band(band.shape, tracing.frame.window.row);
 }
 
 template <typename Count>
 PointRows<Count> point_rows(const std::shared_ptr<const ElevationBand>& elevations, const Tracing& tracing) {
     PointRows<Count> rows;
     rows.labels = labels_of(*elevations, tracing);
-    rows.levels = quantise<Count>(*elevations, rows.labels, tracing.plan);
+    const CleanRows* clean = tracing.image.clean;
+    rows.levels = quantise<Count>(clean != nullptr ? clean->clean(*elevations) : *elevations, rows.labels,
+                                  tracing.image.plan);
     rows.elevations = elevations;
     return rows;
 }
@@ -68,15 +70,14 @@ void trace_bands(ElevationReader& reader, const Tracing& tracing, ContourSink& s
 }  // namespace
 
 std::unique_ptr<StoredContours> trace_contours(ElevationReader& reader, const TraceFrame& frame,
-                                               const LevelPlan& plan, const FoundBuildings* found,
-                                               const Options& options, const SquareArea& area,
-                                               Context& context) {
+                                               const TierImage& image, const Options& options,
+                                               const SquareArea& area, Context& context) {
     // Footprints that were found stand on nothing.
     ContourStore store(
-        {options.filter, area, frame.range, frame.fixed, found == nullptr, options.write.rejected},
+        {options.filter, area, frame.range, frame.fixed, image.found == nullptr, options.write.rejected},
         context.make_spool(), context);
-    const Tracing tracing{frame, plan, found, options.trace};
-    if (plan.level_count() <= std::numeric_limits<std::uint8_t>::max())
+    const Tracing tracing{frame, image, options.trace};
+    if (image.plan.level_count() <= std::numeric_limits<std::uint8_t>::max())
         trace_bands<std::uint8_t>(reader, tracing, store, context);
     else
         trace_bands<std::uint16_t>(reader, tracing, store, context);

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "core/options.hpp"
+#include "levels/clean_rows.hpp"
 #include "pipeline/contour_store.hpp"
 #include "pipeline/elevation_reader.hpp"
 #include "pipeline/find_buildings.hpp"
@@ -10,13 +11,17 @@
 
 namespace d2b {
 
+/// What of a DEM belongs to which level.
+struct TierImage {
+    const LevelPlan& plan;
+    const FoundBuildings* found;  ///< what the labels belong to; null: all points bear one label
+    const CleanRows* clean;  ///< elevations that stand for those of the buildings' points; null: their own
+};
+
 /// Traces and filters the contours of all levels, in one pass over the DEM.
-/// @param found what the labels belong to; null: all points bear one label
 /// @throws InputError, Cancelled, and what the spool throws
 [[nodiscard]] std::unique_ptr<StoredContours> trace_contours(ElevationReader& reader, const TraceFrame& frame,
-                                                             const LevelPlan& plan,
-                                                             const FoundBuildings* found,
-                                                             const Options& options, const SquareArea& area,
-                                                             Context& context);
+                                                             const TierImage& image, const Options& options,
+                                                             const SquareArea& area, Context& context);
 
 }  // namespace d2b

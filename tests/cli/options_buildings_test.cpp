@@ -223,4 +223,17 @@ TEST_F(OptionEffect, levels) {
     EXPECT_EQ(contours().metadata.at("D2B_LEVELS"), "natural");
 }
 
+TEST_F(OptionEffect, detail) {
+    const auto vertices = [&](const char* detail) {
+        return nlohmann::json::parse(
+                   find({"-levels", "natural", "-detail", detail, "-json"}))["result"]["vertices"]
+            .get<int>();
+    };
+    const int all = vertices("0");
+    const int clean = vertices("1");
+    EXPECT_LT(clean, all);
+    EXPECT_LT(vertices("30"), clean);  // no tower is left, which rises by 16 m
+    EXPECT_EQ(contours().metadata.at("D2B_DETAIL_M"), "30");
+}
+
 }  // namespace d2b::test

@@ -50,6 +50,7 @@ struct Case {
     const char* preset;
     TraceMode mode;
     std::optional<double> interval;  ///< of levels, in place of the preset's
+    double detail = 0;
 };
 
 class Bands : public testing::TestWithParam<Case> {
@@ -62,6 +63,7 @@ class Bands : public testing::TestWithParam<Case> {
         Options options = test::of_preset(GetParam().preset, threads);
         options.trace.mode = GetParam().mode;
         options.levels.interval = GetParam().interval;
+        options.levels.detail = GetParam().detail;
         MemorySink sink;
         Context context;
         run(options, {source}, {sink}, context, size);
@@ -85,7 +87,8 @@ INSTANTIATE_TEST_SUITE_P(, Bands,
                                          Case{"thesis", TraceMode::points, 0.04},  // counts of 16 bits
                                          Case{"thesis", TraceMode::cells, {}},
                                          Case{"buildings", TraceMode::points, {}},
-                                         Case{"buildings", TraceMode::cells, {}}));
+                                         Case{"buildings", TraceMode::cells, {}},
+                                         Case{"buildings", TraceMode::cells, {}, 1}));
 
 }  // namespace
 }  // namespace d2b

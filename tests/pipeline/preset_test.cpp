@@ -171,6 +171,7 @@ TEST(Preset, ThesisRefusesWhatLooksForBuildings) {
         {"-max_building_width", [](Options& o) { o.ground.max_building_width = 80; }},
         {"-levels building", [](Options& o) { o.levels.source = LevelSource::building; }},
         {"-levels natural", [](Options& o) { o.levels.source = LevelSource::natural; }},
+        {"-detail", [](Options& o) { o.levels.detail = 1; }},
         {"-mask", [](Options& o) { o.detect.mask = "m.tif"; }},
         {"-ndvi", [](Options& o) { o.detect.ndvi = "n.tif"; }},
         {"-split_height", [](Options& o) { o.detect.split_height = 2; }},

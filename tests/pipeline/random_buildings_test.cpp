@@ -58,6 +58,7 @@ Options random_options(unsigned seed) {
     options.detect.split_height = seed % 3 == 1 ? 2 : 0;
     options.levels.source = seed % 7 == 0 ? LevelSource::global : LevelSource::building;
     options.outline.walls = std::array{Walls::automatic, Walls::off, Walls::right, Walls::free}[seed / 2 % 4];
+    options.levels.detail = seed % 3 == 0 ? 1 : 0;
     options.write.doubtful = true;
     return options;
 }

@@ -243,6 +243,8 @@ TEST(Options, ofLevels) {
     EXPECT_EQ(levels({"-levels", "global"}).source, LevelSource::global);
     EXPECT_EQ(levels({}).source, LevelSource::by_preset);
     EXPECT_EQ(levels({"-lod", "1"}).lod, 1);
+    EXPECT_EQ(levels({"-detail", "1.5"}).detail, 1.5);
+    EXPECT_EQ(levels({}).detail, 0);
     EXPECT_EQ(levels({"-lod", "10000"}).lod, 10000);
     EXPECT_EQ(levels({"-lod", "+7"}).lod, 7);
     EXPECT_EQ(levels({"-fl", "10", "12.5", "-3"}).fixed, (std::vector<double>{10, 12.5, -3}));

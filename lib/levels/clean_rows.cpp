@@ -1,0 +1,66 @@
+#include "levels/clean_rows.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <utility>
+
+#include "core/byte_record.hpp"
+
+namespace d2b {
+namespace {
+
+bool same(double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+}  // namespace
+
+CleanRows::CleanRows(std::unique_ptr<Spool> spool, std::int32_t first_row, std::int32_t rows)
+    : spool_(std::move(spool)),
+      first_row_(first_row),
+      slabs_(static_cast<std::size_t>(rows / slab_rows + 1)) {}
+
+void CleanRows::add(const BuildingCells& cells) {
+    std::size_t cell = 0;
+    for (std::size_t i = 0; i < cells.runs.size();) {
+        const std::int32_t slab = (cells.runs[i].row - first_row_) / slab_rows;
+        ByteWriter writer;
+        for (; i < cells.runs.size() && (cells.runs[i].row - first_row_) / slab_rows == slab; ++i) {
+            const BuildingCells::Run& run = cells.runs[i];
+            for (std::int32_t begin = run.begin; begin < run.end;) {
+                const double elevation = cells.elevations[cell];
+                std::int32_t end = begin;
+                for (; end < run.end && same(cells.elevations[cell], elevation); ++end)
+                    ++cell;
+                writer.put(Run{run.row, begin, end, 0, elevation});
+                begin = end;
+            }
+        }
+        slabs_[static_cast<std::size_t>(slab)].push_back(append(*spool_, writer));
+    }
+}
+
+ElevationBand CleanRows::clean(const ElevationBand& band) const {
+    ElevationBand result = band;
+    const std::int32_t first = band.shape.first_row;
+    const std::int32_t end = first + band.shape.rows;
+    if (first == end)
+        return result;
+    for (std::int32_t slab = (first - first_row_) / slab_rows; slab <= (end - 1 - first_row_) / slab_rows;
+         ++slab)
+        for (const SpoolEntry& entry : slabs_[static_cast<std::size_t>(slab)]) {
+            ByteReader reader(*spool_, entry);
+            for (std::size_t i = 0; i < entry.size / sizeof(Run); ++i) {
+                const Run run = reader.take<Run>();
+                if (run.row < first || run.row >= end)
+                    continue;
+                const auto row = result.elevations.begin() +
+                                 static_cast<std::ptrdiff_t>(run.row - first) * band.shape.cols;
+                std::fill(row + run.begin, row + run.end, run.elevation);
+            }
+        }
+    return result;
+}
+
+}  // namespace d2b

@@ -1,0 +1,180 @@
+#include "levels/merge_regions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "levels/cell_neighbours.hpp"
+#include "levels/region_graph.hpp"
+
+namespace d2b {
+namespace {
+
+// Prices rise to the one asked for, so that what belongs together most is joined first.
+constexpr std::array<double, 8> shares_of_price{1.0 / 256, 1.0 / 64, 1.0 / 16, 1.0 / 8,
+                                                1.0 / 4,   1.0 / 2,  3.0 / 4,  1.0};
+// A square that two narrow regions make together may be wide enough.
+constexpr int most_rounds = 8;
+
+/// Cells with the first regions they belong to: neighbours that hardly differ, joined as a scan meets them.
+/// Most cells are joined here, which saves a graph of all cells.
+class Seeds {
+  public:
+    Seeds(const BuildingCells& cells, double price, const StopRequest& stop)
+        : parents_(cells.elevations.size()), sums_(parents_.size()) {
+        std::iota(parents_.begin(), parents_.end(), 0U);
+        for (std::size_t i = 0; i < sums_.size(); ++i)
+            if (!std::isnan(cells.elevations[i]))
+                sums_[i] = {1, cells.elevations[i]};
+        CellNeighbours(cells, stop)
+            .for_each([&](std::uint32_t cell, std::uint32_t left, std::uint32_t up, std::uint32_t) {
+                for (const std::uint32_t beside : {left, up})
+                    if (beside != CellNeighbours::none)
+                        join(beside, cell, price);
+            });
+    }
+    [[nodiscard]] std::uint32_t root(std::uint32_t cell) {
+        while (parents_[cell] != cell) {
+            parents_[cell] = parents_[parents_[cell]];
+            cell = parents_[cell];
+        }
+        return cell;
+    }
+    [[nodiscard]] const RegionGraph::Region& of(std::uint32_t root) const { return sums_[root]; }
+
+  private:
+    void join(std::uint32_t one, std::uint32_t other, double price) {
+        one = root(one);
+        other = root(other);
+        if (one == other || RegionGraph::added_error(sums_[one], sums_[other]) > price)
+            return;
+        const auto [low, high] = std::minmax(one, other);
+        parents_[high] = low;
+        sums_[low].points += sums_[high].points;
+        sums_[low].sum += sums_[high].sum;
+    }
+
+    std::vector<std::uint32_t> parents_;
+    std::vector<RegionGraph::Region> sums_;
+};
+
+/// Regions that are still to be joined, and the first one of each cell.
+struct Image {
+    std::vector<std::uint32_t> first;  ///< by cell
+    RegionGraph graph;
+
+    [[nodiscard]] std::uint32_t region(std::uint32_t cell) { return graph.root(first[cell]); }
+};
+
+Image first_image(const BuildingCells& cells, double price, const StopRequest& stop) {
+    Seeds seeds(cells, price, stop);
+    std::vector<std::uint32_t> number(cells.elevations.size());
+    std::vector<RegionGraph::Region> regions;
+    for (std::uint32_t cell = 0; cell < number.size(); ++cell) {
+        const std::uint32_t root = seeds.root(cell);  // the region's first cell
+        if (root == cell) {
+            number[cell] = static_cast<std::uint32_t>(regions.size());
+            regions.push_back(seeds.of(root));
+        } else {
+            number[cell] = number[root];
+        }
+    }
+    Image image{std::move(number), RegionGraph(std::move(regions))};
+    CellNeighbours(cells, stop)
+        .for_each([&](std::uint32_t cell, std::uint32_t left, std::uint32_t up, std::uint32_t) {
+            for (const std::uint32_t beside : {left, up})
+                if (beside != CellNeighbours::none && image.first[beside] != image.first[cell])
+                    image.graph.add_border(image.first[beside], image.first[cell], 1);
+        });
+    return image;
+}
+
+/// Each region joins its cheapest neighbour, as long as that costs no more than the price.
+void merge_up_to(RegionGraph& graph, double price, const StopRequest& stop) {
+    for (bool merged = true; merged;) {
+        merged = false;
+        for (std::uint32_t region = 0; region < graph.size(); ++region) {
+            if (graph.root(region) != region)
+                continue;
+            stop.check();
+            const RegionGraph::Neighbour neighbour = graph.cheapest(region);
+            if (neighbour.region == RegionGraph::none || neighbour.cost > price)
+                continue;
+            graph.merge(region, neighbour.region);
+            merged = true;
+        }
+    }
+}
+
+/// For each region whether it holds a square of so many cells' width.
+std::vector<bool> wide_regions(const BuildingCells& cells, Image& image, int width, const StopRequest& stop) {
+    std::vector<bool> wide(image.graph.size());
+    std::vector<std::int32_t> side(cells.elevations.size(), 1);  // of the largest square that ends at a cell
+    CellNeighbours(cells, stop)
+        .for_each([&](std::uint32_t cell, std::uint32_t left, std::uint32_t up, std::uint32_t up_left) {
+            const std::uint32_t region = image.region(cell);
+            const auto within = [&](std::uint32_t other) {
+                return other != CellNeighbours::none && image.region(other) == region ? side[other] : 0;
+            };
+            side[cell] = 1 + std::min({within(left), within(up), within(up_left)});
+            if (side[cell] >= width)
+                wide[region] = true;
+        });
+    return wide;
+}
+
+void merge_narrow(const BuildingCells& cells, Image& image, int width, const StopRequest& stop) {
+    RegionGraph& graph = image.graph;
+    for (int round = 0; width > 1 && round < most_rounds; ++round) {
+        const std::vector<bool> wide = wide_regions(cells, image, width, stop);
+        std::vector<std::uint32_t> narrow;
+        for (std::uint32_t region = 0; region < graph.size(); ++region)
+            if (graph.root(region) == region && !wide[region])
+                narrow.push_back(region);
+        std::ranges::stable_sort(narrow, {}, [&](std::uint32_t region) { return graph.of(region).points; });
+        bool merged = false;
+        for (const std::uint32_t region : narrow) {
+            if (graph.root(region) != region)
+                continue;
+            const RegionGraph::Neighbour neighbour = graph.cheapest(region);
+            if (neighbour.region == RegionGraph::none)
+                continue;
+            graph.merge(region, neighbour.region);
+            merged = true;
+        }
+        if (!merged)
+            return;
+    }
+}
+
+TierRegions numbered(Image& image) {
+    const RegionGraph& graph = image.graph;
+    TierRegions result;
+    result.of_cell.resize(image.first.size());
+    std::vector<std::uint32_t> number(graph.size(), RegionGraph::none);
+    for (std::uint32_t cell = 0; cell < result.of_cell.size(); ++cell) {
+        const std::uint32_t root = image.region(cell);
+        if (number[root] == RegionGraph::none) {
+            number[root] = static_cast<std::uint32_t>(result.regions.size());
+            const RegionGraph::Region& region = graph.of(root);
+            result.regions.push_back({static_cast<std::int64_t>(region.points),
+                                      region.points > 0 ? region.sum / region.points : 0});
+        }
+        result.of_cell[cell] = number[root];
+    }
+    return result;
+}
+
+}  // namespace
+
+TierRegions merge_regions(const BuildingCells& cells, const RegionOptions& options, const StopRequest& stop) {
+    Image image = first_image(cells, shares_of_price.front() * options.price, stop);
+    for (const double share : shares_of_price)
+        merge_up_to(image.graph, share * options.price, stop);
+    merge_narrow(cells, image, options.least_width, stop);
+    return numbered(image);
+}
+
+}  // namespace d2b

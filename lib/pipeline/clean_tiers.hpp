@@ -1,0 +1,21 @@
+#pragma once
+
+#include "levels/clean_rows.hpp"
+#include "levels/merge_regions.hpp"
+#include "pipeline/elevation_reader.hpp"
+#include "pipeline/find_buildings.hpp"
+
+namespace d2b {
+
+/// Cleans the elevations of each building by itself (levels/merge_regions), in one pass over the DEM. In
+/// memory are the buildings that the pass has begun and not yet ended. The result depends neither on bands
+/// nor on threads.
+/// @param window of the DEM @throws Cancelled, InputError, OutputError
+[[nodiscard]] CleanRows clean_tiers(ElevationReader& reader, const FoundBuildings& found,
+                                    const RegionOptions& regions, const Window& window, Context& context);
+
+/// What a strip one metre wide costs that stands out by `detail`. @param detail m @param cell of the raster
+/// @param metres in a vertical unit
+[[nodiscard]] RegionOptions region_options(double detail, const CellSize& cell, double metres);
+
+}  // namespace d2b
