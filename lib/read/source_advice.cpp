@@ -14,6 +14,7 @@
 
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
+#include "read/spool.hpp"
 
 namespace d2b {
 
@@ -101,6 +102,9 @@ std::string unread_advice(const std::string& path, const std::string& driver) {
 bool are_swapped(const std::string& source, const std::string& destination) {
     const GdalMessages quiet;
     std::error_code error;
+    // Streams are read once: another look would wait for what nobody sends.
+    if (is_standard_input(source) || std::filesystem::is_fifo(source, error))
+        return false;
     const bool no_source = !source.starts_with("/vsi") && !std::filesystem::exists(source, error);
     return (no_source || (opens_as(GDAL_OF_VECTOR, source) && !opens_as(GDAL_OF_RASTER, source))) &&
            !destination.empty() && opens_as(GDAL_OF_RASTER, destination);

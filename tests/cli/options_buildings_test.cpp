@@ -92,7 +92,11 @@ TEST_F(OptionEffect, ground__ofATerrainModel) {
 
 TEST_F(OptionEffect, ground__ofATerrainModelInAnotherCrs) {
     write(path("degrees.tif"), terrain_in_degrees());
-    find({"-ground", "degrees.tif", "-min_height", "10"});  // the lawn is up to 9 m above it
+    write(path("town.tif"), town_raster(MadeTown::surface()));
+    // The lawn is up to 9 m above it.
+    run_warned(
+        {"-preset", "buildings", "-q", "-ground", "degrees.tif", "-min_height", "10", "town.tif", "out.gpkg"},
+        {"The terrain 'degrees.tif' lies 5.9 m below the surface"});
     for (const Record& record : buildings().records)
         EXPECT_EQ(record.number("ground"), 97.5);
     EXPECT_NEAR(at(buildings(), MadeTown::podium).number("roof"),
@@ -226,7 +230,7 @@ TEST_F(OptionEffect, levels) {
 TEST_F(OptionEffect, detail) {
     const auto vertices = [&](const char* detail) {
         return nlohmann::json::parse(
-                   find({"-levels", "natural", "-detail", detail, "-json"}))["result"]["vertices"]
+                   find({"-levels", "natural", "-detail", detail, "-json"}))["output"]["vertices"]
             .get<int>();
     };
     const int all = vertices("0");

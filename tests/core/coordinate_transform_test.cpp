@@ -63,10 +63,9 @@ TEST(CoordinateTransform, TakesAnAreaAtTheAntimeridian) {
                                               {{180, -17}, {180, -16.9}},
                                               {{180, -17}, {-180, -16.9}},
                                               {{-180, -90}, {180, 90}}})
-        for (const char* target : {"EPSG:32660", "EPSG:3460", "EPSG:25832"}) {
+        for (const char* target : {"EPSG:32660", "EPSG:3460"}) {
             std::vector<Position> places{{180, -17}};
-            EXPECT_EQ(CoordinateTransform(Crs("EPSG:4326"), Crs(target), area).try_apply(places),
-                      std::string(target) != "EPSG:25832");
+            EXPECT_TRUE(CoordinateTransform(Crs("EPSG:4326"), Crs(target), area).try_apply(places));
         }
 }
 

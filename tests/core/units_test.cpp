@@ -71,9 +71,10 @@ TEST(Units, WhatIsNoLengthIsRefusedUnlessTheOptionSaysWhatItIs) {
             static_cast<void>(resolve_units(info, Crs("EPSG:25832"), ""));
             FAIL();
         } catch (const InputError& error) {
-            EXPECT_EQ(error.what(), "The unit of 'dem.tif' is '" + std::string(unit) +
-                                        "', which is no known unit of length; if the values are elevations, give "
-                                        "their unit with -zunit, for example -zunit m.");
+            EXPECT_EQ(error.what(),
+                      "The unit of 'dem.tif' is '" + std::string(unit) +
+                          "', which is no known unit of length; if the values are elevations, give "
+                          "their unit with -zunit, for example -zunit m.");
         }
         EXPECT_EQ(resolve_units(info, Crs("EPSG:25832"), "ft").vertical, "foot");
     }

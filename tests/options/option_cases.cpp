@@ -35,7 +35,7 @@ const std::map<std::string, std::vector<Texts>>& values() {
         {"split_height", {{"3"}}},
         {"ground", {{"none"}, {"/vsimem/scene/dtm.tif"}}},
         {"lod", {{"2"}}},
-        {"detail", {{"2"}}},
+        {"detail", {{"6"}}},
         {"fl", {{"6", "9"}}},
         {"i", {{"2.5"}}},
         {"off", {{"1"}}},
