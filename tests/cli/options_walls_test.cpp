@@ -66,8 +66,13 @@ TEST_F(OptionEffect, regularize__worksOnContoursOfThePresetThesis) {
 TEST_F(OptionEffect, regularize_tolerance) {
     preset_ = "buildings";
     const auto within = [&](double cells) {
-        return Arguments{"-q", "-overwrite", "-regularize_tolerance", number_text(cells), "--",
-                         sample("courtyard_utm.tif"), "out.gpkg"};
+        return Arguments{"-q",
+                         "-overwrite",
+                         "-regularize_tolerance",
+                         number_text(cells),
+                         "--",
+                         sample("courtyard_utm.tif"),
+                         "out.gpkg"};
     };
     for (const double cells : {0.8, 1.0, 3.0}) {
         run_well(within(cells));
