@@ -53,7 +53,7 @@ bool is_so(const OptionUse& use, const std::string& value) {
 
 /// The use as it is written on a command line.
 std::string written(const OptionUse& use, const Request& request) {
-    const std::string option = "-" + std::string(use.name);
+    std::string option = "-" + std::string(use.name);
     switch (use.match) {
         case Match::any:
             break;

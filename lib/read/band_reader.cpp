@@ -132,7 +132,7 @@ void BandReader::take_only(const ElevationLimits& limits) {
 
 /// Parts begin at the same few columns whenever they are read, and may be read more than once.
 std::size_t BandReader::columns_of_parts() const {
-    return static_cast<std::size_t>(info_.cols / part_cols + 1);
+    return static_cast<std::size_t>(info_.cols / part_cols) + 1;
 }
 
 void BandReader::take_out(const Window& part, std::span<double> elevations) {

@@ -62,7 +62,7 @@ std::string raster_within(const std::string& archive) {
         return archive;
     const CPLStringList names(VSIReadDirRecursive(archive.c_str()));
     for (int i = 0; i < std::min(names.Count(), most); ++i) {
-        const std::string inside = archive + "/" + names[i];
+        std::string inside = archive + "/" + names[i];
         if (opens_as(GDAL_OF_RASTER, inside))
             return inside;
     }
