@@ -6,7 +6,7 @@
 #include "outline/arc_graph.hpp"
 #include "outline/noding.hpp"
 #include "outline/simplify.hpp"
-#include "outline/walls.hpp"
+#include "outline/walls/regular_outlines.hpp"
 
 namespace d2b {
 namespace {

@@ -1,4 +1,4 @@
-#include "outline/index_set.hpp"
+#include "outline/walls/index_set.hpp"
 
 #include <random>
 #include <set>

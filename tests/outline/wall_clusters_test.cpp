@@ -5,7 +5,7 @@
 
 #include "outline/outline_checks.hpp"
 #include "outline/packed_outline.hpp"
-#include "outline/walls.hpp"
+#include "outline/walls/regular_outlines.hpp"
 #include "support/trace_grid.hpp"
 
 namespace d2b {

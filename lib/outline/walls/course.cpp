@@ -1,0 +1,247 @@
+#include "outline/walls/course.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace d2b {
+namespace {
+
+constexpr double node_room = 1.0 / 16;  // cells between nodes
+
+/// How far a node may go from where it was traced for its wall's sake, and from where on it stands on a
+/// vertex, in cells.
+constexpr double node_reach = 1.0;
+constexpr double node_pull = 0.5;
+
+}  // namespace
+
+Course::Course(DrawnChain drawn, const Chain& chain, const WallSamples& samples, const CellShape& shape)
+    : drawn_(std::move(drawn)), closed_(chain.closed), shape_(shape), origin_(chain.trace.front()) {
+    places_.reserve(drawn_.vertices.size());
+    for (const FinePoint vertex : drawn_.vertices)
+        places_.push_back(shape_.from_fine(vertex, origin_));
+    begins_.reserve(places_.size() + 1);
+    begins_.push_back(0);
+    for (std::size_t k = 0; k + (closed_ ? 0 : 1) < places_.size(); ++k)
+        begins_.push_back(begins_.back() + d2b::length(vertex(k + 1) - vertex(k)));
+    nodes_.resize(chain.nodes.size() - (closed_ ? 1 : 0));
+    placed_ = IndexSet(nodes_.size());
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+        nodes_[k].step = chain.node_steps[k];
+        nodes_[k].traced = samples.at(nodes_[k].step);
+        if (closed_ && nodes_[k].step < drawn_.steps.front())
+            nodes_[k].step += samples.steps();
+    }
+    if (!closed_) {
+        nodes_.front().point = drawn_.vertices.front();
+        nodes_.back().point = drawn_.vertices.back();
+        nodes_.back().at = begins_.back();
+        nodes_.back().edge = edges() - 1;
+        placed_.insert(0);
+        placed_.insert(nodes_.size() - 1);
+    }
+}
+
+/// The edge that stands for a step of the trace.
+std::size_t Course::edge_of(std::size_t step) const {
+    const auto next = std::upper_bound(drawn_.steps.begin(), drawn_.steps.end(), step);
+    const auto edge = static_cast<std::size_t>(next - drawn_.steps.begin());
+    return std::min(edge > 0 ? edge - 1 : 0, edges() - 1);
+}
+
+double Course::wanted(const Standing& node, const std::optional<Line>& wall) const {
+    const Vec traced = node.traced;
+    const std::size_t edge = edge_of(node.step);
+    const auto foot_on = [&](std::size_t e) {
+        const Vec from = vertex(e);
+        const Vec along = vertex(e + 1) - from;
+        const double square = dot(along, along);
+        const double share = square > 0 ? std::clamp(dot(traced - from, along) / square, 0.0, 1.0) : 0;
+        return begins_[e] + share * (begins_[e + 1] - begins_[e]);
+    };
+    if (!wall)
+        return foot_on(edge);
+    // A wall that goes on where one of the drawing turns away begins at that corner.
+    for (std::size_t v = edge > 0 ? edge - 1 : 0; v < std::min(edge + 3, edges()); ++v) {
+        const auto parallel = [&](std::size_t e) {
+            const Vec along = vertex(e + 1) - vertex(e);
+            return std::abs(cross(along, wall->along)) < 0.3 * d2b::length(along);
+        };
+        const bool inner = v > 0 && (parallel(v - 1) != parallel(v));
+        if (inner && d2b::length(vertex(v) - traced) < 1.25 * node_reach)
+            return begins_[v];
+    }
+    double best = foot_on(edge);
+    double nearest = node_reach;
+    for (std::size_t e = edge > 0 ? edge - 1 : 0; e < std::min(edge + 2, edges()); ++e) {
+        const Vec from = vertex(e);
+        const Vec along = vertex(e + 1) - from;
+        const double sine = cross(along, wall->along);
+        if (std::abs(sine) < 0.3 * d2b::length(along))
+            continue;
+        const double share = cross(wall->through - from, wall->along) / sine;
+        const double away = d2b::length(from + share * along - traced);
+        if (share >= 0 && share <= 1 && away < nearest) {
+            nearest = away;
+            best = begins_[e] + share * (begins_[e + 1] - begins_[e]);
+        }
+    }
+    return best;
+}
+
+/// Between which lengths a node may stand.
+void Course::bound(std::size_t k, double& low, double& high) const {
+    const std::size_t n = nodes_.size();
+    const double whole = begins_.back();
+    // Nodes in the order of their steps; those of a closed chain begin anywhere.
+    std::size_t before = placed_.before(k);
+    if (before == IndexSet::none && closed_)
+        before = placed_.before(n);
+    if (before != IndexSet::none) {
+        const Standing& other = nodes_[before];
+        const std::size_t between = before < k ? k - before : k + n - before;
+        low =
+            other.at + (other.step > nodes_[k].step ? -whole : 0) + node_room * static_cast<double>(between);
+    }
+    std::size_t after = placed_.from(k + 1);
+    if (after == IndexSet::none && closed_)
+        after = placed_.from(0);
+    if (after != IndexSet::none) {
+        const Standing& other = nodes_[after];
+        const std::size_t between = after > k ? after - k : after + n - k;
+        high =
+            other.at + (other.step < nodes_[k].step ? whole : 0) - node_room * static_cast<double>(between);
+    }
+}
+
+void Course::stand(Standing& node, double at) {
+    const double whole = begins_.back();
+    node.at = at;
+    const double round = closed_ ? at - std::floor(at / whole) * whole : at;
+    const auto next = std::upper_bound(begins_.begin(), begins_.end(), round);
+    node.edge = std::min(static_cast<std::size_t>(std::max<std::ptrdiff_t>(next - begins_.begin(), 1)) - 1,
+                         edges() - 1);
+    const double edge_length = begins_[node.edge + 1] - begins_[node.edge];
+    const double share = edge_length > 0 ? (round - begins_[node.edge]) / edge_length : 0;
+    const Vec from = vertex(node.edge);
+    node.point = shape_.to_fine(from + share * (vertex(node.edge + 1) - from), origin_);
+}
+
+void Course::place(std::size_t k, const std::optional<Line>& wall) {
+    Standing& node = nodes_[k];
+    if (node.point)
+        return;
+    double low = -1e300;
+    double high = 1e300;
+    bound(k, low, high);
+    if (!closed_) {
+        low = std::max(low, 0.0);
+        high = std::min(high, begins_.back());
+    }
+    double at = wanted(node, wall);
+    auto vertex_at = std::lower_bound(begins_.begin() + 1, begins_.end() - 1, at);
+    if (std::abs(*(vertex_at - 1) - at) <= std::abs(*vertex_at - at))
+        --vertex_at;
+    if (std::abs(*vertex_at - at) < node_pull)
+        at = *vertex_at;
+    stand(node, std::max(low, std::min(high, at)));
+    placed_.insert(k);
+}
+
+void Course::place_as(std::size_t k, const Course& other, std::size_t of_other) {
+    const Standing& there = other.nodes_[of_other];
+    nodes_[k].point = there.point;
+    nodes_[k].edge = there.edge;
+    nodes_[k].at = there.at;
+    if (there.point)
+        placed_.insert(k);
+}
+
+void Course::cut(const Standing& from, const Standing& to, DrawnChain& arc) const {
+    const auto add = [&](FinePoint point, std::size_t step) {
+        arc.vertices.push_back(point);
+        arc.steps.push_back(step);
+    };
+    add(*from.point, from.step);
+    // From a node round to itself, or to one before it on the same edge.
+    double left = to.at - from.at;
+    if (closed_ && left <= 0)
+        left += begins_.back();
+    std::size_t edge = from.edge;
+    const bool around = closed_ && edge == to.edge && left > begins_[edge + 1] - begins_[edge];
+    for (bool first = true; edge != to.edge || (first && around); first = false) {
+        edge = edge + 1 < edges() ? edge + 1 : 0;
+        const FinePoint next = drawn_.vertices[edge];
+        if (next != arc.vertices.back() && next != *to.point)
+            add(next, drawn_.steps[edge]);
+    }
+    add(*to.point, to.step);
+}
+
+/// Brings the steps of an arc into ascending order between those of its nodes.
+void Course::match(DrawnChain& arc, std::size_t first, std::size_t last, std::size_t steps) const {
+    if (closed_ && last <= first)
+        last += steps;
+    std::size_t before = first;
+    for (std::size_t& step : arc.steps) {
+        const auto away = [&](std::size_t s) { return s < first ? first - s : (s > last ? s - last : 0); };
+        if (closed_ && away(step + steps) < away(step))
+            step += steps;
+        else if (closed_ && step >= steps && away(step - steps) < away(step))
+            step -= steps;
+        step = std::clamp(step, before, last);
+        before = step;
+    }
+    arc.steps.front() = first;
+    arc.steps.back() = last;
+}
+
+/// Those of the drawing stand in its order; an arc that reaches round its end has the last ones first.
+void Course::add_circles(const Standing& from, DrawnChain& arc) const {
+    const std::size_t count = drawn_.vertices.size();
+    const std::vector<FinePoint>& points = arc.vertices;
+    const auto own = std::ranges::lower_bound(drawn_.arcs, from.edge, {}, &ArcSpan::first);
+    const auto begin = static_cast<std::size_t>(own - drawn_.arcs.begin());
+    std::size_t before_the_end = 0;
+    auto at = points.begin();
+    for (std::size_t i = 0; i < drawn_.arcs.size(); ++i) {
+        const bool round = begin + i >= drawn_.arcs.size();
+        const ArcSpan& span = drawn_.arcs[begin + i - (round ? drawn_.arcs.size() : 0)];
+        const auto first = std::find(at, points.end(), drawn_.vertices[span.first]);
+        if (first == points.end() && span.first == from.edge)
+            continue;  // it begins before the node
+        if (points.end() - first <= static_cast<std::ptrdiff_t>(span.edges))
+            break;
+        at = first;
+        bool whole = true;
+        for (std::size_t k = 1; k <= span.edges && whole; ++k)
+            whole = first[static_cast<std::ptrdiff_t>(k)] == drawn_.vertices[(span.first + k) % count];
+        if (whole)
+            arc.arcs.push_back({0, static_cast<std::uint32_t>(first - points.begin()), span.edges});
+        if (!round)
+            before_the_end = arc.arcs.size();
+    }
+    std::rotate(arc.arcs.begin(), arc.arcs.begin() + static_cast<std::ptrdiff_t>(before_the_end),
+                arc.arcs.end());
+}
+
+void Course::arc(std::size_t k, const WallSamples& samples, DrawnChain& drawn) const {
+    if (closed_ && nodes_.size() == 1 && !nodes_.front().point) {
+        // A ring on which nothing stands.
+        drawn = drawn_;
+        drawn.vertices.push_back(drawn_.vertices.front());
+        drawn.steps.push_back(drawn_.steps.front() + samples.steps());
+        return;
+    }
+    const Standing& from = nodes_[k];
+    const Standing& to = nodes_[k + 1 < nodes_.size() ? k + 1 : 0];
+    drawn.vertices.clear();
+    drawn.steps.clear();
+    drawn.arcs.clear();
+    cut(from, to, drawn);
+    match(drawn, from.step, to.step, samples.steps());
+    drawn.deviation = deviation(samples, shape_, origin_, drawn, false);
+    add_circles(from, drawn);
+}
+
+}  // namespace d2b

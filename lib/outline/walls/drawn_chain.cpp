@@ -1,0 +1,112 @@
+#include "outline/walls/drawn_chain.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace d2b {
+namespace {
+
+/// The step from `low` to `high` that is nearest to a place.
+std::size_t nearest_step(const WallSamples& samples, Vec place, std::size_t low, std::size_t high) {
+    std::size_t best = low;
+    const auto square = [&](std::size_t i) { return dot(samples.at(i) - place, samples.at(i) - place); };
+    double least = square(low);
+    for (std::size_t i = low + 1; i <= high; ++i) {
+        const double away = square(i);
+        if (away < least) {
+            least = away;
+            best = i;
+        }
+    }
+    return best;
+}
+
+}  // namespace
+
+void match_trace(const WallSamples& samples, const CellShape& shape, LatticePoint origin, DrawnChain& chain) {
+    constexpr std::size_t reach = 8;
+    const std::size_t n = chain.vertices.size();
+    const std::size_t end = samples.closed() ? 2 * samples.steps() - 1 : samples.steps();
+    for (std::size_t k = samples.closed() ? 0 : 1; k + (samples.closed() ? 0 : 1) < n; ++k) {
+        const std::size_t hint = chain.steps[k];
+        const std::size_t low = std::max(hint > reach ? hint - reach : 0, k > 0 ? chain.steps[k - 1] : 0);
+        std::size_t high = std::min(hint + reach, end);
+        if (k > 0 && samples.closed())
+            high = std::min(high, chain.steps.front() + samples.steps());
+        chain.steps[k] =
+            nearest_step(samples, shape.from_fine(chain.vertices[k], origin), std::min(low, high), high);
+    }
+    chain.deviation = deviation(samples, shape, origin, chain, samples.closed());
+}
+
+double deviation(const WallSamples& samples, const CellShape& shape, LatticePoint origin,
+                 const DrawnChain& chain, bool closed) {
+    const std::size_t n = chain.vertices.size();
+    double largest = 0;  // squared
+    const auto keep = [&](double square) { largest = std::max(largest, square); };
+    Vec from = shape.from_fine(chain.vertices.front(), origin);
+    for (std::size_t k = 0; k + (closed ? 0 : 1) < n; ++k) {
+        const Vec to = shape.from_fine(chain.vertices[k + 1 < n ? k + 1 : 0], origin);
+        const std::size_t first = chain.steps[k];
+        const std::size_t last = k + 1 < n ? chain.steps[k + 1] : chain.steps.front() + samples.steps();
+        keep(dot(from - samples.at(first), from - samples.at(first)));
+        keep(dot(to - samples.at(last), to - samples.at(last)));
+        samples.for_corners(first, last, [&](std::size_t, Vec corner) {
+            keep(square_distance(corner, from, to));
+            return true;
+        });
+        from = to;
+    }
+    return std::sqrt(largest);
+}
+
+void keep_near(const WallSamples& samples, const WallStyle& style, const CellShape& shape,
+               LatticePoint origin, DrawnChain& chain) {
+    const std::size_t n = chain.vertices.size();
+    DrawnChain kept;
+    const auto place = [&](std::size_t k) { return shape.from_fine(chain.vertices[k % n], origin); };
+    for (std::size_t k = 0; k < n; ++k) {
+        const std::size_t first = chain.steps[k];
+        const bool end = !samples.closed() && (k == 0 || k + 1 == n);
+        const bool far = length(place(k) - samples.at(first)) > style.tolerance && !end;
+        kept.vertices.push_back(far ? shape.to_fine(samples.at(first), origin) : chain.vertices[k]);
+        kept.steps.push_back(first);
+        if (!samples.closed() && k + 1 == n)
+            break;
+        const std::size_t last = k + 1 < n ? chain.steps[k + 1] : chain.steps.front() + samples.steps();
+        const double limit = style.tolerance * style.tolerance;
+        bool leaves = false;
+        samples.for_corners(first, last, [&](std::size_t, Vec corner) {
+            leaves = square_distance(corner, place(k), place(k + 1)) > limit;
+            return !leaves;
+        });
+        if (leaves && last > first + 1)
+            samples.for_corners(first + 1, last - 1, [&](std::size_t i, Vec corner) {
+                kept.vertices.push_back(shape.to_fine(corner, origin));
+                kept.steps.push_back(i);
+                return true;
+            });
+    }
+    chain = std::move(kept);
+    match_trace(samples, shape, origin, chain);
+}
+
+double twice_area(const WallSamples& samples) {
+    double sum = 0;
+    for (std::size_t i = 0; i < samples.steps(); ++i)
+        sum += cross(samples.at(i), samples.at(i + 1));
+    return sum;
+}
+
+double twice_area(const std::vector<FinePoint>& ring, const CellShape& shape, LatticePoint origin) {
+    double sum = 0;
+    Vec from = shape.from_fine(ring.back(), origin);
+    for (const FinePoint vertex : ring) {
+        const Vec to = shape.from_fine(vertex, origin);
+        sum += cross(from, to);
+        from = to;
+    }
+    return sum;
+}
+
+}  // namespace d2b

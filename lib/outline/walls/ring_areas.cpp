@@ -1,0 +1,150 @@
+#include "outline/walls/ring_areas.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace d2b {
+namespace {
+
+constexpr double largest_area_change = 0.02;
+constexpr double least_gain =
+    0.1;  // share of an area asked for that moving walls has brought: else it is in vain
+
+double in_cells(Int128 twice) {
+    return static_cast<double>(twice) / (2.0 * FinePoint::steps * FinePoint::steps);
+}
+
+}  // namespace
+
+RingAreas::RingAreas(const WallCluster& cluster, const WallGraph& graph, const SegmentGrid::Arcs& arcs,
+                     WallDrawing& drawing, const StopRequest& stop)
+    : cluster_(cluster),
+      graph_(graph),
+      arcs_(arcs),
+      drawing_(drawing),
+      stop_(stop),
+      areas_(arcs.size()),
+      gathered_(graph.chains.size()),
+      moved_(graph.chains.size()) {
+    for (std::size_t c = 0; c < cluster_.contours.size(); ++c) {
+        const Contour& contour = *cluster_.contours[c];
+        const ArcGraph::Outline& outline = graph_.graph.outlines[c];
+        first_ring_.push_back(static_cast<std::uint32_t>(rings_.size()));
+        rings_.push_back({&outline.exterior, contour.exterior.area(), contour.key.level});
+        for (std::size_t i = 0; i < outline.interiors.size(); ++i)
+            rings_.push_back({&outline.interiors[i], contour.interiors[i].area(), contour.key.level});
+    }
+    first_ring_.push_back(static_cast<std::uint32_t>(rings_.size()));
+    first_of_arc_.assign(arcs_.size() + 1, 0);
+    for (const Ring& ring : rings_)
+        for (const ArcUse& use : *ring.uses)
+            ++first_of_arc_[use.arc + 1];
+    std::partial_sum(first_of_arc_.begin(), first_of_arc_.end(), first_of_arc_.begin());
+    rings_of_.resize(first_of_arc_.back());
+    std::vector<std::uint32_t> next = first_of_arc_;
+    for (std::uint32_t r = 0; r < rings_.size(); ++r)
+        for (const ArcUse& use : *rings_[r].uses)
+            rings_of_[next[use.arc]++] = r;
+}
+
+void RingAreas::changed(std::uint32_t arc) {
+    const FinePoint origin = fine(cluster_.contours.front()->exterior.start());
+    Int128 twice = 0;
+    for (std::size_t i = 0; i + 1 < arcs_[arc].size(); ++i)
+        twice += turn(origin, arcs_[arc][i], arcs_[arc][i + 1]);
+    areas_[arc] = twice;
+    for (std::uint32_t k = first_of_arc_[arc]; k < first_of_arc_[arc + 1]; ++k)
+        let_wait(rings_of_[k]);
+}
+
+void RingAreas::let_wait(std::uint32_t ring) {
+    if (!std::exchange(rings_[ring].waits, true))
+        waiting_rings_.push_back(ring);
+}
+
+Int128 RingAreas::twice_area(const std::vector<ArcUse>& ring) const {
+    Int128 sum = 0;
+    for (const ArcUse& use : ring)
+        sum += use.reversed ? -areas_[use.arc] : areas_[use.arc];
+    return sum;
+}
+
+void RingAreas::check(const std::vector<bool>& in_conflict) {
+    moved_.wipe();
+    std::vector<std::uint32_t> waiting;
+    std::swap(waiting, waiting_rings_);
+    std::sort(waiting.begin(), waiting.end());
+    for (const std::uint32_t r : waiting) {
+        stop_.check();
+        Ring& ring = rings_[r];
+        if (in_conflict[part_of(ring.uses->front().arc)]) {
+            waiting_rings_.push_back(r);
+            continue;
+        }
+        ring.waits = false;
+        const auto before = static_cast<double>(ring.traced);
+        const double after = in_cells(twice_area(*ring.uses));
+        if (std::abs(after - before) > largest_area_change * std::abs(before)) {
+            correct(ring, before - after);
+            let_wait(r);
+        }
+    }
+}
+
+/// Moves the walls that are a ring's own for the most part, or gives what was drawn last of it a simpler
+/// form, where its area is not kept.
+void RingAreas::correct(Ring& ring, double missing) {
+    // 1 where the ring lies on the left of the wall and grows as that goes right
+    std::vector<std::pair<Wall, double>> right;
+    double whole = 0;
+    gathered_.wipe();
+    for (const ArcUse& use : *ring.uses) {
+        const std::uint32_t c = graph_.chain_of[use.arc];
+        // What stands on a wall does not move it.
+        if (graph_.chains[c].rank < 2 * ring.level)
+            continue;
+        const ArcUse own = graph_.chains[c].arcs[graph_.place_of[use.arc]];
+        for (const Wall wall : drawing_.walls_along(use.arc)) {
+            if (!gathered_.mark(wall))
+                continue;
+            right.emplace_back(wall, own.reversed == use.reversed ? 1 : -1);
+            whole += drawing_.length(wall);
+        }
+    }
+    // What a neighbour has moved will be measured again.
+    if (std::ranges::any_of(right, [&](const auto& entry) { return moved_.marked(entry.first); }))
+        return;
+    // What came of the last time says how much has to be asked for.
+    const double gain = ring.asked == 0 ? 1 : (ring.missing - missing) / ring.asked;
+    if (gain < least_gain || std::abs(missing) >= whole) {
+        simplify_last(ring);
+        return;
+    }
+    ring.missing = missing;
+    ring.asked = missing / std::clamp(gain, 0.5, 1.25);
+    for (const auto& [wall, sign] : right) {
+        drawing_.shift(wall, -sign * ring.asked / whole);
+        moved_.mark(wall);
+    }
+}
+
+void RingAreas::simplify_last(const Ring& ring) {
+    int rank = -1;
+    for (const ArcUse& use : *ring.uses) {
+        const std::uint32_t c = graph_.chain_of[use.arc];
+        if (drawing_.form(c) != WallDrawing::Form::traced)
+            rank = std::max(rank, graph_.chains[c].rank);
+    }
+    std::vector<std::uint32_t> last;
+    for (const ArcUse& use : *ring.uses)
+        if (graph_.chains[graph_.chain_of[use.arc]].rank == rank)
+            last.push_back(graph_.chain_of[use.arc]);
+    std::sort(last.begin(), last.end());
+    last.erase(std::unique(last.begin(), last.end()), last.end());
+    for (const std::uint32_t c : last)
+        drawing_.simplify(c);
+}
+
+}  // namespace d2b

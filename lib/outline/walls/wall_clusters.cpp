@@ -1,0 +1,242 @@
+#include "outline/walls/wall_clusters.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace d2b {
+namespace {
+
+class Groups {
+  public:
+    explicit Groups(std::size_t n) : up_(n) { std::iota(up_.begin(), up_.end(), 0U); }
+    std::uint32_t find(std::uint32_t i) {
+        while (up_[i] != i) {
+            up_[i] = up_[up_[i]];
+            i = up_[i];
+        }
+        return i;
+    }
+    /// The lower one stands for both.
+    void join(std::uint32_t a, std::uint32_t b) {
+        a = find(a);
+        b = find(b);
+        up_[std::max(a, b)] = std::min(a, b);
+    }
+
+  private:
+    std::vector<std::uint32_t> up_;
+};
+
+/// Rows and columns over which two traces can get into each other's way. Both walls stay within the
+/// tolerance.
+LatticePoint conflict_reach(const WallOptions& options) {
+    const double cell = std::abs(cross(options.shape.col, options.shape.row));
+    const auto steps = [&](Vec other) {
+        return static_cast<std::int32_t>(std::floor(2 * options.tolerance * length(other) / cell)) + 1;
+    };
+    return {steps(options.shape.col), steps(options.shape.row)};
+}
+
+/// Rows of the lattice, end exclusive.
+struct Rows {
+    std::int64_t begin;
+    std::int64_t end;
+};
+
+/// The edges of traces in square buckets, as far as they are near some rows.
+class TraceBuckets {
+  public:
+    TraceBuckets(LatticePoint reach, Rows rows) : reach_(reach), rows_(rows) {}
+
+    void add(const Contour& contour, std::uint32_t number);
+    /// Joins the groups of edges that are near each other.
+    void join(Groups& groups);
+
+  private:
+    struct Edge {
+        LatticeBox box;  // grown so that near edges overlap
+        std::uint32_t contour;
+    };
+    void add(const PackedRing& packed, std::uint32_t number);
+    void lay_out();
+    template <typename Visit>
+    void for_each_bucket(const LatticeBox& box, const Visit& visit) const {
+        for (std::int64_t row = bucket(box.low.row, low_.row); row <= bucket(box.high.row, low_.row); ++row)
+            for (std::int64_t col = bucket(box.low.col, low_.col); col <= bucket(box.high.col, low_.col);
+                 ++col)
+                visit(static_cast<std::size_t>(row * columns_ + col));
+    }
+    [[nodiscard]] std::int64_t bucket(std::int32_t at, std::int32_t low) const {
+        return (static_cast<std::int64_t>(at) - low) >> shift_;
+    }
+    void join_bucket(std::size_t begin, std::size_t end, Groups& groups) const;
+
+    LatticePoint reach_;
+    Rows rows_;
+    std::vector<Edge> edges_;
+    LatticePoint low_{std::numeric_limits<std::int32_t>::max(), std::numeric_limits<std::int32_t>::max()};
+    LatticePoint high_{std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::min()};
+    int shift_ = 4;
+    std::int64_t columns_ = 0;
+    std::vector<std::size_t> first_;      // entry of each bucket
+    std::vector<std::uint32_t> entries_;  // edges
+};
+
+/// An edge with half of the way to those near it on either side.
+LatticeBox grown(LatticePoint from, LatticePoint to, LatticePoint reach) {
+    return {
+        {std::min(from.row, to.row) - reach.row / 2, std::min(from.col, to.col) - reach.col / 2},
+        {std::max(from.row, to.row) + (reach.row + 1) / 2, std::max(from.col, to.col) + (reach.col + 1) / 2}};
+}
+
+void TraceBuckets::add(const Contour& contour, std::uint32_t number) {
+    add(contour.exterior, number);
+    for (const PackedRing& ring : contour.interiors)
+        add(ring, number);
+}
+
+void TraceBuckets::add(const PackedRing& packed, std::uint32_t number) {
+    const LatticeRing ring = packed.corners();
+    LatticePoint from = ring.back();
+    for (const LatticePoint to : ring) {
+        const LatticeBox box = grown(from, to, reach_);
+        from = to;
+        if (box.high.row < rows_.begin || box.low.row >= rows_.end)
+            continue;
+        low_ = {std::min(low_.row, box.low.row), std::min(low_.col, box.low.col)};
+        high_ = {std::max(high_.row, box.high.row), std::max(high_.col, box.high.col)};
+        edges_.push_back({box, number});
+    }
+}
+
+void TraceBuckets::lay_out() {
+    const auto buckets = [&] {
+        columns_ = bucket(high_.col, low_.col) + 1;
+        return (bucket(high_.row, low_.row) + 1) * columns_;
+    };
+    // Few edges far from each other get large buckets.
+    while (buckets() > 64 + 16 * static_cast<std::int64_t>(edges_.size()))
+        ++shift_;
+    first_.assign(static_cast<std::size_t>(buckets()) + 1, 0);
+    for (const Edge& edge : edges_)
+        for_each_bucket(edge.box, [&](std::size_t b) { ++first_[b + 1]; });
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    entries_.resize(first_.back());
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    for (std::uint32_t e = 0; e < edges_.size(); ++e)
+        for_each_bucket(edges_[e].box, [&](std::size_t b) { entries_[next[b]++] = e; });
+}
+
+void TraceBuckets::join_bucket(std::size_t begin, std::size_t end, Groups& groups) const {
+    for (std::size_t i = begin + 1; i < end; ++i) {
+        const Edge& edge = edges_[entries_[i]];
+        std::uint32_t last = edge.contour;  // most neighbours in the list are of one contour
+        for (std::size_t k = begin; k < i; ++k) {
+            const Edge& other = edges_[entries_[k]];
+            if (other.contour == last || !edge.box.overlaps(other.box))
+                continue;
+            last = other.contour;
+            groups.join(edge.contour, other.contour);
+        }
+    }
+}
+
+void TraceBuckets::join(Groups& groups) {
+    if (edges_.empty())
+        return;
+    lay_out();
+    for (std::size_t b = 0; b + 1 < first_.size(); ++b) {
+        // Most buckets hold edges of one group.
+        const auto group = [&](std::size_t i) { return groups.find(edges_[entries_[i]].contour); };
+        bool several = false;
+        for (std::size_t i = first_[b] + 1; i < first_[b + 1] && !several; ++i)
+            several = group(i) != group(first_[b]);
+        if (several)
+            join_bucket(first_[b], first_[b + 1], groups);
+    }
+}
+
+/// What stands on a contour lies inside of it: only traces of levels 0 and 1 can be near those of others.
+bool is_low(const ContourHead& head) {
+    return head.key.level <= 1 || head.parent < 0;
+}
+
+/// Joins contours that are near each other, a strip of rows at a time.
+void join_neighbours(const ContourList& contours, const WallOptions& options, std::int64_t rows_a_strip,
+                     Groups& groups, const StopRequest& stop) {
+    const LatticePoint reach = conflict_reach(options);
+    const auto first_row = [&](std::uint32_t i) {
+        return std::int64_t{contours.head(i).key.first.row} - reach.row;
+    };
+    std::vector<std::uint32_t> low;
+    for (std::uint32_t i = 0; i < contours.size(); ++i)
+        if (is_low(contours.head(i)))
+            low.push_back(i);
+    std::ranges::stable_sort(low, {}, first_row);
+    std::vector<std::uint32_t> open;  // those that reach below the strips so far
+    auto next = low.begin();
+    for (std::int64_t row = low.empty() ? 0 : first_row(low.front()); next != low.end() || !open.empty();
+         row += rows_a_strip) {
+        const Rows rows{row, row + rows_a_strip};
+        TraceBuckets buckets(reach, rows);
+        std::vector<std::uint32_t> still_open;
+        const auto add = [&](std::uint32_t i) {
+            stop.check();
+            const Contour contour = contours.fetch(i);
+            buckets.add(contour, i);
+            if (contour.exterior.box().high.row + reach.row >= rows.end)
+                still_open.push_back(i);
+        };
+        std::ranges::for_each(open, add);
+        for (; next != low.end() && first_row(*next) < rows.end; ++next)
+            add(*next);
+        open = std::move(still_open);
+        buckets.join(groups);
+    }
+}
+
+}  // namespace
+
+std::vector<ClusterPlan> wall_clusters(const ContourList& contours, const WallOptions& options,
+                                       const StopRequest& stop, std::int64_t rows_a_strip) {
+    Groups groups(contours.size());
+    for (std::uint32_t i = 0; i < contours.size(); ++i)
+        if (!is_low(contours.head(i)))
+            groups.join(i, static_cast<std::uint32_t>(contours.head(i).parent));
+    join_neighbours(contours, options, rows_a_strip, groups, stop);
+    constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> cluster_of(contours.size(), nowhere);
+    std::vector<std::int32_t> place(contours.size());
+    std::vector<ClusterPlan> clusters;
+    for (std::uint32_t i = 0; i < contours.size(); ++i) {
+        const std::uint32_t group = groups.find(i);  // the first of its group
+        if (group == i) {
+            cluster_of[i] = static_cast<std::uint32_t>(clusters.size());
+            clusters.emplace_back();
+        }
+        cluster_of[i] = cluster_of[group];
+        ClusterPlan& cluster = clusters[cluster_of[i]];
+        const std::int64_t parent = contours.head(i).parent;
+        const bool with_parent = parent >= 0 && cluster_of[static_cast<std::size_t>(parent)] == cluster_of[i];
+        place[i] = static_cast<std::int32_t>(cluster.numbers.size());
+        cluster.numbers.push_back(i);
+        cluster.parents.push_back(with_parent ? place[static_cast<std::size_t>(parent)] : -1);
+    }
+    return clusters;
+}
+
+FetchedCluster::FetchedCluster(const ContourList& contours, const ClusterPlan& plan,
+                               const StopRequest& stop) {
+    contours_.reserve(plan.numbers.size());
+    for (const std::uint32_t number : plan.numbers) {
+        stop.check();
+        contours_.push_back(contours.fetch(number));
+        cluster_.contours.push_back(&contours_.back());
+    }
+    cluster_.parents = plan.parents;
+}
+
+}  // namespace d2b

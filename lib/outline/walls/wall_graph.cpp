@@ -1,0 +1,214 @@
+#include "outline/walls/wall_graph.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <numeric>
+
+#include "outline/walls/chain_tracer.hpp"
+
+namespace d2b {
+namespace {
+
+class Builder {
+  public:
+    Builder(const WallCluster& cluster, WallGraph& result, const StopRequest& stop)
+        : cluster_(cluster), walls_(result), stop_(stop), tracer_(result) {}
+    void find_sides();
+    void find_nodes();
+    void find_mates();
+    void find_chains();
+    void find_owners();
+    void find_parts();
+
+  private:
+    static constexpr std::uint32_t nobody = WallGraph::nobody;
+
+    [[nodiscard]] std::size_t arcs() const { return walls_.graph.arcs.size(); }
+    [[nodiscard]] std::uint32_t node_of(std::uint32_t end) const { return walls_.ends[end / 2][end % 2]; }
+    void walk(std::uint32_t from_end);
+
+    const WallCluster& cluster_;
+    WallGraph& walls_;
+    const StopRequest& stop_;
+    ChainTracer tracer_;
+    std::vector<std::uint32_t> mate_;  // of an arc end: the one that it goes on with
+};
+
+/// What uses an arc on one side.
+struct Users {
+    std::int32_t lowest = -1;
+    std::int32_t highest = -1;
+    int lowest_level = std::numeric_limits<int>::max();
+    int highest_level = -1;
+
+    void add(std::int32_t contour, int level) {
+        if (level < lowest_level) {
+            lowest = contour;
+            lowest_level = level;
+        }
+        if (level > highest_level) {
+            highest = contour;
+            highest_level = level;
+        }
+    }
+};
+
+void Builder::find_sides() {
+    std::vector<std::array<Users, 2>> users(arcs());
+    for (std::size_t c = 0; c < cluster_.contours.size(); ++c) {
+        stop_.check();
+        const int level = cluster_.contours[c]->key.level;
+        const auto add = [&](const std::vector<ArcUse>& ring) {
+            for (const ArcUse& use : ring)
+                users[use.arc][use.reversed ? 1 : 0].add(static_cast<std::int32_t>(c), level);
+        };
+        add(walls_.graph.outlines[c].exterior);
+        for (const auto& ring : walls_.graph.outlines[c].interiors)
+            add(ring);
+    }
+    walls_.sides.reserve(arcs());
+    walls_.ranks.reserve(arcs());
+    for (const auto& [left, right] : users) {
+        const bool left_is_low = left.lowest_level <= right.lowest_level;
+        const Users& low = left_is_low ? left : right;
+        const std::int32_t below = cluster_.parents[static_cast<std::size_t>(low.lowest)];
+        walls_.sides.push_back(
+            {left.highest < 0 ? below : left.highest, right.highest < 0 ? below : right.highest});
+        walls_.ranks.push_back(2 * low.lowest_level + (left.lowest_level == right.lowest_level ? 1 : 0));
+    }
+}
+
+void Builder::find_nodes() {
+    std::vector<LatticePoint> points;
+    for (const Arc& arc : walls_.graph.arcs) {
+        points.push_back(arc.front());
+        points.push_back(arc.back());
+    }
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    for (const LatticePoint point : points)
+        walls_.nodes.push_back({point});
+    const auto node = [&](LatticePoint point) {
+        return static_cast<std::uint32_t>(std::lower_bound(points.begin(), points.end(), point) -
+                                          points.begin());
+    };
+    walls_.first_end.assign(points.size() + 1, 0);
+    for (const Arc& arc : walls_.graph.arcs) {
+        walls_.ends.push_back({node(arc.front()), node(arc.back())});
+        for (const std::uint32_t n : walls_.ends.back())
+            ++walls_.first_end[n + 1];
+    }
+    std::partial_sum(walls_.first_end.begin(), walls_.first_end.end(), walls_.first_end.begin());
+    walls_.arc_ends.resize(2 * arcs());
+    std::vector<std::uint32_t> next = walls_.first_end;
+    for (std::uint32_t end = 0; end < 2 * arcs(); ++end)
+        walls_.arc_ends[next[node_of(end)]++] = end;
+}
+
+/// Through a node goes a chain where exactly two of the arcs that are drawn first there meet.
+void Builder::find_mates() {
+    mate_.assign(2 * arcs(), nobody);
+    for (std::size_t n = 0; n < walls_.nodes.size(); ++n) {
+        stop_.check();
+        const auto begin = walls_.arc_ends.begin() + walls_.first_end[n];
+        const auto end = walls_.arc_ends.begin() + walls_.first_end[n + 1];
+        const auto rank = [&](std::uint32_t e) { return walls_.ranks[e / 2]; };
+        int lowest = rank(*begin);
+        for (auto e = begin; e != end; ++e)
+            lowest = std::min(lowest, rank(*e));
+        std::vector<std::uint32_t> first;
+        for (auto e = begin; e != end; ++e)
+            if (rank(*e) == lowest)
+                first.push_back(*e);
+        if (first.size() != 2)
+            continue;
+        mate_[first[0]] = first[1];
+        mate_[first[1]] = first[0];
+    }
+}
+
+/// @param from_end where the chain begins
+void Builder::walk(std::uint32_t from_end) {
+    stop_.check();
+    Chain chain;
+    chain.rank = walls_.ranks[from_end / 2];
+    std::uint32_t end = from_end;
+    do {
+        chain.arcs.push_back({end / 2, end % 2 == 1});
+        walls_.chain_of[end / 2] = static_cast<std::uint32_t>(walls_.chains.size());
+        end = mate_[end ^ 1U];
+    } while (end != nobody && end != from_end);
+    chain.closed = end == from_end;
+    tracer_.trace(chain);
+    for (std::uint32_t k = 0; k < chain.arcs.size(); ++k)
+        walls_.place_of[chain.arcs[k].arc] = k;
+    walls_.chains.push_back(std::move(chain));
+}
+
+void Builder::find_chains() {
+    walls_.chain_of.assign(arcs(), nobody);
+    walls_.place_of.resize(arcs());
+    std::vector<std::uint32_t> order(arcs());
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return walls_.ranks[a] < walls_.ranks[b]; });
+    // Chains with ends begin at one; what is left of a rank are rings.
+    for (std::size_t i = 0; i < order.size();) {
+        std::size_t next = i;
+        for (; next < order.size() && walls_.ranks[order[next]] == walls_.ranks[order[i]]; ++next)
+            for (const std::uint32_t end : {2 * order[next], 2 * order[next] + 1})
+                if (mate_[end] == nobody && walls_.chain_of[order[next]] == nobody)
+                    walk(end);
+        for (; i < next; ++i)
+            if (walls_.chain_of[order[i]] == nobody)
+                walk(2 * order[i]);
+    }
+}
+
+void Builder::find_owners() {
+    for (std::uint32_t c = 0; c < walls_.chains.size(); ++c) {
+        const Chain& chain = walls_.chains[c];
+        for (std::uint32_t k = chain.closed ? 0 : 1; k + 1 < chain.nodes.size(); ++k) {
+            walls_.nodes[chain.nodes[k]].owner = c;
+            walls_.nodes[chain.nodes[k]].place = k;
+        }
+    }
+}
+
+void Builder::find_parts() {
+    std::vector<std::uint32_t> up(walls_.chains.size());
+    std::iota(up.begin(), up.end(), 0U);
+    const auto find = [&](std::uint32_t c) {
+        while (up[c] != c) {
+            up[c] = up[up[c]];
+            c = up[c];
+        }
+        return c;
+    };
+    for (std::size_t n = 0; n < walls_.nodes.size(); ++n)
+        for (std::uint32_t e = walls_.first_end[n] + 1; e < walls_.first_end[n + 1]; ++e) {
+            const std::uint32_t a = find(walls_.chain_of[walls_.arc_ends[e - 1] / 2]);
+            const std::uint32_t b = find(walls_.chain_of[walls_.arc_ends[e] / 2]);
+            up[std::max(a, b)] = std::min(a, b);
+        }
+    walls_.part_of.resize(up.size());
+    for (std::uint32_t c = 0; c < up.size(); ++c)
+        walls_.part_of[c] = find(c) == c ? walls_.parts++ : walls_.part_of[find(c)];
+}
+
+}  // namespace
+
+WallGraph build_wall_graph(const WallCluster& cluster, const StopRequest& stop) {
+    WallGraph walls;
+    walls.graph = build_arc_graph(cluster.contours, stop);
+    Builder builder(cluster, walls, stop);
+    for (const auto part : {&Builder::find_sides, &Builder::find_nodes, &Builder::find_mates,
+                            &Builder::find_chains, &Builder::find_owners, &Builder::find_parts}) {
+        stop.check();
+        (builder.*part)();
+    }
+    return walls;
+}
+
+}  // namespace d2b

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/options.hpp"
+#include "outline/walls/wall_samples.hpp"
+
+namespace d2b {
+
+/// How walls are fitted.
+struct WallOptions {
+    Walls walls = Walls::automatic;
+    double tolerance = 1.5;  ///< cells
+    CellShape shape;
+};
+
+}  // namespace d2b
