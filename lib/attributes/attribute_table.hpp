@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "attributes/records.hpp"
-#include "core/feature_sink.hpp"
-#include "core/options.hpp"
+#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/options.hpp"
 
 namespace d2b {
 

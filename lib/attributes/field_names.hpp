@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "core/options.hpp"
+#include "dem2buildings/options.hpp"
 
 namespace d2b {
 

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "attributes/percentiles.hpp"
 #include "core/elevation_sample.hpp"
+#include "core/roof_elevations.hpp"
 #include "levels/level_plan.hpp"
 #include "outline/outline.hpp"
 #include "trace/contour_list.hpp"

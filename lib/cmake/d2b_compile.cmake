@@ -1,7 +1,8 @@
 # How every target of the project is compiled. Nothing global: a project that embeds this one keeps its own flags.
 add_library(d2b_compile INTERFACE)
 target_compile_features(d2b_compile INTERFACE cxx_std_20)
-target_include_directories(d2b_compile INTERFACE ${PROJECT_SOURCE_DIR}/lib ${PROJECT_BINARY_DIR}/lib)
+target_include_directories(d2b_compile INTERFACE ${PROJECT_SOURCE_DIR}/lib ${PROJECT_SOURCE_DIR}/lib/include
+                           ${PROJECT_BINARY_DIR}/lib)
 target_compile_options(d2b_compile INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast -Wnon-virtual-dtor
   -Woverloaded-virtual -Wdouble-promotion -Wformat=2

@@ -11,7 +11,11 @@ install(EXPORT dem2buildingsTargets NAMESPACE dem2buildings:: DESTINATION ${conf
 get_property(headers GLOBAL PROPERTY D2B_HEADERS)
 foreach(header IN LISTS headers)
   cmake_path(GET header PARENT_PATH folder)
-  install(FILES ${PROJECT_SOURCE_DIR}/lib/${header} DESTINATION ${include_dir}/${folder})
+  set(place ${PROJECT_SOURCE_DIR}/lib/include/${header})
+  if(NOT EXISTS ${place})
+    set(place ${PROJECT_SOURCE_DIR}/lib/${header})
+  endif()
+  install(FILES ${place} DESTINATION ${include_dir}/${folder})
 endforeach()
 install(FILES ${PROJECT_BINARY_DIR}/lib/core/version.hpp DESTINATION ${include_dir}/core)
 

@@ -6,10 +6,9 @@
 #include <span>
 #include <vector>
 
-namespace d2b {
+#include "core/label.hpp"
 
-/// A label that detection gives to the cells of one object; 0 is no object.
-using Label = std::uint32_t;
+namespace d2b {
 
 /// Whole rows of a window. Rows are numbered as in the whole raster, columns from the window's first.
 struct BandShape {

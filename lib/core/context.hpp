@@ -7,10 +7,10 @@
 #include <string>
 #include <utility>
 
-#include "core/error.hpp"
 #include "core/executor.hpp"
-#include "core/report.hpp"
 #include "core/spool.hpp"
+#include "dem2buildings/error.hpp"
+#include "dem2buildings/report.hpp"
 
 namespace d2b {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/feature_sink.hpp"
 #include "core/stop_request.hpp"
+#include "dem2buildings/feature_sink.hpp"
 
 namespace d2b {
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/dem_info.hpp"
-#include "core/feature_sink.hpp"
 #include "core/lattice.hpp"
-#include "core/options.hpp"
+#include "dem2buildings/dem_info.hpp"
+#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/options.hpp"
 
 namespace d2b {
 

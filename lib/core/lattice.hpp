@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/byte_record.hpp"
+#include "dem2buildings/world_polygon.hpp"
 
 namespace d2b {
 
@@ -42,13 +43,6 @@ struct FinePoint {
 
 /// As a LatticeRing: closed without repetition, what it bounds on its left.
 using FineRing = std::vector<FinePoint>;
-
-/// Vertices of a ring that lie on one circular arc.
-struct ArcSpan {
-    std::uint32_t ring = 0;   ///< 0: the exterior, then the interiors
-    std::uint32_t first = 0;  ///< vertex at which it begins
-    std::uint32_t edges = 0;  ///< to its end, at least two; round the ring's end where need be
-};
 
 /// exterior first, then interiors
 struct FinePolygon {

@@ -3,8 +3,8 @@
 #include <string_view>
 
 #include "core/crs.hpp"
-#include "core/dem_info.hpp"
-#include "core/report.hpp"
+#include "dem2buildings/dem_info.hpp"
+#include "dem2buildings/report.hpp"
 
 namespace d2b {
 

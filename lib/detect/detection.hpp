@@ -6,7 +6,7 @@
 
 #include "core/band.hpp"
 #include "core/context.hpp"
-#include "core/options.hpp"
+#include "dem2buildings/options.hpp"
 #include "detect/left_out.hpp"
 #include "detect/scene.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/options.hpp"
+#include "dem2buildings/options.hpp"
 #include "diagnose/ground_fit.hpp"
 
 namespace d2b {

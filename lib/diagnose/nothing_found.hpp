@@ -2,10 +2,10 @@
 
 #include <string>
 
-#include "core/dem_info.hpp"
 #include "core/grid.hpp"
-#include "core/options.hpp"
-#include "core/report.hpp"
+#include "dem2buildings/dem_info.hpp"
+#include "dem2buildings/options.hpp"
+#include "dem2buildings/report.hpp"
 #include "diagnose/ground_fit.hpp"
 #include "diagnose/side_doubt.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/number_text.hpp"
-#include "core/options.hpp"
+#include "dem2buildings/options.hpp"
 
 namespace d2b {
 namespace {

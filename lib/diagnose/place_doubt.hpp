@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/dem_info.hpp"
+#include "dem2buildings/dem_info.hpp"
 
 namespace d2b {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/report.hpp"
+#include "dem2buildings/report.hpp"
 
 namespace d2b {
 

@@ -7,13 +7,11 @@
 #include <vector>
 
 #include "core/context.hpp"
-#include "core/options.hpp"
+#include "core/square_area.hpp"
+#include "dem2buildings/options.hpp"
 #include "trace/contour.hpp"
 
 namespace d2b {
-
-/// Square metres of a unit square at a place; constant on a projected grid.
-using SquareArea = std::function<double(LatticePoint)>;
 
 /// Why a contour is noise, if it is: its exterior ring passes fewer grid points than the noise factor
 /// (Chittineni 2003, 4.2), or it is smaller than the smallest area as traced. A root never is, and a

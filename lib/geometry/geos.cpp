@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "geometry/geos_handles.hpp"
 #include "geometry/geos_interrupt.hpp"
 #include "geometry/vast_polygons.hpp"

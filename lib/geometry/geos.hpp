@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "core/feature_sink.hpp"
 #include "core/lattice.hpp"
 #include "core/stop_request.hpp"
+#include "dem2buildings/feature_sink.hpp"
 
 namespace d2b {
 

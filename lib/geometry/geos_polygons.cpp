@@ -4,7 +4,7 @@
 #include <new>
 #include <utility>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 
 namespace d2b {
 namespace {

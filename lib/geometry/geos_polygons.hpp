@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/feature_sink.hpp"
+#include "dem2buildings/feature_sink.hpp"
 #include "geometry/geos_handles.hpp"
 
 namespace d2b {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/feature_sink.hpp"
+#include "dem2buildings/feature_sink.hpp"
 
 namespace d2b {
 

@@ -4,7 +4,7 @@
 
 #include "core/context.hpp"
 #include "core/grid.hpp"
-#include "core/options.hpp"
+#include "dem2buildings/options.hpp"
 
 namespace d2b {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/context.hpp"
-#include "core/options.hpp"
+#include "dem2buildings/options.hpp"
 #include "levels/elevation_histogram.hpp"
 #include "levels/level_plan.hpp"
 

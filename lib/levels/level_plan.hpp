@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/context.hpp"
-#include "core/options.hpp"
+#include "dem2buildings/options.hpp"
 #include "levels/statistics.hpp"
 
 namespace d2b {

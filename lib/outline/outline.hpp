@@ -5,7 +5,7 @@
 
 #include "core/context.hpp"
 #include "core/georeference.hpp"
-#include "core/options.hpp"
+#include "dem2buildings/options.hpp"
 #include "trace/contour_list.hpp"
 
 namespace d2b {

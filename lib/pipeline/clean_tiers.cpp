@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "pipeline/stage_clock.hpp"
+#include "core/stage_clock.hpp"
 
 namespace d2b {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "pipeline/stage_clock.hpp"
+#include "core/stage_clock.hpp"
 
 namespace d2b {
 namespace {

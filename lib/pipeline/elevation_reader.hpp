@@ -10,7 +10,7 @@
 
 #include "core/band.hpp"
 #include "core/context.hpp"
-#include "core/dem_source.hpp"
+#include "dem2buildings/dem_source.hpp"
 #include "levels/sift.hpp"
 #include "levels/statistics.hpp"
 #include "pipeline/band_cells.hpp"

@@ -9,13 +9,13 @@
 #include "attributes/ground_level.hpp"
 #include "core/progress_span.hpp"
 #include "core/row_bands.hpp"
+#include "core/stage_clock.hpp"
 #include "detect/detection.hpp"
 #include "detect/merge_strips.hpp"
 #include "ground/ground.hpp"
 #include "pipeline/scene_look.hpp"
 #include "pipeline/scene_rasters.hpp"
 #include "pipeline/side_grids.hpp"
-#include "pipeline/stage_clock.hpp"
 
 namespace d2b {
 namespace {

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "core/context.hpp"
-#include "core/dem_source.hpp"
-#include "core/feature_sink.hpp"
-#include "core/options.hpp"
-#include "core/raster_sink.hpp"
+#include "dem2buildings/dem_source.hpp"
+#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/options.hpp"
+#include "dem2buildings/raster_sink.hpp"
 #include "pipeline/band_size.hpp"
 
 namespace d2b {

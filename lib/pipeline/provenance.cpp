@@ -5,7 +5,7 @@
 
 #include "core/number_text.hpp"
 #include "core/version.hpp"
-#include "pipeline/preset.hpp"
+#include "options/preset.hpp"
 
 namespace d2b {
 namespace {

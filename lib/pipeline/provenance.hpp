@@ -1,10 +1,10 @@
 #pragma once
 
 #include "core/crs.hpp"
-#include "core/dem_info.hpp"
-#include "core/feature_sink.hpp"
-#include "core/options.hpp"
-#include "core/report.hpp"
+#include "dem2buildings/dem_info.hpp"
+#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/options.hpp"
+#include "dem2buildings/report.hpp"
 
 namespace d2b {
 

@@ -5,10 +5,10 @@
 #include <functional>
 
 #include "core/context.hpp"
-#include "core/dem_source.hpp"
 #include "core/grid.hpp"
-#include "core/raster_sink.hpp"
 #include "core/row_bands.hpp"
+#include "dem2buildings/dem_source.hpp"
+#include "dem2buildings/raster_sink.hpp"
 #include "detect/scene.hpp"
 
 namespace d2b {

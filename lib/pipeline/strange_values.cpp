@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "core/error.hpp"
 #include "core/number_text.hpp"
-#include "pipeline/preset.hpp"
+#include "dem2buildings/error.hpp"
+#include "options/preset.hpp"
 
 namespace d2b {
 namespace {

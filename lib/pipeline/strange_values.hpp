@@ -3,9 +3,9 @@
 #include <cstdint>
 
 #include "core/context.hpp"
-#include "core/dem_info.hpp"
 #include "core/elevation_limits.hpp"
-#include "core/options.hpp"
+#include "dem2buildings/dem_info.hpp"
+#include "dem2buildings/options.hpp"
 #include "levels/sift.hpp"
 
 namespace d2b {

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "core/dem_info.hpp"
 #include "core/grid.hpp"
 #include "core/row_bands.hpp"
+#include "dem2buildings/dem_info.hpp"
 
 namespace d2b {
 

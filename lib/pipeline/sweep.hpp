@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
+#include "options/sweep_plan.hpp"
 #include "pipeline/pipeline.hpp"
-#include "pipeline/sweep_plan.hpp"
 
 namespace d2b {
 

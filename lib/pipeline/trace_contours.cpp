@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/stage_clock.hpp"
 #include "detect/one_label.hpp"
 #include "levels/quantise.hpp"
-#include "pipeline/stage_clock.hpp"
 
 namespace d2b {
 namespace {

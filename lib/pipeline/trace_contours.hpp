@@ -2,9 +2,9 @@
 
 #include <memory>
 
-#include "core/options.hpp"
+#include "dem2buildings/options.hpp"
+#include "filter/contour_store.hpp"
 #include "levels/clean_rows.hpp"
-#include "pipeline/contour_store.hpp"
 #include "pipeline/elevation_reader.hpp"
 #include "pipeline/find_buildings.hpp"
 #include "trace/tracer.hpp"

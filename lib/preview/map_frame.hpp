@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/dem_info.hpp"
-#include "core/feature_sink.hpp"
+#include "dem2buildings/dem_info.hpp"
+#include "dem2buildings/feature_sink.hpp"
 #include "preview/canvas.hpp"
 
 namespace d2b {

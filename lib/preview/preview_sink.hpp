@@ -7,8 +7,8 @@
 
 #include "core/context.hpp"
 #include "core/crs.hpp"
-#include "core/dem_source.hpp"
-#include "core/feature_sink.hpp"
+#include "dem2buildings/dem_source.hpp"
+#include "dem2buildings/feature_sink.hpp"
 #include "preview/canvas.hpp"
 #include "preview/map_frame.hpp"
 

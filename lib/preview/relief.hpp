@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/dem_source.hpp"
+#include "dem2buildings/dem_source.hpp"
 #include "preview/canvas.hpp"
 #include "preview/map_frame.hpp"
 

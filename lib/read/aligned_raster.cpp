@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/georeference.hpp"
 #include "read/window.hpp"

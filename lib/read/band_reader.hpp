@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "core/context.hpp"
-#include "core/dem_info.hpp"
 #include "core/elevation_limits.hpp"
-#include "core/options.hpp"
 #include "core/value_counts.hpp"
+#include "dem2buildings/dem_info.hpp"
+#include "dem2buildings/options.hpp"
 #include "read/gdal_handles.hpp"
 
 namespace d2b {

@@ -8,7 +8,7 @@
 #include <gdal_alg.h>
 #include <ogr_api.h>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/ring_clip.hpp"
 

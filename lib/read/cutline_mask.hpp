@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/dem_info.hpp"
+#include "dem2buildings/dem_info.hpp"
 #include "read/cutline_polygons.hpp"
 #include "read/gdal_handles.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/georeference.hpp"

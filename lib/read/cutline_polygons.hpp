@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/context.hpp"
-#include "core/dem_info.hpp"
-#include "core/feature_sink.hpp"
+#include "dem2buildings/dem_info.hpp"
+#include "dem2buildings/feature_sink.hpp"
 
 namespace d2b {
 

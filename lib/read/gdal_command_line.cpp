@@ -8,7 +8,7 @@
 #include <cpl_string.h>
 #include <gdal.h>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "read/gdal_messages.hpp"
 
 namespace d2b {

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "read/cutline_mask.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/georeference.hpp"

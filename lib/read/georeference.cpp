@@ -7,8 +7,8 @@
 #include <ogr_spatialref.h>
 
 #include "core/crs.hpp"
-#include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "dem2buildings/error.hpp"
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
 

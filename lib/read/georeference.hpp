@@ -5,7 +5,7 @@
 #include <gdal.h>
 
 #include "core/context.hpp"
-#include "core/dem_info.hpp"
+#include "dem2buildings/dem_info.hpp"
 #include "read/gdal_handles.hpp"
 
 namespace d2b {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/dem_info.hpp"
+#include "dem2buildings/dem_info.hpp"
 #include "read/grid_transform.hpp"
 
 namespace d2b {

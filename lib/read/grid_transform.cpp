@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/georeference.hpp"
 

@@ -7,7 +7,7 @@
 
 #include <cpl_vsi.h>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 
 namespace d2b {
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "read/aligned_raster.hpp"
 #include "read/cutline_mask.hpp"
 #include "read/gdal_messages.hpp"

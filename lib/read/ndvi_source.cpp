@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "dem2buildings/error.hpp"
 #include "read/aligned_raster.hpp"
 #include "read/side_rasters.hpp"
 

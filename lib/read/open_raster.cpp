@@ -1,6 +1,6 @@
 #include "read/open_raster.hpp"
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/header_claims.hpp"
 #include "read/source_advice.hpp"

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "core/context.hpp"
-#include "core/options.hpp"
+#include "dem2buildings/options.hpp"
 #include "read/gdal_handles.hpp"
 
 namespace d2b {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
-#include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "dem2buildings/error.hpp"
 #include "read/gdal_messages.hpp"
 
 namespace d2b {

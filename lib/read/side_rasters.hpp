@@ -4,8 +4,8 @@
 #include <string>
 
 #include "core/context.hpp"
-#include "core/dem_source.hpp"
 #include "core/elevation_limits.hpp"
+#include "dem2buildings/dem_source.hpp"
 
 namespace d2b {
 

@@ -11,7 +11,7 @@
 
 #include <cpl_vsi.h>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/temporary_folder.hpp"

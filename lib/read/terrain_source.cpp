@@ -2,9 +2,9 @@
 #include <utility>
 
 #include "core/crs.hpp"
-#include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/units.hpp"
+#include "dem2buildings/error.hpp"
 #include "read/aligned_raster.hpp"
 #include "read/side_rasters.hpp"
 

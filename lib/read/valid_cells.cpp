@@ -9,7 +9,7 @@
 
 #include <gdal_alg.h>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "read/gdal_dem_source.hpp"
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"

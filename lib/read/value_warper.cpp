@@ -8,8 +8,8 @@
 
 #include <cpl_string.h>
 
-#include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "dem2buildings/error.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/grid_fit.hpp"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "dem2buildings/error.hpp"
 
 namespace d2b {
 

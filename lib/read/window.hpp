@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <string>
 
-#include "core/dem_info.hpp"
-#include "core/options.hpp"
+#include "dem2buildings/dem_info.hpp"
+#include "dem2buildings/options.hpp"
 
 namespace d2b {
 

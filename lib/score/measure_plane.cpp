@@ -6,8 +6,8 @@
 #include <functional>
 #include <vector>
 
-#include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "dem2buildings/error.hpp"
 #include "geometry/box_tree.hpp"
 
 namespace d2b {

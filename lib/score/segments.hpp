@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/feature_sink.hpp"
+#include "dem2buildings/feature_sink.hpp"
 #include "geometry/box_tree.hpp"
 #include "geometry/overlay.hpp"
 

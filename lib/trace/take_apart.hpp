@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "core/dem_info.hpp"
-#include "core/options.hpp"
+#include "dem2buildings/dem_info.hpp"
+#include "dem2buildings/options.hpp"
 #include "levels/quantise.hpp"
 #include "trace/runs.hpp"
 

@@ -6,7 +6,7 @@
 #include <thread>
 #include <utility>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "write/database_turn.hpp"
 #include "write/existing_dataset.hpp"
 #include "write/geopackage_tables.hpp"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "core/feature_sink.hpp"
-#include "core/options.hpp"
+#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/options.hpp"
 #include "write/commit_guard.hpp"
 #include "write/layer_counts.hpp"
 #include "write/layer_writer.hpp"

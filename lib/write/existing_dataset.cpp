@@ -7,7 +7,7 @@
 #include <sys/stat.h>
 #include <system_error>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "read/gdal_messages.hpp"
 #include "write/existing_refusals.hpp"
 #include "write/ogr_call.hpp"

@@ -8,7 +8,7 @@
 #include <thread>
 #include <unistd.h>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "read/gdal_messages.hpp"
 #include "write/ogr_call.hpp"
 

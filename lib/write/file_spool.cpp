@@ -8,7 +8,7 @@
 #include <unistd.h>
 #include <utility>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "read/temporary_folder.hpp"
 
 namespace d2b {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/feature_sink.hpp"
+#include "dem2buildings/feature_sink.hpp"
 #include "write/ogr_call.hpp"
 #include "write/ogr_handles.hpp"
 

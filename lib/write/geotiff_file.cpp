@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "core/crs.hpp"
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 
 namespace d2b {
 

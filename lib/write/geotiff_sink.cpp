@@ -11,7 +11,7 @@
 #include <cpl_vsi.h>
 
 #include "core/crs.hpp"
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "read/gdal_messages.hpp"
 #include "write/config_option.hpp"
 #include "write/geotiff_file.hpp"

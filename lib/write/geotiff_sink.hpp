@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "core/context.hpp"
-#include "core/dem_info.hpp"
-#include "core/raster_sink.hpp"
+#include "dem2buildings/dem_info.hpp"
+#include "dem2buildings/raster_sink.hpp"
 #include "write/raster_target.hpp"
 
 namespace d2b {

@@ -1,6 +1,6 @@
 #include "write/layer_choice.hpp"
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 
 namespace d2b {
 

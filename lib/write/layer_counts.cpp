@@ -1,6 +1,6 @@
 #include "write/layer_counts.hpp"
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "write/sql.hpp"
 
 namespace d2b {

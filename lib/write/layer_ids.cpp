@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "write/sql.hpp"
 
 namespace d2b {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/feature_sink.hpp"
+#include "dem2buildings/feature_sink.hpp"
 
 namespace d2b {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/feature_sink.hpp"
-#include "core/options.hpp"
+#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/options.hpp"
 #include "write/ogr_call.hpp"
 #include "write/ogr_handles.hpp"
 #include "write/spatial_index.hpp"

@@ -2,7 +2,7 @@
 
 #include <system_error>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "write/staging.hpp"
 
 namespace d2b {

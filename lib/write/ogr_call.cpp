@@ -2,7 +2,7 @@
 
 #include <gdal_version.h>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 
 namespace d2b {
 

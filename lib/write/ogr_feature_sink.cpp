@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "write/config_option.hpp"
 #include "write/crs_misfit.hpp"
 #include "write/dataset_writer.hpp"

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "core/context.hpp"
-#include "core/feature_sink.hpp"
-#include "core/options.hpp"
+#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/options.hpp"
 
 namespace d2b {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "write/config_option.hpp"
 #include "write/existing_dataset.hpp"
 #include "write/ogr_call.hpp"

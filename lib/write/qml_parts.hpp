@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/feature_sink.hpp"
+#include "dem2buildings/feature_sink.hpp"
 
 /// What a QML document is made of; for the files qml_*.cpp alone.
 namespace d2b::qml {

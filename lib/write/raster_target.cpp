@@ -8,7 +8,7 @@
 
 #include <cpl_vsi.h>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "read/gdal_messages.hpp"
 #include "write/destination.hpp"
 #include "write/existing_dataset.hpp"

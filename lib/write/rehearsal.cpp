@@ -4,7 +4,7 @@
 
 #include <cpl_string.h>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "write/config_option.hpp"
 #include "write/dataset_writer.hpp"
 #include "write/reserved_names.hpp"

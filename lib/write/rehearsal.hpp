@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "core/feature_sink.hpp"
+#include "dem2buildings/feature_sink.hpp"
 #include "write/destination.hpp"
 
 namespace d2b {

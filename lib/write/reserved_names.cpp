@@ -7,7 +7,7 @@
 
 #include <cpl_string.h>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 
 namespace d2b {
 

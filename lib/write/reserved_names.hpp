@@ -2,8 +2,8 @@
 
 #include <span>
 
-#include "core/feature_sink.hpp"
-#include "core/options.hpp"
+#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/options.hpp"
 #include "write/vector_format.hpp"
 
 namespace d2b {

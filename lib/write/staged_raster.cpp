@@ -4,7 +4,7 @@
 
 #include <cpl_vsi.h>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "write/existing_dataset.hpp"
 
 namespace d2b {

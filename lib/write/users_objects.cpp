@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "write/sql.hpp"
 
 namespace d2b {

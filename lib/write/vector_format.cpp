@@ -10,7 +10,7 @@
 #include <cpl_string.h>
 #include <ogr_api.h>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "write/format_probe.hpp"
 
 namespace d2b {

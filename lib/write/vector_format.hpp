@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/options.hpp"
+#include "dem2buildings/options.hpp"
 #include "write/ogr_handles.hpp"
 
 namespace d2b {

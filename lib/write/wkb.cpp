@@ -5,7 +5,7 @@
 #include <cstring>
 #include <utility>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 
 namespace d2b {
 

@@ -8,7 +8,7 @@
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 
 namespace d2b::sample {
 

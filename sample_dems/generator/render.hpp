@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "core/dem_info.hpp"
+#include "dem2buildings/dem_info.hpp"
 #include "scene.hpp"
 
 namespace d2b::sample {

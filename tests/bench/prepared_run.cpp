@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/square_area.hpp"
 #include "detect/one_label.hpp"
+#include "features/target_frame.hpp"
 #include "levels/building_levels.hpp"
 #include "levels/quantise.hpp"
+#include "options/preset.hpp"
 #include "pipeline/elevation_reader.hpp"
 #include "pipeline/pipeline.hpp"
-#include "pipeline/preset.hpp"
-#include "pipeline/square_area.hpp"
-#include "pipeline/target_frame.hpp"
 #include "read/gdal_dem_source.hpp"
 #include "support/memory_io.hpp"
 

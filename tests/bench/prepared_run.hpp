@@ -6,11 +6,11 @@
 
 #include "core/context.hpp"
 #include "core/crs.hpp"
-#include "core/dem_source.hpp"
 #include "core/georeference.hpp"
 #include "core/grid.hpp"
+#include "dem2buildings/dem_source.hpp"
+#include "filter/contour_store.hpp"
 #include "levels/level_plan.hpp"
-#include "pipeline/contour_store.hpp"
 #include "pipeline/find_buildings.hpp"
 #include "trace/tracer.hpp"
 

@@ -6,9 +6,9 @@
 
 #include "attributes/records.hpp"
 #include "detect/detection.hpp"
+#include "features/placer.hpp"
 #include "ground/ground.hpp"
 #include "pipeline/pipeline.hpp"
-#include "pipeline/placer.hpp"
 #include "prepared_run.hpp"
 #include "read/gdal_dem_source.hpp"
 #include "support/memory_io.hpp"

@@ -5,8 +5,8 @@
 
 #include "cli/cli_test_case.hpp"
 #include "dem2buildings/help.hpp"
-#include "pipeline/contour_options.hpp"
-#include "pipeline/option_table.hpp"
+#include "options/contour_options.hpp"
+#include "options/option_table.hpp"
 
 namespace d2b::test {
 namespace {

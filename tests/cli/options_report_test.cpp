@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/option_effect.hpp"
-#include "pipeline/option_table.hpp"
+#include "options/option_table.hpp"
 
 namespace d2b::test {
 namespace {

@@ -8,8 +8,8 @@
 #include "core/crs.hpp"
 #include "core/crs_cases.hpp"
 #include "core/ellipsoid.hpp"
-#include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "dem2buildings/error.hpp"
 
 namespace d2b {
 namespace {

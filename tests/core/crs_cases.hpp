@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-#include "core/feature_sink.hpp"
+#include "dem2buildings/feature_sink.hpp"
 
 namespace d2b::test {
 

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "core/crs_cases.hpp"
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 
 namespace d2b {
 namespace {

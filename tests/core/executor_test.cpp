@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 
 namespace d2b {
 namespace {

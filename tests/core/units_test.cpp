@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 
 namespace d2b {
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "filter/noise.hpp"
 #include "support/trace_grid.hpp"
 

@@ -1,6 +1,6 @@
 // Any arguments, one a line, are a request or an OptionError.
-#include "core/error.hpp"
 #include "dem2buildings/command_line.hpp"
+#include "dem2buildings/error.hpp"
 #include "fuzz/bytes.hpp"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <cpl_conv.h>
 #include <cpl_vsi.h>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "fuzz/bytes.hpp"
 #include "read/gdal_dem_source.hpp"
 

@@ -13,7 +13,7 @@
 #include <cpl_vsi.h>
 #include <gdal.h>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "fuzz/bytes.hpp"
 #include "read/gdal_dem_source.hpp"
 

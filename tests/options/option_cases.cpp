@@ -4,8 +4,8 @@
 #include <map>
 #include <set>
 
-#include "core/error.hpp"
 #include "dem2buildings/command_line.hpp"
+#include "dem2buildings/error.hpp"
 #include "dem2buildings/help.hpp"
 
 namespace d2b::test {

@@ -1,4 +1,4 @@
-#include "pipeline/option_rules.hpp"
+#include "options/option_rules.hpp"
 
 #include <algorithm>
 #include <regex>

@@ -10,12 +10,12 @@
 #include <ogr_api.h>
 #include <ogr_srs_api.h>
 
-#include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "dem2buildings/command_line.hpp"
+#include "dem2buildings/error.hpp"
 #include "dem2buildings/side_rasters.hpp"
+#include "options/preset.hpp"
 #include "pipeline/pipeline.hpp"
-#include "pipeline/preset.hpp"
 #include "read/gdal_dem_source.hpp"
 #include "read/rasters.hpp"
 #include "support/memory_io.hpp"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "outline/outline_checks.hpp"
 #include "outline/walls/regular_outlines.hpp"
 #include "support/trace_grid.hpp"

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "pipeline/tall_blocks.hpp"
 
 namespace d2b {

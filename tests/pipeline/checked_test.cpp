@@ -1,8 +1,8 @@
-#include "pipeline/checked.hpp"
+#include "features/checked.hpp"
 
 #include <gtest/gtest.h>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 
 namespace d2b {
 namespace {

@@ -1,4 +1,4 @@
-#include "pipeline/preset.hpp"
+#include "options/preset.hpp"
 
 #include <functional>
 #include <limits>
@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 
 namespace d2b {
 namespace {

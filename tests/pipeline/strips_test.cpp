@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "options/preset.hpp"
 #include "pipeline/find_buildings.hpp"
 #include "pipeline/made_town.hpp"
-#include "pipeline/preset.hpp"
 
 namespace d2b {
 namespace {

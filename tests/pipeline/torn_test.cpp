@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
+#include "features/ring_carrier.hpp"
+#include "features/target_frame.hpp"
 #include "pipeline/pipeline_case.hpp"
-#include "pipeline/ring_carrier.hpp"
-#include "pipeline/target_frame.hpp"
 #include "support/random_grid.hpp"
 
 namespace d2b {

@@ -1,4 +1,4 @@
-#include "pipeline/troubles.hpp"
+#include "features/troubles.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <cpl_vsi.h>
 #include <gtest/gtest.h>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "read/rasters.hpp"
 #include "support/vector_file.hpp"
 

@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "core/context.hpp"
-#include "core/dem_source.hpp"
-#include "core/options.hpp"
+#include "dem2buildings/dem_source.hpp"
+#include "dem2buildings/options.hpp"
 
 namespace d2b::test {
 

@@ -1,4 +1,4 @@
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "read/side_fixture.hpp"
 
 namespace d2b::test {

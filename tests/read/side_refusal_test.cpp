@@ -1,7 +1,7 @@
 #include <cpl_string.h>
 #include <cpl_vsi.h>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "read/side_fixture.hpp"
 
 namespace d2b::test {

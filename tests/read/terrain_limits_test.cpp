@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "read/side_fixture.hpp"
 
 namespace d2b::test {

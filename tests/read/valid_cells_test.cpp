@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "read/rasters.hpp"
 #include "score/measure.hpp"
 

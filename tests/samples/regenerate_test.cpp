@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "sample_files.hpp"
 #include "samples.hpp"
 #include "write_truth.hpp"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "score/measure.hpp"
 #include "score/shapes.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/feature_sink.hpp"
+#include "dem2buildings/feature_sink.hpp"
 
 namespace d2b::test {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "attributes/records.hpp"
-#include "pipeline/contour_store.hpp"
+#include "filter/contour_store.hpp"
 
 namespace d2b::test {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "core/dem_source.hpp"
-#include "core/feature_sink.hpp"
-#include "core/raster_sink.hpp"
+#include "dem2buildings/dem_source.hpp"
+#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/raster_sink.hpp"
 
 namespace d2b::test {
 

@@ -6,7 +6,7 @@
 #include <cpl_conv.h>
 #include <gtest/gtest.h>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "read/gdal_command_line.hpp"
 
 namespace d2b::test {

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/contour_options.hpp"
+#include "options/contour_options.hpp"
 #include "support/run_tool.hpp"
 
 namespace d2b::test {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/contour_options.hpp"
+#include "options/contour_options.hpp"
 #include "tools/parse.hpp"
 
 namespace d2b::test {

@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "core/error.hpp"
 #include "core/number_text.hpp"
-#include "pipeline/option_checks.hpp"
-#include "pipeline/option_values.hpp"
+#include "dem2buildings/error.hpp"
+#include "options/option_checks.hpp"
+#include "options/option_values.hpp"
 #include "tools/parse.hpp"
 
 namespace d2b::test {

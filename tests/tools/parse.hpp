@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
 #include "dem2buildings/command_line.hpp"
+#include "dem2buildings/error.hpp"
 
 namespace d2b::test {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "dem2buildings_score/command_line.hpp"
 #include "dem2buildings_score/help.hpp"
 #include "dem2buildings_score/report.hpp"

@@ -2,7 +2,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "write/ogr_feature_sink.hpp"
 #include "write/write_fixture.hpp"
 

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "support/spool_checks.hpp"
 
 namespace d2b {

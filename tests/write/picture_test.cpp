@@ -1,6 +1,6 @@
 #include <tuple>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "write/png_sink.hpp"
 #include "write/write_fixture.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "write/ogr_feature_sink.hpp"
 #include "write/write_fixture.hpp"
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <ogr_api.h>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 
 namespace {
 

@@ -13,8 +13,8 @@
 #include <ogr_srs_api.h>
 
 #include "core/context.hpp"
-#include "core/feature_sink.hpp"
-#include "core/options.hpp"
+#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/options.hpp"
 
 namespace d2b::test {
 

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "common/exit_codes.hpp"
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 
 namespace d2b {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 #include "dem2buildings/tokens.hpp"
-#include "pipeline/option_checks.hpp"
+#include "options/option_checks.hpp"
 
 namespace d2b {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/option_table.hpp"
+#include "options/option_table.hpp"
 
 namespace d2b {
 

@@ -1,7 +1,7 @@
 #include "common/roff.hpp"
 #include "core/version.hpp"
 #include "dem2buildings/help.hpp"
-#include "pipeline/contour_options.hpp"
+#include "options/contour_options.hpp"
 
 namespace d2b {
 namespace {

@@ -1,5 +1,5 @@
 #include "dem2buildings/help.hpp"
-#include "pipeline/contour_options.hpp"
+#include "options/contour_options.hpp"
 
 namespace d2b {
 namespace {

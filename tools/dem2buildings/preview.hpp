@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "core/context.hpp"
-#include "core/dem_source.hpp"
-#include "core/options.hpp"
+#include "dem2buildings/dem_source.hpp"
+#include "dem2buildings/options.hpp"
 #include "preview/preview_sink.hpp"
 #include "write/png_sink.hpp"
 

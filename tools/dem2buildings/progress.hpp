@@ -5,8 +5,8 @@
 #include <mutex>
 #include <string>
 
-#include "core/options.hpp"
-#include "core/report.hpp"
+#include "dem2buildings/options.hpp"
+#include "dem2buildings/report.hpp"
 
 namespace d2b {
 

@@ -3,9 +3,9 @@
 #include <memory>
 
 #include "core/context.hpp"
-#include "core/dem_source.hpp"
-#include "core/options.hpp"
-#include "core/raster_sink.hpp"
+#include "dem2buildings/dem_source.hpp"
+#include "dem2buildings/options.hpp"
+#include "dem2buildings/raster_sink.hpp"
 
 namespace d2b {
 

@@ -7,10 +7,10 @@
 #include <boost/make_shared.hpp>
 #include <boost/program_options.hpp>
 
-#include "core/error.hpp"
-#include "pipeline/contour_options.hpp"
-#include "pipeline/option_checks.hpp"
-#include "pipeline/option_values.hpp"
+#include "dem2buildings/error.hpp"
+#include "options/contour_options.hpp"
+#include "options/option_checks.hpp"
+#include "options/option_values.hpp"
 
 namespace d2b {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/crs.hpp"
-#include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "dem2buildings/error.hpp"
 #include "geometry/box_tree.hpp"
 #include "read/polygon_layer.hpp"
 #include "read/valid_cells.hpp"

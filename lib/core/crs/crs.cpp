@@ -13,7 +13,7 @@
 #include "core/crs/parse_crs.hpp"
 #include "core/crs/proj_objects.hpp"
 #include "core/crs/text.hpp"
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 
 namespace d2b {
 

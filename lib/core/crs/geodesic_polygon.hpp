@@ -6,7 +6,7 @@
 #include <GeographicLib/PolygonArea.hpp>
 
 #include "core/crs.hpp"
-#include "core/feature_sink.hpp"
+#include "dem2buildings/feature_sink.hpp"
 
 namespace d2b {
 

@@ -11,7 +11,7 @@
 #include "core/crs/lon_lat.hpp"
 #include "core/crs/position_math.hpp"
 #include "core/crs/text.hpp"
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 
 namespace d2b {
 namespace {

@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "core/crs/proj_objects.hpp"
-#include "core/error.hpp"
+#include "dem2buildings/error.hpp"
 
 namespace d2b {
 

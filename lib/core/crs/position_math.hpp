@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-#include "core/feature_sink.hpp"
+#include "dem2buildings/feature_sink.hpp"
 
 namespace d2b {
 

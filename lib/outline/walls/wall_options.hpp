@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/options.hpp"
+#include "dem2buildings/options.hpp"
 #include "outline/walls/wall_samples.hpp"
 
 namespace d2b {

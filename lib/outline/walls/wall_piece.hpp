@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "core/options.hpp"
+#include "dem2buildings/options.hpp"
 #include "outline/walls/circle.hpp"
 #include "outline/walls/wall_samples.hpp"
 

@@ -1,0 +1,40 @@
+#include "features/layer_specs.hpp"
+
+#include <utility>
+
+#include "attributes/attribute_table.hpp"
+
+namespace d2b {
+
+LayerSpecs layer_specs(const Options& options, const LayerTerms& terms, const FeatureSink& sink) {
+    const WriteOptions& write = options.write;
+    const bool with_arcs = options.outline.arcs && !terms.reprojected;
+    LayerSpecs specs;
+    const auto add = [&](LayerRole role, const char* title, const std::string& description,
+                         std::vector<FieldSpec> fields, bool arcs) {
+        specs.layers.push_back({sink.layer_name(role, write.layers), title, description + terms.source,
+                                std::move(fields), write.with_z, arcs});
+        return specs.layers.size() - 1;
+    };
+    const auto building_fields = field_specs(building_attributes(), terms.vertical_unit, write.fields);
+    if (write.layers != Layers::contours)
+        specs.places.buildings = add(LayerRole::buildings, "Buildings", "One polygon a building, from ",
+                                     building_fields, with_arcs);
+    if (write.layers != Layers::buildings)
+        specs.places.contours =
+            add(LayerRole::contours, "Contours",
+                options.outline.disjoint ? "Bands between thresholds that do not overlap, from "
+                                         : "Stacked contours, low to high, from ",
+                field_specs(contour_attributes(), terms.vertical_unit), with_arcs);
+    if (write.doubtful)
+        specs.places.doubtful =
+            add(LayerRole::doubtful, "Doubtful buildings",
+                "What may be a building, with the reason for the doubt, from ", building_fields, with_arcs);
+    if (write.rejected)
+        specs.places.rejected = add(LayerRole::rejected, "Rejected",
+                                    "What was dropped, filled or kept as traced, with the reason, from ",
+                                    field_specs(rejected_attributes(), terms.vertical_unit), false);
+    return specs;
+}
+
+}  // namespace d2b

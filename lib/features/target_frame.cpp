@@ -1,0 +1,124 @@
+#include "features/target_frame.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+#include "core/georeference.hpp"
+#include "features/ring_carrier.hpp"
+
+namespace d2b {
+namespace {
+
+double cross(const Position& origin, const Position& a, const Position& b) {
+    return (a.x - origin.x) * (b.y - origin.y) - (b.x - origin.x) * (a.y - origin.y);
+}
+
+double twice_area(const WorldRing& ring) {
+    double sum = 0;
+    for (std::size_t i = 1; i + 1 < ring.size(); ++i)
+        sum += cross(ring[0], ring[i], ring[i + 1]);
+    return sum;
+}
+
+WorldRing frame_of(const Window& window, TraceMode mode, const Georeference& georeference) {
+    const LatticeBox box = lattice_frame(window, mode);
+    const auto& [low, high] = box;
+    WorldRing frame;
+    for (const LatticePoint corner :
+         {low, LatticePoint{high.row, low.col}, high, LatticePoint{low.row, high.col}})
+        frame.push_back(georeference.position(corner));
+    return frame;
+}
+
+double longest_side(const WorldRing& frame) {
+    double longest = 0;
+    for (std::size_t i = 1; i < frame.size(); ++i)
+        longest = std::max(longest, std::hypot(frame[i].x - frame[i - 1].x, frame[i].y - frame[i - 1].y));
+    return longest;
+}
+
+/// Whether what lies within the frame comes to lie outside of it, as around the antipode of an azimuthal
+/// projection: small steps from a corner turn one way and the whole frame the other.
+bool is_inside_out(const WorldRing& frame, const WorldRing& image, RingCarrier& carrier) {
+    constexpr double step = 1e-5;  // so little that curves look straight
+    constexpr double flattest = 1e-6;
+    const auto towards = [&](const Position& to) {
+        return Position{frame[0].x + (to.x - frame[0].x) * step, frame[0].y + (to.y - frame[0].y) * step};
+    };
+    const std::array<Position, 3> steps{frame[0], towards(frame[1]), towards(frame[3])};
+    std::array<Position, 3> images = steps;
+    if (!carrier.carry_positions(images))
+        return false;
+    const double turn = cross(images[0], images[1], images[2]);
+    const double sides = std::hypot(images[1].x - images[0].x, images[1].y - images[0].y) *
+                         std::hypot(images[2].x - images[0].x, images[2].y - images[0].y);
+    const bool kept = (twice_area(frame) > 0) == (twice_area(image) > 0);
+    const bool kept_here = (cross(steps[0], steps[1], steps[2]) > 0) == (turn > 0);
+    return std::abs(turn) > flattest * sides && kept != kept_here;
+}
+
+/// Metres, or nothing where a part of the frame lies nowhere on the earth.
+std::optional<double> length_on_ground(const WorldRing& frame, const Crs& crs) {
+    try {
+        return Geodesy(crs).ring(frame).perimeter_m;
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
+}
+
+}  // namespace
+
+LatticeBox lattice_frame(const Window& window, TraceMode mode) {
+    const std::int32_t less = mode == TraceMode::points ? 1 : 0;
+    return {{window.row, window.col}, {window.row + window.rows - less, window.col + window.cols - less}};
+}
+
+bool is_overstretched(double length, const Crs& crs, double ground_m) {
+    constexpr double most = 1000;
+    const auto unit = crs.horizontal_unit();
+    return unit && length * unit->metres > most * ground_m;
+}
+
+Position require_whole_frame(const DemInfo& info, const Options& options, const Crs& crs, const Crs& target) {
+    const TraceMode mode = options.trace.mode;
+    const Georeference georeference(info.transform, mode);
+    const Window& w = info.window;
+    Position middle = georeference.position(LatticePoint{w.row + w.rows / 2, w.col + w.cols / 2});
+    if (target.kind() == Crs::Kind::none)
+        return middle;
+    const WorldRing frame = frame_of(w, mode, georeference);
+    constexpr double pieces = 64;  // of a side, to begin with
+    const double longest = longest_side(frame) / pieces;
+    RingCarrier carrier(crs, target, frame, longest);
+    static_cast<void>(carrier.carry_positions({&middle, 1}));
+    WorldRing image = frame;
+    // A single point has no frame, and where there are no data there need not be an image.
+    if (!(longest > 0))
+        return middle;
+    const RingFate fate = carrier.carry(image);
+    if (fate == RingFate::without_image)
+        return middle;
+    const auto ground_m = length_on_ground(frame, crs);
+    if (fate == RingFate::torn || is_inside_out(frame, image, carrier) ||
+        (ground_m && is_overstretched(length_of(image), target, *ground_m)))
+        throw torn_apart(info.name, spoken_name(target, options.outline.target_crs));
+    return middle;
+}
+
+std::string spoken_name(const Crs& crs, const std::string& given) {
+    const std::string name = crs.name();
+    return given.empty() || (name != "unknown" && name != "unnamed") ? name : given;
+}
+
+InputError torn_apart(const std::string& input, const std::string& target) {
+    return InputError(
+        "'" + input + "' cannot be brought to '" + target +
+        "', which tears its area apart or stretches it beyond use (as across 180 degrees, over a "
+        "pole or far from where a projection is made for); choose another -t_srs, such as the "
+        "UTM zone of the area, or use a part of the raster (-srcwin, -projwin or -te).");
+}
+
+}  // namespace d2b

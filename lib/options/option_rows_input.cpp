@@ -1,0 +1,128 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/number_text.hpp"
+#include "dem2buildings/error.hpp"
+#include "options/option_rows.hpp"
+
+namespace d2b::rows {
+namespace {
+
+/// "m", "ft", "us-ft" or metres in a unit.
+OptionRow vertical_unit() {
+    const NumberRange metres{.lowest = 0, .above_lowest = true};
+    OptionRow row = described(
+        "zunit", "m|ft|us-ft|<metres>",
+        {.help = "Unit of the elevations.",
+         .details = "By default the first of these that is known: the unit of the band, of the "
+                    "vertical CRS, of the horizontal CRS; the report says which it was. A band whose unit is "
+                    "no length is refused without this option. ft is "
+                    "the international foot, us-ft the US survey foot; a number gives the "
+                    "metres in one unit."});
+    row.range = "m, ft, us-ft or " + metres.text("a number") + " (metres in one unit)";
+    row.apply = [metres, range = row.range](Request& request, OptionValues texts) {
+        const std::string& text = texts[0];
+        if (text != "m" && text != "ft" && text != "us-ft" && !read_number(metres, text))
+            refuse_value("zunit", range, text);
+        request.options.read.vertical_unit = text;
+    };
+    row.show = [](const Request& request) { return request.options.read.vertical_unit; };
+    return row;
+}
+
+/// Of elevations.
+OptionRow elevation_range() {
+    return several_row<2>(
+        "zrange", "<lowest> <highest>", "two numbers, the lowest below the highest",
+        [](const Two& range) { return range[0] < range[1]; },
+        [](auto& r) -> auto& { return r.options.read.elevation_range; },
+        {.help = "Elevations that occur; what is outside is no elevation.",
+         .details = "By default from -500 to 9000 m, whatever the unit: no land lies lower or higher. Cells "
+                    "outside are "
+                    "taken for no data, counted and warned of, those of a terrain model too.",
+         .unit = "vertical unit of the input"});
+}
+
+bool whole(double value) {
+    return value == std::floor(value);
+}
+
+/// Some tools of GDAL take the upper left corner first, and some the lower left. @throws OptionError
+void require_lower_left_first(const Four& extent) {
+    const auto& [left, top, right, bottom] = extent;
+    if (left < right && top > bottom)
+        throw OptionError(
+            "-te takes xmin ymin xmax ymax, and " + numbers_text(extent, " ") +
+            " is the upper left and the lower right corner, as -projwin takes them; write -te " +
+            numbers_text(Four{left, bottom, right, top}, " ") + ".");
+}
+
+/// What of the input is used.
+std::vector<OptionRow> windows() {
+    std::vector<OptionRow> rows;
+    rows.push_back(several_row<4>(
+        "srcwin", "<column> <row> <columns> <rows>", "four whole numbers, columns and rows above 0",
+        [](const Four& w) { return std::ranges::all_of(w, whole) && w[2] > 0 && w[3] > 0; },
+        [](auto& r) -> auto& { return r.options.read.source_window; },
+        {.help = "Part of the input to use, in cells from its upper left corner.", .unit = "cells"}));
+    rows.push_back(several_row<4>(
+        "projwin", "<ulx> <uly> <lrx> <lry>", "four numbers, ulx below lrx and uly above lry",
+        [](const Four& w) { return w[0] < w[2] && w[1] > w[3]; },
+        [](auto& r) -> auto& { return r.options.read.projected_window; },
+        {.help = "Part of the input to use, by its upper left and lower right corner.",
+         .unit = "units of the input's CRS"}));
+    rows.push_back(several_row<4>(
+        "te", "<xmin> <ymin> <xmax> <ymax>", "four numbers, xmin below xmax and ymin below ymax",
+        [](const Four& w) {
+            require_lower_left_first(w);
+            return w[0] < w[2] && w[1] < w[3];
+        },
+        [](auto& r) -> auto& { return r.options.read.extent; },
+        {.help = "Part of the input to use, by its extent: the points within it.",
+         .unit = "units of the input's CRS"}));
+    rows.push_back(text_row(
+        "cutline", "<polygons>", [](auto& r) -> auto& { return r.options.read.cutline; },
+        {.help = "Vector dataset whose polygons bound the area of interest.",
+         .details = "Any dataset that GDAL reads. Points outside the polygons are taken for no data."}));
+    rows.push_back(text_row("cutline_layer", "<layer>",
+                            [](auto& r) -> auto& { return r.options.read.cutline_layer; },
+                            {.help = "Layer of the cutline; by default the first that has geometries."}));
+    return rows;
+}
+
+}  // namespace
+
+std::vector<OptionRow> input() {
+    std::vector<OptionRow> rows;
+    rows.push_back(whole_row("b", "<band>", {.lowest = 1, .highest = 65536},
+                             [](auto& r) -> auto& { return r.options.read.band; },
+                             {.help = "Band that holds the elevations."}));
+    rows.push_back(texts_row("oo", "<NAME>=<VALUE>", "NAME=VALUE",
+                             [](auto& r) -> auto& { return r.options.read.open_options; },
+                             {.help = "Open option of the input's format."}));
+    rows.push_back(texts_row(
+        "if", "<format>", "", [](auto& r) -> auto& { return r.options.read.drivers; },
+        {.help = "Format to try on the input.",
+         .details =
+             "A short name of GDAL's, as --formats lists them. Without this option every format is tried."}));
+    rows.push_back(text_row("a_srs", "<crs>", [](auto& r) -> auto& { return r.options.read.crs; },
+                            {.help = "CRS of the input, in place of its own.",
+                             .details = "An authority code such as EPSG:25832, with a vertical CRS "
+                                        "EPSG:25832+7837, or WKT, PROJJSON or a "
+                                        "PROJ string. Nothing is reprojected."}));
+    rows.push_back(number_row(
+        "snodata", "<value>", {}, [](auto& r) -> auto& { return r.options.read.nodata; },
+        {.help = "Value that stands for no data, in place of the input's own.",
+         .details =
+             "It is compared with the values as stored, before the band's scale and offset. NaN and infinite "
+             "elevations are never valid, with or without this option."}));
+    rows.push_back(switch_row("inodata", [](auto& r) -> auto& { return r.options.read.ignore_nodata; },
+                              {.help = "Take the input's NoData value for an elevation like any other."}));
+    for (OptionRow& row : windows())
+        rows.push_back(std::move(row));
+    rows.push_back(vertical_unit());
+    rows.push_back(elevation_range());
+    return rows;
+}
+
+}  // namespace d2b::rows

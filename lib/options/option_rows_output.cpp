@@ -1,0 +1,171 @@
+#include "options/option_rows.hpp"
+
+namespace d2b::rows {
+namespace {
+
+std::vector<OptionRow> dataset() {
+    std::vector<OptionRow> rows;
+    rows.push_back(text_row(
+        "f", "<format>", [](auto& r) -> auto& { return r.options.write.format; },
+        {.help = "Format of the output; by default the one of the file name's extension.",
+         .details = "A short name of GDAL's, as --formats lists them, such as GPKG or \"ESRI Shapefile\".",
+         .aliases = {"of", "output_format"}}));
+    rows.push_back(texts_row("dsco", "<NAME>=<VALUE>", "NAME=VALUE",
+                             [](auto& r) -> auto& { return r.options.write.dataset_options; },
+                             {.help = "Creation option of the output's format.", .aliases = {"co"}}));
+    rows.push_back(texts_row("lco", "<NAME>=<VALUE>", "NAME=VALUE",
+                             [](auto& r) -> auto& { return r.options.write.layer_options; },
+                             {.help = "Creation option of the output's layers."}));
+    rows.push_back(
+        text_row("nln", "<name>", [](auto& r) -> auto& { return r.options.write.layer_name; },
+                 {.help = "Name of the output's layer.",
+                  .details = "Where both layers are written it is that of the buildings, and the contours "
+                             "go to <name>_contours. By default the layers are buildings and contours, "
+                             "or have the name of the file where the format holds one layer a file."}));
+    rows.push_back(switch_row(
+        "overwrite", [](auto& r) -> auto& { return r.options.write.overwrite; },
+        {.help = "Replace layers of the same names in an existing output.",
+         .details =
+             "Other layers of a GeoPackage or SQLite file stay, also the one of ours that -layers leaves "
+             "out; other formats are refused where they hold other layers. An existing output is refused "
+             "without -overwrite or -append."}));
+    rows.push_back(switch_row("append", [](auto& r) -> auto& { return r.options.write.append; },
+                              {.help = "Add to layers of the same names in an existing output."}));
+    return rows;
+}
+
+/// What is written beside buildings and contours, and by which names.
+std::vector<OptionRow> also_written() {
+    const Choices<FieldNames> names{{"own", FieldNames::own},
+                                    {"urock", FieldNames::urock},
+                                    {"city4cfd", FieldNames::city4cfd},
+                                    {"osm", FieldNames::osm}};
+    std::vector<OptionRow> rows;
+    rows.push_back(choice_row("fields", "own|urock|city4cfd|osm", names,
+                              [](auto& r) -> auto& { return r.options.write.fields; },
+                              {.help = "Names of the fields of buildings: those that another program reads.",
+                               .details = "Some are longer than a Shapefile can hold, which is refused."}));
+    rows.push_back(
+        switch_row("write_doubtful", [](auto& r) -> auto& { return r.options.write.doubtful; },
+                   {.help = "Also write a layer of what may be a building, with the reason for the doubt.",
+                    .details = "Its name is doubtful, or that of -nln with _doubtful after it."}));
+    rows.push_back(switch_row(
+        "write_rejected", [](auto& r) -> auto& { return r.options.write.rejected; },
+        {.help = "Also write a layer of what was dropped, filled or kept as traced, with the reason.",
+         .details = "Its name is rejected, or that of -nln with _rejected after it."}));
+    rows.push_back(text_row("write_ground", "<file.tif>",
+                            [](auto& r) -> auto& { return r.options.write.ground; },
+                            {.help = "Also write the terrain as a GeoTIFF, in metres."}));
+    rows.push_back(text_row("write_height", "<file.tif>",
+                            [](auto& r) -> auto& { return r.options.write.height; },
+                            {.help = "Also write the heights above the terrain as a GeoTIFF, in metres."}));
+    rows.push_back(text_row(
+        "write_canopy", "<file.tif>", [](auto& r) -> auto& { return r.options.write.canopy; },
+        {.help = "Also write the heights of trees as a GeoTIFF, in metres; 0 elsewhere.",
+         .details = "All that rises above -min_height and is no building, as wind models take it."}));
+    rows.push_back(text_row(
+        "preview", "<file.png>", [](auto& r) -> auto& { return r.options.write.preview; },
+        {.help = "Also write a picture of the result over the shaded relief.",
+         .details =
+             "Contours, or buildings where no contours are written, in the colours of their heights above "
+             "the ground, with the number of buildings and points and the distance of the stack to the "
+             "input; so -lod and -nf can be judged at a glance."}));
+    return rows;
+}
+
+/// gdal_contour's switch for polygons, so that its command lines work here.
+OptionRow polygons() {
+    OptionRow row = described("p", "", {.help = "Accepted; polygons are always written."});
+    row.hidden = true;
+    row.apply = [](Request&, OptionValues) {};
+    row.show = [](const Request&) { return std::string(); };
+    return row;
+}
+
+}  // namespace
+
+std::vector<OptionRow> output() {
+    const Choices<Layers> layers{
+        {"buildings", Layers::buildings}, {"contours", Layers::contours}, {"both", Layers::both}};
+    std::vector<OptionRow> rows;
+    rows.push_back(choice_row(
+        "layers", "buildings|contours|both", layers, [](auto& r) -> auto& { return r.options.write.layers; },
+        {.help = "Layers to write.",
+         .details = "buildings: one polygon a building; contours: the stacked polygons of all levels. By "
+                    "default both, "
+                    "or the buildings alone where the format holds one layer a file."}));
+    rows.push_back(text_row(
+        "t_srs", "<crs>", [](auto& r) -> auto& { return r.options.outline.target_crs; },
+        {.help = "CRS of the output; by default the input's.",
+         .details =
+             "Written as for -a_srs. Features that it tears apart (across 180 degrees, over a pole) are left "
+             "out with a warning; where it tears the whole area, the run is refused."}));
+    rows.push_back(switch_row("3d", [](auto& r) -> auto& { return r.options.write.with_z; },
+                              {.help = "Write the threshold as the Z of every vertex."}));
+    for (OptionRow& row : dataset())
+        rows.push_back(std::move(row));
+    for (OptionRow& row : also_written())
+        rows.push_back(std::move(row));
+    rows.push_back(polygons());
+    return rows;
+}
+
+namespace {
+
+OptionRow sweep() {
+    OptionRow row = described(
+        "sweep", "lod=<from>..<to>,nf=<from>..<to>",
+        {.help =
+             "Try every level of detail with every noise factor and print a table; nothing else is written.",
+         .details = "The destination is left out. For each trial: buildings, contours, points of these, the "
+                    "distance of "
+                    "the stack to the input (root mean square), seconds. With -preview a contact sheet. Of "
+                    "more than six "
+                    "values six are tried, spread evenly; a third number is the step: nf=5..60..5. The input "
+                    "is read "
+                    "once and kept in memory."});
+    row.apply = [](Request& request, OptionValues texts) {
+        request.tool.sweep_plan = parse_sweep(texts[0]);
+        request.tool.sweep = texts[0];
+    };
+    row.show = [](const Request& request) { return request.tool.sweep; };
+    return row;
+}
+
+}  // namespace
+
+std::vector<OptionRow> report() {
+    std::vector<OptionRow> rows;
+    rows.push_back(sweep());
+    rows.push_back(whole_row("threads", "<n>", {.lowest = 0, .highest = 1024},
+                             [](auto& r) -> auto& { return r.options.run.threads; },
+                             {.help = "Threads to work with; 0 takes as many as there are cores.",
+                              .details = "Their number changes nothing of the result."}));
+    rows.push_back(switch_row("q", [](auto& r) -> auto& { return r.tool.quiet; },
+                              {.help = "No progress and no summary.", .aliases = {"quiet"}}));
+    rows.push_back(switch_row(
+        "json", [](auto& r) -> auto& { return r.tool.json; },
+        {.help = "Print a report of the run to stdout as JSON; implies -q.",
+         .details =
+             "It holds the input, CRS and units with what decided them, thresholds, counts a level, what was "
+             "dropped and why, warnings, and seconds (of all threads together) and peak memory a stage."}));
+    rows.push_back(switch_row("help", [](auto& r) -> auto& { return r.tool.help; },
+                              {.help = "Print this help and exit.", .aliases = {"h"}}));
+    rows.push_back(switch_row("version", [](auto& r) -> auto& { return r.tool.version; },
+                              {.help = "Print the version and exit."}));
+    rows.push_back(switch_row("man", [](auto& r) -> auto& { return r.tool.man_page; },
+                              {.help = "Print the man page and exit."}));
+    rows.push_back(switch_row("options_md", [](auto& r) -> auto& { return r.tool.options_markdown; },
+                              {.help = "Print the reference of the options in Markdown and exit."}));
+    rows.push_back(switch_row("options_json", [](auto& r) -> auto& { return r.tool.options_json; },
+                              {.help = "Print the table of options as JSON and exit."}));
+    rows.push_back(switch_row("bash_completion", [](auto& r) -> auto& { return r.tool.bash_completion; },
+                              {.help = "Print a script that completes command lines in Bash and exit."}));
+    // Programs ask for these when the tool is built, installed or shown in a dialog.
+    for (OptionRow& row : rows)
+        row.hidden = row.name == "man" || row.name == "options_md" || row.name == "options_json" ||
+                     row.name == "bash_completion";
+    return rows;
+}
+
+}  // namespace d2b::rows
