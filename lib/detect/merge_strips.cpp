@@ -10,7 +10,7 @@ namespace d2b {
 Label StripMerger::add(std::span<const SeenObject> objects) {
     const auto before = static_cast<Label>(seen_.size() - 1);
     for (const SeenObject& object : objects) {
-        static_cast<void>(sets_.add());
+        sets_.add();
         seen_.push_back(object);
     }
     return before;

@@ -28,7 +28,7 @@ void count_pair(PieceGraph::Piece& piece, Label other, bool beside) {
 PieceGraph::PieceGraph(Label count, const CellSize& cell)
     : below_length_(cell.across / cell.down), pieces_(count + std::size_t{1}), place_(pieces_.size(), 0) {
     for (Label i = 0; i < count; ++i)
-        static_cast<void>(sets_.add());
+        sets_.add();
 }
 
 void PieceGraph::add_pair(Label a, Label b, bool beside) {

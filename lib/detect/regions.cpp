@@ -42,7 +42,7 @@ void join(const Part& above, const Part& below, LabelSets& sets) {
                 continue;
             while (upper.front().end <= c)
                 upper = upper.subspan(1);
-            static_cast<void>(sets.join(above.before + upper.front().label, below.before + run.label));
+            sets.join(above.before + upper.front().label, below.before + run.label);
         }
 }
 
@@ -54,7 +54,7 @@ std::vector<Label> number_all(std::vector<Part>& parts, std::int64_t least_cells
     for (std::size_t i = 0; i < parts.size(); ++i) {
         parts[i].before = i == 0 ? 0 : parts[i - 1].before + parts[i - 1].regions.count();
         for (Label k = 0; k < parts[i].regions.count(); ++k)
-            static_cast<void>(sets.add());
+            sets.add();
         if (i > 0)
             join(parts[i - 1], parts[i], sets);
     }

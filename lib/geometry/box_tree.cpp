@@ -1,61 +1,53 @@
 #include "geometry/box_tree.hpp"
 
-#include <numeric>
 #include <utility>
 
-namespace d2b {
+#define BOOST_ALLOW_DEPRECATED_HEADERS  // which Boost 1.74 itself includes
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <boost/iterator/function_output_iterator.hpp>
+#undef BOOST_ALLOW_DEPRECATED_HEADERS
 
+namespace d2b {
 namespace {
 
-constexpr std::size_t leaf_size = 4;
+namespace index = boost::geometry::index;
+using Corner = boost::geometry::model::d2::point_xy<double>;
+using Extent = boost::geometry::model::box<Corner>;
+using Entry = std::pair<Extent, std::size_t>;
+using Tree = index::rtree<Entry, index::rstar<16>>;
+
+Extent extent_of(const Box& box) {
+    return {{box.left, box.low}, {box.right, box.high}};
+}
+
+Tree packed(const std::vector<Box>& boxes) {
+    std::vector<Entry> entries;
+    entries.reserve(boxes.size());
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        entries.emplace_back(extent_of(boxes[i]), i);
+    return Tree(entries);
+}
 
 }  // namespace
 
-Box box_of(std::span<const Position> positions) {
-    Box box;
-    for (const Position& p : positions)
-        box.add(p);
-    return box;
+struct BoxTree::Impl {
+    Tree tree;
+};
+
+BoxTree::BoxTree(const std::vector<Box>& boxes) : impl_(std::make_unique<Impl>(Impl{packed(boxes)})) {}
+BoxTree::BoxTree(BoxTree&&) noexcept = default;
+BoxTree& BoxTree::operator=(BoxTree&&) noexcept = default;
+BoxTree::~BoxTree() = default;
+
+void BoxTree::query(const Box& box, const std::function<void(std::size_t)>& visit) const {
+    impl_->tree.query(index::intersects(extent_of(box)),
+                      boost::make_function_output_iterator([&](const Entry& entry) { visit(entry.second); }));
 }
 
-Box box_of(std::span<const WorldPolygon> polygons) {
-    Box box;
-    for (const WorldPolygon& polygon : polygons)
-        box.add(box_of(std::span<const Position>(polygon.exterior)));
-    return box;
-}
-
-BoxTree::BoxTree(std::vector<Box> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
-    std::iota(order_.begin(), order_.end(), 0U);
-    if (!order_.empty())
-        build(0, order_.size());
-}
-
-// NOLINTNEXTLINE(misc-no-recursion): as deep as halves can be halved
-void BoxTree::build(std::size_t begin, std::size_t end) {
-    const std::size_t at = nodes_.size();
-    nodes_.push_back({{}, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), 0});
-    Box box;
-    Box centres;
-    for (std::size_t i = begin; i < end; ++i) {
-        box.add(boxes_[order_[i]]);
-        centres.add(boxes_[order_[i]].centre());
-    }
-    nodes_[at].box = box;
-    if (end - begin <= leaf_size)
-        return;
-    const bool wide = centres.right - centres.left > centres.high - centres.low;
-    const std::size_t middle = begin + (end - begin) / 2;
-    const auto first = order_.begin();
-    std::nth_element(first + static_cast<std::ptrdiff_t>(begin), first + static_cast<std::ptrdiff_t>(middle),
-                     first + static_cast<std::ptrdiff_t>(end), [&](std::uint32_t a, std::uint32_t b) {
-                         const Position p = boxes_[a].centre();
-                         const Position q = boxes_[b].centre();
-                         return wide ? p.x < q.x : p.y < q.y;
-                     });
-    build(begin, middle);
-    nodes_[at].right = static_cast<std::uint32_t>(nodes_.size());
-    build(middle, end);
+bool BoxTree::meets_any(const Box& box) const {
+    return impl_->tree.qbegin(index::intersects(extent_of(box))) != impl_->tree.qend();
 }
 
 }  // namespace d2b

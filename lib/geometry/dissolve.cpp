@@ -31,8 +31,7 @@ class Pieces {
         Pieces far;
         Pieces near;
         for (std::size_t i = 0; i < polygons_.size(); ++i) {
-            bool meets = false;
-            others.query(boxes_[i], [&](std::size_t) { meets = true; });
+            const bool meets = others.meets_any(boxes_[i]);
             (meets ? near : far).add(std::move(polygons_[i]));
         }
         *this = std::move(near);
@@ -106,7 +105,7 @@ class Dissolver {
     }
 
     void add(GEOSGeometry* geometry, Pieces& pieces) const {
-        for (WorldPolygon& polygon : geos_.polygons_of(geos_.own(geometry).get()))
+        for (WorldPolygon& polygon : geos_.polygons_of<WorldPolygon>(geos_.own(geometry).get()))
             pieces.add(std::move(polygon));
     }
 

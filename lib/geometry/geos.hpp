@@ -6,7 +6,7 @@
 
 #include "core/lattice.hpp"
 #include "core/stop_request.hpp"
-#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/world_polygon.hpp"
 
 namespace d2b {
 

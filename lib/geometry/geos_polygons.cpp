@@ -1,6 +1,7 @@
 #define GEOS_USE_ONLY_R_API
 #include "geometry/geos_polygons.hpp"
 
+#include <cmath>
 #include <new>
 #include <utility>
 
@@ -18,21 +19,56 @@ void remember(const char* text, void* message) noexcept {
     }
 }
 
-/// Counter-clockwise or clockwise; relative to the first position, so that large coordinates do not drown it.
-bool runs_counter_clockwise(const WorldRing& ring) {
+double x_of(const Position& p) {
+    return p.x;
+}
+double y_of(const Position& p) {
+    return p.y;
+}
+double x_of(FinePoint p) {
+    return static_cast<double>(p.col);
+}
+double y_of(FinePoint p) {
+    return -static_cast<double>(p.row);
+}
+void set(Position& p, double x, double y) {
+    p = {x, y};
+}
+void set(FinePoint& p, double x, double y) {
+    if (x != std::round(x) || y != std::round(y))
+        throw GeometryError(
+            "GEOS moved a vertex off the lattice, which outlines that share whole edges rule out.");
+    p = {static_cast<std::int64_t>(-y), static_cast<std::int64_t>(x)};
+}
+
+/// Relative to the first point, so that large coordinates do not drown the area.
+template <typename Point>
+bool runs_counter_clockwise(const std::vector<Point>& ring) {
     double twice_area = 0;
+    const double x0 = x_of(ring.front());
+    const double y0 = y_of(ring.front());
     for (std::size_t i = 1; i + 1 < ring.size(); ++i)
-        twice_area += (ring[i].x - ring[0].x) * (ring[i + 1].y - ring[0].y) -
-                      (ring[i + 1].x - ring[0].x) * (ring[i].y - ring[0].y);
+        twice_area +=
+            (x_of(ring[i]) - x0) * (y_of(ring[i + 1]) - y0) - (x_of(ring[i + 1]) - x0) * (y_of(ring[i]) - y0);
     return twice_area > 0;
 }
 
-WorldRing oriented(WorldRing ring, bool counter_clockwise) {
+/// @param ring its last point repeats the first
+template <typename Point>
+std::vector<Point> oriented(std::vector<Point> ring, bool counter_clockwise) {
     if (!ring.empty())
         ring.pop_back();
-    if (runs_counter_clockwise(ring) != counter_clockwise)
+    if (!ring.empty() && runs_counter_clockwise(ring) != counter_clockwise)
         return {ring.rbegin(), ring.rend()};
     return ring;
+}
+
+std::vector<GEOSGeometry*> release(std::vector<GeometryPtr>& geometries) {
+    std::vector<GEOSGeometry*> given;
+    given.reserve(geometries.size());
+    for (GeometryPtr& geometry : geometries)
+        given.push_back(geometry.release());
+    return given;
 }
 
 /// Calls `visit` with every geometry in it that is no collection.
@@ -49,60 +85,66 @@ void for_each_part(GEOSContextHandle_t context, const GEOSGeometry* geometry, co
 
 }  // namespace
 
-GeosPolygons::GeosPolygons() : context_(GEOS_init_r()) {
+GeosPolygons::GeosPolygons(StopRequest stop) : stop_(std::move(stop)), context_(GEOS_init_r()) {
     GEOSContext_setErrorMessageHandler_r(context_.get(), remember, &message_);
 }
 
 GeometryPtr GeosPolygons::own(GEOSGeometry* geometry) const {
     if (geometry == nullptr)
-        throw GeometryError("GEOS failed on polygons: " + message_ + ".");
+        fail("on a polygon");
     return {geometry, GeometryDeleter{context()}};
 }
 
 bool GeosPolygons::answer(char value) const {
     constexpr char failed = 2;
     if (value == failed)
-        throw GeometryError("GEOS failed to compare polygons: " + message_ + ".");
+        fail("to compare polygons");
     return value == 1;
 }
 
-GeometryPtr GeosPolygons::ring(const WorldRing& points) const {
+void GeosPolygons::fail(const char* what) const {
+    stop_.check();
+    throw GeometryError(std::string("GEOS failed ") + what + ": " + message_ + ".");
+}
+
+template <typename Point>
+GeometryPtr GeosPolygons::ring(const std::vector<Point>& points) const {
+    stop_.check();
     const auto n = static_cast<unsigned>(points.size());
     GEOSCoordSequence* sequence = GEOSCoordSeq_create_r(context(), n + 1, 2);
     if (sequence == nullptr)
-        throw GeometryError("GEOS failed on a ring: " + message_ + ".");
-    for (unsigned i = 0; i <= n; ++i)
-        GEOSCoordSeq_setXY_r(context(), sequence, i, points[i % n].x, points[i % n].y);
+        fail("on a ring");
+    for (unsigned i = 0; i <= n; ++i) {
+        const Point& point = points[i % n];
+        GEOSCoordSeq_setXY_r(context(), sequence, i, x_of(point), y_of(point));
+    }
     return own(GEOSGeom_createLinearRing_r(context(), sequence));
 }
 
-GeometryPtr GeosPolygons::polygon(const WorldPolygon& polygon) const {
+template <typename Polygon>
+GeometryPtr GeosPolygons::polygon(const Polygon& polygon) const {
     GeometryPtr shell = ring(polygon.exterior);
     std::vector<GeometryPtr> holes;
-    for (const WorldRing& interior : polygon.interiors)
+    holes.reserve(polygon.interiors.size());
+    for (const auto& interior : polygon.interiors)
         holes.push_back(ring(interior));
     // GEOS owns what it is given, also where it fails.
-    std::vector<GEOSGeometry*> given;
-    given.reserve(holes.size());
-    for (GeometryPtr& hole : holes)
-        given.push_back(hole.release());
+    std::vector<GEOSGeometry*> given = release(holes);
     return own(GEOSGeom_createPolygon_r(context(), shell.release(), given.data(),
                                         static_cast<unsigned>(given.size())));
 }
 
 GeometryPtr GeosPolygons::collection(int type, std::vector<GeometryPtr> parts) const {
-    std::vector<GEOSGeometry*> given;
-    given.reserve(parts.size());
-    for (GeometryPtr& part : parts)
-        given.push_back(part.release());
+    std::vector<GEOSGeometry*> given = release(parts);
     return own(
         GEOSGeom_createCollection_r(context(), type, given.data(), static_cast<unsigned>(given.size())));
 }
 
-GeometryPtr GeosPolygons::multi_polygon(std::span<const WorldPolygon> polygons) const {
+template <typename List>
+GeometryPtr GeosPolygons::multi_polygon(const List& polygons) const {
     std::vector<GeometryPtr> parts;
     parts.reserve(polygons.size());
-    for (const WorldPolygon& part : polygons)
+    for (const auto& part : polygons)
         parts.push_back(polygon(part));
     return collection(GEOS_MULTIPOLYGON, std::move(parts));
 }
@@ -117,25 +159,32 @@ GeometryPtr GeosPolygons::multi_line(std::span<const WorldPolygon> polygons) con
     return collection(GEOS_MULTILINESTRING, std::move(parts));
 }
 
-std::vector<Position> GeosPolygons::positions(const GEOSGeometry* line) const {
+template <typename Point>
+std::vector<Point> GeosPolygons::points_of(const GEOSGeometry* line) const {
     const GEOSCoordSequence* sequence = GEOSGeom_getCoordSeq_r(context(), line);
     unsigned n = 0;
     GEOSCoordSeq_getSize_r(context(), sequence, &n);
-    std::vector<Position> result(n);
-    for (unsigned i = 0; i < n; ++i)
-        GEOSCoordSeq_getXY_r(context(), sequence, i, &result[i].x, &result[i].y);
+    std::vector<Point> result(n);
+    for (unsigned i = 0; i < n; ++i) {
+        double x = 0;
+        double y = 0;
+        GEOSCoordSeq_getXY_r(context(), sequence, i, &x, &y);
+        set(result[i], x, y);
+    }
     return result;
 }
 
-std::vector<WorldPolygon> GeosPolygons::polygons_of(const GEOSGeometry* geometry) const {
-    std::vector<WorldPolygon> result;
+template <typename Polygon>
+std::vector<Polygon> GeosPolygons::polygons_of(const GEOSGeometry* geometry) const {
+    using Point = typename decltype(Polygon::exterior)::value_type;
+    std::vector<Polygon> result;
     for_each_part(context(), geometry, [&](const GEOSGeometry* part) {
         if (GEOSGeomTypeId_r(context(), part) != GEOS_POLYGON)
             return;
-        WorldPolygon polygon{oriented(positions(GEOSGetExteriorRing_r(context(), part)), true), {}};
+        Polygon polygon{oriented(points_of<Point>(GEOSGetExteriorRing_r(context(), part)), true), {}};
         for (int i = 0; i < GEOSGetNumInteriorRings_r(context(), part); ++i)
             polygon.interiors.push_back(
-                oriented(positions(GEOSGetInteriorRingN_r(context(), part, i)), false));
+                oriented(points_of<Point>(GEOSGetInteriorRingN_r(context(), part, i)), false));
         result.push_back(std::move(polygon));
     });
     return result;
@@ -146,9 +195,17 @@ std::vector<std::vector<Position>> GeosPolygons::lines_of(const GEOSGeometry* ge
     for_each_part(context(), geometry, [&](const GEOSGeometry* part) {
         const int type = GEOSGeomTypeId_r(context(), part);
         if (type == GEOS_LINESTRING || type == GEOS_LINEARRING)
-            result.push_back(positions(part));
+            result.push_back(points_of<Position>(part));
     });
     return result;
 }
+
+template GeometryPtr GeosPolygons::polygon(const WorldPolygon&) const;
+template GeometryPtr GeosPolygons::polygon(const FinePolygon&) const;
+template GeometryPtr GeosPolygons::multi_polygon(const std::span<const WorldPolygon>&) const;
+template GeometryPtr GeosPolygons::multi_polygon(const std::vector<WorldPolygon>&) const;
+template GeometryPtr GeosPolygons::multi_polygon(const std::vector<FinePolygon>&) const;
+template std::vector<WorldPolygon> GeosPolygons::polygons_of(const GEOSGeometry*) const;
+template std::vector<FinePolygon> GeosPolygons::polygons_of(const GEOSGeometry*) const;
 
 }  // namespace d2b

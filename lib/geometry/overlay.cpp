@@ -8,6 +8,7 @@
 #include "geometry/box_tree.hpp"
 #include "geometry/dissolve.hpp"
 #include "geometry/geos_polygons.hpp"
+#include "geometry/validity.hpp"
 
 namespace d2b {
 namespace {
@@ -19,11 +20,6 @@ bool finite(const Position& p) {
 /// What GEOS can make a ring of.
 bool usable(const WorldRing& ring) {
     return ring.size() >= 3 && std::ranges::all_of(ring, finite);
-}
-
-bool usable(const WorldPolygon& polygon) {
-    return usable(polygon.exterior) &&
-           std::ranges::all_of(polygon.interiors, [](const WorldRing& ring) { return usable(ring); });
 }
 
 /// The positions and rings of a feature that GEOS can work with.
@@ -76,16 +72,11 @@ Overlay& Overlay::operator=(Overlay&&) noexcept = default;
 Overlay::~Overlay() = default;
 
 bool Overlay::valid(const Polygons& feature) {
-    if (!std::ranges::all_of(feature, [](const WorldPolygon& polygon) { return usable(polygon); }))
-        return false;
-    const GeosPolygons& geos = impl_->geos;
-    return geos.answer(GEOSisValid_r(geos.context(), geos.multi_polygon(feature).get()));
+    return invalidity(impl_->geos, feature).empty();
 }
 
 Polygons Overlay::made_valid(const Polygons& feature) {
-    const GeosPolygons& geos = impl_->geos;
-    const GeometryPtr geometry = geos.multi_polygon(usable_parts(feature));
-    return geos.polygons_of(geos.own(GEOSMakeValid_r(geos.context(), geometry.get())).get());
+    return repaired(impl_->geos, usable_parts(feature));
 }
 
 Dissolved Overlay::dissolve(std::span<const Polygons> features) {
@@ -110,7 +101,8 @@ Polygons Overlay::intersection(const Polygons& a, const Polygons& b) {
     const GeosPolygons& geos = impl_->geos;
     const GeometryPtr first = geos.multi_polygon(a);
     const GeometryPtr second = geos.multi_polygon(b);
-    return geos.polygons_of(geos.own(GEOSIntersection_r(geos.context(), first.get(), second.get())).get());
+    return geos.polygons_of<WorldPolygon>(
+        geos.own(GEOSIntersection_r(geos.context(), first.get(), second.get())).get());
 }
 
 std::vector<Polyline> Overlay::rings_within(const Polygons& area, const Polygons& other) {
@@ -136,11 +128,11 @@ std::vector<std::optional<std::size_t>> Overlay::holders(std::span<const WorldPo
     std::vector<Box> boxes;
     for (const WorldPolygon& outer : outers)
         boxes.push_back(box_of(std::span(&outer, 1)));
-    const BoxTree tree(std::move(boxes));
+    const BoxTree tree(boxes);
     std::vector<std::optional<Prepared>> prepared(outers.size());
     std::vector<std::optional<std::size_t>> result;
     for (const WorldPolygon& inner : inners) {
-        const GeometryPtr polygon = geos.multi_polygon(std::span(&inner, 1));
+        const GeometryPtr polygon = geos.polygon(inner);
         const GeometryPtr point = geos.own(GEOSPointOnSurface_r(geos.context(), polygon.get()));
         std::optional<std::size_t>& holder = result.emplace_back();
         Position p;

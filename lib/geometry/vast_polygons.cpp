@@ -2,36 +2,13 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
 #include <tuple>
 
+#include "core/disjoint_sets.hpp"
 #include "geometry/box_tree.hpp"
 
 namespace d2b {
 namespace {
-
-/// Rings that touch, a point at a time.
-class Touching {
-  public:
-    explicit Touching(std::size_t rings) : up_(rings) { std::iota(up_.begin(), up_.end(), 0U); }
-    /// @return whether they had not been connected before
-    bool join(std::uint32_t a, std::uint32_t b) {
-        a = find(a);
-        b = find(b);
-        up_[std::max(a, b)] = std::min(a, b);
-        return a != b;
-    }
-
-  private:
-    std::uint32_t find(std::uint32_t i) {
-        while (up_[i] != i) {
-            up_[i] = up_[up_[i]];
-            i = up_[i];
-        }
-        return i;
-    }
-    std::vector<std::uint32_t> up_;
-};
 
 struct Vertex {
     Position at;
@@ -81,18 +58,20 @@ std::optional<Position> parted_at(const WorldPolygon& polygon) {
     add(polygon.exterior);
     std::ranges::for_each(polygon.interiors, add);
     std::ranges::sort(vertices, {}, &Vertex::key);
-    Touching touching(rings);
+    DisjointSets touching(rings);
     for (std::size_t i = 1; i < vertices.size(); ++i) {
         const Vertex& a = vertices[i - 1];
         const Vertex& b = vertices[i];
-        const bool touch = a.at.x == b.at.x && a.at.y == b.at.y && a.ring != b.ring;
-        if (touch && !touching.join(a.ring, b.ring))
+        if (a.at.x != b.at.x || a.at.y != b.at.y || a.ring == b.ring)
+            continue;
+        if (touching.find(a.ring) == touching.find(b.ring))
             return b.at;
+        touching.join(a.ring, b.ring);
     }
     return {};
 }
 
-std::vector<WorldPolygon> without_empty_holes(const std::vector<WorldPolygon>& polygons) {
+std::vector<WorldPolygon> without_empty_holes(std::span<const WorldPolygon> polygons) {
     std::vector<Box> boxes;
     boxes.reserve(polygons.size());
     for (const WorldPolygon& polygon : polygons)

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
-#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/world_polygon.hpp"
 
 namespace d2b {
 
@@ -23,6 +24,6 @@ namespace d2b {
 
 /// Polygons with those of their holes in which another one could lie: whether they overlap does not depend on
 /// the others.
-[[nodiscard]] std::vector<WorldPolygon> without_empty_holes(const std::vector<WorldPolygon>& polygons);
+[[nodiscard]] std::vector<WorldPolygon> without_empty_holes(std::span<const WorldPolygon> polygons);
 
 }  // namespace d2b

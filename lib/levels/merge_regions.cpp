@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
+#include "core/disjoint_sets.hpp"
 #include "levels/cell_neighbours.hpp"
 #include "levels/region_graph.hpp"
 
@@ -23,8 +23,7 @@ constexpr int most_rounds = 8;
 class Seeds {
   public:
     Seeds(const BuildingCells& cells, double price, const StopRequest& stop)
-        : parents_(cells.elevations.size()), sums_(parents_.size()) {
-        std::iota(parents_.begin(), parents_.end(), 0U);
+        : sets_(static_cast<std::uint32_t>(cells.elevations.size())), sums_(sets_.size()) {
         for (std::size_t i = 0; i < sums_.size(); ++i)
             if (!std::isnan(cells.elevations[i]))
                 sums_[i] = {1, cells.elevations[i]};
@@ -35,13 +34,7 @@ class Seeds {
                         join(beside, cell, price);
             });
     }
-    [[nodiscard]] std::uint32_t root(std::uint32_t cell) {
-        while (parents_[cell] != cell) {
-            parents_[cell] = parents_[parents_[cell]];
-            cell = parents_[cell];
-        }
-        return cell;
-    }
+    [[nodiscard]] std::uint32_t root(std::uint32_t cell) { return sets_.find(cell); }
     [[nodiscard]] const RegionGraph::Region& of(std::uint32_t root) const { return sums_[root]; }
 
   private:
@@ -51,12 +44,12 @@ class Seeds {
         if (one == other || RegionGraph::added_error(sums_[one], sums_[other]) > price)
             return;
         const auto [low, high] = std::minmax(one, other);
-        parents_[high] = low;
+        sets_.join_into(low, high);
         sums_[low].points += sums_[high].points;
         sums_[low].sum += sums_[high].sum;
     }
 
-    std::vector<std::uint32_t> parents_;
+    DisjointSets sets_;
     std::vector<RegionGraph::Region> sums_;
 };
 

@@ -1,29 +1,18 @@
 #include "levels/region_graph.hpp"
 
-#include <numeric>
 #include <utility>
 
 namespace d2b {
 
 RegionGraph::RegionGraph(std::vector<Region> regions)
     : regions_(std::move(regions)),
-      parents_(regions_.size()),
+      sets_(static_cast<std::uint32_t>(regions_.size())),
       borders_(regions_.size()),
-      place_(regions_.size(), none) {
-    std::iota(parents_.begin(), parents_.end(), 0U);
-}
+      place_(regions_.size(), none) {}
 
 void RegionGraph::add_border(std::uint32_t a, std::uint32_t b, double length) {
     borders_[a].push_back({b, length});
     borders_[b].push_back({a, length});
-}
-
-std::uint32_t RegionGraph::root(std::uint32_t region) {
-    while (parents_[region] != region) {
-        parents_[region] = parents_[parents_[region]];
-        region = parents_[region];
-    }
-    return region;
 }
 
 double RegionGraph::added_error(const Region& one, const Region& other) {
@@ -67,7 +56,7 @@ std::uint32_t RegionGraph::merge(std::uint32_t a, std::uint32_t b) {
     // The shorter list moves, so that no border moves more often than a logarithm says.
     if (borders_[a].size() < borders_[b].size())
         std::swap(a, b);
-    parents_[b] = a;
+    sets_.join_into(a, b);
     regions_[a].points += regions_[b].points;
     regions_[a].sum += regions_[b].sum;
     borders_[a].insert(borders_[a].end(), borders_[b].begin(), borders_[b].end());

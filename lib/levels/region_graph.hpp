@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/disjoint_sets.hpp"
+
 namespace d2b {
 
 /// Regions that grow together: what they hold, and how long the borders between them are.
@@ -23,7 +25,7 @@ class RegionGraph {
     void add_border(std::uint32_t a, std::uint32_t b, double length);
 
     [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(regions_.size()); }
-    [[nodiscard]] std::uint32_t root(std::uint32_t region);
+    [[nodiscard]] std::uint32_t root(std::uint32_t region) { return sets_.find(region); }
     [[nodiscard]] const Region& of(std::uint32_t root) const { return regions_[root]; }
 
     struct Neighbour {
@@ -44,7 +46,7 @@ class RegionGraph {
     void gather(std::uint32_t root);
 
     std::vector<Region> regions_;
-    std::vector<std::uint32_t> parents_;
+    DisjointSets sets_;
     std::vector<std::vector<Border>> borders_;
     std::vector<std::uint32_t> place_;  ///< room of gather(): of a neighbour among the borders
 };

@@ -8,7 +8,7 @@
 
 #include "core/number_text.hpp"
 #include "dem2buildings/error.hpp"
-#include "geometry/box_tree.hpp"
+#include "geometry/box.hpp"
 
 namespace d2b {
 namespace {

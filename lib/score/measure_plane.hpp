@@ -5,7 +5,7 @@
 
 #include "core/context.hpp"
 #include "core/crs.hpp"
-#include "geometry/box_tree.hpp"
+#include "geometry/box.hpp"
 #include "geometry/overlay.hpp"
 
 namespace d2b {

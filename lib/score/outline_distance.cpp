@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "score/segments.hpp"
+#include "score/outline_segments.hpp"
 
 namespace d2b {
 namespace {
@@ -42,7 +42,7 @@ class Neighbours {
     }
 
   private:
-    Segments segments_;
+    OutlineSegments segments_;
     double limit_;
     std::vector<OutlineSegment> found_;
 };

@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "score/measure.hpp"
-#include "score/segments.hpp"
+#include "score/outline_segments.hpp"
 
 namespace d2b {
 namespace {
 
 /// Of the vertices of one outline to the nearest points of another.
 double mean_distance(std::span<const Polyline> from, std::span<const Polyline> to) {
-    const Segments outline(to);
+    const OutlineSegments outline(to);
     double sum = 0;
     std::size_t count = 0;
     for (const Polyline& line : from) {

@@ -1,7 +1,5 @@
 #include "geometry/box_tree.hpp"
 
-#include <cmath>
-#include <limits>
 #include <random>
 #include <set>
 
@@ -35,31 +33,14 @@ TEST(BoxTree, findsTheBoxesThatMeetAnother) {
         std::set<std::size_t> found;
         tree.query(wanted, [&](std::size_t i) { EXPECT_TRUE(found.insert(i).second); });
         EXPECT_EQ(found, expected);
-    }
-}
-
-TEST(BoxTree, findsTheNearest) {
-    const std::vector<Box> boxes = random_boxes(300);
-    const BoxTree tree(boxes);
-    const auto from = [&](Position p, std::size_t i) {  // to the centre of the box
-        const double dx = (boxes[i].left + boxes[i].right) / 2 - p.x;
-        const double dy = (boxes[i].low + boxes[i].high) / 2 - p.y;
-        return dx * dx + dy * dy;
-    };
-    for (const Position p : {Position{50, 50}, Position{-20, 3}, Position{99, 120}}) {
-        double expected = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i < boxes.size(); ++i)
-            expected = std::min(expected, from(p, i));
-        const auto distance = [&](std::size_t i) { return from(p, i); };
-        EXPECT_EQ(tree.nearest(p, std::numeric_limits<double>::infinity(), distance), expected);
-        EXPECT_EQ(tree.nearest(p, expected / 2, distance), expected / 2);
+        EXPECT_EQ(tree.meets_any(wanted), !expected.empty());
     }
 }
 
 TEST(BoxTree, mayBeEmpty) {
     const BoxTree tree({});
     tree.query({0, 0, 1, 1}, [](std::size_t) { FAIL(); });
-    EXPECT_EQ(tree.nearest({0, 0}, 7, [](std::size_t) { return 0.0; }), 7);
+    EXPECT_FALSE(tree.meets_any({0, 0, 1, 1}));
 }
 
 TEST(BoxTree, holdsBoxesThatAreAllTheSame) {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/geos.hpp"
 #include "score/measure.hpp"
 #include "support/box.hpp"
 
@@ -40,6 +41,16 @@ TEST(Overlay, makesABowTieTwoTriangles) {
     EXPECT_EQ(made.size(), 2U);
     EXPECT_DOUBLE_EQ(area_of(made), 2);  // two triangles with a base of 2 and a height of 1
     EXPECT_TRUE(overlay.valid(made));
+}
+
+TEST(Overlay, repairsAsTheOutputIsRepaired) {
+    Overlay overlay;
+    const Polygons overlapping{box(0, 0, 2, 2), box(1, 1, 3, 3)};
+    EXPECT_NEAR(area_of(overlay.made_valid(overlapping)), 4 + 4 - 1, 1e-12);
+    const Polygons hole_outside{{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{{3, 1}, {3, 3}, {6, 3}, {6, 1}}}}};
+    EXPECT_NEAR(area_of(overlay.made_valid(hole_outside)), 16 - 2, 1e-12);
+    for (const Polygons& polygons : {overlapping, hole_outside})
+        EXPECT_EQ(area_of(Geos().repaired(polygons)), area_of(overlay.made_valid(polygons)));
 }
 
 TEST(Overlay, leavesOutWhatBoundsNothing) {

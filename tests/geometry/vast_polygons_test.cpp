@@ -1,9 +1,10 @@
+#define GEOS_USE_ONLY_R_API
 #include "geometry/vast_polygons.hpp"
 
 #include <gtest/gtest.h>
 
 #include "geometry/geos.hpp"
-#include "geometry/overlay.hpp"
+#include "geometry/geos_polygons.hpp"
 #include "support/box.hpp"
 
 namespace d2b {
@@ -34,7 +35,8 @@ WorldPolygon comb() {
 }
 
 bool geos_says_valid(const std::vector<WorldPolygon>& polygons) {
-    return Overlay().valid(polygons);
+    const GeosPolygons geos;
+    return geos.answer(GEOSisValid_r(geos.context(), geos.multi_polygon(polygons).get()));
 }
 
 struct Change {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "score/segments.hpp"
+#include "score/outline_segments.hpp"
 
 namespace d2b {
 namespace {

@@ -10,7 +10,7 @@
 #include "core/crs.hpp"
 #include "core/number_text.hpp"
 #include "dem2buildings/error.hpp"
-#include "geometry/box_tree.hpp"
+#include "geometry/box.hpp"
 #include "read/polygon_layer.hpp"
 #include "read/valid_cells.hpp"
 #include "score/measure_plane.hpp"

@@ -1,12 +1,10 @@
 #pragma once
 
-#include <cstddef>
-#include <optional>
+#include <memory>
 #include <span>
 #include <vector>
 
-#include "dem2buildings/feature_sink.hpp"
-#include "geometry/box_tree.hpp"
+#include "dem2buildings/world_polygon.hpp"
 #include "geometry/overlay.hpp"
 
 namespace d2b {
@@ -19,10 +17,13 @@ struct OutlineSegment {
 
 [[nodiscard]] double squared_distance(Position p, const OutlineSegment& segment);
 
-/// The segments of lines, found by their place.
-class Segments {
+/// The segments of lines, found by their place: Boost's R-tree.
+class OutlineSegments {
   public:
-    explicit Segments(std::span<const Polyline> lines);
+    explicit OutlineSegments(std::span<const Polyline> lines);
+    ~OutlineSegments();
+    OutlineSegments(const OutlineSegments&) = delete;
+    OutlineSegments& operator=(const OutlineSegments&) = delete;
 
     /// To the nearest segment; `limit` where all are farther. Lengths, not squares.
     [[nodiscard]] double distance(Position p, double limit) const;
@@ -30,8 +31,8 @@ class Segments {
     void within(Position p, double limit, std::vector<OutlineSegment>& found) const;
 
   private:
-    std::vector<OutlineSegment> segments_;
-    BoxTree tree_;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace d2b

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <span>
+
+#include "dem2buildings/world_polygon.hpp"
+
+namespace d2b {
+
+/// A rectangle along the axes; empty until something is added.
+struct Box {
+    double left = std::numeric_limits<double>::infinity();
+    double low = std::numeric_limits<double>::infinity();
+    double right = -std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
+
+    void add(Position p) { add(Box{p.x, p.y, p.x, p.y}); }
+    void add(const Box& other) {
+        left = std::min(left, other.left);
+        low = std::min(low, other.low);
+        right = std::max(right, other.right);
+        high = std::max(high, other.high);
+    }
+    [[nodiscard]] bool empty() const { return left > right; }
+    [[nodiscard]] Position centre() const { return {(left + right) / 2, (low + high) / 2}; }
+    /// Whether they share a point.
+    [[nodiscard]] bool meets(const Box& other) const {
+        return left <= other.right && right >= other.left && low <= other.high && high >= other.low;
+    }
+    /// 0 for a position in it.
+    [[nodiscard]] double squared_distance(Position p) const {
+        const double dx = std::max({left - p.x, 0.0, p.x - right});
+        const double dy = std::max({low - p.y, 0.0, p.y - high});
+        return dx * dx + dy * dy;
+    }
+};
+
+[[nodiscard]] Box box_of(std::span<const Position> positions);
+[[nodiscard]] Box box_of(std::span<const WorldPolygon> polygons);
+
+}  // namespace d2b
