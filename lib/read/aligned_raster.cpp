@@ -15,10 +15,6 @@ namespace d2b {
 
 namespace {
 
-std::unique_ptr<SpooledInput> spool(const std::string& path) {
-    return is_standard_input(path) ? std::make_unique<SpooledInput>(path) : nullptr;
-}
-
 DemInfo describe(const OpenRaster& file, const std::string& path, Context& context) {
     const GdalMessages messages;
     DemInfo info;
@@ -58,8 +54,8 @@ AlignedRaster::AlignedRaster(const std::string& role, const std::string& path, c
     : context_(context),
       name_(role + " '" + path + "'"),
       dem_("'" + grid.name + "'"),
-      spooled_(spool(path)),
-      file_(open_first_band(path, spooled_ ? spooled_->path() : path, context)),
+      standard_input_(keep_standard_input(path)),
+      file_(open_first_band(path, standard_input_ ? standard_input_->path() : path, context)),
       raster_(describe(file_, path, context)),
       info_(on_grid(grid, raster_)),
       reader_(file_.band, {}, raster_, context) {

@@ -11,7 +11,7 @@
 #include "read/band_reader.hpp"
 #include "read/grid_fit.hpp"
 #include "read/open_raster.hpp"
-#include "read/spool.hpp"
+#include "read/standard_input.hpp"
 #include "read/value_warper.hpp"
 
 namespace d2b {
@@ -51,8 +51,8 @@ class AlignedRaster {
 
     Context& context_;
     std::string name_;
-    std::string dem_;                        ///< its name
-    std::unique_ptr<SpooledInput> spooled_;  // before the dataset, which must be closed first
+    std::string dem_;                                    ///< its name
+    std::unique_ptr<KeptStandardInput> standard_input_;  // before the dataset, which must be closed first
     OpenRaster file_;
     DemInfo raster_;
     DemInfo info_;

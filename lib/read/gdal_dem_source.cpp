@@ -12,7 +12,7 @@
 #include "read/georeference.hpp"
 #include "read/open_raster.hpp"
 #include "read/reader_pool.hpp"
-#include "read/spool.hpp"
+#include "read/standard_input.hpp"
 #include "read/window.hpp"
 
 namespace d2b {
@@ -64,12 +64,13 @@ DemInfo describe(const OpenRaster& raster, const ReadOptions& options, Context& 
 
 class GdalDemSource final : public DemSource {
   public:
-    GdalDemSource(std::unique_ptr<SpooledInput> spooled, OpenRaster raster, const ReadOptions& options,
-                  Context& context)
+    GdalDemSource(std::unique_ptr<KeptStandardInput> standard_input, OpenRaster raster,
+                  const ReadOptions& options, Context& context)
         : context_(context),
-          spooled_(std::move(spooled)),
+          standard_input_(std::move(standard_input)),
           info_(describe(raster, options, context)),
-          readers_(std::move(raster), options, spooled_ ? spooled_->path() : options.source, info_, context) {
+          readers_(std::move(raster), options, standard_input_ ? standard_input_->path() : options.source,
+                   info_, context) {
         if (!options.cutline.empty())
             cut({"cutline", options.cutline, options.cutline_layer});
     }
@@ -92,7 +93,7 @@ class GdalDemSource final : public DemSource {
     }
 
     Context& context_;
-    std::unique_ptr<SpooledInput> spooled_;  // before the readers, which must be closed first
+    std::unique_ptr<KeptStandardInput> standard_input_;  // before the readers, which must be closed first
     DemInfo info_;
     ReaderPool readers_;
     std::mutex cutting_;
@@ -102,11 +103,10 @@ class GdalDemSource final : public DemSource {
 }  // namespace
 
 std::unique_ptr<DemSource> open_dem(const ReadOptions& options, Context& context) {
-    std::unique_ptr<SpooledInput> spooled;
-    if (is_standard_input(options.source))
-        spooled = std::make_unique<SpooledInput>(options.source);
-    OpenRaster raster = open_raster(options, spooled ? spooled->path() : options.source, context);
-    return std::make_unique<GdalDemSource>(std::move(spooled), std::move(raster), options, context);
+    std::unique_ptr<KeptStandardInput> standard_input = keep_standard_input(options.source);
+    OpenRaster raster =
+        open_raster(options, standard_input ? standard_input->path() : options.source, context);
+    return std::make_unique<GdalDemSource>(std::move(standard_input), std::move(raster), options, context);
 }
 
 }  // namespace d2b

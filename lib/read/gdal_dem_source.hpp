@@ -8,7 +8,7 @@
 
 namespace d2b {
 
-/// Opens a band of any raster that GDAL reads as a DEM. /vsistdin/ is spooled to CPL_TMPDIR first.
+/// Opens a band of any raster that GDAL reads as a DEM. /vsistdin/ is kept in a temporary file first.
 /// @param context must outlive the source, which warns while it reads
 /// @throws InputError: cannot be opened, no such band, complex values, a singular transform, GCPs only, an
 /// unusable

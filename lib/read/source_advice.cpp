@@ -14,7 +14,7 @@
 
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
-#include "read/spool.hpp"
+#include "read/standard_input.hpp"
 
 namespace d2b {
 

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
+
+#include "read/temporary_file.hpp"
 
 namespace d2b {
 
@@ -9,19 +12,19 @@ namespace d2b {
 [[nodiscard]] bool is_standard_input(std::string_view source);
 
 /// A temporary file that holds what came in on the standard input; removed when this goes.
-class SpooledInput {
+class KeptStandardInput {
   public:
     /// @param source a name for which is_standard_input() holds
     /// @throws InputError nothing came in. @throws OutputError the temporary file cannot be written
-    explicit SpooledInput(const std::string& source);
-    SpooledInput(const SpooledInput&) = delete;
-    SpooledInput& operator=(const SpooledInput&) = delete;
-    ~SpooledInput();
+    explicit KeptStandardInput(const std::string& source);
 
-    [[nodiscard]] const std::string& path() const { return path_; }
+    [[nodiscard]] const std::string& path() const { return file_.path(); }
 
   private:
-    std::string path_;
+    TemporaryFile file_;
 };
+
+/// What a source holds where it is the standard input, else null. @throws as above
+[[nodiscard]] std::unique_ptr<KeptStandardInput> keep_standard_input(const std::string& source);
 
 }  // namespace d2b

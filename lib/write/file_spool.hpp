@@ -3,10 +3,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/spool.hpp"
+#include "read/temporary_file.hpp"
 
 namespace d2b {
 
@@ -17,7 +19,6 @@ class FileSpool : public Spool {
     /// @param folder for the file; "": that of the configuration option CPL_TMPDIR, or the system's
     /// @param in_memory bytes that need no file
     explicit FileSpool(std::string folder = "", std::size_t in_memory = std::size_t{32} << 20);
-    ~FileSpool() override;
 
     /// @throws OutputError the file cannot be made, or there is no room for it
     std::uint64_t append(std::span<const std::byte> bytes) override;
@@ -25,17 +26,16 @@ class FileSpool : public Spool {
     void read(std::uint64_t begin, std::span<std::byte> bytes) const override;
 
   private:
+    [[nodiscard]] std::uint64_t in_file() const { return file_ ? file_->size() : 0; }
     void flush();
-    [[noreturn]] void fail(int error) const;
 
     static constexpr std::size_t bytes_a_write = std::size_t{4} << 20;
 
     std::string folder_;
     std::size_t most_in_memory_;
     mutable std::mutex mutex_;
-    int file_ = -1;
-    std::uint64_t in_file_ = 0;  ///< bytes; those in memory come after them
-    std::vector<std::byte> memory_;
+    std::optional<TemporaryFile> file_;
+    std::vector<std::byte> memory_;  ///< comes after what is in the file
 };
 
 }  // namespace d2b
