@@ -16,42 +16,22 @@ constexpr double foot = 0.3048;
 constexpr double survey_foot = 1200.0 / 3937.0;
 
 struct KnownUnit {
-    std::string_view alias;
     std::string_view name;
     double metres;
+    std::array<std::string_view, 6> aliases;  ///< in small letters
 };
 
 constexpr std::array known_units{
-    KnownUnit{"m", "metre", 1},
-    KnownUnit{"metre", "metre", 1},
-    KnownUnit{"metres", "metre", 1},
-    KnownUnit{"meter", "metre", 1},
-    KnownUnit{"meters", "metre", 1},
-    KnownUnit{"ft", "foot", foot},
-    KnownUnit{"foot", "foot", foot},
-    KnownUnit{"feet", "foot", foot},
-    KnownUnit{"international foot", "foot", foot},
-    KnownUnit{"us-ft", "US survey foot", survey_foot},
-    KnownUnit{"ftus", "US survey foot", survey_foot},
-    KnownUnit{"us_survey_foot", "US survey foot", survey_foot},
-    KnownUnit{"us survey foot", "US survey foot", survey_foot},
-    KnownUnit{"us survey feet", "US survey foot", survey_foot},
-    KnownUnit{"foot_us", "US survey foot", survey_foot},
-    KnownUnit{"yd", "yard", 3 * foot},
-    KnownUnit{"yard", "yard", 3 * foot},
-    KnownUnit{"yards", "yard", 3 * foot},
-    KnownUnit{"centimetre", "centimetre", 0.01},
-    KnownUnit{"centimetres", "centimetre", 0.01},
-    KnownUnit{"centimeter", "centimetre", 0.01},
-    KnownUnit{"centimeters", "centimetre", 0.01},
-    KnownUnit{"decimetre", "decimetre", 0.1},
-    KnownUnit{"decimeter", "decimetre", 0.1},
-    KnownUnit{"millimetre", "millimetre", 0.001},
-    KnownUnit{"millimeter", "millimetre", 0.001},
-    KnownUnit{"cm", "centimetre", 0.01},
-    KnownUnit{"dm", "decimetre", 0.1},
-    KnownUnit{"mm", "millimetre", 0.001},
-    KnownUnit{"km", "kilometre", 1000},
+    KnownUnit{"metre", 1, {"m", "metre", "metres", "meter", "meters"}},
+    KnownUnit{"foot", foot, {"ft", "foot", "feet", "international foot"}},
+    KnownUnit{"US survey foot",
+              survey_foot,
+              {"us-ft", "ftus", "us_survey_foot", "us survey foot", "us survey feet", "foot_us"}},
+    KnownUnit{"yard", 3 * foot, {"yd", "yard", "yards"}},
+    KnownUnit{"centimetre", 0.01, {"cm", "centimetre", "centimetres", "centimeter", "centimeters"}},
+    KnownUnit{"decimetre", 0.1, {"dm", "decimetre", "decimeter"}},
+    KnownUnit{"millimetre", 0.001, {"mm", "millimetre", "millimeter"}},
+    KnownUnit{"kilometre", 1000, {"km"}},
 };
 
 std::string lower(std::string_view text) {
@@ -89,9 +69,10 @@ void resolve_vertical(UnitReport& report, const DemInfo& info, const Crs& crs, s
 
 std::optional<LengthUnit> parse_length_unit(std::string_view text) {
     const std::string name = lower(text);
-    const auto* known = std::find_if(known_units.begin(), known_units.end(),
-                                     [&](const KnownUnit& unit) { return unit.alias == name; });
-    if (known != known_units.end())
+    const auto* known = std::find_if(known_units.begin(), known_units.end(), [&](const KnownUnit& unit) {
+        return std::ranges::find(unit.aliases, name) != unit.aliases.end();
+    });
+    if (!name.empty() && known != known_units.end())
         return LengthUnit{std::string(known->name), known->metres};
     double metres = 0;
     const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), metres);

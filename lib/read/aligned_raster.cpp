@@ -8,7 +8,8 @@
 
 #include "dem2buildings/error.hpp"
 #include "read/gdal_messages.hpp"
-#include "read/georeference.hpp"
+#include "read/raster_crs.hpp"
+#include "read/raster_transform.hpp"
 #include "read/window.hpp"
 
 namespace d2b {

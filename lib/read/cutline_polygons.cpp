@@ -5,8 +5,8 @@
 #include "dem2buildings/error.hpp"
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
-#include "read/georeference.hpp"
 #include "read/polygon_geometry.hpp"
+#include "read/raster_crs.hpp"
 #include "read/ring_clip.hpp"
 #include "read/ring_projector.hpp"
 #include "read/surroundings.hpp"
@@ -15,16 +15,6 @@
 namespace d2b {
 
 namespace {
-
-DatasetOwner open_vector(const std::string& path, const std::string& name, Context& context) {
-    const GdalMessages messages;
-    DatasetOwner dataset(GDALOpenEx(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
-                                    nullptr, nullptr, nullptr));
-    if (!dataset)
-        throw InputError("The " + name + " cannot be opened: " + messages.reason_for(path) + ".");
-    messages.pass_all(context);
-    return dataset;
-}
 
 OGRLayerH layer_of(GDALDatasetH dataset, const PolygonPlace& place, const std::string& name,
                    Context& context) {
@@ -106,7 +96,8 @@ void add_polygon(const std::vector<WorldRing>& rings, RingProjector& projector, 
 
 std::vector<PixelPolygon> read_cutline(const PolygonPlace& place, const DemInfo& info, Context& context) {
     const std::string name = place.role + " '" + place.path + "'";
-    const DatasetOwner dataset = open_vector(place.path, name, context);
+    const DatasetOwner dataset =
+        open_vector_dataset(place.path, "The " + name + " cannot be opened", context);
     const OGRLayerH layer = layer_of(dataset.get(), place, name, context);
     const TransformOwner transform = transform_between(OGR_L_GetSpatialRef(layer), name, info, context);
     RingProjector projector(transform.get(), info.transform, name);
@@ -115,23 +106,16 @@ std::vector<PixelPolygon> read_cutline(const PolygonPlace& place, const DemInfo&
         around = surroundings(OGR_L_GetSpatialRef(layer), horizontal_crs(info.crs_wkt).get(), info);
     std::vector<PixelPolygon> polygons;
     bool any = false;
-    const GdalMessages messages;
-    OGR_L_ResetReading(layer);
-    while (const FeatureOwner feature{OGR_L_GetNextFeature(layer)}) {
-        const OGRGeometryH geometry = OGR_F_GetGeometryRef(feature.get());
-        if (geometry == nullptr || OGR_G_IsEmpty(geometry) != FALSE)
-            continue;
+    for_each_geometry(layer, "The " + name, context, [&](OGRFeatureH, OGRGeometryH geometry) {
         const GeometryOwner straight(OGR_G_GetLinearGeometry(geometry, 0, nullptr));  // arcs become lines
-        if (straight)
-            for (OGRGeometryH const polygon : polygons_within(straight.get())) {
-                const std::vector<WorldRing> rings = rings_of(polygon);
-                any = any || !rings.empty();
-                add_polygon(rings, projector, around, polygons);
-            }
-    }
-    if (messages.failed())
-        throw InputError("The " + name + " cannot be read: " + messages.reason() + ".");
-    messages.pass_warnings(context);
+        if (!straight)
+            return;
+        for (OGRGeometryH const polygon : polygons_within(straight.get())) {
+            const std::vector<WorldRing> rings = rings_of(polygon);
+            any = any || !rings.empty();
+            add_polygon(rings, projector, around, polygons);
+        }
+    });
     if (!any)
         throw InputError("The layer '" + std::string(OGR_L_GetName(layer)) + "' of the " + name +
                          " has no polygons; give one that has, for example with -" + place.role + "_layer.");

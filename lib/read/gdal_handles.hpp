@@ -27,7 +27,7 @@ inline void close_dataset(GDALDatasetH dataset) {
 using DatasetOwner = GdalOwner<GDALDatasetH, close_dataset>;
 using GeometryOwner = GdalOwner<OGRGeometryH, OGR_G_DestroyGeometry>;
 using FeatureOwner = GdalOwner<OGRFeatureH, OGR_F_Destroy>;
-using CrsOwner = GdalOwner<OGRSpatialReferenceH, OSRDestroySpatialReference>;
+using CrsOwner = GdalOwner<OGRSpatialReferenceH, OSRRelease>;
 using TransformOwner = GdalOwner<OGRCoordinateTransformationH, OCTDestroyCoordinateTransformation>;
 
 /// A list of strings as GDAL's C functions take it; views the strings, which must outlive it.

@@ -6,7 +6,7 @@
 
 #include "dem2buildings/error.hpp"
 #include "read/gdal_messages.hpp"
-#include "read/georeference.hpp"
+#include "read/raster_crs.hpp"
 
 namespace d2b {
 

@@ -12,6 +12,7 @@
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/polygon_geometry.hpp"
+#include "read/raster_crs.hpp"
 #include "read/vector_dataset.hpp"
 
 namespace d2b {
@@ -69,37 +70,34 @@ void warn_of_others(std::size_t others, const PolygonLayer& layer, Context& cont
                      " no polygon and " + (others == 1 ? "is" : "are") + " left out.");
 }
 
+/// A dataset of polygons.
+DatasetOwner open_polygons(const std::string& path, Context& context) {
+    return open_vector_dataset(path, "'" + path + "' cannot be opened as a vector dataset", context);
+}
+
 }  // namespace
 
 std::vector<std::string> layer_names(const std::string& dataset, Context& context) {
-    return geometry_layers(open_vector_dataset(dataset, context).get());
+    return geometry_layers(open_polygons(dataset, context).get());
 }
 
 PolygonLayer read_polygon_layer(const LayerChoice& choice, Context& context) {
-    const DatasetOwner dataset = open_vector_dataset(choice.dataset, context);
+    const DatasetOwner dataset = open_polygons(choice.dataset, context);
     const OGRLayerH layer = pick_layer(dataset.get(), choice);
     const int height = pick_height(layer, choice);
-    PolygonLayer result{choice.dataset, OGR_L_GetName(layer), wkt_of_layer(layer), {}, {}};
+    PolygonLayer result{choice.dataset, OGR_L_GetName(layer), wkt_of(OGR_L_GetSpatialRef(layer)), {}, {}};
     if (height >= 0)
         result.height_field = OGR_Fld_GetNameRef(OGR_FD_GetFieldDefn(OGR_L_GetLayerDefn(layer), height));
     std::size_t others = 0;
-    const GdalMessages messages;
-    OGR_L_ResetReading(layer);
-    while (const FeatureOwner feature{OGR_L_GetNextFeature(layer)}) {
-        const OGRGeometryH geometry = OGR_F_GetGeometryRef(feature.get());
-        if (geometry == nullptr || OGR_G_IsEmpty(geometry) != FALSE)
-            continue;
-        PolygonFeature found = polygon_feature_of(geometry);
-        found.height = height_of(feature.get(), height);
-        if (found.polygons.empty())
-            ++others;
-        else
-            result.features.push_back(std::move(found));
-    }
-    if (messages.failed())
-        throw InputError("The layer '" + result.name + "' of '" + choice.dataset +
-                         "' cannot be read: " + messages.reason() + ".");
-    messages.pass_warnings(context);
+    for_each_geometry(layer, "The layer '" + result.name + "' of '" + choice.dataset + "'", context,
+                      [&](OGRFeatureH feature, OGRGeometryH geometry) {
+                          PolygonFeature found = polygon_feature_of(geometry);
+                          found.height = height_of(feature, height);
+                          if (found.polygons.empty())
+                              ++others;
+                          else
+                              result.features.push_back(std::move(found));
+                      });
     warn_of_others(others, result, context);
     return result;
 }

@@ -1,23 +1,18 @@
 #include "read/vector_dataset.hpp"
 
-#include <array>
 #include <cstddef>
-#include <memory>
-
-#include <cpl_vsi.h>
 
 #include "dem2buildings/error.hpp"
 #include "read/gdal_messages.hpp"
 
 namespace d2b {
 
-DatasetOwner open_vector_dataset(const std::string& path, Context& context) {
+DatasetOwner open_vector_dataset(const std::string& path, const std::string& complaint, Context& context) {
     const GdalMessages messages;
     DatasetOwner dataset(GDALOpenEx(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
                                     nullptr, nullptr, nullptr));
     if (!dataset)
-        throw InputError("'" + path + "' cannot be opened as a vector dataset: " + messages.reason_for(path) +
-                         ".");
+        throw InputError(complaint + ": " + messages.reason_for(path) + ".");
     messages.pass_all(context);
     return dataset;
 }
@@ -49,15 +44,17 @@ OGRLayerH pick_layer(GDALDatasetH dataset, const LayerChoice& choice) {
     return GDALDatasetGetLayerByName(dataset, names.front().c_str());
 }
 
-std::string wkt_of_layer(OGRLayerH layer) {
-    const OGRSpatialReferenceH crs = OGR_L_GetSpatialRef(layer);
-    if (crs == nullptr)
-        return {};
-    constexpr std::array<const char*, 3> options{"FORMAT=WKT2_2019", "MULTILINE=NO", nullptr};
-    char* text = nullptr;
-    const OGRErr status = OSRExportToWktEx(crs, &text, options.data());
-    const std::unique_ptr<char, GdalRelease<void*, VSIFree>> owner(text);
-    return status == OGRERR_NONE && text != nullptr ? text : "";
+void for_each_geometry(OGRLayerH layer, const std::string& what, Context& context,
+                       const std::function<void(OGRFeatureH, OGRGeometryH)>& visit) {
+    const GdalMessages messages;
+    OGR_L_ResetReading(layer);
+    while (const FeatureOwner feature{OGR_L_GetNextFeature(layer)})
+        if (OGRGeometryH const geometry = OGR_F_GetGeometryRef(feature.get());
+            geometry != nullptr && OGR_G_IsEmpty(geometry) == FALSE)
+            visit(feature.get(), geometry);
+    if (messages.failed())
+        throw InputError(what + " cannot be read: " + messages.reason() + ".");
+    messages.pass_warnings(context);
 }
 
 std::string quoted_names(std::span<const std::string> names) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,8 +11,9 @@
 
 namespace d2b {
 
-/// @throws InputError with GDAL's reason
-[[nodiscard]] DatasetOwner open_vector_dataset(const std::string& path, Context& context);
+/// @param complaint "'x' cannot be opened", before GDAL's reason @throws InputError
+[[nodiscard]] DatasetOwner open_vector_dataset(const std::string& path, const std::string& complaint,
+                                               Context& context);
 
 /// Names of the layers that have geometries, in their order.
 [[nodiscard]] std::vector<std::string> geometry_layers(GDALDatasetH dataset);
@@ -20,8 +22,10 @@ namespace d2b {
 /// asked for is not there
 [[nodiscard]] OGRLayerH pick_layer(GDALDatasetH dataset, const LayerChoice& choice);
 
-/// WKT2:2019, "" for none.
-[[nodiscard]] std::string wkt_of_layer(OGRLayerH layer);
+/// Calls visit(feature, geometry) for all features of a layer whose geometry is not empty.
+/// @param what "The layer 'x' of 'y'", for messages @throws InputError it cannot be read to its end
+void for_each_geometry(OGRLayerH layer, const std::string& what, Context& context,
+                       const std::function<void(OGRFeatureH, OGRGeometryH)>& visit);
 
 /// "'a', 'b' and 'c'", or only the first of very many; "" for none.
 [[nodiscard]] std::string quoted_names(std::span<const std::string> names);

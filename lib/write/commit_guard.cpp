@@ -25,7 +25,7 @@ bool is_our_sqlite(GDALDatasetH dataset) {
         return false;
     bool same = false;
     {
-        const FeatureHandle row(OGR_L_GetNextFeature(rows));
+        const FeatureOwner row(OGR_L_GetNextFeature(rows));
         same = row && std::string(OGR_F_GetFieldAsString(row.get(), 0)) == sqlite3_sourceid();
     }
     GDALDatasetReleaseResultSet(dataset, rows);

@@ -15,7 +15,7 @@ namespace {
 bool is_at(OGRLayerH layer, const Position& place) {
     constexpr double near = 0.01;
     OGR_L_ResetReading(layer);
-    const FeatureHandle feature(OGR_L_GetNextFeature(layer));
+    const FeatureOwner feature(OGR_L_GetNextFeature(layer));
     OGRGeometryH geometry = feature ? OGR_F_GetGeometryRef(feature.get()) : nullptr;
     if (geometry == nullptr)
         return false;
@@ -34,8 +34,8 @@ bool takes_plain_degrees(GDALDriverH driver, const std::string& destination) {
     const GdalMessages messages;
     const MemoryFolder memory;
     const std::string file = memory.file(trial_name(driver, destination));
-    const DatasetHandle dataset(GDALCreate(driver, file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
-    const SrsHandle srs(OSRNewSpatialReference(nullptr));
+    const DatasetOwner dataset(GDALCreate(driver, file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+    const CrsOwner srs(OSRNewSpatialReference(nullptr));
     OSRSetWellKnownGeogCS(srs.get(), "WGS84");
     return dataset && add_trial_layer(dataset.get(), "probe", srs.get()) != nullptr && !messages.failed();
 }
@@ -54,14 +54,14 @@ bool has_wkt1(OGRSpatialReferenceH srs) {
 CrsMisfit crs_misfit(GDALDriverH driver, const std::string& destination, const std::string& wkt,
                      const Position& place) {
     const GdalMessages messages;
-    const SrsHandle srs(wkt.empty() ? nullptr : OSRNewSpatialReference(wkt.c_str()));
+    const CrsOwner srs(wkt.empty() ? nullptr : OSRNewSpatialReference(wkt.c_str()));
     if (!srs || is_connection(driver, destination) || !says_yes(driver, GDAL_DCAP_VIRTUALIO) ||
         (EQUAL(GDALGetDriverShortName(driver), "GPKG") && has_wkt1(srs.get())))
         return {};
     OSRSetAxisMappingStrategy(srs.get(), OAMS_TRADITIONAL_GIS_ORDER);
     const MemoryFolder memory;
     const std::string file = memory.file(trial_name(driver, destination));
-    DatasetHandle dataset(GDALCreate(driver, file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+    DatasetOwner dataset(GDALCreate(driver, file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
     const GdalMessages of_layer;
     OGRLayerH layer = dataset ? add_trial_layer(dataset.get(), "probe", srs.get()) : nullptr;
     if (of_layer.failed())

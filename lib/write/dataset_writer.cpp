@@ -20,11 +20,11 @@ namespace {
 /// Features in one transaction of a new dataset: large, for each commit waits for the disk.
 constexpr std::int64_t batch = 200'000;
 
-SrsHandle srs_of(const std::string& wkt, const WriteTarget& target) {
+CrsOwner srs_of(const std::string& wkt, const WriteTarget& target) {
     if (wkt.empty())
         return nullptr;
     OgrCall call(target);
-    SrsHandle srs(OSRNewSpatialReference(wkt.c_str()));
+    CrsOwner srs(OSRNewSpatialReference(wkt.c_str()));
     call.check(srs != nullptr, "reading the CRS");
     OSRSetAxisMappingStrategy(srs.get(), OAMS_TRADITIONAL_GIS_ORDER);
     return srs;
@@ -166,7 +166,7 @@ void DatasetWriter::make_tables() {
     OgrCall call(target_);
     for (const LayerWriter& layer : layers_) {
         OGR_L_ResetReading(layer.handle());
-        const FeatureHandle none(OGR_L_GetNextFeature(layer.handle()));
+        const FeatureOwner none(OGR_L_GetNextFeature(layer.handle()));
     }
     call.check(true, "creating the layers");
 }

@@ -74,8 +74,8 @@ class DatasetWriter {
     Mode mode_ = Mode::create;
     std::string path_;
     CommitGuard guard_;  ///< goes after the dataset
-    DatasetHandle dataset_;
-    SrsHandle srs_;
+    DatasetOwner dataset_;
+    CrsOwner srs_;
     Provenance provenance_;
     std::vector<LayerSpec> specs_;
     std::optional<UsersObjects> users_;

@@ -75,7 +75,7 @@ ExistingDataset inspect_existing(const Destination& destination, const VectorFor
     // at all.
     if (format.transactions)
         open_dataset(format, destination.path, GDAL_OF_UPDATE);
-    DatasetHandle dataset = open_dataset(format, destination.path, GDAL_OF_READONLY);
+    DatasetOwner dataset = open_dataset(format, destination.path, GDAL_OF_READONLY);
     if (!dataset)  // one that holds rasters only opens as such alone
         dataset = open_dataset(format, destination.path, GDAL_OF_RASTER | GDAL_OF_READONLY);
     if (!dataset)
@@ -97,7 +97,7 @@ std::optional<ExistingDataset> inspect_database(const Destination& destination, 
                                                 const WriteOptions& options,
                                                 const std::vector<std::string>& names) {
     const GdalMessages messages;
-    const DatasetHandle dataset = open_dataset(format, destination.path, GDAL_OF_UPDATE);
+    const DatasetOwner dataset = open_dataset(format, destination.path, GDAL_OF_UPDATE);
     if (!dataset)
         return std::nullopt;
     format.transactions = GDALDatasetTestCapability(dataset.get(), ODsCTransactions) != FALSE &&

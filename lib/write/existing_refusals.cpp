@@ -90,7 +90,7 @@ void require_writable(const Destination& destination, const VectorFormat& format
         throw OutputError("Cannot write \"" + destination.name + "\": it is read-only (" +
                           std::generic_category().message(errno) +
                           "); allow writing, or choose another destination.");
-    const DatasetHandle dataset = open_dataset(format, destination.path, GDAL_OF_UPDATE);
+    const DatasetOwner dataset = open_dataset(format, destination.path, GDAL_OF_UPDATE);
     if (!dataset && format.transactions)
         throw OutputError("Cannot write \"" + destination.name + "\": opening it for writing failed (" +
                           messages.reason() + ")" + advice_for(messages.reason()) + ".");

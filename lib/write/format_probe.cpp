@@ -13,14 +13,14 @@ namespace d2b {
 namespace {
 
 bool add_layer(GDALDatasetH dataset, const char* name) {
-    const SrsHandle srs(OSRNewSpatialReference(nullptr));
+    const CrsOwner srs(OSRNewSpatialReference(nullptr));
     OSRSetWellKnownGeogCS(srs.get(), "WGS84");
     OGRLayerH layer = add_trial_layer(dataset, name, srs.get());
     return layer != nullptr && add_trial_feature(layer, {});
 }
 
 bool writes_two(GDALDriverH driver, const std::string& file, bool& transactions) {
-    const DatasetHandle dataset(GDALCreate(driver, file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+    const DatasetOwner dataset(GDALCreate(driver, file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
     transactions = dataset && GDALDatasetTestCapability(dataset.get(), ODsCTransactions) != FALSE &&
                    GDALDatasetTestCapability(dataset.get(), ODsCEmulatedTransactions) == FALSE;
     return dataset && add_layer(dataset.get(), "one") &&
@@ -29,7 +29,7 @@ bool writes_two(GDALDriverH driver, const std::string& file, bool& transactions)
 }
 
 void read_back(GDALDriverH driver, const std::string& file, FormatProbe& result) {
-    const DatasetHandle dataset = reopen_trial(driver, file);
+    const DatasetOwner dataset = reopen_trial(driver, file);
     if (!dataset)
         return;
     result.several_layers = result.several_layers && GDALDatasetGetLayerCount(dataset.get()) > 1;

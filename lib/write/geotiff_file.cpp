@@ -9,8 +9,8 @@ namespace d2b {
 
 namespace {
 
-SrsHandle srs_for(const std::string& wkt, bool elevations) {
-    SrsHandle srs(OSRNewSpatialReference(wkt.c_str()));
+CrsOwner srs_for(const std::string& wkt, bool elevations) {
+    CrsOwner srs(OSRNewSpatialReference(wkt.c_str()));
     if (!srs)
         return srs;
     OSRSetAxisMappingStrategy(srs.get(), OAMS_TRADITIONAL_GIS_ORDER);
@@ -57,7 +57,7 @@ void GeoTiffFile::place(const DemInfo& grid, const RasterMeta& meta) {
     call.check(done, "placing it");
     if (grid.crs_wkt.empty())
         return;
-    const SrsHandle srs = srs_for(grid.crs_wkt, meta.elevations);
+    const CrsOwner srs = srs_for(grid.crs_wkt, meta.elevations);
     done = srs != nullptr && GDALSetSpatialRef(dataset_.get(), srs.get()) == CE_None;
     call.check(done, "setting the CRS");
 }

@@ -34,7 +34,7 @@ class GeoTiffFile {
 
     const WriteTarget& target_;
     std::int32_t cols_;
-    DatasetHandle dataset_;
+    DatasetOwner dataset_;
 };
 
 }  // namespace d2b

@@ -101,7 +101,7 @@ void require_crs_kept(const std::string& name, DemInfo grid, const RasterMeta& m
         "/vsimem/d2b_crs_" + std::to_string(reinterpret_cast<std::uintptr_t>(&grid)) + ".tif";
     const WriteTarget target{.name = name, .hidden_folder = "", .context = nullptr};
     GeoTiffFile(target, file, grid, meta).close();
-    DatasetHandle dataset(GDALOpen(file.c_str(), GA_ReadOnly));
+    DatasetOwner dataset(GDALOpen(file.c_str(), GA_ReadOnly));
     const bool kept = dataset && GDALGetSpatialRef(dataset.get()) != nullptr;
     dataset.reset();
     VSIUnlink(file.c_str());

@@ -44,7 +44,7 @@ void verify_counts(const WriteTarget& target, const VectorFormat& format, const 
     if (GDALGetMetadataItem(format.driver, GDAL_DCAP_OPEN, nullptr) == nullptr)
         return;
     OgrCall call(target);
-    const DatasetHandle dataset = open_dataset(format, path, GDAL_OF_READONLY);
+    const DatasetOwner dataset = open_dataset(format, path, GDAL_OF_READONLY);
     call.check(dataset != nullptr, "reading the result back");
     for (std::size_t i = 0; i < counts.size(); ++i) {
         const auto& [name, expected] = counts[i];

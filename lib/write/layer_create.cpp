@@ -60,8 +60,8 @@ NameValueList layer_options(GDALDatasetH dataset, const LayerSpec& spec, const L
     return options;
 }
 
-FieldHandle field_of(const FieldSpec& spec, GDALDriverH driver) {
-    FieldHandle field(OGR_Fld_Create(spec.name.c_str(), ogr_type(spec.type, driver)));
+FieldOwner field_of(const FieldSpec& spec, GDALDriverH driver) {
+    FieldOwner field(OGR_Fld_Create(spec.name.c_str(), ogr_type(spec.type, driver)));
     if (!spec.alias.empty())
         OGR_Fld_SetAlternativeName(field.get(), spec.alias.c_str());
 #if GDAL_VERSION_NUM >= GDAL_COMPUTE_VERSION(3, 7, 0)

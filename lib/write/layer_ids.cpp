@@ -21,7 +21,7 @@ std::int64_t largest_in_file(OGRLayerH layer, int field) {
     OGR_L_SetIgnoredFields(layer, ignored.data());
     OGR_L_ResetReading(layer);
     std::int64_t largest = 0;
-    while (const FeatureHandle feature{OGR_L_GetNextFeature(layer)})
+    while (const FeatureOwner feature{OGR_L_GetNextFeature(layer)})
         largest = std::max<std::int64_t>(largest, OGR_F_GetFieldAsInteger64(feature.get(), field));
     return largest;
 }
@@ -49,7 +49,7 @@ std::int64_t largest_id(const WriteTarget& target, GDALDatasetH database, std::s
 std::int64_t largest_id(const WriteTarget& target, const VectorFormat& format, const std::string& path,
                         std::span<const LayerSpec> layers) {
     OgrCall call(target);
-    const DatasetHandle dataset = open_dataset(format, path, GDAL_OF_READONLY);
+    const DatasetOwner dataset = open_dataset(format, path, GDAL_OF_READONLY);
     std::int64_t largest = 0;
     for (const LayerSpec& spec : layers) {
         OGRLayerH layer = dataset ? GDALDatasetGetLayerByName(dataset.get(), spec.name.c_str()) : nullptr;

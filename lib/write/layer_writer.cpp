@@ -14,7 +14,7 @@ namespace {
 std::int64_t largest_fid(OGRLayerH layer) {
     std::int64_t largest = 0;
     OGR_L_ResetReading(layer);
-    while (const FeatureHandle feature{OGR_L_GetNextFeature(layer)})
+    while (const FeatureOwner feature{OGR_L_GetNextFeature(layer)})
         largest = std::max<std::int64_t>(largest, OGR_F_GetFID(feature.get()));
     return largest;
 }

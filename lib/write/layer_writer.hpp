@@ -62,7 +62,7 @@ class LayerWriter {
     bool is_new_ = false;
     std::int64_t expected_ = 0;
     std::int64_t next_fid_ = OGRNullFID;  ///< where the driver does not put new features at the end by itself
-    FeatureHandle feature_;
+    FeatureOwner feature_;
     MultiPolygonWkb wkb_;
     std::optional<SpatialIndex> index_;
 };

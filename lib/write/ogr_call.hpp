@@ -41,6 +41,6 @@ class OgrCall {
 [[nodiscard]] std::string advice_for(const std::string& reason);
 
 /// Writes what is pending and closes. @throws OutputError: also where only closing fails
-void close_written(const WriteTarget& target, DatasetHandle dataset);
+void close_written(const WriteTarget& target, DatasetOwner dataset);
 
 }  // namespace d2b

@@ -1,30 +1,15 @@
 #pragma once
 
-#include <memory>
 #include <string>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 #include <cpl_string.h>
-#include <gdal.h>
-#include <ogr_api.h>
-#include <ogr_srs_api.h>
+
+#include "read/gdal_handles.hpp"
 
 namespace d2b {
 
-/// Owners of OGR's C handles: the function that releases one is part of its type.
-template <typename Handle, auto release>
-struct HandleDeleter {
-    void operator()(std::remove_pointer_t<Handle>* handle) const { release(handle); }
-};
-template <typename Handle, auto release>
-using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, HandleDeleter<Handle, release>>;
-
-using DatasetHandle = Owned<GDALDatasetH, GDALClose>;
-using FeatureHandle = Owned<OGRFeatureH, OGR_F_Destroy>;
-using FieldHandle = Owned<OGRFieldDefnH, OGR_Fld_Destroy>;
-using SrsHandle = Owned<OGRSpatialReferenceH, OSRRelease>;
+using FieldOwner = GdalOwner<OGRFieldDefnH, OGR_Fld_Destroy>;
 
 /// A NULL-terminated list of NAME=VALUE, as GDAL takes them.
 class NameValueList {

@@ -13,10 +13,10 @@ namespace d2b {
 namespace {
 
 /// The picture as a dataset in memory, from which the driver makes the file: PNG is written in one go.
-DatasetHandle in_memory(const Image& image, const WriteTarget& target) {
+DatasetOwner in_memory(const Image& image, const WriteTarget& target) {
     OgrCall call(target);
     constexpr int bands = 3;
-    DatasetHandle dataset(
+    DatasetOwner dataset(
         GDALCreate(GDALGetDriverByName("MEM"), "", image.width, image.height, bands, GDT_Byte, nullptr));
     call.check(dataset != nullptr, "making the picture");
     // GDAL takes what it writes as changeable, which it does not change.
@@ -42,10 +42,10 @@ class PngFile final : public PictureFile {
 void PngFile::write(const Image& image) {
     const ConfigOption no_sidecar("GDAL_PAM_ENABLED", "NO");
     const std::string path = staged_.begin();
-    const DatasetHandle picture = in_memory(image, staged_.target());
+    const DatasetOwner picture = in_memory(image, staged_.target());
     OgrCall call(staged_.target());
-    DatasetHandle file(GDALCreateCopy(GDALGetDriverByName("PNG"), path.c_str(), picture.get(), FALSE, nullptr,
-                                      nullptr, nullptr));
+    DatasetOwner file(GDALCreateCopy(GDALGetDriverByName("PNG"), path.c_str(), picture.get(), FALSE, nullptr,
+                                     nullptr, nullptr));
     call.check(file != nullptr, "writing the picture");
     close_written(staged_.target(), std::move(file));
 }

@@ -52,8 +52,7 @@ bool part_of(const std::string& path, const std::string& dataset_name) {
     if (!fs::exists(dataset_name, error))  // neither pipes nor connections are opened
         return false;
     const GdalMessages quiet;
-    const DatasetHandle dataset(
-        GDALOpenEx(dataset_name.c_str(), GDAL_OF_READONLY, nullptr, nullptr, nullptr));
+    const DatasetOwner dataset(GDALOpenEx(dataset_name.c_str(), GDAL_OF_READONLY, nullptr, nullptr, nullptr));
     const CPLStringList files(dataset ? GDALGetFileList(dataset.get()) : nullptr);
     for (int i = 0; i < files.Count(); ++i)
         if (same_file(path, files[i]))
@@ -75,8 +74,8 @@ const char* driver_of(RasterFormat format) {
 bool is_of(RasterFormat format, const std::string& path) {
     const GdalMessages quiet;
     const std::array<const char*, 2> drivers{driver_of(format), nullptr};
-    return DatasetHandle(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers.data(), nullptr,
-                                    nullptr)) != nullptr;
+    return DatasetOwner(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers.data(), nullptr,
+                                   nullptr)) != nullptr;
 }
 
 void check_local(const RasterPlace& place, RasterFormat format) {

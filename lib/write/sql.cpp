@@ -27,7 +27,7 @@ bool sql_query(GDALDatasetH dataset, const std::string& sql, const std::function
     OGRLayerH rows = GDALDatasetExecuteSQL(dataset, sql.c_str(), nullptr, nullptr);
     if (rows == nullptr)
         return false;
-    while (const FeatureHandle row{OGR_L_GetNextFeature(rows)}) {
+    while (const FeatureOwner row{OGR_L_GetNextFeature(rows)}) {
         const int fields = OGR_F_GetFieldCount(row.get());
         SqlRow texts;
         texts.reserve(static_cast<std::size_t>(fields));

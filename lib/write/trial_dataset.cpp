@@ -24,9 +24,9 @@ OGRLayerH add_trial_layer(GDALDatasetH dataset, const char* name, OGRSpatialRefe
 
 bool add_trial_feature(OGRLayerH layer, const Position& place) {
     constexpr double size = 1e-4;
-    const FieldHandle field(OGR_Fld_Create("id", OFTInteger64));
+    const FieldOwner field(OGR_Fld_Create("id", OFTInteger64));
     OGR_L_CreateField(layer, field.get(), TRUE);
-    const FeatureHandle feature(OGR_F_Create(OGR_L_GetLayerDefn(layer)));
+    const FeatureOwner feature(OGR_F_Create(OGR_L_GetLayerDefn(layer)));
     OGRGeometryH ring = OGR_G_CreateGeometry(wkbLinearRing);
     for (const Position& corner :
          {place, Position{place.x + size, place.y}, Position{place.x + size, place.y + size}, place})
@@ -41,9 +41,9 @@ bool add_trial_feature(OGRLayerH layer, const Position& place) {
     return OGR_L_CreateFeature(layer, feature.get()) == OGRERR_NONE;
 }
 
-DatasetHandle reopen_trial(GDALDriverH driver, const std::string& file) {
+DatasetOwner reopen_trial(GDALDriverH driver, const std::string& file) {
     const std::array<const char*, 2> only{GDALGetDriverShortName(driver), nullptr};
-    return DatasetHandle(GDALOpenEx(file.c_str(), GDAL_OF_VECTOR, only.data(), nullptr, nullptr));
+    return DatasetOwner(GDALOpenEx(file.c_str(), GDAL_OF_VECTOR, only.data(), nullptr, nullptr));
 }
 
 bool says_yes(GDALDriverH driver, const char* capability) {

@@ -49,7 +49,7 @@ OGRLayerH add_trial_layer(GDALDatasetH dataset, const char* name, OGRSpatialRefe
 bool add_trial_feature(OGRLayerH layer, const Position& place);
 
 /// By its driver alone. @return null where it cannot
-[[nodiscard]] DatasetHandle reopen_trial(GDALDriverH driver, const std::string& file);
+[[nodiscard]] DatasetOwner reopen_trial(GDALDriverH driver, const std::string& file);
 
 /// Whether the driver says YES to a capability.
 [[nodiscard]] bool says_yes(GDALDriverH driver, const char* capability);

@@ -103,9 +103,9 @@ VectorFormat format_for(const WriteOptions& options) {
     return format;
 }
 
-DatasetHandle open_dataset(const VectorFormat& format, const std::string& path, unsigned access) {
+DatasetOwner open_dataset(const VectorFormat& format, const std::string& path, unsigned access) {
     const std::array<const char*, 2> only{format.name.c_str(), nullptr};
-    return DatasetHandle(GDALOpenEx(path.c_str(), GDAL_OF_VECTOR | access, only.data(), nullptr, nullptr));
+    return DatasetOwner(GDALOpenEx(path.c_str(), GDAL_OF_VECTOR | access, only.data(), nullptr, nullptr));
 }
 
 bool is_stream(const std::string& destination) {

@@ -25,7 +25,7 @@ struct VectorFormat {
 [[nodiscard]] VectorFormat format_for(const WriteOptions& options);
 
 /// By this driver alone. @param access GDAL_OF_READONLY or GDAL_OF_UPDATE @return null where it cannot
-DatasetHandle open_dataset(const VectorFormat& format, const std::string& path, unsigned access);
+DatasetOwner open_dataset(const VectorFormat& format, const std::string& path, unsigned access);
 
 /// Whether the destination is a pipe or a device: written once, from front to back, and never read again.
 [[nodiscard]] bool is_stream(const std::string& destination);

@@ -1,4 +1,3 @@
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <sstream>
@@ -8,6 +7,7 @@
 #include "cli/cli_test_case.hpp"
 #include "cli/geometries.hpp"
 #include "core/number_text.hpp"
+#include "support/test_name.hpp"
 
 namespace d2b::test {
 namespace {
@@ -106,13 +106,7 @@ INSTANTIATE_TEST_SUITE_P(
                       "delft/dtm.tif", "larochelle_2m5/dsm.tif", "montpellier_als/dsm.tif", "seville/dsm.tif",
                       "seville/dtm.tif", "stbarth/dsm.tif", "stbarth/dtm.tif",
                       "stuttgart_csite2/derived_epsg4326_dsm.tif", "stuttgart_csite2/dsm.tif"),
-    [](const auto& test) {
-        std::string name = test.param;
-        for (char& c : name)
-            if (std::isalnum(static_cast<unsigned char>(c)) == 0)
-                c = '_';
-        return name;
-    });
+    [](const auto& test) { return case_name(test.param); });
 
 }  // namespace
 }  // namespace d2b::test

@@ -38,6 +38,11 @@ inline void demand(bool holds, const char* what) {
     std::abort();
 }
 
+/// @param fault "" where all is well
+inline void demand_none(const std::string& fault) {
+    demand(fault.empty(), fault.c_str());
+}
+
 /// A grid of few values with its thresholds: the first bytes say how large, of which kind, then comes a byte
 /// a cell.
 inline RandomGridCase grid_of(Bytes& bytes, unsigned largest) {

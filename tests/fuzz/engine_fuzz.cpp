@@ -5,7 +5,7 @@
 #include "geometry/geos.hpp"
 #include "outline/noding.hpp"
 #include "outline/outline.hpp"
-#include "outline/outline_checks.hpp"
+#include "support/outline_checks.hpp"
 #include "trace/reference.hpp"
 
 namespace d2b::test {

@@ -8,8 +8,8 @@
 #include "geometry/geos.hpp"
 #include "outline/arc_graph.hpp"
 #include "outline/noding.hpp"
-#include "outline/outline_checks.hpp"
 #include "outline/simplify.hpp"
+#include "support/outline_checks.hpp"
 #include "support/random_grid.hpp"
 
 namespace d2b {
@@ -123,26 +123,7 @@ class SimplifiedGrid : public testing::TestWithParam<unsigned> {
 
 TEST_P(SimplifiedGrid, StaysValidNestedAndDisjoint) {
     const Outliner outliner(*set_.list, Drawing::simplified, options_, unit_grid, 1, context_);
-    Geos geos;
-    std::vector<std::vector<FinePolygon>> children(set_.contours.size());
-    std::vector<double> children_area(set_.contours.size(), 0);
-    for (std::size_t i = 0; i < set_.contours.size(); ++i) {
-        const FinePolygon polygon = outliner.outline(i);
-        EXPECT_EQ(geos.invalidity({unit_grid.polygon(polygon)}), "") << i;
-        EXPECT_GT(planar_area(polygon), 0);
-        if (set_.contours[i].parent >= 0) {
-            children[static_cast<std::size_t>(set_.contours[i].parent)].push_back(polygon);
-            children_area[static_cast<std::size_t>(set_.contours[i].parent)] += planar_area(polygon);
-        }
-    }
-    for (std::size_t i = 0; i < set_.contours.size(); ++i) {
-        // What is left of a parent is its area less its children's: they lie in it and do not overlap.
-        double left = 0;
-        const FinePolygon parent = outliner.outline(i);
-        for (const FinePolygon& piece : geos.difference(parent, children[i]))
-            left += planar_area(piece);
-        EXPECT_DOUBLE_EQ(left + children_area[i], planar_area(parent));
-    }
+    EXPECT_EQ(test::nesting_fault(set_, outliner), "");
 }
 
 TEST_P(SimplifiedGrid, StaysWithinTheToleranceBothWays) {

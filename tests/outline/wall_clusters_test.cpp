@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "outline/outline_checks.hpp"
 #include "outline/packed_outline.hpp"
 #include "outline/walls/regular_outlines.hpp"
+#include "support/outline_checks.hpp"
 #include "support/trace_grid.hpp"
 
 namespace d2b {

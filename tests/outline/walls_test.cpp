@@ -7,7 +7,7 @@
 
 #include "geometry/geos.hpp"
 #include "outline/outline.hpp"
-#include "outline/outline_checks.hpp"
+#include "support/outline_checks.hpp"
 #include "support/trace_grid.hpp"
 
 namespace d2b {

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "dem2buildings/error.hpp"
-#include "outline/outline_checks.hpp"
 #include "outline/walls/regular_outlines.hpp"
+#include "support/outline_checks.hpp"
 #include "support/trace_grid.hpp"
 
 namespace d2b {

@@ -3,6 +3,7 @@
 
 #include "read/gdal_dem_source.hpp"
 #include "read/rasters.hpp"
+#include "support/test_name.hpp"
 
 namespace d2b::test {
 namespace {
@@ -70,13 +71,7 @@ INSTANTIATE_TEST_SUITE_P(
              79954669.06994629, 294.739990234375, "PROJCRS[\"WGS 84 / UTM zone 32N\""},
         City{"stuttgart_csite2/derived_epsg4326_dsm.tif", 541, 537, "m", 286493, 284.5199890136719, 349.5,
              86900307.07919312, 290.2699890136719, "GEOGCRS[\"WGS 84\""}),
-    [](const auto& test) {
-        std::string name = test.param.file;
-        for (char& c : name)
-            if (std::isalnum(static_cast<unsigned char>(c)) == 0)
-                c = '_';
-        return name;
-    });
+    [](const auto& test) { return case_name(test.param.file); });
 
 }  // namespace
 }  // namespace d2b::test

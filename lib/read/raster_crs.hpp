@@ -10,16 +10,14 @@
 
 namespace d2b {
 
-/// Sets transform and georeferenced from a raster whose name is set. Without a transform the coordinates are
-/// pixels, y up, with a warning. @throws InputError singular or not finite; placed by ground control points,
-/// rational polynomials or geolocation arrays only
-void read_transform(GDALDatasetH dataset, DemInfo& info, Context& context);
-
 /// Sets crs_wkt: what the user gave, else the raster's own; "" and a warning where there is none, or where it
 /// is one of degrees and the coordinates are pixels. After read_transform().
 /// @param user_crs anything that names a CRS without a file or the network being read; "" for the raster's
 /// @throws OptionError where user_crs is no CRS, or has no plane; InputError where the raster's has none
 void read_crs(GDALDatasetH dataset, const std::string& user_crs, DemInfo& info, Context& context);
+
+/// As WKT; "" where it is null, empty or cannot be written so.
+[[nodiscard]] std::string wkt_of(OGRSpatialReferenceH crs);
 
 /// The CRS without its heights, axes in GIS order: heights play no part where cells are placed, and could
 /// make PROJ ask for vertical grids. @param wkt "" gives null

@@ -1,0 +1,51 @@
+#include "read/raster_transform.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/number_text.hpp"
+#include "dem2buildings/error.hpp"
+
+namespace d2b {
+
+namespace {
+
+/// Whether cells have an area: a determinant that is no more than the rounding of its terms is zero.
+bool invertible(const AffineTransform& g) {
+    if (!std::all_of(g.begin(), g.end(), [](double term) { return std::isfinite(term); }))
+        return false;
+    const double determinant = g[1] * g[5] - g[2] * g[4];
+    return std::abs(determinant) > 1e-12 * std::hypot(g[1], g[4]) * std::hypot(g[2], g[5]);
+}
+
+}  // namespace
+
+void read_transform(GDALDatasetH dataset, DemInfo& info, Context& context) {
+    AffineTransform transform{};
+    info.georeferenced = GDALGetGeoTransform(dataset, transform.data()) == CE_None;
+    if (info.georeferenced) {
+        if (!invertible(transform))
+            throw InputError("The transform of '" + info.name + "' (" + numbers_text(transform, ", ") +
+                             ") gives its cells no area; correct it, for example with gdal_edit.py -a_ullr.");
+        info.transform = transform;
+        return;
+    }
+    // GDAL can place these cell by cell; outlines need a grid.
+    const auto has = [&](const char* domain) {
+        const CSLConstList items = GDALGetMetadata(dataset, domain);
+        return items != nullptr && items[0] != nullptr;
+    };
+    if (has("RPC"))
+        throw InputError("'" + info.name + "' is placed by rational polynomials (RPCs) only; " +
+                         "turn it into a regular grid with gdalwarp -rpc first.");
+    if (has("GEOLOCATION"))
+        throw InputError("'" + info.name + "' is placed by geolocation arrays only; " +
+                         "turn it into a regular grid with gdalwarp -geoloc first.");
+    if (GDALGetGCPCount(dataset) > 0)
+        throw InputError("'" + info.name + "' is placed by ground control points only; " +
+                         "turn it into a regular grid with gdalwarp first.");
+    info.transform = DemInfo{}.transform;
+    context.warn("'" + info.name + "' has no georeferencing; coordinates are columns and, upwards, rows.");
+}
+
+}  // namespace d2b
