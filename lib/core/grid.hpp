@@ -61,4 +61,7 @@ struct CellSize {
 /// Elevations or heights in metres, NaN where a point is not valid.
 using MetreGrid = Grid<float>;
 
+/// 1 where something holds, 0 elsewhere.
+using Mask = Grid<std::uint8_t>;
+
 }  // namespace d2b

@@ -41,4 +41,10 @@ void LabelRows::read(std::int32_t row, std::int32_t cols, std::span<Label> label
     }
 }
 
+LabelBand LabelRows::band(const BandShape& shape, std::int32_t window_row) const {
+    LabelBand band{shape, std::vector<Label>(shape.size())};
+    read(shape.first_row - window_row, shape.cols, band.labels);
+    return band;
+}
+
 }  // namespace d2b

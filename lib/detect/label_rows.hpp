@@ -41,6 +41,9 @@ class LabelRows {
     /// @param labels of whole rows @throws OutputError the spool cannot be read
     void read(std::int32_t row, std::int32_t cols, std::span<Label> labels) const;
 
+    /// The labels of a band. @param window_row of the window in the whole raster
+    [[nodiscard]] LabelBand band(const BandShape& shape, std::int32_t window_row) const;
+
   private:
     struct Run {
         std::int32_t begin;

@@ -7,9 +7,6 @@
 
 namespace d2b {
 
-/// 1 where something holds, 0 elsewhere.
-using Mask = Grid<std::uint8_t>;
-
 /// An NDVI above this is that of plants.
 inline constexpr float plants_ndvi = 0.3F;
 

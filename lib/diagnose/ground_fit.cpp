@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <numeric>
 
 namespace d2b {
@@ -48,6 +49,18 @@ double GroundFit::middle(std::int64_t cells) const {
     while (2 * (below + counts_[bin]) < cells)
         below += counts_[bin++];
     return (static_cast<double>(bin) + 0.5) * bin_m - highest_m;
+}
+
+void add_fit(const MetreGrid& surface, const MetreGrid& ground, RowBand rows, GroundFit& fit,
+             Executor& threads) {
+    std::mutex mutex;
+    for_row_bands(threads, rows.end - rows.begin, surface.cols, [&](RowBand band) {
+        GroundFit some(fit.min_height());
+        for (std::int32_t r = rows.begin + band.begin; r < rows.begin + band.end; ++r)
+            some.add(surface.row(r), ground.row(r));
+        const std::lock_guard lock(mutex);
+        fit.merge(some);
+    });
 }
 
 }  // namespace d2b

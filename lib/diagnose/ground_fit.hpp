@@ -5,6 +5,10 @@
 #include <cstdint>
 #include <span>
 
+#include "core/executor.hpp"
+#include "core/grid.hpp"
+#include "core/row_bands.hpp"
+
 namespace d2b {
 
 /// How high a surface lies above its ground, as counts of cells: they add up whatever their order.
@@ -41,5 +45,9 @@ class GroundFit {
     std::int64_t bare_ = 0;
     std::array<std::int64_t, bins> counts_{};  ///< the first and the last hold what lies beyond them as well
 };
+
+/// Adds how a surface lies above a ground in some of its rows.
+void add_fit(const MetreGrid& surface, const MetreGrid& ground, RowBand rows, GroundFit& fit,
+             Executor& threads);
 
 }  // namespace d2b

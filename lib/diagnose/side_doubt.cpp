@@ -1,6 +1,27 @@
 #include "diagnose/side_doubt.hpp"
 
+#include <cmath>
+
 namespace d2b {
+namespace {
+
+template <typename T, typename Counts>
+bool any_known(const MetreGrid& surface, const Grid<T>& grid, RowBand rows, const Counts& counts) {
+    for (std::size_t i = grid.index(rows.begin, 0); i < grid.index(rows.end, 0); ++i)
+        if (!std::isnan(surface.values[i]) && counts(grid.values[i]))
+            return true;
+    return false;
+}
+
+}  // namespace
+
+bool meets(const MetreGrid& surface, const Mask& mask, RowBand rows) {
+    return any_known(surface, mask, rows, [](std::uint8_t allowed) { return allowed != 0; });
+}
+
+bool meets(const MetreGrid& surface, const MetreGrid& values, RowBand rows) {
+    return any_known(surface, values, rows, [](float value) { return !std::isnan(value); });
+}
 
 std::string empty_side_doubt(const SidesKnown& known, const Options& options) {
     if (!known.terrain)

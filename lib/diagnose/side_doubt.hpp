@@ -2,7 +2,9 @@
 
 #include <string>
 
+#include "core/row_bands.hpp"
 #include "dem2buildings/options.hpp"
+#include "detect/scene.hpp"
 
 namespace d2b {
 
@@ -17,5 +19,10 @@ struct SidesKnown {
 [[nodiscard]] std::string empty_side_doubt(const SidesKnown& known, const Options& options);
 /// That an NDVI says nothing; "" where it does.
 [[nodiscard]] std::string ndvi_doubt(const SidesKnown& known, const Options& options);
+
+/// Whether there is a cell in these rows where the surface is known and the mask is not 0, or the values are
+/// known. Looks no farther than the first.
+[[nodiscard]] bool meets(const MetreGrid& surface, const Mask& mask, RowBand rows);
+[[nodiscard]] bool meets(const MetreGrid& surface, const MetreGrid& values, RowBand rows);
 
 }  // namespace d2b

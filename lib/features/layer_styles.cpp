@@ -11,9 +11,9 @@ constexpr double buildings_scale = 2500;  ///< labels are written from here on
 constexpr double parts_scale = 1000;
 
 /// Metres in a unit of the map; 1 where the map has angles, which no 3D view shows.
-double map_metres(const Emission& emission) {
-    const bool as_read = emission.target_crs.kind() == Crs::Kind::none;
-    const auto unit = (as_read ? emission.crs : emission.target_crs).horizontal_unit();
+double map_metres(const FeatureInput& input) {
+    const bool as_read = input.target_crs.kind() == Crs::Kind::none;
+    const auto unit = (as_read ? input.crs : input.target_crs).horizontal_unit();
     return unit && unit->metres > 0 ? unit->metres : 1;
 }
 
@@ -49,24 +49,24 @@ LayerStyle reason_style(const char* title, const char* field, double label_scale
 
 }  // namespace
 
-void give_styles(std::vector<LayerSpec>& layers, const LayerPlaces& places, const Emission& emission,
+void give_styles(std::vector<LayerSpec>& layers, const LayerPlaces& places, const FeatureInput& input,
                  double vertical_metres) {
     if (places.buildings) {
-        LayerStyle& style = layers[*places.buildings].style = building_style(emission.options.write.fields);
+        LayerStyle& style = layers[*places.buildings].style = building_style(input.options.write.fields);
         // A block and the stack within it would stand in one place.
         if (!places.contours)
             style.top = "roof";
     }
     if (places.contours)
-        layers[*places.contours].style = contour_style(emission.options.outline.disjoint);
+        layers[*places.contours].style = contour_style(input.options.outline.disjoint);
     if (places.doubtful)
         layers[*places.doubtful].style = reason_style("May be buildings", "doubt", buildings_scale);
     if (places.rejected)
         layers[*places.rejected].style =
             reason_style("Dropped, filled or kept as traced", "reason", parts_scale);
     for (LayerSpec& layer : layers) {
-        layer.style.metre_scale = 1 / map_metres(emission);
-        layer.style.vertical_scale = vertical_metres / map_metres(emission);
+        layer.style.metre_scale = 1 / map_metres(input);
+        layer.style.vertical_scale = vertical_metres / map_metres(input);
     }
 }
 

@@ -15,18 +15,18 @@ std::string_view name_of(Reason reason) {
     return reason_names[static_cast<std::size_t>(reason)];
 }
 
-std::optional<Reason> reason_of(const Placed& placed) {
-    if (placed.status == OutlineStatus::kept_traced)
+std::optional<Reason> reason_of(const FeaturePolygon& made) {
+    if (made.status == OutlineStatus::kept_traced)
         return Reason::outline_kept_traced;
-    if (placed.status == OutlineStatus::repaired)
-        return placed.parts.empty() ? Reason::polygon_lost : Reason::polygon_repaired;
+    if (made.status == OutlineStatus::repaired)
+        return made.parts.empty() ? Reason::polygon_lost : Reason::polygon_repaired;
     return {};
 }
 
 }  // namespace
 
-void RejectedLayer::note(std::size_t contour, LayerRole role, std::int64_t id, const Placed& placed) {
-    const auto reason = reason_of(placed);
+void RejectedLayer::note(std::size_t contour, LayerRole role, std::int64_t id, const FeaturePolygon& made) {
+    const auto reason = reason_of(made);
     if (!reason)
         return;
     // The building and the contour of one place are one thing.
@@ -34,48 +34,48 @@ void RejectedLayer::note(std::size_t contour, LayerRole role, std::int64_t id, c
         changed_.back().record.reason != name_of(*reason)) {
         RejectedRecord record;
         record.reason = name_of(*reason);
-        record.level = emission_.contours.head(contour).key.level;
+        record.level = input_.contours.head(contour).key.level;
         changed_.push_back({contour, record});
     }
     RejectedRecord& record = changed_.back().record;
     (role == LayerRole::contours ? record.contour : record.building) = id;
 }
 
-RejectedLayer::Drawn RejectedLayer::draw(std::size_t i, Placer& placer) const {
-    const auto rejected = emission_.contours.rejected();
+RejectedLayer::Drawn RejectedLayer::draw(std::size_t i, PolygonMaker& maker) const {
+    const auto rejected = input_.contours.rejected();
     Drawn drawn;
     if (i < rejected.size()) {
         drawn.record.reason = name_of(rejected[i].reason);
         drawn.record.level = rejected[i].key.level;
-        drawn.placed = placer.as_traced(emission_.contours.fetch(rejected[i]));
+        drawn.made = maker.as_traced(input_.contours.fetch(rejected[i]));
     } else {
         const Changed& changed = changed_[i - rejected.size()];
         drawn.record = changed.record;
-        drawn.placed = placer.as_traced(traced_polygon(emission_.contours.fetch(changed.contour)));
+        drawn.made = maker.as_traced(traced_polygon(input_.contours.fetch(changed.contour)));
     }
-    drawn.record.area_m2 = drawn.placed.measure.area_m2;
-    drawn.record.perimeter_m = drawn.placed.measure.perimeter_m;
+    drawn.record.area_m2 = drawn.made.measure.area_m2;
+    drawn.record.perimeter_m = drawn.made.measure.perimeter_m;
     return drawn;
 }
 
-void RejectedLayer::write(std::vector<Placer>& placers, FeatureSink& sink, Context& context) const {
+void RejectedLayer::write(std::vector<PolygonMaker>& makers, FeatureSink& sink, Context& context) const {
     constexpr std::size_t piece = 64;
-    const std::size_t count = emission_.contours.rejected().size() + changed_.size();
+    const std::size_t count = input_.contours.rejected().size() + changed_.size();
     std::int64_t id = sink.first_id();
     context.threads->in_order((count + piece - 1) / piece,
                               [&](std::size_t k, std::size_t thread) {
                                   std::vector<Drawn> drawn;
                                   for (std::size_t i = k * piece; i < std::min(count, (k + 1) * piece); ++i)
-                                      drawn.push_back(draw(i, placers[thread]));
+                                      drawn.push_back(draw(i, makers[thread]));
                                   return drawn;
                               },
                               [&](std::size_t, std::vector<Drawn> drawn) {
                                   const StageClock clock(context.report, Stage::write);
                                   for (Drawn& one : drawn) {
                                       one.record.id = id++;
-                                      if (!one.placed.parts.empty())
+                                      if (!one.made.parts.empty())
                                           sink.add(layer_, {field_values(rejected_attributes(), one.record),
-                                                            std::move(one.placed.parts), 0});
+                                                            std::move(one.made.parts), 0});
                                   }
                               });
 }

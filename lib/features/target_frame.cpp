@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "core/georeference.hpp"
-#include "features/ring_carrier.hpp"
+#include "features/ring_transform.hpp"
 
 namespace d2b {
 namespace {
@@ -42,7 +42,7 @@ double longest_side(const WorldRing& frame) {
 
 /// Whether what lies within the frame comes to lie outside of it, as around the antipode of an azimuthal
 /// projection: small steps from a corner turn one way and the whole frame the other.
-bool is_inside_out(const WorldRing& frame, const WorldRing& image, RingCarrier& carrier) {
+bool is_inside_out(const WorldRing& frame, const WorldRing& image, RingTransform& transform) {
     constexpr double step = 1e-5;  // so little that curves look straight
     constexpr double flattest = 1e-6;
     const auto towards = [&](const Position& to) {
@@ -50,7 +50,7 @@ bool is_inside_out(const WorldRing& frame, const WorldRing& image, RingCarrier& 
     };
     const std::array<Position, 3> steps{frame[0], towards(frame[1]), towards(frame[3])};
     std::array<Position, 3> images = steps;
-    if (!carrier.carry_positions(images))
+    if (!transform.apply_to_positions(images))
         return false;
     const double turn = cross(images[0], images[1], images[2]);
     const double sides = std::hypot(images[1].x - images[0].x, images[1].y - images[0].y) *
@@ -92,17 +92,17 @@ Position require_whole_frame(const DemInfo& info, const Options& options, const 
     const WorldRing frame = frame_of(w, mode, georeference);
     constexpr double pieces = 64;  // of a side, to begin with
     const double longest = longest_side(frame) / pieces;
-    RingCarrier carrier(crs, target, frame, longest);
-    static_cast<void>(carrier.carry_positions({&middle, 1}));
+    RingTransform transform(crs, target, frame, longest);
+    static_cast<void>(transform.apply_to_positions({&middle, 1}));
     WorldRing image = frame;
     // A single point has no frame, and where there are no data there need not be an image.
     if (!(longest > 0))
         return middle;
-    const RingFate fate = carrier.carry(image);
+    const RingFate fate = transform.apply(image);
     if (fate == RingFate::without_image)
         return middle;
     const auto ground_m = length_on_ground(frame, crs);
-    if (fate == RingFate::torn || is_inside_out(frame, image, carrier) ||
+    if (fate == RingFate::torn || is_inside_out(frame, image, transform) ||
         (ground_m && is_overstretched(length_of(image), target, *ground_m)))
         throw torn_apart(info.name, spoken_name(target, options.outline.target_crs));
     return middle;

@@ -11,8 +11,6 @@
 namespace d2b::ground {
 namespace {
 
-using Mask = Grid<std::uint8_t>;
-
 /// From a block to one beside it.
 struct Neighbour {
     std::int32_t down;

@@ -9,8 +9,6 @@
 namespace d2b::ground {
 namespace {
 
-using Mask = Grid<std::uint8_t>;
-
 struct Place {
     std::int32_t row;
     std::int32_t col;

@@ -6,7 +6,7 @@
 
 #include "core/context.hpp"
 #include "dem2buildings/options.hpp"
-#include "levels/statistics.hpp"
+#include "elevations/statistics.hpp"
 
 namespace d2b {
 

@@ -12,10 +12,9 @@
 #include "core/stage_clock.hpp"
 #include "detect/detection.hpp"
 #include "detect/merge_strips.hpp"
+#include "detect/side_grids.hpp"
 #include "ground/ground.hpp"
-#include "pipeline/scene_look.hpp"
 #include "pipeline/scene_rasters.hpp"
-#include "pipeline/side_grids.hpp"
 
 namespace d2b {
 namespace {
@@ -200,12 +199,6 @@ void put_into(FoundBuildings& found, StripMerger::Merged&& merged, bool keep_dou
 }
 
 }  // namespace
-
-LabelBand FoundBuildings::band(const BandShape& shape, std::int32_t window_row) const {
-    LabelBand band{shape, std::vector<Label>(shape.size())};
-    labels.read(shape.first_row - window_row, shape.cols, band.labels);
-    return band;
-}
 
 FoundBuildings find_buildings(const Options& options, const Sources& sources, const Sinks& sinks,
                               ElevationReader& reader, const CellSize& cell, double metres, Context& context,

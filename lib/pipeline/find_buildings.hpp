@@ -5,11 +5,11 @@
 #include "attributes/records.hpp"
 #include "core/grid.hpp"
 #include "detect/label_rows.hpp"
+#include "detect/strips.hpp"
 #include "diagnose/ground_fit.hpp"
 #include "diagnose/side_doubt.hpp"
-#include "pipeline/elevation_reader.hpp"
+#include "elevations/elevation_reader.hpp"
 #include "pipeline/pipeline.hpp"
-#include "pipeline/strips.hpp"
 
 namespace d2b {
 
@@ -24,7 +24,9 @@ struct FoundBuildings {
 
     [[nodiscard]] Label count() const { return static_cast<Label>(footprints.size() - 1); }
     /// The labels of a band of the window. From any thread.
-    [[nodiscard]] LabelBand band(const BandShape& shape, std::int32_t window_row) const;
+    [[nodiscard]] LabelBand band(const BandShape& shape, std::int32_t window_row) const {
+        return labels.band(shape, window_row);
+    }
 };
 
 /// Estimates or reads the terrain, detects buildings above it, and writes the rasters that are asked for. A

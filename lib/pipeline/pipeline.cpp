@@ -14,18 +14,19 @@
 #include "core/stage_clock.hpp"
 #include "core/units.hpp"
 #include "diagnose/place_doubt.hpp"
-#include "features/emit.hpp"
+#include "diagnose/search_warnings.hpp"
+#include "diagnose/strange_values.hpp"
+#include "elevations/elevation_reader.hpp"
+#include "elevations/sift_rules.hpp"
 #include "features/layer_specs.hpp"
 #include "features/target_frame.hpp"
+#include "features/write_features.hpp"
 #include "levels/building_levels.hpp"
+#include "levels/clean_tiers.hpp"
 #include "options/preset.hpp"
-#include "pipeline/clean_tiers.hpp"
-#include "pipeline/elevation_reader.hpp"
 #include "pipeline/find_buildings.hpp"
 #include "pipeline/own_report.hpp"
 #include "pipeline/provenance.hpp"
-#include "pipeline/search_warnings.hpp"
-#include "pipeline/strange_values.hpp"
 #include "pipeline/trace_contours.hpp"
 
 namespace d2b {
@@ -114,12 +115,14 @@ void warn_of_coarse_cells(const Window& window, const SquareArea& area, const Cr
 /// What is an elevation, and the statistics of what is.
 ElevationStatistics collect_statistics(ElevationReader& reader, const Options& options, const DemInfo& info,
                                        Context& context) {
-    const SiftRules rules = sift_rules(options, info, context.report.units.vertical_metres);
+    // The thesis preset takes elevations as they are.
+    const SiftRules rules =
+        sift_rules(options.read, detects_buildings(options), info, context.report.units.vertical_metres);
     const ElevationSurvey survey = reader.survey(rules, [&](const ElevationBand& band) {
         context.progress(static_cast<double>(band.shape.first_row + band.shape.rows - info.window.row) /
                          info.window.rows);
     });
-    report_strange_values(survey.strange, survey.statistics.moments.n, info, options, context);
+    report_strange_values(survey.strange, survey.statistics.moments.n, info, options.read, context);
     return survey.statistics;
 }
 
@@ -226,7 +229,7 @@ void run(const Options& user_options, const Sources& sources, const Sinks& sinks
         });
         if (options.levels.detail > 0)
             clean =
-                clean_tiers(reader, *found,
+                clean_tiers(reader, found->labels, found->count(),
                             region_options(options.levels.detail, cell_steps(info.window, georeference, crs),
                                            report.units.vertical_metres),
                             info.window, context);
@@ -249,18 +252,18 @@ void run(const Options& user_options, const Sources& sources, const Sinks& sinks
         warn_of_search({info, options, report, found->fit, found->sides,
                         cell_steps(info.window, georeference, crs), crs.kind() != Crs::Kind::none},
                        found->buildings > 0, context);
-    const Emission emission{options,
-                            georeference,
-                            crs,
-                            target,
-                            *contours,
-                            make_provenance(options, info, crs, target, report),
-                            report.units.vertical,
-                            info.window,
-                            found ? found->buildings : std::numeric_limits<Label>::max(),
-                            cell_size_m(info.window, area),
-                            frame.fixed};
-    within(context, at.traced, at.drawn, [&] { emit(emission, records, sinks.features, context); });
+    const FeatureInput input{options,
+                             georeference,
+                             crs,
+                             target,
+                             *contours,
+                             make_provenance(options, info, crs, target, report),
+                             report.units.vertical,
+                             info.window,
+                             found ? found->buildings : std::numeric_limits<Label>::max(),
+                             cell_size_m(info.window, area),
+                             frame.fixed};
+    within(context, at.traced, at.drawn, [&] { write_features(input, records, sinks.features, context); });
     context.progress(at.drawn);
     const StageClock clock(report, Stage::write);
     for (RasterSink* raster : {sinks.ground, sinks.height, sinks.canopy})

@@ -5,7 +5,7 @@
 #include "dem2buildings/feature_sink.hpp"
 #include "dem2buildings/options.hpp"
 #include "dem2buildings/raster_sink.hpp"
-#include "pipeline/band_size.hpp"
+#include "elevations/band_size.hpp"
 
 namespace d2b {
 

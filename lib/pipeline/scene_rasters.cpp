@@ -1,11 +1,38 @@
 #include "pipeline/scene_rasters.hpp"
 
+#include <algorithm>
 #include <cmath>
-
-#include "pipeline/side_grids.hpp"
+#include <cstdint>
+#include <functional>
+#include <vector>
 
 namespace d2b {
 namespace {
+
+constexpr std::int32_t rows_at_once = 256;
+
+/// Rows of a grid.
+void write_grid(RasterSink& sink, const MetreGrid& grid, RowBand rows) {
+    for (std::int32_t r = rows.begin; r < rows.end; r += rows_at_once) {
+        const std::int32_t some = std::min(rows_at_once, rows.end - r);
+        sink.write(
+            some, {grid.row(r).data(), static_cast<std::size_t>(some) * static_cast<std::size_t>(grid.cols)});
+    }
+}
+
+/// The same, value(i) for each cell: i is its index in a grid of as many columns.
+void write_values(RasterSink& sink, RowBand rows, std::int32_t cols,
+                  const std::function<float(std::size_t i)>& value) {
+    std::vector<float> values;
+    std::size_t next = static_cast<std::size_t>(rows.begin) * static_cast<std::size_t>(cols);
+    for (std::int32_t r = rows.begin; r < rows.end; r += rows_at_once) {
+        const std::int32_t some = std::min(rows_at_once, rows.end - r);
+        values.resize(static_cast<std::size_t>(some) * static_cast<std::size_t>(cols));
+        for (float& each : values)
+            each = value(next++);
+        sink.write(some, values);
+    }
+}
 
 /// Heights above the ground; of the canopy 0 where no plant stands.
 class Heights {

@@ -3,9 +3,9 @@
 #include <memory>
 
 #include "dem2buildings/options.hpp"
+#include "elevations/elevation_reader.hpp"
 #include "filter/contour_store.hpp"
 #include "levels/clean_rows.hpp"
-#include "pipeline/elevation_reader.hpp"
 #include "pipeline/find_buildings.hpp"
 #include "trace/tracer.hpp"
 

@@ -5,11 +5,11 @@
 
 #include "core/square_area.hpp"
 #include "detect/one_label.hpp"
+#include "elevations/elevation_reader.hpp"
 #include "features/target_frame.hpp"
 #include "levels/building_levels.hpp"
 #include "levels/quantise.hpp"
 #include "options/preset.hpp"
-#include "pipeline/elevation_reader.hpp"
 #include "pipeline/pipeline.hpp"
 #include "read/gdal_dem_source.hpp"
 #include "support/memory_io.hpp"

@@ -6,7 +6,7 @@
 
 #include "attributes/records.hpp"
 #include "detect/detection.hpp"
-#include "features/placer.hpp"
+#include "features/polygon_maker.hpp"
 #include "ground/ground.hpp"
 #include "pipeline/pipeline.hpp"
 #include "prepared_run.hpp"

@@ -1,4 +1,4 @@
-#include "pipeline/strips.hpp"
+#include "detect/strips.hpp"
 
 #include <map>
 

@@ -7,7 +7,7 @@
 #include "core/crs.hpp"
 #include "core/units.hpp"
 #include "core/version.hpp"
-#include "pipeline/strange_values.hpp"
+#include "elevations/sift_rules.hpp"
 #include "read/side_rasters.hpp"
 #include "write/geotiff_sink.hpp"
 

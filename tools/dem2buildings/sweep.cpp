@@ -59,14 +59,14 @@ std::string sweep_json(const std::vector<Trial>& trials) {
 std::vector<Trial> run_sweep(const Options& options, const Sources& sources, const SweepPlan& plan,
                              Context& context) {
     if (options.write.preview.empty())
-        return sweep(options, sources, plan, {}, context);
+        return run_trials(options, sources, plan, {}, context);
     constexpr int sheet_width = 2400;
     constexpr int least = 160;
     constexpr int most = 800;
     const std::unique_ptr<PictureFile> file = open_picture(picture_target(options), context);
     const int columns = static_cast<int>(std::max<std::size_t>(plan.noise_factors.size(), 1));
     std::vector<Image> pictures;
-    std::vector<Trial> trials = sweep(
+    std::vector<Trial> trials = run_trials(
         options, sources, plan,
         [&](FeatureSink& nothing, DemSource& dem, const Context& of_trial, int lod, int noise_factor) {
             PreviewLook look = look_of(options, dem.info(),

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/sweep.hpp"
+#include "pipeline/trials.hpp"
 
 namespace d2b {
 

@@ -1,0 +1,35 @@
+#include "diagnose/search_warnings.hpp"
+
+#include <string>
+
+#include "diagnose/ground_doubt.hpp"
+#include "diagnose/place_doubt.hpp"
+#include "diagnose/words.hpp"
+
+namespace d2b {
+namespace {
+
+void warn_of(const std::string& cause, Context& context) {
+    if (!cause.empty())
+        context.warn(as_sentence(cause));
+}
+
+}  // namespace
+
+void warn_of_search(const Search& search, bool found_any, Context& context) {
+    const RunReport& report = context.report;
+    if (report.valid_points == 0)
+        return;
+    warn_of(ndvi_doubt(search.sides, search.options), context);
+    if (!found_any) {
+        if (report.minimum != report.maximum)
+            context.warn("No building was found: " + why_nothing_was_found(search) + ".");
+        return;
+    }
+    if (search.dem.bytes && search.dem.bands >= 3)
+        warn_of(picture_doubt(search.dem), context);
+    const std::string ground = ground_doubt(search.fit, search.options.ground);
+    warn_of(ground.empty() ? surface_doubt(search.fit, search.dem.name) : ground, context);
+}
+
+}  // namespace d2b

@@ -1,0 +1,125 @@
+#include "diagnose/strange_values.hpp"
+
+#include <string>
+
+#include "core/number_text.hpp"
+#include "dem2buildings/error.hpp"
+
+namespace d2b {
+namespace {
+
+/// A value as -snodata wants it: before scale and offset.
+std::string stored_text(double elevation, const DemInfo& info) {
+    return value_text(stored_value(elevation, info.scale, info.offset));
+}
+
+class Strange {
+  public:
+    Strange(const DemInfo& info, const ReadOptions& options, Context& context)
+        : info_(info), options_(options), context_(context), name_("'" + info.name + "'") {}
+
+    void refuse_most(const ValueCounts& outside, std::int64_t valid) const;
+    void warn_of_outside(const ValueCounts& outside) const;
+    void warn_of_spikes(const ValueCounts& spikes) const;
+    void warn_of_shared(const StrangeValues& strange, std::int64_t cells) const;
+    void warn_of_set_aside(std::int64_t cells) const;
+
+  private:
+    /// "none on land, which lies between -500 and 9000 m"
+    [[nodiscard]] std::string not_in_range() const;
+    /// What to do where a value stands for no data.
+    [[nodiscard]] std::string nodata_advice(double elevation) const;
+    [[nodiscard]] bool is_own_nodata(double elevation) const { return info_.set_aside_nodata == elevation; }
+
+    const DemInfo& info_;
+    const ReadOptions& options_;
+    Context& context_;
+    std::string name_;
+};
+
+std::string Strange::not_in_range() const {
+    if (const auto& range = options_.elevation_range)
+        return "outside of -zrange " + number_text((*range)[0]) + " " + number_text((*range)[1]);
+    std::string text =
+        "not on land, between " + number_text(on_land.lowest) + " and " + number_text(on_land.highest) + " m";
+    if (const UnitReport& units = context_.report.units; units.vertical_metres != 1)
+        text += ", in the unit " + units.vertical;
+    return text;
+}
+
+std::string Strange::nodata_advice(double elevation) const {
+    if (is_own_nodata(elevation))
+        return std::string("it is the NoData value that the file declares, so leave out ") +
+               (options_.ignore_nodata ? "-inodata" : "-snodata");
+    return "if " + value_text(elevation) + " stands for no data, give -snodata " +
+           stored_text(elevation, info_);
+}
+
+void Strange::refuse_most(const ValueCounts& outside, std::int64_t valid) const {
+    if (outside.cells() <= valid)
+        return;
+    const auto most = outside.most();
+    throw InputError(
+        outside.text(name_) + ", which is " + not_in_range() +
+        ", and these are more than half of all; give the unit of the elevations with -zunit, the "
+        "range in which they lie with -zrange" +
+        (most ? ", or what stands for no data with -snodata " + stored_text(most->value, info_) : "") + ".");
+}
+
+void Strange::warn_of_outside(const ValueCounts& outside) const {
+    if (outside.cells() == 0)
+        return;
+    const auto most = outside.most();
+    std::string advice = "give the range of elevations with -zrange";
+    if (most)
+        advice = nodata_advice(most->value) +
+                 (is_own_nodata(most->value) ? "" : ", and if not, the range with -zrange");
+    context_.warn(outside.text(name_) + ", which is " + not_in_range() + ", and " +
+                  (outside.cells() == 1 ? "is" : "are") + " taken for no data; " + advice + ".");
+}
+
+void Strange::warn_of_spikes(const ValueCounts& spikes) const {
+    if (spikes.cells() == 0)
+        return;
+    const auto most = spikes.most();
+    context_.warn(spikes.text(name_) + ", more than " + number_text(spikes_m.no_elevation) +
+                  " m above all cells around, and " + (spikes.cells() == 1 ? "is" : "are") +
+                  " taken for no data" + (most ? "; " + nodata_advice(most->value) : "") + ".");
+}
+
+void Strange::warn_of_shared(const StrangeValues& strange, std::int64_t cells) const {
+    for (const auto& [value, sharing] : strange.bins.shared(cells))
+        if (info_.set_aside_nodata != value)
+            context_.warn(cells_have(sharing, name_) + "the elevation " + value_text(value) + ", more than " +
+                          number_text(ValueBins::apart_m) + " m from any other; " + nodata_advice(value) +
+                          ".");
+}
+
+void Strange::warn_of_set_aside(std::int64_t cells) const {
+    if (cells == 0 || options_.ignore_nodata || !info_.set_aside_nodata)
+        return;
+    const std::string value = value_text(*info_.set_aside_nodata);
+    context_.warn(
+        cells_have(cells, name_) + "the elevation " + value +
+        ", the NoData value that the file declares and that -snodata takes the place of; if it stands for no "
+        "data, leave out -snodata.");
+}
+
+}  // namespace
+
+void report_strange_values(const StrangeValues& strange, std::int64_t valid, const DemInfo& info,
+                           const ReadOptions& options, Context& context) {
+    RunReport& report = context.report;
+    report.count(Reason::elevation_outside_range, strange.outside.cells());
+    report.count(Reason::elevation_above_neighbours, strange.spikes.cells());
+    report.count(Reason::elevation_not_roof, strange.spires);
+    const Strange of(info, options, context);
+    const std::int64_t within = valid + strange.spikes.cells();
+    of.refuse_most(strange.outside, within);
+    of.warn_of_outside(strange.outside);
+    of.warn_of_set_aside(strange.set_aside_nodata);
+    of.warn_of_spikes(strange.spikes);
+    of.warn_of_shared(strange, within);
+}
+
+}  // namespace d2b

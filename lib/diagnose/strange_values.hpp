@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/context.hpp"
+#include "dem2buildings/dem_info.hpp"
+#include "dem2buildings/options.hpp"
+#include "elevations/sift.hpp"
+
+namespace d2b {
+
+/// Counts what is no elevation in the report, and warns of it and of what may be none: the value, how many
+/// cells have it, and the option that helps.
+/// @param valid cells that have an elevation
+/// @throws InputError where more than half of all values are none
+void report_strange_values(const StrangeValues& strange, std::int64_t valid, const DemInfo& info,
+                           const ReadOptions& options, Context& context);
+
+}  // namespace d2b

@@ -1,0 +1,214 @@
+#include "elevations/elevation_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/stage_clock.hpp"
+
+namespace d2b {
+namespace {
+
+constexpr std::int32_t usual_block_rows = 64;
+constexpr std::int64_t most_points_a_band = 1 << 21;
+// A thread. Less than three bands let threads wait for each other where one takes longer than the next.
+constexpr std::int64_t points_ahead = 1 << 21;
+
+std::int32_t band_rows(const DemInfo& info, std::int64_t points_a_band) {
+    const std::int32_t cols = std::max(info.window.cols, 1);
+    std::int32_t block = usual_block_rows;
+    if (info.block_rows > block && std::int64_t{info.block_rows} * cols <= most_points_a_band)
+        block = info.block_rows;
+    const std::int64_t rows = points_a_band / cols / block * block;
+    return static_cast<std::int32_t>(std::clamp<std::int64_t>(rows, block, std::max(block, 1 << 16)));
+}
+
+std::vector<BandShape> shapes_of(const Window& window, std::int32_t rows_a_band) {
+    std::vector<BandShape> shapes;
+    const std::int32_t end = window.row + window.rows;
+    for (std::int32_t row = window.row; row < end;) {
+        const std::int64_t border = (std::int64_t{row} / rows_a_band + 1) * rows_a_band;
+        const auto next = static_cast<std::int32_t>(std::min<std::int64_t>(end, border));
+        shapes.push_back({row, next - row, window.cols});
+        row = next;
+    }
+    return shapes;
+}
+
+/// Spikes wait outside of their band until the rows beyond it have been seen.
+class Withheld {
+  public:
+    Withheld(ElevationBand& band, const std::vector<Spike>& spikes) : band_(band), spikes_(spikes) {
+        for (const Spike& spike : spikes_)
+            at(spike) = std::numeric_limits<double>::quiet_NaN();
+    }
+    Withheld(const Withheld&) = delete;
+    Withheld& operator=(const Withheld&) = delete;
+    ~Withheld() {
+        for (const Spike& spike : spikes_)
+            at(spike) = spike.elevation;
+    }
+
+  private:
+    [[nodiscard]] double& at(const Spike& spike) {
+        return band_
+            .elevations[static_cast<std::size_t>(spike.row) * static_cast<std::size_t>(band_.shape.cols) +
+                        static_cast<std::size_t>(spike.col)];
+    }
+
+    ElevationBand& band_;
+    const std::vector<Spike>& spikes_;
+};
+
+}  // namespace
+
+ElevationReader::ElevationReader(DemSource& source, Context& context, const BandSize& size)
+    : source_(source), context_(context), keep_bytes_(size.keep_bytes) {
+    const Window& window = source.info().window;
+    const std::size_t points = static_cast<std::size_t>(window.rows) * static_cast<std::size_t>(window.cols);
+    const std::int32_t rows = band_rows(source.info(), size.points);
+    keep_ = points <= keep_bytes_ / sizeof(float);
+    ahead_ = static_cast<std::size_t>(
+        std::clamp<std::int64_t>(points_ahead / (std::int64_t{rows} * std::max(window.cols, 1)), 3, 8));
+    shapes_ = shapes_of(window, rows);
+    if (keep_)
+        kept_.resize(shapes_.size());
+}
+
+ElevationBand ElevationReader::get(std::size_t i, const BandShape& part, Tally& tally) {
+    const StageClock clock(tally, Stage::read);
+    ElevationBand band{part, {}};
+    const auto take = [&](const auto& kept) {
+        const auto first = static_cast<std::ptrdiff_t>(part.first_row - shapes_[i].first_row) * part.cols;
+        const auto begin = kept.begin() + first;
+        band.elevations.assign(begin, begin + static_cast<std::ptrdiff_t>(part.size()));
+    };
+    if (complete_ && kept_[i].narrow.empty()) {
+        take(kept_[i].wide);
+    } else if (complete_) {
+        take(kept_[i].narrow);
+    } else {
+        band = read(part);
+        limit(band.elevations, rules_.limits);
+    }
+    if (decided_)
+        decided_->apply(i, part.first_row - shapes_[i].first_row, band);
+    return band;
+}
+
+ElevationBand ElevationReader::read(const BandShape& part) {
+    ElevationBand band{part, {}};
+    band.elevations.resize(part.size());
+    source_.read(part.first_row, part.rows, band.elevations);
+    return band;
+}
+
+/// All of them are rows of the band above: only the first band and the last may have fewer than a halo's
+/// most.
+ElevationBand ElevationReader::get_above(std::size_t i, std::int32_t halo, Tally& tally) {
+    const BandShape& band = shapes_[i];
+    const std::int32_t rows = std::min(halo, band.first_row - shapes_.front().first_row);
+    const BandShape above{band.first_row - rows, rows, band.cols};
+    return rows > 0 ? get(i - 1, above, tally) : ElevationBand{above, {}};
+}
+
+ElevationSurvey ElevationReader::survey(const SiftRules& rules,
+                                        const std::function<void(const ElevationBand&)>& done) {
+    struct Seen {
+        StrangeValues strange;
+        ElevationStatistics statistics;
+        std::vector<Spike> spikes;
+    };
+    rules_ = rules;
+    decided_.emplace(context_.make_spool());
+    ElevationSurvey survey{{}, StrangeValues(rules)};
+    SpikeSeams seams;
+    std::size_t band_number = 0;
+    pass(
+        [this](std::size_t i, Tally& tally) {
+            const StageClock clock(tally, Stage::read);
+            return read(shapes_[i]);
+        },
+        [&](std::size_t, ElevationBand& band, Tally& tally) {
+            const StageClock clock(tally, Stage::levels);
+            Seen seen{StrangeValues(rules), {}, {}};
+            const std::vector<Stretch> steep = sift(band, rules, seen.strange);
+            seen.spikes = find_spikes(band, steep, rules.spikes);
+            const Withheld withheld(band, seen.spikes);
+            seen.statistics.add(band);
+            return seen;
+        },
+        [&](const ElevationBand& band, Seen seen) {
+            survey.statistics.merge(seen.statistics);
+            survey.strange.merge(seen.strange);
+            const std::vector<Spike> before = seams.add(band, std::move(seen.spikes));
+            if (band_number++ > 0)
+                settle(before, survey);
+            done(band);
+        });
+    settle(seams.finish(), survey);
+    return survey;
+}
+
+void ElevationReader::settle(const std::vector<Spike>& spikes, ElevationSurvey& survey) {
+    BandCells::Cells cells;
+    for (const Spike& spike : spikes) {
+        const std::size_t index =
+            static_cast<std::size_t>(spike.row) * static_cast<std::size_t>(source_.info().window.cols) +
+            static_cast<std::size_t>(spike.col);
+        if (!spike.stands_alone() && spike.above(rules_.spikes.no_elevation)) {
+            survey.strange.spikes.add(spike.elevation);
+            cells.invalid.push_back(index);
+            continue;
+        }
+        survey.statistics.add(spike.elevation);
+        if (!spike.stands_alone() && spike.above(rules_.spikes.no_roof)) {
+            ++survey.strange.spires;
+            cells.spires.push_back(index);
+        }
+    }
+    decided_->append(cells);
+}
+
+ElevationReader::Kept ElevationReader::keep(const ElevationBand& band) {
+    Kept kept;
+    kept.narrow.resize(band.elevations.size());
+    bool lossless = true;
+    for (std::size_t i = 0; i < kept.narrow.size(); ++i) {
+        const double z = band.elevations[i];
+        kept.narrow[i] = static_cast<float>(z);
+        lossless = lossless && (static_cast<double>(kept.narrow[i]) == z || std::isnan(z));
+    }
+    if (!lossless)
+        kept = {{}, band.elevations};
+    return kept;
+}
+
+void ElevationReader::put(std::size_t i, Kept&& kept) {
+    if (!keep_)
+        return;
+    kept_bytes_ += kept.bytes();
+    kept_[i] = std::move(kept);
+    if (kept_bytes_ <= keep_bytes_)
+        return;
+    keep_ = false;
+    kept_ = {};
+}
+
+void ElevationReader::for_each(const std::function<void(const ElevationBand&)>& use) {
+    for_each([](const ElevationBand&, Tally&) { return 0; },
+             [&](const ElevationBand& band, int) { use(band); });
+}
+
+void ElevationReader::for_rows(std::int32_t first_row, std::int32_t end_row,
+                               const std::function<void(const ElevationBand&)>& use) {
+    std::vector<std::size_t> some;
+    for (std::size_t i = 0; i < shapes_.size(); ++i)
+        if (shapes_[i].first_row < end_row && shapes_[i].first_row + shapes_[i].rows > first_row)
+            some.push_back(i);
+    std::vector<Tally> tallies(some.size());
+    const Merger merger{tallies, context_.report};
+    context_.threads->for_each(some.size(), [&](std::size_t i) { use(get(some[i], tallies[i])); });
+}
+
+}  // namespace d2b

@@ -1,0 +1,144 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "core/band.hpp"
+#include "core/context.hpp"
+#include "dem2buildings/dem_source.hpp"
+#include "elevations/band_cells.hpp"
+#include "elevations/band_size.hpp"
+#include "elevations/sift.hpp"
+#include "elevations/statistics.hpp"
+
+namespace d2b {
+
+/// What the first pass has seen.
+struct ElevationSurvey {
+    ElevationStatistics statistics;  ///< of what is valid
+    StrangeValues strange;
+};
+
+/// Bands of rows of a source, more than once: kept after the first pass where they fit in memory, else read
+/// again. Bands lie on the absolute grid: their borders do not depend on the window. They are read ahead, on
+/// all threads. What is no elevation is decided in the first pass, and is NaN in all of them.
+class ElevationReader {
+  public:
+    ElevationReader(DemSource& source, Context& context, const BandSize& size = {});
+
+    [[nodiscard]] std::size_t bands() const { return shapes_.size(); }
+
+    /// The first pass, without which every value is an elevation.
+    /// @param done called for each band, from the first row to the last, on this thread
+    [[nodiscard]] ElevationSurvey survey(const SiftRules& rules,
+                                         const std::function<void(const ElevationBand&)>& done);
+
+    /// Calls use(band, prepare(band, tally)) for each band, from the first row to the last: `prepare` on any
+    /// thread, `use` on the caller's. @throws InputError, and what these throw
+    template <typename Prepare, typename Use>
+    void for_each(const Prepare& prepare, const Use& use) {
+        for_each_below(
+            0, [&](ElevationBand&&, const ElevationBand& band, Tally& tally) { return prepare(band, tally); },
+            use);
+    }
+    /// The same with a halo, prepare(above, band, tally): the rows above the band, which its thread gets
+    /// itself and waits for no other. @param halo so many rows, at most 64; fewer where the window begins
+    template <typename Prepare, typename Use>
+    void for_each_below(std::int32_t halo, const Prepare& prepare, const Use& use) {
+        pass([this](std::size_t i, Tally& tally) { return get(i, tally); },
+             [&](std::size_t i, const ElevationBand& band, Tally& tally) {
+                 // After the band: whoever reads the one above has decoded these rows by now.
+                 return prepare(get_above(i, halo, tally), band, tally);
+             },
+             use);
+    }
+    /// Calls `use` for each band, from the first row to the last, on this thread.
+    void for_each(const std::function<void(const ElevationBand&)>& use);
+    /// Calls `use` for each band that has some of these rows, on any thread and in any order.
+    /// @param end_row exclusive
+    void for_rows(std::int32_t first_row, std::int32_t end_row,
+                  const std::function<void(const ElevationBand&)>& use);
+
+  private:
+    /// The elevations of a band: as they are, or where nothing is lost by it in half of the room.
+    struct Kept {
+        std::vector<float> narrow;
+        std::vector<double> wide;
+        [[nodiscard]] std::size_t bytes() const {
+            return narrow.size() * sizeof(float) + wide.size() * sizeof(double);
+        }
+    };
+    /// Also where something is thrown.
+    struct Merger {
+        const std::vector<Tally>& tallies;
+        RunReport& report;
+        ~Merger() {
+            for (const Tally& tally : tallies)
+                report.merge(tally);
+        }
+    };
+    /// As for_each(), where fetch(i, tally) gives the band, and prepare(i, band, tally) may change it before
+    /// it is kept.
+    template <typename Fetch, typename Prepare, typename Use>
+    void pass(const Fetch& fetch, const Prepare& prepare, const Use& use) {
+        using Prepared = std::decay_t<decltype(prepare(std::size_t{}, std::declval<ElevationBand&>(),
+                                                       std::declval<Tally&>()))>;
+        struct Made {
+            ElevationBand band;
+            std::optional<Kept> kept;
+            Prepared prepared;
+        };
+        std::vector<Tally> tallies(static_cast<std::size_t>(context_.threads->threads()));
+        const Merger merger{tallies, context_.report};
+        const bool keeping = keep_ && !complete_;
+        kept_bytes_ = complete_ ? kept_bytes_ : 0;
+        context_.threads->in_order(
+            bands(),
+            [&](std::size_t i, std::size_t thread) {
+                // `prepare` may refer to the band's values, which stay where they are when it is moved.
+                ElevationBand band = fetch(i, tallies[thread]);
+                Prepared prepared = prepare(i, band, tallies[thread]);
+                std::optional<Kept> kept;
+                if (keeping)
+                    kept = keep(band);
+                return Made{std::move(band), std::move(kept), std::move(prepared)};
+            },
+            [&](std::size_t i, Made made) {
+                use(made.band, std::move(made.prepared));
+                if (made.kept)
+                    put(i, std::move(*made.kept));
+            },
+            ahead_);
+        complete_ = keep_;
+    }
+    /// What is in the source. @throws InputError
+    [[nodiscard]] ElevationBand read(const BandShape& part);
+    /// What of it is valid. @throws InputError
+    [[nodiscard]] ElevationBand get(std::size_t i, Tally& tally) { return get(i, shapes_[i], tally); }
+    [[nodiscard]] ElevationBand get_above(std::size_t i, std::int32_t halo, Tally& tally);
+    /// @param part rows of band i
+    [[nodiscard]] ElevationBand get(std::size_t i, const BandShape& part, Tally& tally);
+    /// @param spikes of the next band, all of whose neighbours have been seen
+    void settle(const std::vector<Spike>& spikes, ElevationSurvey& survey);
+    [[nodiscard]] static Kept keep(const ElevationBand& band);
+    void put(std::size_t i, Kept&& kept);
+
+    DemSource& source_;
+    Context& context_;
+    std::size_t keep_bytes_;
+    std::size_t kept_bytes_ = 0;
+    bool keep_;
+    bool complete_ = false;  ///< all bands are kept
+    std::size_t ahead_ = 1;  ///< bands a thread that are read ahead
+    std::vector<BandShape> shapes_;
+    std::vector<Kept> kept_;
+    SiftRules rules_;
+    std::optional<BandCells> decided_;  ///< spikes of the bands
+};
+
+}  // namespace d2b

@@ -1,0 +1,34 @@
+#include "elevations/statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace d2b {
+
+void ElevationStatistics::add(const ElevationBand& band) {
+    for (const double z : band.elevations)
+        if (!std::isnan(z))
+            add(z);
+}
+
+void ElevationStatistics::add(double elevation) {
+    moments.add(elevation);
+    minimum = std::min(minimum, elevation);
+    maximum = std::max(maximum, elevation);
+}
+
+void ElevationStatistics::merge(const ElevationStatistics& other) {
+    moments.merge(other.moments);
+    minimum = std::min(minimum, other.minimum);
+    maximum = std::max(maximum, other.maximum);
+}
+
+ElevationRange ElevationStatistics::range() const {
+    return moments.n > 0 ? ElevationRange{minimum, maximum} : ElevationRange{};
+}
+
+FixedPoint ElevationStatistics::fixed_point() const {
+    return FixedPoint(moments.n > 0 ? std::max(std::abs(minimum), std::abs(maximum)) : 0.0);
+}
+
+}  // namespace d2b

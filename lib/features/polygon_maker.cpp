@@ -1,0 +1,194 @@
+#include "features/polygon_maker.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/square_area.hpp"
+#include "core/stage_clock.hpp"
+#include "dem2buildings/error.hpp"
+#include "features/draw_valid.hpp"
+#include "features/target_frame.hpp"
+
+namespace d2b {
+namespace {
+
+std::vector<Position> corners_of(const Window& window, const Georeference& georeference) {
+    std::vector<Position> corners;
+    for (const std::int32_t row : {window.row, window.row + window.rows})
+        for (const std::int32_t col : {window.col, window.col + window.cols})
+            corners.push_back(georeference.position(LatticePoint{row, col}));
+    return corners;
+}
+
+/// The longest edge that is brought to another CRS in one piece: straight lines bend there, by L^2 / 8R or
+/// so, which is far below a cell for these. No edge gets more pieces than it passes cells.
+double longest_edge(const Georeference& georeference) {
+    constexpr double cells = 64;
+    const Position row = georeference.step(1, 0);
+    const Position col = georeference.step(0, 1);
+    return std::max(
+        {cells * std::sqrt(georeference.cell_area()), std::hypot(row.x, row.y), std::hypot(col.x, col.y)});
+}
+
+Geodesy::Measure measure(Geodesy& geodesy, const std::vector<WorldPolygon>& parts) {
+    Geodesy::Measure sum;
+    for (const WorldPolygon& part : parts) {
+        const Geodesy::Measure one = geodesy.polygon(part);
+        sum.area_m2 += one.area_m2;
+        sum.perimeter_m += one.perimeter_m;
+    }
+    return sum;
+}
+
+}  // namespace
+
+std::int64_t vertices_of(const std::vector<WorldPolygon>& parts) {
+    std::size_t sum = 0;
+    for (const WorldPolygon& part : parts) {
+        sum += part.exterior.size();
+        for (const WorldRing& ring : part.interiors)
+            sum += ring.size();
+    }
+    return static_cast<std::int64_t>(sum);
+}
+
+Outliner make_outliner(const ContourList& contours, const OutlineOptions& options,
+                       const Georeference& georeference, const Crs& crs, const Window& window,
+                       Context& context) {
+    return {contours,     choose_drawing(options, georeference), options,
+            georeference, x_stretch(georeference, crs, window),  context};
+}
+
+PolygonMaker::PolygonMaker(const PolygonTerms& terms)
+    : terms_(terms), geos_(terms.stop), geodesy_(terms.crs, terms.stop) {
+    if (terms.target_crs.kind() == Crs::Kind::none)
+        return;
+    to_target_.emplace(terms.crs, terms.target_crs, corners_of(terms.window, terms.georeference),
+                       longest_edge(terms.georeference), terms.stop);
+}
+
+PolygonMaker::Parts PolygonMaker::shape(std::size_t contour, bool tier, const Draw& draw) {
+    std::vector<FinePolygon> polygons{draw(contour)};
+    if (tier) {
+        std::vector<FinePolygon> children;
+        for (const std::size_t child : terms_.children.of(contour))
+            children.push_back(draw(child));
+        polygons = geos_.difference(polygons.front(), children);
+    }
+    Parts parts;
+    for (const FinePolygon& polygon : polygons)
+        parts.push_back(terms_.georeference.polygon(polygon));
+    if (!terms_.options.arcs)
+        for (WorldPolygon& part : parts)
+            part.arcs.clear();
+    return parts;
+}
+
+/// Where GEOS cannot take away what stands on a contour, the whole of it.
+PolygonMaker::Parts PolygonMaker::traced_shape(std::size_t contour, bool tier) {
+    const Draw draw = [&](std::size_t c) { return terms_.outliner.traced(c); };
+    try {
+        return shape(contour, tier, draw);
+    } catch (const GeometryError&) {
+        return shape(contour, false, draw);
+    }
+}
+
+/// Nothing where they are torn.
+PolygonMaker::Parts PolygonMaker::in_target_crs(Parts parts) {
+    if (!to_target_)
+        return parts;
+    const double ground_m = measure(geodesy_, parts).perimeter_m;
+    double length = 0;
+    const auto carry = [&](WorldRing& ring) {
+        torn_ = torn_ || to_target_->apply(ring) != RingFate::whole;
+        length += length_of(ring);
+    };
+    for (WorldPolygon& part : parts) {
+        part.arcs.clear();  // a circle of one CRS is none in another
+        carry(part.exterior);
+        for (WorldRing& ring : part.interiors)
+            carry(ring);
+    }
+    torn_ = torn_ || is_overstretched(length, terms_.target_crs, ground_m);
+    return torn_ ? Parts() : parts;
+}
+
+/// An outline that stands as it was traced, on exact positions, is valid (docs/method.md). GEOS would need a
+/// fifth of a run to find that, and for vast ones the product of their vertices and their holes.
+bool PolygonMaker::is_valid_as_traced(const FeaturePolygon& made, Form form) const {
+    return made.status == OutlineStatus::traced && form != Form::tier && !to_target_ &&
+           terms_.georeference.is_exact(terms_.window);
+}
+
+FeaturePolygon PolygonMaker::as_traced(const LatticePolygon& polygon) {
+    FeaturePolygon made;
+    const StageClock clock(tally_, Stage::outline);
+    torn_ = false;
+    const Parts parts{terms_.georeference.polygon(polygon)};
+    made.measure = measure(geodesy_, parts);
+    const auto drawn = [&] { return in_target_crs(parts); };
+    Tally uncounted;  // what was dropped already was
+    made.parts = draw_valid(drawn, drawn, geos_, made.status, uncounted).parts;
+    return made;
+}
+
+FeaturePolygon PolygonMaker::make(std::size_t contour, Form form) {
+    const Outliner& outliner = terms_.outliner;
+    const OutlineQuality quality =
+        form == Form::footprint ? outliner.footprint_quality(contour) : outliner.quality(contour);
+    FeaturePolygon made;
+    torn_ = false;
+    made.status = quality.status;
+    if (quality.status == OutlineStatus::kept_traced)
+        tally_.count(Reason::outline_kept_traced);
+    made.deviation = quality.deviation_cells * std::sqrt(terms_.georeference.cell_area());
+    made.area_change = quality.area_change;
+    made.kept_traced = quality.kept_traced;
+    const bool tier = form == Form::tier;
+    Parts parts;
+    {
+        const StageClock clock(tally_, Stage::outline);
+        const auto drawn = [&] {
+            parts = shape(contour, tier, [&](std::size_t c) {
+                return form == Form::footprint ? outliner.footprint(c) : outliner.outline(c);
+            });
+            return in_target_crs(parts);
+        };
+        const auto traced = [&] {
+            parts = traced_shape(contour, tier);
+            return in_target_crs(parts);
+        };
+        if (is_valid_as_traced(made, form)) {
+            made.parts = drawn();
+        } else {
+            ValidParts found = draw_valid(drawn, traced, geos_, made.status, tally_);
+            made.parts = std::move(found.parts);
+            made.trouble = std::move(found.trouble);
+            if (made.status == OutlineStatus::kept_traced && !made.trouble.empty())
+                made.kept_traced = 1;
+        }
+    }
+    made.torn = torn_;
+    if (made.torn)
+        tally_.count(Reason::outline_torn);
+    const StageClock clock(tally_, Stage::attributes);
+    made.measure = measured(made, parts);
+    return made;
+}
+
+/// In the CRS of the DEM, where edges are straight: what GEOS repairs in that of the output says nothing of
+/// the ground.
+Geodesy::Measure PolygonMaker::measured(const FeaturePolygon& made, const Parts& drawn) {
+    if (made.status != OutlineStatus::repaired)
+        return measure(geodesy_, drawn);
+    if (!to_target_)
+        return measure(geodesy_, made.parts);
+    const auto as_drawn = [&] { return drawn; };
+    OutlineStatus status = OutlineStatus::traced;
+    Tally uncounted;  // what was repaired already was
+    return measure(geodesy_, draw_valid(as_drawn, as_drawn, geos_, status, uncounted).parts);
+}
+
+}  // namespace d2b

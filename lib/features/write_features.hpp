@@ -1,0 +1,32 @@
+#pragma once
+
+#include "attributes/records.hpp"
+#include "core/crs.hpp"
+#include "core/georeference.hpp"
+#include "dem2buildings/feature_sink.hpp"
+#include "filter/contour_store.hpp"
+#include "geometry/geos.hpp"
+
+namespace d2b {
+
+/// What the outlines of a run need on their way to the sink.
+struct FeatureInput {
+    const Options& options;
+    const Georeference& georeference;
+    const Crs& crs;
+    const Crs& target_crs;  ///< kind none: the DEM's
+    const StoredContours& contours;
+    Provenance provenance;
+    std::string vertical_unit;
+    Window window;
+    Label buildings;     ///< labels above are doubtful
+    double cell_size_m;  ///< side of a square of a cell's area
+    FixedPoint fixed;
+};
+
+/// Draws every outline, places it, has it checked, measures it, and hands it to the sink with its attributes,
+/// in the order of the contours. What was found is added to the report. The sink is not finished.
+/// @param records are numbered as the sink says @throws Error
+void write_features(const FeatureInput& input, RecordMaker& records, FeatureSink& sink, Context& context);
+
+}  // namespace d2b

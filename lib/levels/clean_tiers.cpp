@@ -1,0 +1,138 @@
+#include "levels/clean_tiers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "core/stage_clock.hpp"
+
+namespace d2b {
+namespace {
+
+/// Rows are gathered by so many at a time: some bands for each thread.
+constexpr std::int64_t points_at_once = std::int64_t{1} << 23;
+
+/// The buildings' cells of some rows, in scan order.
+struct GatheredRows {
+    std::vector<std::pair<Label, BuildingCells::Run>> runs;
+    std::vector<double> elevations;
+};
+
+GatheredRows gather(const ElevationBand& band, const LabelBand& labels, RowBand rows) {
+    GatheredRows gathered;
+    for (std::int32_t row = std::max(rows.begin, band.shape.first_row);
+         row < std::min(rows.end, band.shape.first_row + band.shape.rows); ++row) {
+        const auto elevations = band.row(row - band.shape.first_row);
+        for_label_runs(labels.row(row - band.shape.first_row),
+                       [&](std::int32_t begin, std::int32_t end, Label label) {
+                           gathered.runs.push_back({label, {row, begin, end}});
+                           gathered.elevations.insert(gathered.elevations.end(), elevations.begin() + begin,
+                                                      elevations.begin() + end);
+                       });
+    }
+    return gathered;
+}
+
+/// By label the last row in which it has cells. @param rows of the window
+std::vector<std::int32_t> last_rows(const LabelRows& labels, Label count, const Window& window,
+                                    Executor& threads) {
+    std::vector<std::int32_t> last(count + std::size_t{1}, -1);
+    const std::vector<RowBand> bands = row_bands(window.rows, window.cols);
+    threads.in_order(
+        bands.size(),
+        [&](std::size_t i, std::size_t) {
+            const BandShape shape{window.row + bands[i].begin, bands[i].end - bands[i].begin, window.cols};
+            const LabelBand band = labels.band(shape, window.row);
+            std::map<Label, std::int32_t> here;
+            for (std::int32_t row = 0; row < shape.rows; ++row)
+                for_label_runs(band.row(row), [&](std::int32_t, std::int32_t, Label label) {
+                    here[label] = shape.first_row + row;
+                });
+            return here;
+        },
+        [&](std::size_t, const std::map<Label, std::int32_t>& here) {
+            for (const auto& [label, row] : here)
+                last[label] = row;
+        });
+    return last;
+}
+
+/// Buildings of which some rows have been read.
+using OpenBuildings = std::map<Label, BuildingCells>;
+
+void add_to(OpenBuildings& open, const GatheredRows& rows) {
+    auto next = rows.elevations.begin();
+    for (const auto& [label, run] : rows.runs) {
+        BuildingCells& cells = open[label];
+        cells.runs.push_back(run);
+        const auto end = next + static_cast<std::ptrdiff_t>(run.size());
+        cells.elevations.insert(cells.elevations.end(), next, end);
+        next = end;
+    }
+}
+
+std::vector<BuildingCells> take_ended(OpenBuildings& open, const std::vector<std::int32_t>& last,
+                                      std::int32_t end_row) {
+    std::vector<BuildingCells> ended;
+    for (auto it = open.begin(); it != open.end();) {
+        if (last[it->first] >= end_row) {
+            ++it;
+            continue;
+        }
+        ended.push_back(std::move(it->second));
+        it = open.erase(it);
+    }
+    return ended;
+}
+
+void clean(BuildingCells& cells, const RegionOptions& options, const StopRequest& stop) {
+    const TierRegions regions = merge_regions(cells, options, stop);
+    for (std::size_t i = 0; i < cells.elevations.size(); ++i) {
+        const TierRegion& region = regions.regions[regions.of_cell[i]];
+        if (region.points > 0)
+            cells.elevations[i] = region.mean;
+    }
+}
+
+}  // namespace
+
+CleanRows clean_tiers(ElevationReader& reader, const LabelRows& labels, Label count,
+                      const RegionOptions& regions, const Window& window, Context& context) {
+    Executor& threads = *context.threads;
+    const std::vector<std::int32_t> last = last_rows(labels, count, window, threads);
+    CleanRows rows(context.make_spool(), window.row, window.rows);
+    OpenBuildings open;
+    const auto at_once = static_cast<std::int32_t>(
+        std::clamp<std::int64_t>(points_at_once / std::max(window.cols, 1), 64, 1 << 20));
+    const std::int32_t end = window.row + window.rows;
+    for (std::int32_t row = window.row; row < end; row += at_once) {
+        const RowBand chunk{row, std::min(end, row + at_once)};
+        std::map<std::int32_t, GatheredRows> gathered;
+        std::mutex mutex;
+        reader.for_rows(chunk.begin, chunk.end, [&](const ElevationBand& band) {
+            GatheredRows here = gather(band, labels.band(band.shape, window.row), chunk);
+            const std::lock_guard lock(mutex);
+            gathered.emplace(band.shape.first_row, std::move(here));
+        });
+        const StageClock clock(context.report, Stage::levels);
+        for (const auto& [first, part] : gathered)
+            add_to(open, part);
+        std::vector<BuildingCells> ended = take_ended(open, last, chunk.end);
+        threads.for_each(ended.size(), [&](std::size_t i) { clean(ended[i], regions, threads.stop()); });
+        for (const BuildingCells& cells : ended)
+            rows.add(cells);
+    }
+    return rows;
+}
+
+RegionOptions region_options(double detail, const CellSize& cell, double metres) {
+    // What is as narrow as one cell is smeared, whatever it is.
+    constexpr int least_width = 2;
+    const double height = detail / metres;
+    return {height * height / std::sqrt(cell.across * cell.down), least_width};
+}
+
+}  // namespace d2b

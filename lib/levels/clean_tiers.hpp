@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/context.hpp"
+#include "core/grid.hpp"
+#include "detect/label_rows.hpp"
+#include "elevations/elevation_reader.hpp"
+#include "levels/clean_rows.hpp"
+#include "levels/merge_regions.hpp"
+
+namespace d2b {
+
+/// Cleans the elevations of each building by itself (levels/merge_regions), in one pass over the DEM. In
+/// memory are the buildings that the pass has begun and not yet ended. The result depends neither on bands
+/// nor on threads.
+/// @param labels of the buildings, from 1 to `count` @param window of the DEM @throws Cancelled, InputError,
+/// OutputError
+[[nodiscard]] CleanRows clean_tiers(ElevationReader& reader, const LabelRows& labels, Label count,
+                                    const RegionOptions& regions, const Window& window, Context& context);
+
+/// What a strip one metre wide costs that stands out by `detail`. @param detail m @param cell of the raster
+/// @param metres in a vertical unit
+[[nodiscard]] RegionOptions region_options(double detail, const CellSize& cell, double metres);
+
+}  // namespace d2b

@@ -1,0 +1,103 @@
+#include "pipeline/trials.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace d2b {
+namespace {
+
+/// A source that has been read whole.
+class KeptSource final : public DemSource {
+  public:
+    explicit KeptSource(DemSource& source) : info_(source.info()) {
+        constexpr std::int32_t least_rows = 64;
+        const Window& window = info_.window;
+        values_.resize(cells(window.rows));
+        const std::int32_t step = std::max(least_rows, info_.block_rows);
+        for (std::int32_t row = 0; row < window.rows; row += step) {
+            const std::int32_t rows = std::min(step, window.rows - row);
+            source.read(window.row + row, rows, std::span(values_).subspan(cells(row), cells(rows)));
+        }
+    }
+    [[nodiscard]] const DemInfo& info() const override { return info_; }
+    void read(std::int32_t first_row, std::int32_t rows, std::span<double> elevations) override {
+        std::ranges::copy(std::span(values_).subspan(cells(first_row - info_.window.row), cells(rows)),
+                          elevations.begin());
+    }
+
+  private:
+    [[nodiscard]] std::size_t cells(std::int32_t rows) const {
+        return static_cast<std::size_t>(rows) * static_cast<std::size_t>(info_.window.cols);
+    }
+
+    DemInfo info_;
+    std::vector<double> values_;
+};
+
+class NoFeatures final : public FeatureSink {
+  public:
+    void begin(std::span<const LayerSpec> /*layers*/, const Provenance& /*provenance*/) override {}
+    void add(std::size_t /*layer*/, const Feature& /*feature*/) override {}
+    void finish() override {}
+};
+
+using Kept = std::optional<KeptSource>;
+void keep(DemSource* source, Kept& kept) {
+    if (source != nullptr)
+        kept.emplace(*source);
+}
+DemSource* get(Kept& kept) {
+    return kept ? &*kept : nullptr;
+}
+
+std::vector<int> or_else(std::vector<int> values, int standard) {
+    return values.empty() ? std::vector{standard} : std::move(values);
+}
+
+}  // namespace
+
+std::vector<Trial> run_trials(const Options& options, const Sources& sources, const SweepPlan& plan,
+                              const TrialView& view, Context& context) {
+    KeptSource dem(sources.dem);
+    Kept terrain;
+    Kept mask;
+    Kept ndvi;
+    keep(sources.terrain, terrain);
+    keep(sources.mask, mask);
+    keep(sources.ndvi, ndvi);
+    const std::vector<int> lods = or_else(plan.lods, options.levels.lod);
+    const std::vector<int> noise_factors = or_else(plan.noise_factors, options.filter.noise_factor);
+    const auto all = static_cast<double>(lods.size() * noise_factors.size());
+    std::vector<Trial> trials;
+    std::set<std::string> warned;
+    for (const int lod : lods)
+        for (const int noise_factor : noise_factors) {
+            const auto start = std::chrono::steady_clock::now();
+            Options tried = options;
+            tried.levels.lod = lod;
+            tried.filter.noise_factor = noise_factor;
+            Context of_trial;
+            of_trial.on_warning = [&](const std::string& text) {
+                if (warned.insert(text).second)
+                    context.warn(text);
+            };
+            of_trial.stop = context.stop;
+            of_trial.make_spool = context.make_spool;
+            of_trial.on_progress = [&, done = trials.size()](double share) {
+                return !context.on_progress || context.on_progress((static_cast<double>(done) + share) / all);
+            };
+            NoFeatures nothing;
+            const std::unique_ptr<FeatureSink> seen =
+                view ? view(nothing, dem, of_trial, lod, noise_factor) : nullptr;
+            run(tried, {dem, get(terrain), get(mask), get(ndvi)}, {seen ? *seen : nothing}, of_trial);
+            const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+            trials.push_back({lod, noise_factor, std::move(of_trial.report), took.count()});
+        }
+    return trials;
+}
+
+}  // namespace d2b
