@@ -122,14 +122,14 @@ void Executor::indexed(std::size_t count, const Indexed& work) {
     failure.rethrow();
 }
 
-void Executor::pipelined(std::size_t count, std::size_t window, const Indexed& make,
+void Executor::pipelined(std::size_t count, std::size_t ahead, const Indexed& make,
                          const std::function<void(std::size_t)>& take) {
     FirstFailure failure;
     std::mutex mutex;
     std::condition_variable moved;
     std::size_t next = 0;   // to be made
     std::size_t taken = 0;  // so many; the slots after it may be filled
-    std::vector<bool> made(window);
+    std::vector<bool> made(ahead);
     const auto can_make = [&] { return next < count && next < taken + made.size(); };
     const auto make_next = [&](std::unique_lock<std::mutex>& lock, std::size_t thread) {
         const std::size_t i = next++;

@@ -77,7 +77,7 @@ class Executor {
     /// Runs body on all threads, the caller's is 0; on the caller's alone where the others are busy.
     void run(const Body& body);
     void indexed(std::size_t count, const Indexed& work);
-    void pipelined(std::size_t count, std::size_t window, const Indexed& make,
+    void pipelined(std::size_t count, std::size_t ahead, const Indexed& make,
                    const std::function<void(std::size_t)>& take);
 
     struct Pool;

@@ -8,11 +8,11 @@
 #include "detect/left_out.hpp"
 #include "detect/majority.hpp"
 #include "detect/morphology.hpp"
-#include "detect/noise.hpp"
 #include "detect/regions.hpp"
-#include "detect/segments.hpp"
+#include "detect/smooth_segments.hpp"
 #include "detect/smoothness.hpp"
 #include "detect/split.hpp"
+#include "detect/surface_noise.hpp"
 
 namespace d2b {
 namespace {
@@ -57,7 +57,7 @@ struct Judged {
 
 Judged judged_objects(const Scene& scene, const DetectOptions& options, Executor& threads) {
     Mask elevated = elevated_cells(scene, options.min_height, threads);
-    const double noise = estimate_noise(scene.surface, elevated, threads);
+    const double noise = surface_noise(scene.surface, elevated, threads);
     const Grid<std::uint8_t> flags = smoothness(scene.surface, scene.side(), noise, threads);
     leave_plants_out(scene, flags, elevated, threads);
     const SmoothSegments segments = smooth_segments(scene, elevated, flags, threads);

@@ -4,7 +4,7 @@
 
 #include "detect/detection.hpp"
 #include "detect/regions.hpp"
-#include "detect/segments.hpp"
+#include "detect/smooth_segments.hpp"
 
 namespace d2b {
 
@@ -26,7 +26,7 @@ struct DetectedObjects {
     Regions regions;  ///< of these cells; they share edges
 };
 
-/// One a region, by label - 1. Support: objects, and a cell around them.
+/// One a region, by label - 1. Halo: objects, and a cell around them.
 [[nodiscard]] std::vector<Evidence> collect_evidence(const Scene& scene, const DetectedObjects& objects,
                                                      const SmoothSegments& segments,
                                                      const Grid<std::uint8_t>& flags, Executor& threads);

@@ -4,7 +4,7 @@
 
 #include "core/row_bands.hpp"
 #include "detect/region_builder.hpp"
-#include "detect/segments.hpp"
+#include "detect/smooth_segments.hpp"
 
 namespace d2b {
 namespace {

@@ -13,14 +13,14 @@
 namespace d2b {
 namespace {
 
-/// In hundredths: more than `gain` of the window makes a cell a building's, and a building's cell stays one
-/// above `keep`.
+/// In hundredths: more than `gain` of the neighbourhood makes a cell a building's, and a building's cell
+/// stays one above `keep`.
 struct Shares {
     std::int64_t gain;
     std::int64_t keep;
 };
 
-/// Half a window in cells.
+/// Half a neighbourhood's sides in cells.
 struct Radius {
     std::int32_t up;
     std::int32_t side;
@@ -37,16 +37,16 @@ std::int32_t reach(double reach_m, double step, std::int32_t cells) {
     return std::max(1, static_cast<std::int32_t>(std::min(reached, static_cast<double>(cells))));
 }
 
-/// Counts of two kinds of cells in a window that slides down: sums of columns, and along the row sums of
-/// these. Both are kept in one number, buildings' cells in its upper half: that is half the work.
+/// Counts of two kinds of cells in a neighbourhood that slides down: sums of columns, and along the row sums
+/// of these. Both are kept in one number, buildings' cells in its upper half: that is half the work.
 template <typename Pair>
-class WindowCounts {
+class NeighbourCounts {
   public:
     static constexpr int half = std::numeric_limits<Pair>::digits / 2;
 
     /// @param first the row that is asked for first
-    WindowCounts(const Mask& buildings, const Mask& elevated, std::int32_t up, std::int32_t side,
-                 std::int32_t first)
+    NeighbourCounts(const Mask& buildings, const Mask& elevated, std::int32_t up, std::int32_t side,
+                    std::int32_t first)
         : buildings_(buildings),
           elevated_(elevated),
           up_(up),
@@ -96,10 +96,10 @@ class WindowCounts {
 
 template <typename Pair>
 void vote(const Mask& now, const Mask& elevated, Radius radius, Shares shares, RowBand band, Mask& next) {
-    WindowCounts<Pair> window(now, elevated, radius.up, radius.side, band.begin);
+    NeighbourCounts<Pair> neighbours(now, elevated, radius.up, radius.side, band.begin);
     std::vector<Pair> counts(static_cast<std::size_t>(now.cols));
     for (std::int32_t r = band.begin; r < band.end; ++r) {
-        window.row(r, counts);
+        neighbours.row(r, counts);
         const std::span<const std::uint8_t> is = now.row(r);
         const std::span<const std::uint8_t> may = elevated.row(r);
         const std::span<std::uint8_t> out = next.row(r);
@@ -109,9 +109,9 @@ void vote(const Mask& now, const Mask& elevated, Radius radius, Shares shares, R
         const auto keep = static_cast<Signed>(shares.keep);
         const auto gain = static_cast<Signed>(shares.gain);
         for (std::size_t c = 0; c < out.size(); ++c) {
-            const auto buildings = static_cast<Signed>(counts[c] >> WindowCounts<Pair>::half);
+            const auto buildings = static_cast<Signed>(counts[c] >> NeighbourCounts<Pair>::half);
             const auto all = static_cast<Signed>(
-                counts[c] & (std::numeric_limits<Pair>::max() >> WindowCounts<Pair>::half));
+                counts[c] & (std::numeric_limits<Pair>::max() >> NeighbourCounts<Pair>::half));
             const Signed share = is[c] != 0 ? keep : gain;
             out[c] = static_cast<std::uint8_t>(may[c] & (100 * buildings > share * all ? 1 : 0));
         }
@@ -125,7 +125,7 @@ Mask voted(const Mask& now, const Mask& elevated, double reach_m, const CellSize
     const auto vote_in =
         largest <= std::numeric_limits<std::uint16_t>::max() ? vote<std::uint32_t> : vote<std::uint64_t>;
     Mask next(now.rows, now.cols, 0, threads);
-    // A band begins by counting the rows of its first window.
+    // A band begins by counting the rows of its first neighbourhood.
     const std::int32_t least = 8 * std::min(radius.up, now.rows);
     for_row_bands(
         threads, now.rows, now.cols,

@@ -8,7 +8,7 @@
 
 namespace d2b {
 
-/// Makes regions of links, row by row. Carry: the runs.
+/// Makes regions of links, row by row. Carried state: the runs.
 class RegionBuilder {
   public:
     explicit RegionBuilder(std::int32_t cols);

@@ -16,7 +16,7 @@ enum Smooth : std::uint8_t {
     smooth_enough = 8,        ///< along row or column, with a threshold that suits whole objects
 };
 
-/// One byte a cell. Support: one row and column; the border continues outwards. A cell that is not valid is
+/// One byte a cell. Halo: one row and column; the border continues outwards. A cell that is not valid is
 /// smooth in no direction, its neighbours in none that meets it.
 /// @param side of the cells, metres @param noise standard deviation of the surface's noise, metres
 [[nodiscard]] Grid<std::uint8_t> smoothness(const MetreGrid& surface, double side, double noise,

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/row_bands.hpp"
-#include "ground/window_pass.hpp"
+#include "ground/line_pass.hpp"
 
 namespace d2b::ground {
 

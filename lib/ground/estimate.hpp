@@ -9,7 +9,7 @@ namespace d2b::ground {
 [[nodiscard]] Terrain estimate(const MetreGrid& surface, const CellSize& cell, double width,
                                const Context& context, const GridPlace& place, const Rules& rules);
 
-/// ground_support with other rules than the defaults.
-[[nodiscard]] double support(const CellSize& cell, double width, const Rules& rules);
+/// ground_halo with other rules than the defaults.
+[[nodiscard]] double halo(const CellSize& cell, double width, const Rules& rules);
 
 }  // namespace d2b::ground

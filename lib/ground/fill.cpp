@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/row_bands.hpp"
-#include "ground/window_pass.hpp"
+#include "ground/line_pass.hpp"
 
 namespace d2b::ground {
 namespace {
@@ -118,7 +118,7 @@ struct TwoRows {
     std::vector<float> here;
 };
 
-/// Gaps take the mean of their four neighbours, all at once: a sweep reaches one cell far.
+/// Gaps take the mean of their four neighbours, all at once: a relaxation reaches one cell far.
 /// @param gaps_first the row of the gaps that is the grid's first
 void smooth(MetreGrid& grid, const Gaps& gaps, std::int32_t gaps_first, TwoRows& old) {
     const auto cols = static_cast<std::size_t>(grid.cols);
@@ -148,14 +148,14 @@ void smooth(MetreGrid& grid, const Gaps& gaps, std::int32_t gaps_first, TwoRows&
 }
 
 /// Fills the gaps of a level from the one above.
-void fill_level(AlignedGrid& fine, const Gaps& gaps, const AlignedGrid& coarse, int sweeps,
+void fill_level(AlignedGrid& fine, const Gaps& gaps, const AlignedGrid& coarse, int relaxations,
                 Executor& threads) {
     const FromAbove above(fine, coarse);
-    for_band_copies(threads, fine.grid, sweeps, [&](BandCopy<float>& band) {
+    for_band_copies(threads, fine.grid, relaxations, [&](BandCopy<float>& band) {
         TwoRows rows;
         for (std::int32_t i = 0; i < band.rows.rows; ++i)
             above.fill_row(band.first + i, gaps.row(band.first + i), rows.here, band.rows.row(i));
-        for (int sweep = 0; sweep < sweeps; ++sweep)
+        for (int k = 0; k < relaxations; ++k)
             smooth(band.rows, gaps, band.first, rows);
         band.write_band(fine.grid);
     });
@@ -177,7 +177,7 @@ Between::Between(std::int32_t first, std::int32_t cells, std::int32_t coarse_fir
     }
 }
 
-void fill_gaps(AlignedGrid& surface, int sweeps, Pyramid& pyramid, Executor& threads) {
+void fill_gaps(AlignedGrid& surface, int relaxations, Pyramid& pyramid, Executor& threads) {
     const auto level = [&](std::size_t k) -> AlignedGrid& {
         return k == 0 ? surface : pyramid.coarser[k - 1];
     };
@@ -187,7 +187,7 @@ void fill_gaps(AlignedGrid& surface, int sweeps, Pyramid& pyramid, Executor& thr
         take_means(level(levels), pyramid.coarser[levels], pyramid.gaps[levels], threads);
     }
     for (std::size_t k = levels; k-- > 0;)
-        fill_level(level(k), pyramid.gaps[k], level(k + 1), sweeps, threads);
+        fill_level(level(k), pyramid.gaps[k], level(k + 1), relaxations, threads);
 }
 
 }  // namespace d2b::ground

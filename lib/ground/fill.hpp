@@ -18,8 +18,8 @@ struct Pyramid {
 /// Fills cells without a value from those around them: means of blocks of 2 x 2 cells, of blocks of those,
 /// and so on up; down again, gaps take the bilinear value of the level above and are smoothed. Far gaps are
 /// filled from coarse blocks, narrow ones from near cells alone.
-/// @param sweeps of smoothing at each level
-void fill_gaps(AlignedGrid& surface, int sweeps, Pyramid& pyramid, Executor& threads);
+/// @param relaxations of smoothing at each level
+void fill_gaps(AlignedGrid& surface, int relaxations, Pyramid& pyramid, Executor& threads);
 
 /// The value of `coarse` between the centres of its cells, at the centre of each of the `cells` after
 /// `first_col` of a row: the weights for bilinear interpolation, computed once for all rows.

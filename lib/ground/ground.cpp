@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "ground/estimate.hpp"
+#include "ground/line_pass.hpp"
 #include "ground/outliers.hpp"
 #include "ground/provisional.hpp"
 #include "ground/refine.hpp"
-#include "ground/window_pass.hpp"
 
 namespace d2b {
 namespace ground {
@@ -39,8 +39,9 @@ float lowest_above(const Pit& pit, const AlignedGrid& blocks, const MetreGrid& s
     return lowest;
 }
 
-/// Windows of a chain of openings: each reaches twice its radius, rounded to cells that grow up to its size.
-double chain_support(double radius, double last_radius, double growth, double cell) {
+/// Structuring elements of a series of openings: each reaches twice its radius, rounded to cells that grow up
+/// to its size.
+double openings_halo(double radius, double last_radius, double growth, double cell) {
     double sum = 0;
     while (radius <= last_radius * 1.0001) {
         sum += 2 * radius + 2 * cell;
@@ -51,11 +52,11 @@ double chain_support(double radius, double last_radius, double growth, double ce
 
 /// Gaps as wide as twice the distance to the ground are filled from blocks of that size, and those from
 /// blocks around them that each level's interpolation and smoothing reach.
-double fill_support(double distance, double cell, int sweeps) {
+double fill_halo(double distance, double cell, int relaxations) {
     double sum = 0;
     double block = cell;
     while (block < 4 * distance) {
-        sum += (3 + sweeps) * block;
+        sum += (3 + relaxations) * block;
         block *= 2;
     }
     return sum;
@@ -83,26 +84,26 @@ Terrain estimate(const MetreGrid& surface, const CellSize& cell, double width, c
     return refine(surface, place, terrain, pits, factor, rules, std::move(lowest.grid), threads);
 }
 
-double support(const CellSize& cell, double width, const Rules& rules) {
+double halo(const CellSize& cell, double width, const Rules& rules) {
     const double side = std::max(cell.across, cell.down);
     const Factor small = factor_for(cell, rules.work_cell);
     const double work = std::max(cell.across * small.across, cell.down * small.down);
     const double block = std::max(work, 2 * rules.block);
     const double widest = rules.reach * width;
     const double pits = 2 * (rules.pit_radius + work) + rules.pit_reach + work;
-    // Limits of blocks hold for their neighbours: blocks of the coarsest level are as large as a window's
+    // Limits of blocks hold for their neighbours: blocks of the coarsest level are as large as an element's
     // part.
     const double neighbours = 2 * std::max(widest / 4, block);
-    return side + pits + chain_support(work, rules.small_radius, rules.small_growth, work) +
-           chain_support(rules.small_radius, widest, rules.large_growth, block) + neighbours +
+    return side + pits + openings_halo(work, rules.small_radius, rules.small_growth, work) +
+           openings_halo(rules.small_radius, widest, rules.large_growth, block) + neighbours +
            rules.link_steps * block + rules.wall_length * width + 2 * block +
-           (1 + rules.rounds) * (fill_support(width, work, rules.sweeps) + 2 * work);
+           (1 + rules.rounds) * (fill_halo(width, work, rules.relaxations) + 2 * work);
 }
 
 }  // namespace ground
 
-double ground_support(const CellSize& cell, const GroundOptions& options) {
-    return ground::support(cell, options.max_building_width, {});
+double ground_halo(const CellSize& cell, const GroundOptions& options) {
+    return ground::halo(cell, options.max_building_width, {});
 }
 
 Terrain estimate_ground(const MetreGrid& surface, const CellSize& cell, const GroundOptions& options,

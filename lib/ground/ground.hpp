@@ -37,6 +37,6 @@ struct GridPlace {
 
 /// How far, in metres, a cell must lie from a cut through a raster for the cut not to change its terrain,
 /// where there is ground within `max_building_width` of it.
-[[nodiscard]] double ground_support(const CellSize& cell, const GroundOptions& options);
+[[nodiscard]] double ground_halo(const CellSize& cell, const GroundOptions& options);
 
 }  // namespace d2b

@@ -10,8 +10,8 @@ namespace d2b::ground {
 
 inline constexpr std::int32_t widest_narrow = 3;
 
-/// The values picked from windows of 2 * radius + 1 cells along rows or down columns, each window looked at
-/// cell by cell: for narrow ones that takes fewer steps than any sharing between windows.
+/// The values picked from lines of 2 * radius + 1 cells along rows or down columns, each line looked at
+/// cell by cell: for narrow ones that takes fewer steps than any sharing between lines.
 template <typename Pick, std::int32_t radius>
 class NarrowPass {
   public:
@@ -22,7 +22,7 @@ class NarrowPass {
             float* out = into.row(i).data();
             for (std::int32_t j = radius; j < inner; ++j)
                 out[j] = picked([&](std::int32_t k) { return in[j + k]; });
-            // Beyond an end its own value stands: it changes no pick of a window that holds it.
+            // Beyond an end its own value stands: it changes no pick of a line that holds it.
             const auto at_end = [&](std::int32_t j) {
                 out[j] = picked([&](std::int32_t k) { return in[std::clamp(j + k, 0, from.cols - 1)]; });
             };

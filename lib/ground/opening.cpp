@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "ground/window_pass.hpp"
+#include "ground/line_pass.hpp"
 
 namespace d2b::ground {
 namespace {
@@ -28,7 +28,7 @@ void take_margin(const MetreGrid& wide, Radius margin, MetreGrid& grid) {
         std::copy_n(wide.row(i + margin.down).begin() + margin.across, grid.cols, grid.row(i).begin());
 }
 
-/// A window that holds no value must not be the highest one.
+/// An element that holds no value must not be the highest one.
 void turn_around(MetreGrid& grid, float from, float to) {
     for (float& value : grid.values)
         value = value == from ? to : value;
@@ -39,7 +39,7 @@ void keep_gaps(const MetreGrid& surface, MetreGrid& opened) {
         opened.values[k] = surface.values[k] == no_value ? no_value : opened.values[k];
 }
 
-/// Opens the surface with room around it for windows that reach out of it.
+/// Opens the surface with room around it for elements that reach out of it.
 template <typename Open>
 void with_room(const MetreGrid& surface, Radius outside, Workspace& workspace, MetreGrid& opened, Open open) {
     fit(opened, surface);
@@ -60,9 +60,9 @@ void open_along(const MetreGrid& surface, Line line, std::int32_t radius, Worksp
                 MetreGrid& opened) {
     MetreGrid& scratch = workspace.first;
     fit(opened, surface);
-    window_pass(surface, scratch, line, Extremum::lowest, radius);
+    line_pass(surface, scratch, line, Extremum::lowest, radius);
     turn_around(scratch, no_value, -no_value);
-    window_pass(scratch, opened, line, Extremum::highest, radius);
+    line_pass(scratch, opened, line, Extremum::highest, radius);
 }
 
 /// The second highest of four values, cell by cell.
@@ -84,12 +84,12 @@ void opened_by_rectangle(const MetreGrid& surface, Radius radius, Radius outside
     with_room(surface, outside, workspace, opened, [&](const MetreGrid& grid, MetreGrid& out) {
         MetreGrid& scratch = workspace.first;
         fit(scratch, grid);
-        window_pass(grid, scratch, Line::row, Extremum::lowest, radius.across);
-        window_pass(scratch, out, Line::column, Extremum::lowest, radius.down);
-        if (workspace.gaps)  // without them each window holds a cell with a value
+        line_pass(grid, scratch, Line::row, Extremum::lowest, radius.across);
+        line_pass(scratch, out, Line::column, Extremum::lowest, radius.down);
+        if (workspace.gaps)  // without them each element holds a cell with a value
             turn_around(out, no_value, -no_value);
-        window_pass(out, scratch, Line::column, Extremum::highest, radius.down);
-        window_pass(scratch, out, Line::row, Extremum::highest, radius.across);
+        line_pass(out, scratch, Line::column, Extremum::highest, radius.down);
+        line_pass(scratch, out, Line::row, Extremum::highest, radius.across);
     });
 }
 
@@ -113,11 +113,11 @@ void closed_by_rectangle(const MetreGrid& surface, Radius radius, Workspace& wor
     closed = surface;
     fit(scratch, surface);
     turn_around(closed, no_value, -no_value);
-    window_pass(closed, scratch, Line::row, Extremum::highest, radius.across);
-    window_pass(scratch, closed, Line::column, Extremum::highest, radius.down);
+    line_pass(closed, scratch, Line::row, Extremum::highest, radius.across);
+    line_pass(scratch, closed, Line::column, Extremum::highest, radius.down);
     turn_around(closed, -no_value, no_value);
-    window_pass(closed, scratch, Line::row, Extremum::lowest, radius.across);
-    window_pass(scratch, closed, Line::column, Extremum::lowest, radius.down);
+    line_pass(closed, scratch, Line::row, Extremum::lowest, radius.across);
+    line_pass(scratch, closed, Line::column, Extremum::lowest, radius.down);
 }
 
 }  // namespace d2b::ground

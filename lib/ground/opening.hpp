@@ -7,7 +7,7 @@
 
 namespace d2b::ground {
 
-/// Half a window in cells.
+/// Half a structuring element in cells.
 struct Radius {
     std::int32_t down = 1;
     std::int32_t across = 1;
@@ -21,9 +21,9 @@ struct Workspace {
     bool gaps = true;  ///< whether the surface may have cells without a value
 };
 
-/// The morphological opening by a rectangle: at each cell the highest of the lowest values of all windows
-/// that hold the cell. Cells without a value are left out; they keep `no_value`. Windows reach out of the
-/// grid by at most `outside` cells.
+/// The morphological opening by a rectangle: at each cell the highest of the lowest values of all positions
+/// of it that hold the cell. Cells without a value are left out; they keep `no_value`. Structuring elements
+/// reach out of the grid by at most `outside` cells.
 /// @param opened another grid than `surface`
 void opened_by_rectangle(const MetreGrid& surface, Radius radius, Radius outside, Workspace& workspace,
                          MetreGrid& opened);

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <tuple>
 
+#include "ground/line_pass.hpp"
 #include "ground/opening.hpp"
 #include "ground/tiles.hpp"
-#include "ground/window_pass.hpp"
 
 namespace d2b::ground {
 namespace {
@@ -48,8 +48,8 @@ std::vector<Pit> pits_of(const MetreGrid& lowest, const Tile& tile, const Search
         return {};
     MetreGrid& along = part.workspace.first;
     part.around = part.closed;
-    window_pass(part.closed, along, Line::row, Extremum::lowest, search.around.across);
-    window_pass(along, part.around, Line::column, Extremum::lowest, search.around.down);
+    line_pass(part.closed, along, Line::row, Extremum::lowest, search.around.across);
+    line_pass(along, part.around, Line::column, Extremum::lowest, search.around.down);
     std::vector<Pit> pits;
     for (std::int32_t i = tile.row; i < tile.row + tile.rows; ++i)
         for (std::int32_t j = tile.col; j < tile.col + tile.cols; ++j) {

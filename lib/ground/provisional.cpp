@@ -8,16 +8,16 @@
 #include "core/row_bands.hpp"
 #include "ground/connect.hpp"
 #include "ground/fill.hpp"
-#include "ground/objects.hpp"
+#include "ground/line_pass.hpp"
+#include "ground/progressive_opening.hpp"
 #include "ground/walled.hpp"
-#include "ground/window_pass.hpp"
 
 namespace d2b::ground {
 namespace {
 
 constexpr float above_all_limits = std::numeric_limits<float>::infinity();
 
-/// What opening by small windows leaves of a surface, but `above_all_limits` where a cell is of a small
+/// What opening by small elements leaves of a surface, but `above_all_limits` where a cell is of a small
 /// object; and the lowest it leaves of each block.
 struct SmallOpened {
     MetreGrid surface;
@@ -34,17 +34,18 @@ Tile cells_of(const Tile& tile, const AlignedGrid& fine, const AlignedGrid& bloc
             std::min(col + tile.cols * factor.across, fine.grid.cols) - cells.col};
 }
 
-SmallOpened open_small(const AlignedGrid& surface, Factor factor, const Windows& windows, Executor& threads) {
-    const Chain chain = chain_of(windows, surface.cell);
+SmallOpened open_small(const AlignedGrid& surface, Factor factor, const StructuringElements& elements,
+                       Executor& threads) {
+    const OpeningSteps series = opening_steps(elements, surface.cell);
     SmallOpened result{MetreGrid(surface.grid.rows, surface.grid.cols, 0, threads),
-                       blocks_of(surface, factor, no_value, threads), chain.next_radius};
+                       blocks_of(surface, factor, no_value, threads), series.next_radius};
     MetreGrid& blocks = result.blocks.grid;
     // Near a pole cells of degrees are so narrow that a block of them is wider than a tile.
     const std::int32_t side = std::max(tile_side / std::max(factor.down, factor.across), 1);
     const std::vector<Tile> tiles = tiles_of(blocks.rows, blocks.cols, side);
     threads.for_each_in_room<OpenedPart>(tiles.size(), [&](std::size_t t, OpenedPart& part) {
         const Tile cells = cells_of(tiles[t], surface, result.blocks, factor);
-        open_part(surface.grid, cells, chain.steps, opened_by_rectangle, part);
+        open_part(surface.grid, cells, series.steps, opened_by_rectangle, part);
         for (std::int32_t i = 0; i < cells.rows; ++i) {
             const auto opened = part.row(part.surface, i);
             const auto limits = part.limits.row(i);
@@ -77,16 +78,16 @@ void close_gaps(MetreGrid& grid, Executor& threads) {
 MetreGrid limits_of_blocks(AlignedGrid& blocks, double next_radius, double width, const Rules& rules,
                            Executor& threads) {
     close_gaps(blocks.grid, threads);
-    Windows windows{next_radius,       rules.reach * width, rules.large_rise,
-                    rules.large_slope, rules.large_growth,  rules.border_reach};
-    MetreGrid sure = limits_on_blocks(blocks, windows, opened_by_rectangle, threads);
+    StructuringElements elements{next_radius,       rules.reach * width, rules.large_rise,
+                                 rules.large_slope, rules.large_growth,  rules.border_reach};
+    MetreGrid sure = limits_on_blocks(blocks, elements, opened_by_rectangle, threads);
     Grid<std::uint8_t> ground = connected_ground(blocks, sure, rules.link_slope, rules.link_steps, threads);
     take_walled_back(blocks, sure, rules, rules.wall_length * width, ground);
     sure = with_neighbours_limits(sure, blocks.cell, threads);
-    windows.rise = rules.line_rise;
-    windows.slope = rules.line_slope;
+    elements.rise = rules.line_rise;
+    elements.slope = rules.line_slope;
     const MetreGrid lines = with_neighbours_limits(
-        limits_on_blocks(blocks, windows, opened_by_lines, threads), blocks.cell, threads);
+        limits_on_blocks(blocks, elements, opened_by_lines, threads), blocks.cell, threads);
     const auto rise = static_cast<float>(rules.link_rise);
     for_row_bands(threads, sure.rows, sure.cols, [&](RowBand band) {
         for (std::size_t k = sure.index(band.begin, 0); k < sure.index(band.end, 0); ++k) {
@@ -118,10 +119,10 @@ void test_again(const AlignedGrid& surface, AlignedGrid& terrain, const Rules& r
 
 AlignedGrid without_objects(const AlignedGrid& surface, double width, const Rules& rules, Executor& threads) {
     const double cell = std::min(surface.cell.across, surface.cell.down);
-    const Windows windows{
+    const StructuringElements elements{
         cell, rules.small_radius, 0, rules.small_slope, rules.small_growth, rules.border_reach};
     const Factor factor = factor_for(surface.cell, rules.block);
-    SmallOpened small = open_small(surface, factor, windows, threads);
+    SmallOpened small = open_small(surface, factor, elements, threads);
     AlignedGrid& blocks = small.blocks;
     const MetreGrid limits = limits_of_blocks(blocks, small.next_radius, width, rules, threads);
     AlignedGrid ground = shape_of(surface);
@@ -143,10 +144,10 @@ AlignedGrid without_objects(const AlignedGrid& surface, double width, const Rule
 AlignedGrid working_terrain(const AlignedGrid& surface, double width, const Rules& rules, Executor& threads) {
     AlignedGrid terrain = without_objects(surface, width, rules, threads);
     Pyramid pyramid;
-    fill_gaps(terrain, rules.sweeps, pyramid, threads);
+    fill_gaps(terrain, rules.relaxations, pyramid, threads);
     for (int round = 0; round < rules.rounds; ++round) {
         test_again(surface, terrain, rules, threads);
-        fill_gaps(terrain, rules.sweeps, pyramid, threads);
+        fill_gaps(terrain, rules.relaxations, pyramid, threads);
     }
     return terrain;
 }

@@ -7,20 +7,20 @@ namespace d2b::ground {
 struct Rules {
     double work_cell = 1;     ///< cells of the grid on which small objects are looked for, about
     double pit_depth = 5;     ///< a low outlier lies as far below the lowest ground around it
-    double pit_radius = 1;    ///< what a window of this radius closes may be an outlier
+    double pit_radius = 1;    ///< what an element of this radius closes may be an outlier
     double pit_reach = 25;    ///< how far "around it" goes
-    double border_reach = 8;  ///< windows reach into the raster at least as far at its border
+    double border_reach = 8;  ///< elements reach into the raster at least as far at its border
 
-    double small_growth = 1.2;  ///< from a window to the next, but at least by a cell
-    double small_radius = 8;    ///< of the widest window for small objects
+    double small_growth = 1.2;  ///< from an element to the next, but at least by a cell
+    double small_radius = 8;    ///< of the widest element for small objects
     double small_slope = 0.18;  ///< a small object rises above the opened surface by this times the radius
 
     double block = 2;           ///< cells of the grid on which large objects are looked for, about
-    double large_growth = 1.4;  ///< from a window to the next, but at least by a block
-    double reach = 1.5;         ///< no window has a larger radius, in widths of the widest building
+    double large_growth = 1.4;  ///< from an element to the next, but at least by a block
+    double reach = 1.5;         ///< no element has a larger radius, in widths of the widest building
     double large_rise = 0.7;    ///< a large object rises above the opened surface by this ...
     double large_slope = 0.05;  ///< ... and this times the radius
-    double line_rise = 2;       ///< the same for windows that are lines
+    double line_rise = 2;       ///< the same for elements that are lines
     double line_slope = 0.12;
     double link_slope = 0.3;  ///< ground goes on to a neighbour that is no steeper
     double link_rise = 1;     ///< how far above the lowest point of its block ground may lie
@@ -32,7 +32,7 @@ struct Rules {
     double tolerance = 0.4;      ///< ground lies as near the provisional terrain ...
     double tolerance_slope = 1;  ///< ... and this times its slope nearer
     int rounds = 1;              ///< of this test
-    int sweeps = 3;              ///< of smoothing a level when gaps are filled
+    int relaxations = 3;         ///< of smoothing a level when gaps are filled
 };
 
 }  // namespace d2b::ground

@@ -15,7 +15,7 @@ struct Tile {
     std::int32_t cols = 0;
 };
 
-/// Tiles of this side stay in a processor's larger caches with room around them for windows.
+/// Tiles of this side stay in a processor's larger caches with room around them for elements.
 inline constexpr std::int32_t tile_side = 640;
 
 /// Tiles that cover a grid, about as large as each other and at most `side` cells long and wide.

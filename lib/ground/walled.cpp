@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "ground/window_pass.hpp"
+#include "ground/line_pass.hpp"
 
 namespace d2b::ground {
 namespace {

@@ -11,8 +11,8 @@
 
 namespace d2b {
 
-/// Goes through the cells of a building in scan order and finds those beside them: a window of two rows moves
-/// down over its columns.
+/// Goes through the cells of a building in scan order and finds those beside them: two rows are held, which
+/// move down over its columns.
 class CellNeighbours {
   public:
     static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();

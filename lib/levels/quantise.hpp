@@ -6,7 +6,7 @@
 namespace d2b {
 
 /// How many levels each point belongs to. Compared in double, strictly: a point on a threshold does not
-/// exceed it. Pointwise: no support, no carry.
+/// exceed it. Pointwise: no halo, nothing carried.
 /// @tparam Count std::uint8_t or std::uint16_t; plan.level_count() fits
 template <typename Count>
 [[nodiscard]] LevelBand<Count> quantise(const ElevationBand& elevations, const LabelBand& labels,

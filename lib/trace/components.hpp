@@ -30,8 +30,9 @@ struct Component {
     static constexpr double nothing_below = std::numeric_limits<double>::infinity();
 };
 
-/// Union-find over the runs of all levels; numbers are used again once a contour is finished, so that memory
-/// is bounded by what is open.
+/// Union-find over the runs of all levels: no DisjointSets, since what a component holds is merged with it,
+/// and the larger one stays; numbers are used again once a contour is finished, so that memory is bounded by
+/// what is open.
 class Components {
   public:
     /// @param range of the elevations that samples hold

@@ -11,7 +11,7 @@ namespace d2b {
 
 /// Collapsed contouring (-trace points) on the engine of cells: a unit square between four grid points
 /// belongs to as many levels as all four of them do, so it is a cell whose count is the least of its
-/// corners'. Above level 0 all four must bear one label. Support: one row below and one column to the right.
+/// corners'. Above level 0 all four must bear one label. Halo: one row below and one column to the right.
 /// @param upper, lower   counts of two neighbouring rows of points; @param squares one less, written
 template <typename Count>
 void squares_between(std::span<const Count> upper, std::span<const Count> lower,

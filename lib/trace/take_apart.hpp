@@ -41,7 +41,7 @@ struct PointShare {
     PointStats stats;
 };
 
-/// A line of the sweep with what can be known of it without what came before.
+/// A stop of the sweep line with what can be known of it without what came before.
 struct TraceLine {
     static constexpr std::int32_t none = -1;
 

@@ -8,7 +8,7 @@ Tracer::Tracer(const TraceFrame& frame, const TraceOptions& options, ContourSink
     : points_(options.mode == TraceMode::points),
       range_(frame.range),
       sink_(sink),
-      sweep_(frame.levels, frame.window.col, frame.range) {}
+      sweep_line_(frame.levels, frame.window.col, frame.range) {}
 
 void Tracer::trace(std::vector<TraceLine>&& lines) {
     for (TraceLine& line : lines) {
@@ -17,18 +17,18 @@ void Tracer::trace(std::vector<TraceLine>&& lines) {
         outside_[0] = std::move(line.outside);
         if (line.line == TraceLine::none)
             continue;
-        sweep_.current() = std::move(line.squares);
-        sweep_.link(line.line, points_ ? OutsideRows{outside_[2], outside_[1], outside_[0], true}
-                                       : OutsideRows{outside_[1], {}, outside_[0], false});
+        sweep_line_.current() = std::move(line.squares);
+        sweep_line_.link(line.line, points_ ? OutsideRows{outside_[2], outside_[1], outside_[0], true}
+                                            : OutsideRows{outside_[1], {}, outside_[0], false});
         add_points(line);
-        sweep_.finish_ended(sink_);
+        sweep_line_.finish_ended(sink_);
     }
 }
 
 void Tracer::add_points(const TraceLine& line) {
-    Components& components = sweep_.components();
+    Components& components = sweep_line_.components();
     for (const PointShare& share : line.shares) {
-        const RunRow& row = share.above ? sweep_.previous() : sweep_.current();
+        const RunRow& row = share.above ? sweep_line_.previous() : sweep_line_.current();
         const auto component_of = [&](std::int32_t level, std::uint32_t run) -> Component& {
             return components[components.find(row.levels[static_cast<std::size_t>(level)][run].component)];
         };

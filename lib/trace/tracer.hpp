@@ -3,15 +3,15 @@
 #include <array>
 #include <vector>
 
-#include "trace/sweep.hpp"
+#include "trace/sweep_line.hpp"
 #include "trace/take_apart.hpp"
 
 namespace d2b {
 
 /// Collapsed contouring (Chittineni 2003, 4.2) of all levels in one pass over the lines that take_apart()
 /// makes of bands of rows. At each level the region is the union of the unit squares (-trace points) or cells
-/// (-trace cells) that qualify; squares that share an edge belong to one contour. Carry between lines: the
-/// row of runs above, what lies beside outlines two rows above, open outlines and components.
+/// (-trace cells) that qualify; squares that share an edge belong to one contour. Carried from line to line:
+/// the row of runs above, what lies beside outlines two rows above, open outlines and components.
 class Tracer {
   public:
     Tracer(const TraceFrame& frame, const TraceOptions& options, ContourSink& sink);
@@ -26,7 +26,7 @@ class Tracer {
     bool points_;
     ElevationRange range_;
     ContourSink& sink_;
-    Sweep sweep_;
+    SweepLine sweep_line_;
     std::array<std::vector<double>, 3> outside_;  ///< of the newest rows of points, the newest first
 };
 

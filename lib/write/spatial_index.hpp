@@ -15,6 +15,9 @@ namespace d2b {
 /// The spatial index of a new layer of a GeoPackage, made in one go when all features are there. GDAL
 /// declares it on the empty table, so that what others see is GDAL's own; its triggers rest until it is
 /// filled.
+/// GDAL 3.6 adds boxes one by one, in ten times as long; from 3.8 on it packs them itself. This is used with
+/// every version all the same: one way is tested, and a result has the same bytes whatever GDAL writes it. It
+/// may go when 3.8 is the oldest version that is built with.
 class SpatialIndex {
   public:
     /// @returns nothing where GDAL or SQLite does not allow it; then all is as it was, and GDAL makes the

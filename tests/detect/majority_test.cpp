@@ -13,7 +13,7 @@ namespace {
 using test::drawing;
 using test::drawn;
 
-/// Sums over windows from sums over all that is above and to the left.
+/// Sums over neighbourhoods from sums over all that is above and to the left.
 class Counts {
   public:
     explicit Counts(const Mask& mask) : mask_(mask), sums_(mask.rows + 1, mask.cols + 1) {
@@ -52,7 +52,7 @@ Mask reference(Mask now, const Mask& elevated, std::int32_t up, std::int32_t sid
     return now;
 }
 
-/// Windows reach 3.5 m, and one cell at least.
+/// Neighbourhoods reach 3.5 m, and one cell at least.
 std::int32_t growth_reach(double step) {
     return std::max(1, static_cast<std::int32_t>(std::lround(3.5 / step)));
 }
@@ -88,7 +88,7 @@ TEST(Majority, WindowsOfManyCells) {
 }
 
 TEST(Majority, SharesAreExceededNotReached) {
-    // One row and windows of all of its 20 cells: 11 of 20 are 55 %, 2 of 20 are 10 %.
+    // One row and neighbourhoods of all of its 20 cells: 11 of 20 are 55 %, 2 of 20 are 10 %.
     const Mask elevated(1, 20, 1);
     const CellSize cell{0.1, 4};
     const auto first = [](std::int32_t n) {
@@ -103,7 +103,7 @@ TEST(Majority, SharesAreExceededNotReached) {
     EXPECT_EQ(grow_by_majority(Mask(), Mask(), cell, test::threads()).size(), 0U);
 }
 
-/// Cell by cell: more than half of the window's cells that there are, and within.
+/// Cell by cell: more than half of the neighbourhood's cells that there are, and within.
 Mask voted_border(const Mask& mask, const Mask& within, std::int32_t up, std::int32_t side) {
     Mask result(mask.rows, mask.cols);
     for (std::int32_t r = 0; r < mask.rows; ++r)
@@ -190,9 +190,9 @@ TEST(SmoothBorder, BeyondTheRasterNobodyVotes) {
 }
 
 TEST(SmoothBorder, WindowsOfManyCells) {
-    // Windows reach 250 cells to each side: they hold more than 65535. Columns 30 to 249 see all 280 columns,
-    // and 141 of them are a building. Those before see fewer of the others; column c behind sees 391 - c of
-    // 530 - c, more than half up to column 251.
+    // Neighbourhoods reach 250 cells to each side: they hold more than 65535. Columns 30 to 249 see all 280
+    // columns, and 141 of them are a building. Those before see fewer of the others; column c behind sees 391
+    // - c of 530 - c, more than half up to column 251.
     const auto first = [](std::int32_t cols) {
         Mask mask(300, 280);
         for (std::int32_t r = 0; r < mask.rows; ++r)

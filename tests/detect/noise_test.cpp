@@ -1,11 +1,10 @@
-#include "detect/noise.hpp"
-
 #include <cmath>
 #include <limits>
 #include <random>
 
 #include <gtest/gtest.h>
 
+#include "detect/surface_noise.hpp"
 #include "support/test_threads.hpp"
 
 namespace d2b {
@@ -25,7 +24,7 @@ MetreGrid noisy_plane(float deviation) {
 
 TEST(Noise, IsTheStandardDeviationOnOpenGround) {
     for (const float deviation : {0.02F, 0.1F, 0.4F})
-        EXPECT_NEAR(estimate_noise(noisy_plane(deviation), Mask(200, 200), test::threads()),
+        EXPECT_NEAR(surface_noise(noisy_plane(deviation), Mask(200, 200), test::threads()),
                     static_cast<double>(deviation), 0.03 * static_cast<double>(deviation));
 }
 
@@ -39,7 +38,7 @@ TEST(Noise, WhatIsElevatedOrNotValidDoesNotCount) {
         }
     for (std::int32_t r = 0; r < 200; r += 3)
         surface.at(r, 150) = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_NEAR(estimate_noise(surface, elevated, test::threads()), 0.05, 0.003);
+    EXPECT_NEAR(surface_noise(surface, elevated, test::threads()), 0.05, 0.003);
 }
 
 TEST(Noise, AFewRoughCellsDoNotMoveIt) {
@@ -47,17 +46,17 @@ TEST(Noise, AFewRoughCellsDoNotMoveIt) {
     for (std::int32_t r = 0; r < 200; r += 10)
         for (std::int32_t c = 0; c < 200; c += 10)
             surface.at(r, c) += 1.5F;
-    EXPECT_NEAR(estimate_noise(surface, Mask(200, 200), test::threads()), 0.05, 0.004);
+    EXPECT_NEAR(surface_noise(surface, Mask(200, 200), test::threads()), 0.05, 0.004);
 }
 
 TEST(Noise, ZeroWhereValuesAreRoundedOrThereIsNoGround) {
     MetreGrid rounded = noisy_plane(0.05F);
     for (float& z : rounded.values)
         z = std::round(z);
-    EXPECT_EQ(estimate_noise(rounded, Mask(200, 200), test::threads()), 0.0);
-    EXPECT_EQ(estimate_noise(noisy_plane(0.05F), Mask(200, 200, 1), test::threads()), 0.0);
-    EXPECT_EQ(estimate_noise(MetreGrid(20, 20), Mask(20, 20), test::threads()), 0.0);
-    EXPECT_EQ(estimate_noise(MetreGrid(), Mask(), test::threads()), 0.0);
+    EXPECT_EQ(surface_noise(rounded, Mask(200, 200), test::threads()), 0.0);
+    EXPECT_EQ(surface_noise(noisy_plane(0.05F), Mask(200, 200, 1), test::threads()), 0.0);
+    EXPECT_EQ(surface_noise(MetreGrid(20, 20), Mask(20, 20), test::threads()), 0.0);
+    EXPECT_EQ(surface_noise(MetreGrid(), Mask(), test::threads()), 0.0);
 }
 
 }  // namespace d2b

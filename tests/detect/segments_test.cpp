@@ -1,9 +1,8 @@
-#include "detect/segments.hpp"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "detect/smooth_segments.hpp"
 #include "detect/smoothness.hpp"
 #include "detect_case.hpp"
 #include "support/test_threads.hpp"

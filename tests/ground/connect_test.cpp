@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ground/window_pass.hpp"
+#include "ground/line_pass.hpp"
 #include "support/test_threads.hpp"
 
 namespace d2b::ground {

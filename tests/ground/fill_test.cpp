@@ -19,9 +19,9 @@ AlignedGrid plane(std::int32_t rows, std::int32_t cols, float down, float across
     return surface;
 }
 
-void fill(AlignedGrid& surface, int sweeps) {
+void fill(AlignedGrid& surface, int relaxations) {
     Pyramid pyramid;
-    fill_gaps(surface, sweeps, pyramid, test::threads());
+    fill_gaps(surface, relaxations, pyramid, test::threads());
 }
 
 TEST(Fill, KeepsWhatIsKnownAndStaysBetweenItsValues) {

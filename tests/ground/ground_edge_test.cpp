@@ -88,7 +88,7 @@ TEST(GroundEdges, BeyondItsSupportACutChangesNothing) {
     const Scene whole = town(700);
     GroundOptions options;
     options.max_building_width = width;
-    const auto support = static_cast<std::int32_t>(std::ceil(ground_support(whole.cell, options) / 2));
+    const auto support = static_cast<std::int32_t>(std::ceil(ground_halo(whole.cell, options) / 2));
     ASSERT_LT(support, 600);
     constexpr std::int32_t row = 37, col = 51;
     Scene part(700 - row, 700 - col, whole.cell);

@@ -56,8 +56,8 @@ TEST(Ground, TheOptionSaysHowWide) {
     const Scene ground(400, 400, {1, 1});
     Scene city = ground;
     city.box({130, 130, 140, 140}, 12);
-    // Windows reach up to 1.5 times the width to each side, the widest of them at least 1.5 / 1.4 times: 150
-    // m in all at 70 m, 30 m at 10 m.
+    // Structuring elements reach up to 1.5 times the width to each side, the widest of them at least 1.5
+    // / 1.4 times: 150 m in all at 70 m, 30 m at 10 m.
     for (const double width : {70, 140})
         EXPECT_LT(worst(city.terrain(width), ground), 1e-4) << width;
     EXPECT_EQ(city.terrain(10).elevation.at(200, 200), 112);

@@ -17,7 +17,7 @@ struct Offset {
     std::int32_t across;
 };
 
-/// By the definition: of all windows that hold a cell, the highest of their lowest values. Windows' centres
+/// By the definition: of all elements that hold a cell, the highest of their lowest values. Their centres
 /// lie at most `outside` cells out of the grid.
 MetreGrid opened_by_definition(const MetreGrid& grid, const std::vector<Offset>& window, Radius outside) {
     MetreGrid opened(grid.rows, grid.cols, -no_value);

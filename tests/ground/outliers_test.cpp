@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ground/window_pass.hpp"
+#include "ground/line_pass.hpp"
 #include "support/test_threads.hpp"
 
 namespace d2b::ground {
@@ -33,7 +33,7 @@ TEST(Outliers, APitIsOne) {
     EXPECT_EQ(pits[0].limit, 25);
 }
 
-/// Cell by cell: what is 5 m below the lowest of a window of 25 cells around it, after windows of one cell
+/// Cell by cell: what is 5 m below the lowest of an element of 25 cells around it, after elements of one cell
 /// have closed the surface.
 std::vector<std::pair<std::int32_t, std::int32_t>> pits_by_definition(const MetreGrid& grid) {
     const auto extreme = [](const MetreGrid& of, std::int32_t row, std::int32_t col, std::int32_t radius,

@@ -3,7 +3,7 @@
 #include <random>
 
 #include "core/grid.hpp"
-#include "ground/window_pass.hpp"
+#include "ground/line_pass.hpp"
 
 namespace d2b::test {
 

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "ground/ground.hpp"
-#include "ground/objects.hpp"
+#include "ground/progressive_opening.hpp"
 #include "ground/random_surface.hpp"
 #include "support/test_threads.hpp"
 
@@ -69,13 +69,13 @@ TEST(GroundThreads, TheirNumberDoesNotShow) {
 namespace ground {
 namespace {
 
-constexpr Windows windows{2, 40, 0.5, 0.1, 1.4, 8};
+constexpr StructuringElements elements{2, 40, 0.5, 0.1, 1.4, 8};
 
-/// All windows on the whole grid, one after the other.
-MetreGrid limits_without_tiles(const MetreGrid& surface, const Windows& of, Opening open) {
+/// All elements on the whole grid, one after the other.
+MetreGrid limits_without_tiles(const MetreGrid& surface, const StructuringElements& of, Opening open) {
     MetreGrid now = surface, next, limits(surface.rows, surface.cols, no_value);
     Workspace workspace;
-    for (const Step& step : chain_of(of, {1, 1}).steps) {
+    for (const Step& step : opening_steps(of, {1, 1}).steps) {
         open(now, step.radius, step.outside, workspace, next);
         for (std::size_t k = 0; k < now.size(); ++k)
             if (now.values[k] > next.values[k] + step.rise)
@@ -102,7 +102,7 @@ TEST(Tiles, DoNotShowInLimits) {
     AlignedGrid surface;
     surface.cell = {1, 1};
     surface.grid = test::random_surface(5, 700, 1300, 9);
-    Windows small = windows;
+    StructuringElements small = elements;
     small.last_radius = 28;  // no blocks of blocks
     for (const Opening open : {opened_by_rectangle, opened_by_lines})
         EXPECT_EQ(limits_on_blocks(surface, small, open, test::threads()).values,

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ground/window_pass.hpp"
+#include "ground/line_pass.hpp"
 
 namespace d2b::ground {
 namespace {

@@ -20,12 +20,12 @@ struct OutsideRows {
 };
 
 /// The engine: a line sweeps over the lattice, between the row of squares above it and the one below. All
-/// levels are linked, traced and finished in one pass; the carry is one row of runs, the open outlines and
+/// levels are linked, traced and finished in one pass; carried are one row of runs, the open outlines and
 /// the open components. O(squares + length of all outlines).
-class Sweep {
+class SweepLine {
   public:
     /// @param levels root included @param first_col of the window in the whole raster
-    Sweep(std::int32_t levels, std::int32_t first_col, const ElevationRange& range);
+    SweepLine(std::int32_t levels, std::int32_t first_col, const ElevationRange& range);
 
     /// Links the row of squares below the line (given as `current`) to the one above.
     /// @param line row number of the line, which is that of the squares below it

@@ -3,11 +3,11 @@
 #include <utility>
 
 #include "trace/simple_rings.hpp"
-#include "trace/sweep.hpp"
+#include "trace/sweep_line.hpp"
 
 namespace d2b {
 
-void Sweep::add_outline(std::uint32_t component, std::span<const Corner> outline) {
+void SweepLine::add_outline(std::uint32_t component, std::span<const Corner> outline) {
     Component& c = components_[component];
     if (std::ranges::none_of(outline, &Corner::pinch)) {
         add_ring(c, outline);
@@ -17,7 +17,7 @@ void Sweep::add_outline(std::uint32_t component, std::span<const Corner> outline
         add_ring(c, corners);
 }
 
-void Sweep::add_ring(Component& c, std::span<const Corner> corners) {
+void SweepLine::add_ring(Component& c, std::span<const Corner> corners) {
     ring_.clear();
     for (const Corner& corner : corners)
         ring_.push_back(corner.at);
@@ -31,7 +31,7 @@ void Sweep::add_ring(Component& c, std::span<const Corner> corners) {
         c.lowest_outside = std::min(c.lowest_outside, corner.outside);
 }
 
-void Sweep::finish_ended(ContourSink& sink) {
+void SweepLine::finish_ended(ContourSink& sink) {
     for (auto level = previous_.levels.rbegin(); level != previous_.levels.rend(); ++level)
         for (const Run& run : *level) {
             const std::uint32_t root = components_.find(run.component);
@@ -44,7 +44,7 @@ void Sweep::finish_ended(ContourSink& sink) {
     current_.clear();
 }
 
-void Sweep::finish(std::uint32_t root, ContourSink& sink) {
+void SweepLine::finish(std::uint32_t root, ContourSink& sink) {
     Component& c = components_[root];
     c.last_row = -1;
     const std::int32_t level = c.level;

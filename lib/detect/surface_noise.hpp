@@ -8,6 +8,6 @@ namespace d2b {
 /// surface from cell to cell: the median of the second differences along rows between cells that are not
 /// elevated. Furrows and cars are too few to move a median. 0 where there is next to no open ground, and
 /// where values are repeated or rounded. A sum over all cells in whole numbers: their order does not matter.
-[[nodiscard]] double estimate_noise(const MetreGrid& surface, const Mask& elevated, Executor& threads);
+[[nodiscard]] double surface_noise(const MetreGrid& surface, const Mask& elevated, Executor& threads);
 
 }  // namespace d2b

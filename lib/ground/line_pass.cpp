@@ -1,4 +1,4 @@
-#include "ground/window_pass.hpp"
+#include "ground/line_pass.hpp"
 
 #include <algorithm>
 #include <span>
@@ -11,7 +11,7 @@
 namespace d2b::ground {
 namespace {
 
-/// Windows of 2, 4, 8, ... cells from those of half as many; the last two overlap.
+/// Lines of 2, 4, 8, ... cells from those of half as many; the last two overlap.
 template <typename Pick>
 void along_rows(const MetreGrid& from, MetreGrid& into, std::int32_t radius) {
     const Pick pick;
@@ -83,7 +83,7 @@ void lowest_of_nine(const MetreGrid& grid, std::int32_t row, std::vector<float>&
 
 }  // namespace
 
-void window_pass(const MetreGrid& from, MetreGrid& into, Line line, Extremum which, std::int32_t radius) {
+void line_pass(const MetreGrid& from, MetreGrid& into, Line line, Extremum which, std::int32_t radius) {
     if (which == Extremum::lowest)
         pass<Lower>(from, into, line, radius);
     else

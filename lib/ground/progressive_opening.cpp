@@ -1,4 +1,4 @@
-#include "ground/objects.hpp"
+#include "ground/progressive_opening.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "core/row_bands.hpp"
-#include "ground/window_pass.hpp"
+#include "ground/line_pass.hpp"
 
 namespace d2b::ground {
 namespace {
 
 constexpr double widest_in_cells = 30;
 constexpr double neighbour_slope = 0.5;
-constexpr std::int32_t most_around_tile = 60;  ///< or one window's, where that sees farther
+constexpr std::int32_t most_around_tile = 60;  ///< or one element's, where that sees farther
 
 Radius in_cells(double metres, const CellSize& cell) {
     return {static_cast<std::int32_t>(std::lround(metres / cell.down)),
@@ -24,7 +24,7 @@ double smaller_side(const CellSize& cell) {
     return std::min(cell.across, cell.down);
 }
 
-/// How far from a cell windows look, along rows, columns or diagonals.
+/// How far from a cell elements look, along rows, columns or diagonals.
 std::int32_t reach_of(std::span<const Step> steps) {
     std::int32_t sum = 0;
     for (const Step& step : steps)
@@ -33,7 +33,7 @@ std::int32_t reach_of(std::span<const Step> steps) {
 }
 
 /// Lowers the limits of the cells that one opening, from `surface` to `next`, cut off by more than the
-/// windows allow.
+/// elements allow.
 void set_limits(OpenedPart& part, float rise) {
     for (std::int32_t i = 0; i < part.tile.rows; ++i) {
         const float* old = part.row(part.surface, i).data();
@@ -59,7 +59,7 @@ void lower_row(std::span<const float> by, std::span<float> limits) {
         limits[j] = std::min(limits[j], by[j]);
 }
 
-/// As many windows of a chain as tiles can be opened by without looking too far around.
+/// As many elements of a series as tiles can be opened by without looking too far around.
 std::span<const Step> first_steps(std::span<const Step> steps) {
     std::size_t count = 1;
     while (count < steps.size() && reach_of(steps.first(count + 1)) <= most_around_tile)
@@ -67,7 +67,7 @@ std::span<const Step> first_steps(std::span<const Step> steps) {
     return steps.first(count);
 }
 
-/// Opens a grid by all windows of a chain. @return what is left; nothing where there are no windows
+/// Opens a grid by all elements of a series. @return what is left; nothing where there are no elements
 MetreGrid open_whole(const MetreGrid& surface, std::span<const Step> steps, Opening open, MetreGrid& limits,
                      Executor& threads) {
     const std::vector<Tile> tiles = tiles_of(surface.rows, surface.cols, tile_side);
@@ -123,19 +123,19 @@ MetreGrid with_neighbours_limits(const MetreGrid& limits, const CellSize& cell, 
     return around;
 }
 
-Chain chain_of(const Windows& windows, const CellSize& cell) {
-    Chain chain{{}, windows.radius};
-    const Radius border = in_cells(windows.border_reach, cell);
-    double& radius = chain.next_radius;
-    while (radius <= windows.last_radius * 1.0001) {
+OpeningSteps opening_steps(const StructuringElements& elements, const CellSize& cell) {
+    OpeningSteps series{{}, elements.radius};
+    const Radius border = in_cells(elements.border_reach, cell);
+    double& radius = series.next_radius;
+    while (radius <= elements.last_radius * 1.0001) {
         Radius cells = in_cells(radius, cell);
         cells = {std::max(cells.down, 1), std::max(cells.across, 1)};
-        chain.steps.push_back({cells,
-                               {cells.down - border.down, cells.across - border.across},
-                               static_cast<float>(windows.rise + windows.slope * radius)});
-        radius = std::max(radius + smaller_side(cell), radius * windows.growth);
+        series.steps.push_back({cells,
+                                {cells.down - border.down, cells.across - border.across},
+                                static_cast<float>(elements.rise + elements.slope * radius)});
+        radius = std::max(radius + smaller_side(cell), radius * elements.growth);
     }
-    return chain;
+    return series;
 }
 
 void open_part(const MetreGrid& surface, const Tile& tile, std::span<const Step> steps, Opening open,
@@ -154,24 +154,24 @@ void open_part(const MetreGrid& surface, const Tile& tile, std::span<const Step>
     }
 }
 
-MetreGrid limits_on_blocks(const AlignedGrid& surface, const Windows& windows, Opening open,
+MetreGrid limits_on_blocks(const AlignedGrid& surface, const StructuringElements& elements, Opening open,
                            Executor& threads) {
     std::vector<AlignedGrid> levels{shape_of(surface)};
     std::vector<MetreGrid> limits;
     const MetreGrid* cells = &surface.grid;
     MetreGrid blocks;
-    Windows here = windows;
+    StructuringElements here = elements;
     for (;;) {
         const CellSize& size = levels.back().cell;
-        here.last_radius = std::min(windows.last_radius, widest_in_cells * smaller_side(size));
-        const Chain chain = chain_of(here, size);
+        here.last_radius = std::min(elements.last_radius, widest_in_cells * smaller_side(size));
+        const OpeningSteps series = opening_steps(here, size);
         limits.emplace_back(cells->rows, cells->cols, no_value);
-        MetreGrid left = open_whole(*cells, chain.steps, open, limits.back(), threads);
-        here.radius = chain.next_radius;
-        if (here.radius > windows.last_radius * 1.0001)
+        MetreGrid left = open_whole(*cells, series.steps, open, limits.back(), threads);
+        here.radius = series.next_radius;
+        if (here.radius > elements.last_radius * 1.0001)
             break;
         AlignedGrid coarse =
-            lowest_of_blocks(levels.back(), chain.steps.empty() ? *cells : left, twice, threads);
+            lowest_of_blocks(levels.back(), series.steps.empty() ? *cells : left, twice, threads);
         levels.push_back(shape_of(coarse));
         blocks = std::move(coarse.grid);
         cells = &blocks;

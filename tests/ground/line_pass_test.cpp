@@ -1,4 +1,4 @@
-#include "ground/window_pass.hpp"
+#include "ground/line_pass.hpp"
 
 #include <algorithm>
 #include <tuple>
@@ -11,7 +11,7 @@
 namespace d2b::ground {
 namespace {
 
-/// Cell by cell and window by window.
+/// Cell by cell and element by element.
 float extremum_of_window(const MetreGrid& grid, std::int32_t row, std::int32_t col, Line line, Extremum which,
                          std::int32_t radius) {
     const bool lowest = which == Extremum::lowest;
@@ -29,16 +29,16 @@ float extremum_of_window(const MetreGrid& grid, std::int32_t row, std::int32_t c
 
 void expect_every_window(const MetreGrid& grid, Line line, Extremum which, std::int32_t radius) {
     MetreGrid found(grid.rows, grid.cols);
-    window_pass(grid, found, line, which, radius);
+    line_pass(grid, found, line, which, radius);
     for (std::int32_t i = 0; i < grid.rows; ++i)
         for (std::int32_t j = 0; j < grid.cols; ++j)
             ASSERT_EQ(found.at(i, j), extremum_of_window(grid, i, j, line, which, radius))
                 << "row " << i << " column " << j << " radius " << radius;
 }
 
-class WindowPass : public testing::TestWithParam<std::tuple<Line, Extremum>> {};
+class LinePass : public testing::TestWithParam<std::tuple<Line, Extremum>> {};
 
-TEST_P(WindowPass, FindsWhatEveryWindowHolds) {
+TEST_P(LinePass, FindsWhatEveryWindowHolds) {
     const auto [line, which] = GetParam();
     for (unsigned seed = 0; seed < 40; ++seed) {
         const auto rows = static_cast<std::int32_t>(1 + seed * 7 % 23);
@@ -48,17 +48,17 @@ TEST_P(WindowPass, FindsWhatEveryWindowHolds) {
     }
 }
 
-TEST_P(WindowPass, FindsItAcrossTheStripsOfAWideGrid) {
+TEST_P(LinePass, FindsItAcrossTheStripsOfAWideGrid) {
     const auto [line, which] = GetParam();
     expect_every_window(test::random_surface(3, 9, 4200), line, which, 5);
 }
 
-TEST_P(WindowPass, WindowsMayBeWiderThanTheGrid) {
+TEST_P(LinePass, WindowsMayBeWiderThanTheGrid) {
     const auto [line, which] = GetParam();
     expect_every_window(test::random_surface(4, 3, 4), line, which, 30);
 }
 
-INSTANTIATE_TEST_SUITE_P(AllLines, WindowPass,
+INSTANTIATE_TEST_SUITE_P(AllLines, LinePass,
                          testing::Combine(testing::Values(Line::row, Line::column, Line::right_diagonal,
                                                           Line::left_diagonal),
                                           testing::Values(Extremum::lowest, Extremum::highest)));

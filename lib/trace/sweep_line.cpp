@@ -1,16 +1,16 @@
-#include "trace/sweep.hpp"
+#include "trace/sweep_line.hpp"
 
 #include <algorithm>
 
 namespace d2b {
 
-Sweep::Sweep(std::int32_t levels, std::int32_t first_col, const ElevationRange& range)
+SweepLine::SweepLine(std::int32_t levels, std::int32_t first_col, const ElevationRange& range)
     : first_col_(first_col), components_(range) {
     previous_.levels.resize(static_cast<std::size_t>(levels));
     current_.levels.resize(static_cast<std::size_t>(levels));
 }
 
-void Sweep::link(std::int32_t line, const OutsideRows& outside) {
+void SweepLine::link(std::int32_t line, const OutsideRows& outside) {
     line_ = line;
     of_points_ = outside.of_points;
     for (std::size_t level = 0; level < current_.levels.size(); ++level)
@@ -18,7 +18,7 @@ void Sweep::link(std::int32_t line, const OutsideRows& outside) {
 }
 
 /// Pairs of runs that share an edge, in the order of both rows.
-void Sweep::find_links(const Runs& upper, const Runs& lower) {
+void SweepLine::find_links(const Runs& upper, const Runs& lower) {
     links_.clear();
     pinches_.clear();
     std::uint32_t i = 0;
@@ -38,12 +38,12 @@ void Sweep::find_links(const Runs& upper, const Runs& lower) {
     }
 }
 
-Corner Sweep::corner(std::int32_t col, double outside) const {
+Corner SweepLine::corner(std::int32_t col, double outside) const {
     return {{line_, col + first_col_}, std::binary_search(pinches_.begin(), pinches_.end(), col), outside};
 }
 
 /// Of the points within a cell of the edge from `from` to `to`.
-double Sweep::lowest(std::span<const double> row, std::int32_t from, std::int32_t to) const {
+double SweepLine::lowest(std::span<const double> row, std::int32_t from, std::int32_t to) const {
     if (!with_outside_ || row.empty())
         return nothing_outside;
     const auto begin = static_cast<std::size_t>(std::max(0, from - 1));
@@ -52,7 +52,7 @@ double Sweep::lowest(std::span<const double> row, std::int32_t from, std::int32_
                              row.begin() + static_cast<std::ptrdiff_t>(end));
 }
 
-void Sweep::link_level(std::size_t level, const OutsideRows& outside) {
+void SweepLine::link_level(std::size_t level, const OutsideRows& outside) {
     Runs& upper = previous_.levels[level];
     Runs& lower = current_.levels[level];
     if (upper.empty() && lower.empty())
@@ -79,7 +79,7 @@ void Sweep::link_level(std::size_t level, const OutsideRows& outside) {
 
 /// Two runs that share an edge become one component, and the outlines between them and their neighbours go
 /// on.
-void Sweep::follow(std::size_t i, std::size_t level, const OutsideRows& outside) {
+void SweepLine::follow(std::size_t i, std::size_t level, const OutsideRows& outside) {
     const Link link = links_[i];
     Runs& uppers = previous_.levels[level];
     Runs& lowers = current_.levels[level];
@@ -112,7 +112,7 @@ void Sweep::follow(std::size_t i, std::size_t level, const OutsideRows& outside)
         right_sides_meet(upper, lower, outside);
 }
 
-void Sweep::left_sides_meet(Run& upper, Run& lower, const OutsideRows& outside) {
+void SweepLine::left_sides_meet(Run& upper, Run& lower, const OutsideRows& outside) {
     lower.head = upper.head;
     if (lower.begin == upper.begin)
         return;
@@ -121,7 +121,7 @@ void Sweep::left_sides_meet(Run& upper, Run& lower, const OutsideRows& outside) 
     arms_.extend_head(lower.head, corner(upper.begin), corner(lower.begin, beside));
 }
 
-void Sweep::right_sides_meet(Run& upper, Run& lower, const OutsideRows& outside) {
+void SweepLine::right_sides_meet(Run& upper, Run& lower, const OutsideRows& outside) {
     lower.tail = upper.tail;
     if (lower.end == upper.end)
         return;
@@ -130,7 +130,7 @@ void Sweep::right_sides_meet(Run& upper, Run& lower, const OutsideRows& outside)
     arms_.extend_tail(lower.tail, corner(upper.end), corner(lower.end, beside));
 }
 
-void Sweep::start(Run& run, std::size_t level, const OutsideRows& outside) {
+void SweepLine::start(Run& run, std::size_t level, const OutsideRows& outside) {
     const std::uint32_t below = level == 0 ? no_index : current_.levels[level - 1][run.below].component;
     run.component =
         components_.add(static_cast<std::int32_t>(level), run.label, {line_, run.begin + first_col_}, below);
@@ -142,15 +142,15 @@ void Sweep::start(Run& run, std::size_t level, const OutsideRows& outside) {
 
 /// Joins the head at `head_run`'s left side, at column `from`, to the tail at `tail_run`'s right side, at
 /// `to`.
-void Sweep::close_gap(Run& head_run, Run& tail_run, std::int32_t from, std::int32_t to,
-                      std::uint32_t component, std::span<const double> outside) {
+void SweepLine::close_gap(Run& head_run, Run& tail_run, std::int32_t from, std::int32_t to,
+                          std::uint32_t component, std::span<const double> outside) {
     const double beside = lowest(outside, std::min(from, to), std::max(from, to));
     const auto ring = arms_.join(head_run.head, corner(from), corner(to, beside), tail_run.tail);
     if (!ring.empty())
         add_outline(components_.find(component), ring);
 }
 
-void Sweep::pass_sides(Run& run, const OutsideRows& outside) {
+void SweepLine::pass_sides(Run& run, const OutsideRows& outside) {
     // Only the columns beside the run: what lies diagonally is seen from the horizontal edges.
     const std::int32_t left = run.begin - 1;
     const std::int32_t right = run.end + (of_points_ ? 1 : 0);

@@ -11,35 +11,35 @@ namespace d2b::ground {
 
 using Opening = void (*)(const MetreGrid&, Radius, Radius, Workspace&, MetreGrid&);
 
-/// Which windows are opened, and what rises too far above them.
-struct Windows {
-    double radius = 1;         ///< of the next window, metres
+/// Which structuring elements are opened with, and what rises too far above them.
+struct StructuringElements {
+    double radius = 1;         ///< of the next element, metres
     double last_radius = 1;    ///< of the widest
     double rise = 0;           ///< an object rises above the opened surface by this ...
     double slope = 0;          ///< ... and this times the radius
-    double growth = 1.2;       ///< from a window to the next, but at least by a cell
-    double border_reach = 14;  ///< windows reach as far into the grid at its border, or their whole radius
+    double growth = 1.2;       ///< from an element to the next, but at least by a cell
+    double border_reach = 14;  ///< elements reach as far into the grid at its border, or their whole radius
 };
 
-/// A window in cells.
+/// A structuring element in cells.
 struct Step {
     Radius radius;
     Radius outside;  ///< how far it reaches out of the grid
     float rise = 0;  ///< how far an object rises above the surface that it leaves
 };
 
-/// Windows that are opened one after the other on cells of one size.
-struct Chain {
+/// The openings of a grid one after the other, by structuring elements on cells of one size.
+struct OpeningSteps {
     std::vector<Step> steps;
-    double next_radius = 0;  ///< of the window that would be next, metres
+    double next_radius = 0;  ///< of the element that would be next, metres
 };
-[[nodiscard]] Chain chain_of(const Windows& windows, const CellSize& cell);
+[[nodiscard]] OpeningSteps opening_steps(const StructuringElements& elements, const CellSize& cell);
 
 /// A part of a grid without objects up to some width, and the height above which a cell was part of one;
 /// `no_value` where it was of none. Kept from one part to the next, so that memory is asked for once.
 struct OpenedPart {
     Tile tile;          ///< the part that was asked for
-    Tile place;         ///< and what its windows see around it
+    Tile place;         ///< and what its elements see around it
     MetreGrid surface;  ///< of `place`, but right in `tile` alone
     MetreGrid limits;   ///< of `tile`
     MetreGrid next;
@@ -52,14 +52,14 @@ struct OpenedPart {
     }
 };
 
-/// Progressive opening (SMRF): each window opens what the one before has left.
+/// Progressive opening (SMRF): each element opens what the one before has left.
 void open_part(const MetreGrid& surface, const Tile& tile, std::span<const Step> steps, Opening open,
                OpenedPart& part);
 
-/// The same for all cells, but windows of more than some ten cells are opened on blocks of 2 x 2 cells, and
-/// so on: the cost a cell does not grow with the widest window. @return the limits
-[[nodiscard]] MetreGrid limits_on_blocks(const AlignedGrid& surface, const Windows& windows, Opening open,
-                                         Executor& threads);
+/// The same for all cells, but elements of more than some ten cells are opened on blocks of 2 x 2 cells, and
+/// so on: the cost a cell does not grow with the widest element. @return the limits
+[[nodiscard]] MetreGrid limits_on_blocks(const AlignedGrid& surface, const StructuringElements& elements,
+                                         Opening open, Executor& threads);
 
 /// A block's limit holds for its cells and, as walls do not run along blocks, for those of its neighbours,
 /// but for what the ground may rise until there.

@@ -19,7 +19,7 @@ inline constexpr float no_value = 3.402823466e+38F;
 /// grid's border. The cost a cell does not grow with the radius but for lines along a row, where it grows
 /// with its logarithm (and those are in the processor's nearest cache).
 /// @param into of the same size; another grid than `from`
-void window_pass(const MetreGrid& from, MetreGrid& into, Line line, Extremum which, std::int32_t radius);
+void line_pass(const MetreGrid& from, MetreGrid& into, Line line, Extremum which, std::int32_t radius);
 
 /// The lowest of each cell and its eight neighbours.
 [[nodiscard]] MetreGrid lowest_around(const MetreGrid& grid, Executor& threads);

@@ -1,4 +1,4 @@
-#include "detect/noise.hpp"
+#include "detect/surface_noise.hpp"
 
 #include <array>
 #include <cmath>
@@ -40,7 +40,7 @@ struct Counts {
 
 }  // namespace
 
-double estimate_noise(const MetreGrid& surface, const Mask& elevated, Executor& threads) {
+double surface_noise(const MetreGrid& surface, const Mask& elevated, Executor& threads) {
     Counts sum;
     std::mutex mutex;
     for_row_bands(threads, surface.rows, surface.cols, [&](RowBand band) {

@@ -1,4 +1,4 @@
-#include "detect/segments.hpp"
+#include "detect/smooth_segments.hpp"
 
 #include <algorithm>
 #include <cmath>
