@@ -18,15 +18,6 @@ namespace d2b {
 
 namespace {
 
-/// A NoData value as a band of 32-bit floats would hold it. Decimal texts of the largest float may lie a
-/// little above it; what is farther out equals no float.
-double as_single(double value) {
-    constexpr auto largest = static_cast<double>(std::numeric_limits<float>::max());
-    if (std::isfinite(value) && std::abs(value) > largest)
-        return std::abs(value) <= 3.4028236e38 ? std::copysign(largest, value) : value;
-    return static_cast<double>(static_cast<float>(value));
-}
-
 /// GDAL would fill up with zeros what it cannot read of an uncompressed file in one piece.
 class NoBigReads {
   public:
@@ -51,6 +42,13 @@ std::string path_of(GDALRasterBandH band) {
 }
 
 }  // namespace
+
+double as_single(double value) {
+    constexpr auto largest = static_cast<double>(std::numeric_limits<float>::max());
+    if (std::isfinite(value) && std::abs(value) > largest)
+        return std::abs(value) <= 3.4028236e38 ? std::copysign(largest, value) : value;
+    return static_cast<double>(static_cast<float>(value));
+}
 
 BandReader::BandReader(GDALRasterBandH band, const ReadOptions& options, DemInfo info, Context& context)
     : band_(band), info_(std::move(info)) {

@@ -20,6 +20,10 @@ struct LimitCounts {
     ValueCounts outside;
 };
 
+/// A NoData value as a band of 32-bit floats would hold it. Decimal texts of the largest float may lie a
+/// little above it; what is farther out equals no float.
+[[nodiscard]] double as_single(double value);
+
 /// Reads elevations of one band: scale and offset applied, NaN where a value is not valid.
 /// Valid is what is finite and what the band's mask (NoData, mask of the dataset, alpha above 0) lets
 /// through. options.nodata takes the place of the file's NoData value and is compared with values as stored;

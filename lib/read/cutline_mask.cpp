@@ -111,6 +111,7 @@ void CutlineMask::burn(std::int32_t first_row) {
 }
 
 void CutlineMask::apply(std::int32_t first_row, std::int32_t rows, std::span<double> elevations) {
+    const std::lock_guard lock(burning_);
     const auto cols = static_cast<std::size_t>(window_.cols);
     for (std::int32_t i = 0; i < rows; ++i) {
         const std::int32_t row = first_row + i;
@@ -122,6 +123,17 @@ void CutlineMask::apply(std::int32_t first_row, std::int32_t rows, std::span<dou
             if (inside[col] == 0)
                 line[col] = std::numeric_limits<double>::quiet_NaN();
     }
+}
+
+std::unique_ptr<CutlineMask> open_cutline(const ReadOptions& options, const DemInfo& info, Context& context) {
+    if (options.cutline.empty())
+        return nullptr;
+    const PolygonPlace place{"cutline", options.cutline, options.cutline_layer};
+    auto mask = std::make_unique<CutlineMask>(read_cutline(place, info, context), info.window);
+    if (!mask->meets_window())
+        context.warn("The cutline '" + place.path + "' does not meet the part of '" + info.name +
+                     "' that is used; no point of it is valid.");
+    return mask;
 }
 
 }  // namespace d2b

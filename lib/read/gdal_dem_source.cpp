@@ -1,8 +1,6 @@
 #include "read/gdal_dem_source.hpp"
 
 #include <algorithm>
-#include <mutex>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -67,38 +65,25 @@ class GdalDemSource final : public DemSource {
   public:
     GdalDemSource(std::unique_ptr<KeptStandardInput> standard_input, OpenRaster raster,
                   const ReadOptions& options, Context& context)
-        : context_(context),
-          standard_input_(std::move(standard_input)),
+        : standard_input_(std::move(standard_input)),
           info_(describe(raster, options, context)),
           readers_(std::move(raster), options, standard_input_ ? standard_input_->path() : options.source,
-                   info_, context) {
-        if (!options.cutline.empty())
-            cut({"cutline", options.cutline, options.cutline_layer});
-    }
+                   info_, context),
+          cutline_(open_cutline(options, info_, context)) {}
 
     [[nodiscard]] const DemInfo& info() const override { return info_; }
 
     void read(std::int32_t first_row, std::int32_t rows, std::span<double> elevations) override {
         readers_.read(first_row, rows, elevations);
-        const std::lock_guard lock(cutting_);
         if (cutline_)
             cutline_->apply(first_row, rows, elevations);
     }
 
   private:
-    void cut(const PolygonPlace& place) {
-        cutline_.emplace(read_cutline(place, info_, context_), info_.window);
-        if (!cutline_->meets_window())
-            context_.warn("The cutline '" + place.path + "' does not meet the part of '" + info_.name +
-                          "' that is used; no point of it is valid.");
-    }
-
-    Context& context_;
     std::unique_ptr<KeptStandardInput> standard_input_;  // before the readers, which must be closed first
     DemInfo info_;
     ReaderPool readers_;
-    std::mutex cutting_;
-    std::optional<CutlineMask> cutline_;
+    std::unique_ptr<CutlineMask> cutline_;
 };
 
 }  // namespace

@@ -15,6 +15,9 @@ namespace d2b {
 ///         cutline. @throws OptionError: options that do not fit the raster, or a window outside of it
 [[nodiscard]] std::unique_ptr<DemSource> open_dem(const ReadOptions& options, Context& context);
 
+/// Registers GDAL's drivers. Call once, before other threads start.
+void register_formats();
+
 /// Registers GDAL's drivers and sets the process up for the tools: no message of GDAL's reaches stderr by
 /// itself. Call once, before other threads start.
 void start_gdal();

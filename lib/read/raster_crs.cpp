@@ -42,8 +42,8 @@ std::string wkt_of(OGRSpatialReferenceH crs) {
     return status == OGRERR_NONE && text != nullptr ? text : "";
 }
 
-void read_crs(GDALDatasetH dataset, const std::string& user_crs, DemInfo& info, Context& context) {
-    info.crs_wkt = user_crs.empty() ? wkt_of(GDALGetSpatialRef(dataset)) : wkt_from_user(user_crs);
+void set_crs(const std::string& own_wkt, const std::string& user_crs, DemInfo& info, Context& context) {
+    info.crs_wkt = user_crs.empty() ? own_wkt : wkt_from_user(user_crs);
     const Crs crs(info.crs_wkt);
     require_plane(crs, user_crs.empty() ? "" : "-a_srs " + one_line(user_crs), info.name);
     if (!info.georeferenced && user_crs.empty() && crs.kind() == Crs::Kind::geographic) {
@@ -56,6 +56,10 @@ void read_crs(GDALDatasetH dataset, const std::string& user_crs, DemInfo& info, 
         context.warn("'" + info.name +
                      "' has no coordinate reference system; lengths are taken as plain units; " +
                      "give it with -a_srs.");
+}
+
+void read_crs(GDALDatasetH dataset, const std::string& user_crs, DemInfo& info, Context& context) {
+    set_crs(user_crs.empty() ? wkt_of(GDALGetSpatialRef(dataset)) : "", user_crs, info, context);
 }
 
 CrsOwner horizontal_crs(const std::string& wkt) {

@@ -11,9 +11,13 @@
 namespace d2b {
 
 /// Sets crs_wkt: what the user gave, else the raster's own; "" and a warning where there is none, or where it
-/// is one of degrees and the coordinates are pixels. After read_transform().
+/// is one of degrees and the coordinates are pixels. After set_transform().
+/// @param own_wkt the raster's own; "" for none
 /// @param user_crs anything that names a CRS without a file or the network being read; "" for the raster's
 /// @throws OptionError where user_crs is no CRS, or has no plane; InputError where the raster's has none
+void set_crs(const std::string& own_wkt, const std::string& user_crs, DemInfo& info, Context& context);
+
+/// The same from a dataset.
 void read_crs(GDALDatasetH dataset, const std::string& user_crs, DemInfo& info, Context& context);
 
 /// As WKT; "" where it is null, empty or cannot be written so.

@@ -20,16 +20,22 @@ bool invertible(const AffineTransform& g) {
 
 }  // namespace
 
+void set_transform(const std::optional<AffineTransform>& transform, const std::string& advice, DemInfo& info,
+                   Context& context) {
+    info.georeferenced = transform.has_value();
+    info.transform = transform.value_or(DemInfo{}.transform);
+    if (!transform)
+        context.warn("'" + info.name +
+                     "' has no georeferencing; coordinates are columns and, upwards, rows.");
+    else if (!invertible(*transform))
+        throw InputError("The transform of '" + info.name + "' (" + numbers_text(*transform, ", ") +
+                         ") gives its cells no area; " + advice + ".");
+}
+
 void read_transform(GDALDatasetH dataset, DemInfo& info, Context& context) {
     AffineTransform transform{};
-    info.georeferenced = GDALGetGeoTransform(dataset, transform.data()) == CE_None;
-    if (info.georeferenced) {
-        if (!invertible(transform))
-            throw InputError("The transform of '" + info.name + "' (" + numbers_text(transform, ", ") +
-                             ") gives its cells no area; correct it, for example with gdal_edit.py -a_ullr.");
-        info.transform = transform;
-        return;
-    }
+    if (GDALGetGeoTransform(dataset, transform.data()) == CE_None)
+        return set_transform(transform, "correct it, for example with gdal_edit.py -a_ullr", info, context);
     // GDAL can place these cell by cell; outlines need a grid.
     const auto has = [&](const char* domain) {
         const CSLConstList items = GDALGetMetadata(dataset, domain);
@@ -44,8 +50,7 @@ void read_transform(GDALDatasetH dataset, DemInfo& info, Context& context) {
     if (GDALGetGCPCount(dataset) > 0)
         throw InputError("'" + info.name + "' is placed by ground control points only; " +
                          "turn it into a regular grid with gdalwarp first.");
-    info.transform = DemInfo{}.transform;
-    context.warn("'" + info.name + "' has no georeferencing; coordinates are columns and, upwards, rows.");
+    set_transform(std::nullopt, "", info, context);
 }
 
 }  // namespace d2b

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include <gdal.h>
 
 #include "core/context.hpp"
@@ -7,9 +10,14 @@
 
 namespace d2b {
 
-/// Sets transform and georeferenced from a raster whose name is set. Without a transform the coordinates are
-/// pixels, y up, with a warning. @throws InputError singular or not finite; placed by ground control points,
-/// rational polynomials or geolocation arrays only
+/// Sets transform and georeferenced of a raster whose name is set. Without a transform the coordinates are
+/// pixels, y up, with a warning. @param advice what to do about a transform that is none
+/// @throws InputError singular or not finite
+void set_transform(const std::optional<AffineTransform>& transform, const std::string& advice, DemInfo& info,
+                   Context& context);
+
+/// The same from a dataset. @throws InputError also where it is placed by ground control points, rational
+/// polynomials or geolocation arrays only
 void read_transform(GDALDatasetH dataset, DemInfo& info, Context& context);
 
 }  // namespace d2b

@@ -6,11 +6,15 @@
 
 namespace d2b {
 
+void register_formats() {
+    GDALAllRegister();
+}
+
 void start_gdal() {
     // Messages of GDAL's worker threads, or from outside of our own scopes, go to the handler of the process.
     // This one says nothing but debug messages, which only appear where CPL_DEBUG asks for them.
     CPLSetErrorHandler(CPLQuietErrorHandler);
-    GDALAllRegister();
+    register_formats();
     // Rasters are read once, from the top to the bottom; GDAL would keep a twentieth of the machine's memory.
     constexpr GIntBig cache_bytes = GIntBig{128} << 20;
     if (CPLGetConfigOption("GDAL_CACHEMAX", nullptr) == nullptr)

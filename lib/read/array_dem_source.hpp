@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/context.hpp"
+#include "dem2buildings/dem_source.hpp"
+#include "dem2buildings/options.hpp"
+
+namespace d2b {
+
+enum class ValueType { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
+
+/// Values in rows and columns, in memory that belongs to the caller. Steps are in bytes, of any size and
+/// sign.
+struct StridedValues {
+    const void* first = nullptr;  ///< of row 0 and column 0; null: there are none
+    std::ptrdiff_t row_step = 0;
+    std::ptrdiff_t col_step = 0;
+};
+
+/// A raster in memory.
+struct ElevationArray {
+    std::string name;  ///< for messages and provenance
+    std::int32_t rows = 0;
+    std::int32_t cols = 0;
+    ValueType type = ValueType::float64;
+    StridedValues values;  ///< need not be aligned
+    StridedValues masked;  ///< bytes, not 0 where a point is not valid; there may be none
+    std::optional<AffineTransform> transform;
+};
+
+/// The array as a DEM: nothing of it is copied. NaN and infinite values are not valid. Windows, the cutline,
+/// NoData and the CRS are those of the options.
+/// @param array which must not change as long as the source lives @param context must outlive the source
+/// @throws InputError: no cells, a singular transform, an unusable cutline. @throws OptionError: options of
+/// files, or a window outside of the array
+[[nodiscard]] std::unique_ptr<DemSource> open_dem(const ElevationArray& array, const ReadOptions& options,
+                                                  Context& context);
+
+}  // namespace d2b
