@@ -65,8 +65,7 @@ void take_file_names(const std::vector<std::string>& names, Options& options) {
         if (name == "-")
             throw OptionError("'-' is no file name here; write /vsistdin/ or /vsistdout/.");
     }
-    if (names[0] == names[1])
-        throw OptionError("The destination '" + names[1] + "' is the source; give another name.");
+    require_other_file(names[0], names[1]);
     if (names[1].starts_with("/vsimem/"))
         throw OptionError("The destination '" + names[1] +
                           "' lies in memory and is gone when the program ends; give a file.");
@@ -83,6 +82,11 @@ void check_side_files(const WriteOptions& write) {
 }
 
 }  // namespace
+
+void require_other_file(const std::string& source, const std::string& destination) {
+    if (source == destination)
+        throw OptionError("The destination '" + destination + "' is the source; give another name.");
+}
 
 bool writes_to_stdout(const Request& request) {
     return request.options.write.destination.find("/vsistdout") != std::string::npos;

@@ -14,6 +14,9 @@ namespace d2b {
 /// @throws OptionError
 [[nodiscard]] Request parse_command_line(const std::vector<std::string>& arguments);
 
+/// @throws OptionError: the destination is the source
+void require_other_file(const std::string& source, const std::string& destination);
+
 /// Whether the result itself goes to stdout, so that nothing else may.
 [[nodiscard]] bool writes_to_stdout(const Request& request);
 

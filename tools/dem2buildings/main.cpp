@@ -14,36 +14,20 @@
 #include "core/version.hpp"
 #include "dem2buildings/command_line.hpp"
 #include "dem2buildings/error.hpp"
+#include "dem2buildings/extract_file.hpp"
 #include "dem2buildings/help.hpp"
 #include "dem2buildings/interrupt.hpp"
 #include "dem2buildings/json_report.hpp"
-#include "dem2buildings/preview.hpp"
 #include "dem2buildings/progress.hpp"
-#include "dem2buildings/side_rasters.hpp"
 #include "dem2buildings/sweep.hpp"
 #include "geometry/geos.hpp"
 #include "options/preset.hpp"
-#include "pipeline/pipeline.hpp"
 #include "read/gdal_command_line.hpp"
 #include "read/gdal_dem_source.hpp"
-#include "read/source_advice.hpp"
 #include "write/file_spool.hpp"
-#include "write/ogr_feature_sink.hpp"
 
 namespace d2b {
 namespace {
-
-/// Who gives the file names in the wrong order reads nothing of the raster that he gave.
-std::unique_ptr<DemSource> open_source(const Options& options, Context& context) {
-    try {
-        return open_dem(options.read, context);
-    } catch (const InputError&) {
-        if (!are_swapped(options.read.source, options.write.destination))
-            throw;
-        throw OptionError("'" + options.read.source + "' is no raster and '" + options.write.destination +
-                          "' is one; the source comes first, so change their order.");
-    }
-}
 
 void process(const Request& request) {
     OwnStdout own_stdout;
@@ -63,30 +47,21 @@ void process(const Request& request) {
     context.make_spool = [] { return std::make_unique<FileSpool>(); };
     context.stop = interrupted;
     start_gdal();
-    const auto source = open_source(options, context);
-    const SideSources side_sources = open_side_sources(options, source->info(), context);
-    const Sources sources{*source, side_sources.terrain.get(), side_sources.mask.get(),
-                          side_sources.ndvi.get()};
     if (!request.tool.sweep.empty()) {
         options.write.layers = Layers::both;
-        const std::vector<Trial> trials = run_sweep(options, sources, request.tool.sweep_plan, context);
+        const Inputs inputs = open_inputs(options, context);
+        const std::vector<Trial> trials =
+            run_sweep(options, inputs.sources(), request.tool.sweep_plan, context);
         if (!quiet)
             progress.update(1);
         std::cout << (request.tool.json ? sweep_json(trials) : sweep_table(trials));
         own_stdout.finish();
         return;
     }
-    const auto sink = open_sink(options.write, context);
-    const SideSinks side_sinks = open_side_sinks(options, source->info(), context);
-    Preview preview(options, *sink, *source, context);
-    options.write.layers = layers_for(options.write);
-    run(options, sources,
-        {preview.features(), side_sinks.ground.get(), side_sinks.height.get(), side_sinks.canopy.get()},
-        context);
-    preview.publish();
+    const Layers layers = extract_file(options, context);
     if (!quiet) {
         progress.update(1);
-        std::cout << summary(context.report, options.write.layers, options.write.destination);
+        std::cout << summary(context.report, layers, options.write.destination);
     }
     if (request.tool.json)
         std::cout << json_report(context.report);

@@ -115,36 +115,38 @@ void take_file_names(const std::vector<std::string>& names, ScoreRequest& reques
 const std::vector<ScoreOption>& score_options() {
     using Text = const std::string&;
     static const std::vector<ScoreOption> options{
-        {"layer", "<name>",
+        {"layer", "<name>", "text",
          "Layer of the found footprints. Default: buildings where there is one, else the first.",
          [](ScoreRequest& r, Text value) { r.layer = value; }},
-        {"reference_layer", "<name>",
+        {"reference_layer", "<name>", "text",
          "Layer of the reference. Default: blocks_dissolved, else buildings, else the first.",
          [](ScoreRequest& r, Text value) { r.reference_layer = value; }},
-        {"height_field", "<name>",
+        {"height_field", "<name>", "text",
          "Field of the reference with heights above ground in m. Default: height, else Height, else roof_h.",
          [](ScoreRequest& r, Text value) { r.height_field = value; }},
-        {"aoi", "<dataset or layer>",
+        {"aoi", "<dataset or layer>", "dataset",
          "Polygons in which the reference is complete: a layer of the reference, or else a dataset, of which "
          "the first layer counts. Default: the layer aoi of the reference where there is one, else no limit.",
          [](ScoreRequest& r, Text value) { r.area_of_interest = value; }},
-        {"dem", "<raster>",
+        {"dem", "<raster>", "raster",
          "The raster that the footprints were found in: what is beyond it or has no data is left out, and "
          "all is measured in its CRS. Default: no limit, and the CRS of the reference.",
          [](ScoreRequest& r, Text value) { r.dem = value; }},
-        {"min_object", "<m2>", "The smallest object that is counted. At least 0. Unit: m2. Default: 50.",
+        {"min_object", "<m2>", "number",
+         "The smallest object that is counted. At least 0. Unit: m2. Default: 50.",
          [](ScoreRequest& r, Text value) {
              NumberRange range;
              range.lowest = 0;
              r.min_object_m2 = parse_number("min_object", range, value);
          }},
-        {"json", "", "Print the result as JSON.", [](ScoreRequest& r, Text) { r.json = true; }},
-        {"q", "", "Print the figures alone, without names of files and numbers behind them.",
+        {"json", "", "switch", "Print the result as JSON.", [](ScoreRequest& r, Text) { r.json = true; }},
+        {"q", "", "switch", "Print the figures alone, without names of files and numbers behind them.",
          [](ScoreRequest& r, Text) { r.quiet = true; }},
-        {"help", "", "Print this help.", [](ScoreRequest& r, Text) { r.help = true; }},
-        {"version", "", "Print the versions of the program and of its libraries.",
+        {"help", "", "switch", "Print this help.", [](ScoreRequest& r, Text) { r.help = true; }},
+        {"version", "", "switch", "Print the versions of the program and of its libraries.",
          [](ScoreRequest& r, Text) { r.version = true; }},
-        {"man", "", "Print the man page as roff.", [](ScoreRequest& r, Text) { r.man_page = true; }},
+        {"man", "", "switch", "Print the man page as roff.",
+         [](ScoreRequest& r, Text) { r.man_page = true; }},
     };
     return options;
 }

@@ -9,8 +9,8 @@ namespace d2b {
 /// All that the command line can set.
 struct ScoreRequest {
     std::string found;
-    std::string reference;
-    std::string layer;  ///< of found; "" for the default, as below
+    std::string reference;  ///< "" where it is no dataset
+    std::string layer;      ///< of found; "" for the default, as below
     std::string reference_layer;
     std::string height_field;      ///< of the reference
     std::string area_of_interest;  ///< a layer of the reference, or a dataset
@@ -27,6 +27,7 @@ struct ScoreRequest {
 struct ScoreOption {
     std::string name;   ///< without dash
     std::string value;  ///< "<name>"; "" for a switch
+    std::string kind;   ///< as option_kind() of the tool dem2buildings has them
     std::string help;
     std::function<void(ScoreRequest&, const std::string&)> apply;  ///< @throws OptionError
 };

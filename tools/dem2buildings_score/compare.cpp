@@ -35,7 +35,8 @@ Polygons all_polygons(std::vector<PolygonFeature> footprints) {
 
 std::optional<Limit> area_of_interest(const ScoreRequest& request, Context& context) {
     LayerChoice choice{request.reference, "aoi", {}, {}, {}};
-    const std::vector<std::string> layers = layer_names(request.reference, context);
+    const std::vector<std::string> layers =
+        request.reference.empty() ? std::vector<std::string>() : layer_names(request.reference, context);
     const auto has = [&](const std::string& name) { return std::ranges::find(layers, name) != layers.end(); };
     if (!request.area_of_interest.empty()) {
         choice.layer = request.area_of_interest;
@@ -103,6 +104,8 @@ std::optional<Polygons> region_of(std::vector<Limit>& limits, const MeasurePlane
     return region;
 }
 
+}  // namespace
+
 LayerChoice found_choice(const ScoreRequest& request) {
     return {request.found, request.layer, {"buildings"}, {}, {"height"}};
 }
@@ -115,12 +118,14 @@ LayerChoice reference_choice(const ScoreRequest& request) {
             {"height", "Height", "roof_h"}};
 }
 
-}  // namespace
-
 ScoreRun compare_datasets(const ScoreRequest& request, Context& context) {
+    const PolygonLayer found = read_polygon_layer(found_choice(request), context);
+    return compare_layers(request, found, read_polygon_layer(reference_choice(request), context), context);
+}
+
+ScoreRun compare_layers(const ScoreRequest& request, const PolygonLayer& found_layer,
+                        const PolygonLayer& reference_layer, Context& context) {
     Overlay overlay;
-    const PolygonLayer found_layer = read_polygon_layer(found_choice(request), context);
-    const PolygonLayer reference_layer = read_polygon_layer(reference_choice(request), context);
     std::vector<Limit> limits;
     for (auto& limit : {area_of_interest(request, context), raster_with_data(request, context)})
         if (limit)

@@ -4,6 +4,7 @@
 
 #include "core/context.hpp"
 #include "dem2buildings_score/command_line.hpp"
+#include "read/polygon_layer.hpp"
 #include "score/score.hpp"
 
 namespace d2b {
@@ -19,8 +20,17 @@ struct ScoreRun {
     Score score;
 };
 
-/// Reads both sides, brings them to one CRS and measures. Warns where a side is empty.
-/// @throws InputError: cannot be read, or the sides do not meet. @throws OptionError: no such layer or field
+/// Which layers and fields of heights the request asks for.
+[[nodiscard]] LayerChoice found_choice(const ScoreRequest& request);
+[[nodiscard]] LayerChoice reference_choice(const ScoreRequest& request);
+
+/// Brings both sides to one CRS and measures. Warns where a side is empty.
+/// @throws InputError: the area of interest or the raster cannot be read, or the sides do not meet
+[[nodiscard]] ScoreRun compare_layers(const ScoreRequest& request, const PolygonLayer& found,
+                                      const PolygonLayer& reference, Context& context);
+
+/// The same of two datasets. @throws InputError: also where one cannot be read. @throws OptionError: no such
+/// layer or field
 [[nodiscard]] ScoreRun compare_datasets(const ScoreRequest& request, Context& context);
 
 }  // namespace d2b

@@ -1,5 +1,7 @@
 #include "dem2buildings_score/help.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "common/help_text.hpp"
 #include "common/roff.hpp"
 #include "core/version.hpp"
@@ -64,6 +66,14 @@ std::string score_man_page() {
     text += roff_section("EXAMPLES") + roff_example("dem2buildings_score buildings.gpkg cadastre.gpkg") +
             roff_example("dem2buildings_score -json -dem dsm.tif -aoi quarter.gpkg found.gpkg cadastre.gpkg");
     return text + roff_section("SEE ALSO") + "dem2buildings(1), ogrinfo(1)\n";
+}
+
+std::string score_options_json() {
+    nlohmann::ordered_json options = nlohmann::ordered_json::array();
+    for (const ScoreOption& option : score_options())
+        if (!option.value.empty())
+            options.push_back({{"name", option.name}, {"kind", option.kind}, {"help", option.help}});
+    return options.dump() + "\n";
 }
 
 }  // namespace d2b
