@@ -1,5 +1,5 @@
-# `cpack -G DEB` in the build folder: one package with what users run, and the libraries that it needs as
-# dpkg-shlibdeps finds them.
+# `cpack -G DEB` in the build folder: a package with what users run and, where it is built, one with the package for
+# Python; each with the libraries that it needs as dpkg-shlibdeps finds them.
 set(CPACK_PACKAGE_NAME dem2buildings)
 set(CPACK_PACKAGE_VENDOR "dem2buildings")
 set(CPACK_PACKAGE_CONTACT "The authors of dem2buildings <none@example.org>")
@@ -17,5 +17,22 @@ set(CPACK_DEBIAN_TOOLS_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS proj-data)
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "qgis, gdal-bin")
+set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "qgis, gdal-bin")
+if(D2B_BUILD_PYTHON)
+  find_package(Python REQUIRED COMPONENTS Interpreter)
+  math(EXPR next_python "${Python_VERSION_MINOR} + 1")
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Building footprints from the elevation raster of a city, in Python
+Finds buildings in NumPy arrays and in files, and gives them as polygons with heights and with the stack of contours
+that each is made of, for GeoPandas, Shapely and all else that reads GeoJSON or WKB.")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-dem2buildings)
+  set(CPACK_DEBIAN_PYTHON_FILE_NAME DEB-DEFAULT)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  # What is compiled suits one minor version of Python.
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "proj-data, python3-numpy, python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}), python3 (<< ${Python_VERSION_MAJOR}.${next_python})")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-geopandas, python3-matplotlib")
+  if(BUILD_SHARED_LIBS)
+    string(APPEND CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS ", dem2buildings (= ${PROJECT_VERSION})")
+  endif()
+endif()
 include(CPack)

@@ -1,0 +1,27 @@
+"""An array as the compiled part takes it."""
+
+import numpy
+
+
+def elevations(dem):
+    """The values and the mask of an array; the mask is None where nothing is masked. Copies nothing unless the bytes
+    of the values are in the order of another machine."""
+    if not hasattr(dem, "__array__"):
+        raise TypeError(f"dem must be a path or a NumPy array, not {type(dem).__name__}")
+    array = numpy.asanyarray(dem)
+    if array.ndim != 2:
+        raise TypeError(f"dem must have two dimensions, rows and columns, not {array.ndim}")
+    mask = numpy.ma.getmask(array)
+    values = numpy.ma.getdata(array)
+    native = values.dtype.newbyteorder("=")
+    return values.astype(native, copy=False), None if mask is numpy.ma.nomask else mask
+
+
+def six_terms(transform):
+    """Of GDAL's order. An affine.Affine, as rasterio has it, knows them by itself."""
+    if transform is None:
+        return None
+    terms = [float(term) for term in (transform.to_gdal() if hasattr(transform, "to_gdal") else transform)]
+    if len(terms) != 6:
+        raise TypeError(f"transform must have six terms in GDAL's order, not {len(terms)}")
+    return terms

@@ -1,0 +1,25 @@
+"""What the functions of this package raise: a sentence each that says what is wrong and what to do about it."""
+
+
+class Error(Exception):
+    """All errors of this package."""
+
+
+class OptionError(Error, ValueError):
+    """An option has a value that it cannot have, or does not go together with another one."""
+
+
+class InputError(Error):
+    """What is read cannot be read, or not used as a DEM."""
+
+
+class OutputError(Error, OSError):
+    """The result cannot be written; the destination holds what it held before."""
+
+
+class Cancelled(Error):
+    """The progress function returned False; nothing was written."""
+
+
+for _error in (Error, OptionError, InputError, OutputError, Cancelled):
+    _error.__module__ = "dem2buildings"

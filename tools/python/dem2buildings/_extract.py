@@ -1,0 +1,114 @@
+"""extract(), extract_file() and score()."""
+
+import contextlib
+import json
+import os
+import warnings
+
+from . import _core
+from ._dem import elevations, six_terms
+from ._errors import Error
+from ._options import EXTRACT, EXTRACT_FILE, SCORE
+from ._result import Result
+
+
+class _Ears:
+    """What the compiled part tells while it works. Its messages call options as the function does."""
+
+    def __init__(self, options, progress=None):
+        self._options = options
+        self.progress = progress
+
+    def warn(self, text):
+        # From here to extract(), and to who called that.
+        warnings.warn(self._options.in_python(text), stacklevel=3)
+
+    @contextlib.contextmanager
+    def errors(self):
+        try:
+            yield
+        except Error as error:
+            error.args = (self._options.in_python(str(error)),)
+            raise
+
+
+@EXTRACT.describe
+def extract(dem, *, transform=None, progress=None, **options):
+    """Finds the buildings of a DEM and gives them back as polygons in memory, a Result.
+
+    dem: a path of anything that GDAL opens, or a NumPy array of rows and columns: float32, float64 or integers. NaN,
+        infinite values and what a mask masks are not valid. An array is not copied, and must not change meanwhile.
+    transform: of an array, the six terms of GDAL's order, (x of the upper left corner, width of a cell, 0, y of the
+        same corner, 0, -height of a cell) where north is up; or an affine.Affine, as rasterio has it. Without it
+        coordinates are columns and, upwards, rows.
+    progress: called some times a second with the share that is done, 0 to 1, by the thread that calls; the run ends
+        with Cancelled where it returns False.
+
+    Doubts about the result are Python warnings, and in the report. Ctrl-C ends the run. Other threads of Python go on
+    meanwhile.
+
+    >>> import numpy
+    >>> dem = numpy.zeros((40, 50), "float32")
+    >>> dem[10:25, 15:35] = 12
+    >>> found = extract(dem, transform=(391000, 1, 0, 5820040, 0, -1), crs="EPSG:25833", ground="none")
+    >>> found
+    <dem2buildings.Result: 1 buildings, 1 contours>
+    >>> found.buildings.columns["height"]
+    array([12.])
+    """
+    given = EXTRACT.given(options)
+    ears = _Ears(EXTRACT, progress)
+    with ears.errors():
+        if isinstance(dem, (str, os.PathLike)):
+            if transform is not None:
+                raise TypeError("transform is for an array; a path has its own")
+            return Result(*_core.extract_path(os.fspath(dem), given, ears))
+        return Result(*_core.extract_array(*elevations(dem), six_terms(transform), given, ears))
+
+
+@EXTRACT_FILE.describe
+def extract_file(src, dst, *, progress=None, **options):
+    """Does what the program does: finds the buildings of a raster and writes them to a vector dataset.
+
+    src: a path of anything that GDAL opens
+    dst: a path of any format that GDAL writes, by its extension. It holds its old content or the new, never half of
+        it; one that exists is refused without overwrite or append.
+    progress: as for extract()
+
+    Gives the report, a dict. Warnings, Ctrl-C and other threads are as with extract().
+
+    >>> import pathlib, tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     report = extract_file("sample_dems/thesis_50x36.tif", pathlib.Path(folder, "thesis.gpkg"), lod=2)
+    >>> report["output"]["buildings"]
+    3
+    """
+    ears = _Ears(EXTRACT_FILE, progress)
+    with ears.errors():
+        return json.loads(_core.extract_file(os.fspath(src), os.fspath(dst), EXTRACT_FILE.given(options), ears))
+
+
+@SCORE.describe
+def score(found, reference, **options):
+    """Measures how well footprints agree with a reference, as the program dem2buildings_score does.
+
+    found, reference: a path of anything that GDAL opens, or a Result of extract(), whose buildings count
+
+    Gives a dict: what dem2buildings_score -json prints.
+
+    >>> dem = "sample_dems/thesis_50x36.tif"
+    >>> result = score(extract(dem), "sample_dems/samples_truth.gpkg", reference_layer="thesis_50x36", dem=dem)
+    >>> result["reference"]["objects"], result["object_completeness"]
+    (3, 1.0)
+    """
+    ears = _Ears(SCORE)
+    with ears.errors():
+        return json.loads(_core.score(_side(found), _side(reference), SCORE.given(options), ears))
+
+
+def _side(footprints):
+    if not isinstance(footprints, Result):
+        return os.fspath(footprints)
+    if footprints.buildings is None:
+        raise ValueError("The result has no buildings to compare; extract them with layers='both'.")
+    return footprints.buildings

@@ -1,0 +1,155 @@
+"""The program's table of options as Python sees it: names of arguments, signatures, docstrings, and values as texts."""
+
+import collections.abc
+import dataclasses
+import difflib
+import inspect
+import json
+import os
+import re
+import textwrap
+
+from . import _core
+
+# Until the table says so itself.
+_ALIASES = {"3d": "with_z", "if": "input_format", "a_srs": "crs"}
+_PROGRAM_ONLY = {"p", "sweep", "q", "json", "help", "version", "man", "options_md", "options_json", "bash_completion"}
+_FILE_ONLY = {"f", "dsco", "lco", "nln", "overwrite", "append", "arcs", "write_ground", "write_height",
+              "write_canopy", "preview"}
+
+
+@dataclasses.dataclass(frozen=True)
+class Option:
+    """A row of the table of options."""
+
+    name: str  # of the program, without dash
+    argument: str  # of a function
+    row: dict
+
+    @property
+    def help(self):
+        """What people read of it, a sentence after another."""
+        row = self.row
+        unit = row.get("unit") and f"Unit: {row['unit']}."
+        default = row.get("default") and f"Default: {row['default']}."
+        return " ".join(text for text in (row["help"], row.get("details"), unit, default) if text)
+
+    @property
+    def hint(self):
+        """Its type, for the stub."""
+        kind = self.row["kind"]
+        words = ", ".join(f'"{word}"' for word in self.row.get("words", []))
+        simple = {"switch": "bool", "whole": "int", "number": "float", "numbers": "Sequence[float]",
+                  "extent": "Sequence[float]", "crs": "_Crs", "choice": f"Literal[{words}]"}
+        if kind in simple:
+            return simple[kind]
+        return "_Texts" if self._repeatable else "str" if kind == "text" else "_Path"
+
+    @property
+    def takes(self):
+        """The same for people."""
+        kind = self.row["kind"]
+        simple = {"switch": "bool", "whole": "int", "number": "float", "numbers": "numbers", "extent": "4 numbers",
+                  "crs": "CRS", "choice": " or ".join(map(repr, self.row.get("words", []))), "text": "str"}
+        return simple.get(kind, "path") + (", one or several" if self._repeatable and kind == "text" else "")
+
+    @property
+    def _repeatable(self):
+        return self.row.get("repeatable", False)
+
+    def texts(self, value):
+        """The value as the program would be given it: a list of lists, one each time the option is given."""
+        kind = self.row["kind"]
+        if kind == "switch":
+            if not isinstance(value, bool):
+                raise TypeError(f"{self.argument} is a switch and must be True or False, not {value!r}")
+            return [[]] if value else []
+        if isinstance(value, collections.abc.Mapping):
+            value = [f"{key}={item}" for key, item in value.items()]
+        several = isinstance(value, collections.abc.Iterable) and not isinstance(value, (str, bytes, os.PathLike))
+        texts = [self._text(item) for item in (value if several else [value])]
+        if kind in ("numbers", "extent"):
+            return [texts]
+        if several and not self._repeatable:
+            raise TypeError(f"{self.argument} takes one value, not {value!r}")
+        return [[text] for text in texts]
+
+    def _text(self, value):
+        if isinstance(value, (str, os.PathLike)):
+            return os.fspath(value)
+        if self.row["kind"] == "crs":
+            return _crs_text(self.argument, value)
+        if hasattr(value, "item"):  # a number of NumPy's
+            value = value.item()
+        if isinstance(value, (int, float)) and not isinstance(value, bool):
+            return repr(value)
+        raise TypeError(f"{self.argument} cannot be {value!r}")
+
+
+def _crs_text(argument, crs):
+    """A code is one of EPSG; objects of pyproj, rasterio and geopandas say themselves as WKT."""
+    if isinstance(crs, int):
+        return f"EPSG:{crs}"
+    if hasattr(crs, "to_wkt"):
+        return crs.to_wkt()
+    raise TypeError(f"{argument} must be a text, a code of EPSG or an object with to_wkt(), not {crs!r}")
+
+
+class OptionSet:
+    """The options that a function takes."""
+
+    def __init__(self, function, rows, arguments=None):
+        self._function = function
+        self._options = {}
+        for row in rows:
+            argument = (arguments or {}).get(row["name"], row["name"])
+            self._options[argument] = Option(row["name"], argument, row)
+
+    def __iter__(self):
+        return iter(self._options.values())
+
+    def given(self, values):
+        """What the program would be given: pairs of names and texts. None stands for what is not given."""
+        pairs = []
+        for argument, value in values.items():
+            if argument not in self._options:
+                near = difflib.get_close_matches(argument, self._options, 1)
+                hint = f"; did you mean {near[0]!r}?" if near else ""
+                raise TypeError(f"{self._function}() has no argument {argument!r}{hint}")
+            if value is not None:
+                option = self._options[argument]
+                pairs += [(option.name, texts) for texts in option.texts(value)]
+        return pairs
+
+    def describe(self, function):
+        """Gives the function the signature and the docstring that belong to its options."""
+        own = [parameter for parameter in inspect.signature(function).parameters.values()
+               if parameter.kind is not inspect.Parameter.VAR_KEYWORD]
+        options = [inspect.Parameter(option.argument, inspect.Parameter.KEYWORD_ONLY, default=None) for option in self]
+        function.__signature__ = inspect.Signature(own + options)
+        function.__doc__ = inspect.cleandoc(function.__doc__) + "\n\nOptions:\n" + "".join(map(self._entry, self))
+        return function
+
+    def _entry(self, option):
+        indent = 8 * " "
+        text = textwrap.fill(self.in_python(option.help), 100, initial_indent=indent, subsequent_indent=indent)
+        return f"    {option.argument}: {option.takes}\n{text}\n"
+
+    def in_python(self, message):
+        """A message in which options have the names of arguments: "-3d" is "with_z=". Names of files stay."""
+        names = {option.name: option.argument for option in self}
+        alternatives = "|".join(sorted(map(re.escape, names), key=len, reverse=True))
+        pattern = rf"""('[^']*'|"[^"]*")|(?<![\w-])-({alternatives})(?![\w-])"""
+        return re.sub(pattern, lambda match: match[1] or names[match[2]] + "=", message)
+
+
+def _rows():
+    rows = [row for row in json.loads(_core.options_json())["options"] if row["name"] not in _PROGRAM_ONLY]
+    in_memory = [row for row in rows if row["name"] not in _FILE_ONLY]
+    return in_memory, rows
+
+
+_in_memory, _to_file = _rows()
+EXTRACT = OptionSet("extract", _in_memory, _ALIASES)
+EXTRACT_FILE = OptionSet("extract_file", _to_file, _ALIASES)
+SCORE = OptionSet("score", json.loads(_core.score_options_json()))

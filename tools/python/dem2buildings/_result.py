@@ -1,0 +1,28 @@
+"""What extract() gives back."""
+
+import json
+
+
+class Result:
+    """Buildings and contours in memory.
+
+    buildings, contours, doubtful, rejected: Layer, or None where it was not asked for
+    crs: of the coordinates, as WKT; None where there is none
+    metadata: what the result says of itself, as a dict of texts: source, options, thresholds, units, version
+    report: what the run did, as a dict, as dem2buildings -json prints it
+    """
+
+    def __init__(self, layers, crs, metadata, report):
+        by_name = {layer.name: layer for layer in layers}
+        self.buildings = by_name.get("buildings")
+        self.contours = by_name.get("contours")
+        self.doubtful = by_name.get("doubtful")
+        self.rejected = by_name.get("rejected")
+        self.crs = crs or None
+        self.metadata = metadata
+        self.report = json.loads(report)
+
+    def __repr__(self):
+        layers = (self.buildings, self.contours, self.doubtful, self.rejected)
+        counts = ", ".join(f"{len(layer)} {layer.name}" for layer in layers if layer is not None)
+        return f"<dem2buildings.Result: {counts}>"

@@ -1,0 +1,108 @@
+#include "python/extract.hpp"
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+#include <string>
+
+#include "core/context.hpp"
+#include "dem2buildings/command_line.hpp"
+#include "dem2buildings/extract_file.hpp"
+#include "dem2buildings/json_report.hpp"
+#include "dem2buildings/side_rasters.hpp"
+#include "options/preset.hpp"
+#include "pipeline/pipeline.hpp"
+#include "python/array_argument.hpp"
+#include "python/collecting_sink.hpp"
+#include "python/given_options.hpp"
+#include "python/listening_run.hpp"
+#include "read/array_dem_source.hpp"
+#include "read/gdal_dem_source.hpp"
+#include "write/file_spool.hpp"
+
+namespace d2b {
+namespace {
+
+namespace py = pybind11;
+using Opener = std::function<std::unique_ptr<DemSource>(const ReadOptions&, Context&)>;
+
+/// What extract() gives back, before it has the names that Python users see.
+struct Extraction {
+    std::vector<std::shared_ptr<CollectedLayer>> layers;
+    Provenance provenance;
+    std::string report;  ///< as JSON
+};
+
+Context context_of(const PythonEars& ears) {
+    Context context;
+    context.on_warning = ears.warn;
+    context.on_progress = ears.progress;
+    context.stop = ears.stop;
+    context.make_spool = [] { return std::make_unique<FileSpool>(); };
+    return context;
+}
+
+Extraction extract(const Options& asked, const Opener& open, const PythonEars& ears) {
+    const Options options = with_preset(asked);
+    Context context = context_of(ears);
+    const auto source = open(options.read, context);
+    const SideSources side = open_side_sources(options, source->info(), context);
+    CollectingSink sink;
+    run(options, {*source, side.terrain.get(), side.mask.get(), side.ndvi.get()}, {sink}, context);
+    return {sink.layers(), sink.provenance(), json_report(context.report)};
+}
+
+py::tuple extract_listening(const GivenOptions& given, const py::object& listener, const Opener& open,
+                            const std::string& source) {
+    Options options = request_of(given).options;
+    options.read.source = source;
+    Extraction result;
+    run_listening(listener, [&](const PythonEars& ears) { result = extract(options, open, ears); });
+    return py::make_tuple(result.layers, result.provenance.crs_wkt, result.provenance.metadata,
+                          result.report);
+}
+
+py::tuple extract_path(const std::string& path, const GivenOptions& given, const py::object& listener) {
+    return extract_listening(
+        given, listener,
+        [](const ReadOptions& options, Context& context) { return open_dem(options, context); }, path);
+}
+
+py::tuple extract_array(const py::array& values, const std::optional<py::array>& mask,
+                        const std::optional<std::array<double, 6>>& transform, const GivenOptions& given,
+                        const py::object& listener) {
+    const ElevationArray array = elevation_array("array", values, mask, transform);
+    return extract_listening(
+        given, listener,
+        [&](const ReadOptions& options, Context& context) { return open_dem(array, options, context); },
+        array.name);
+}
+
+/// @return the report as JSON
+std::string extract_to_file(const std::string& source, const std::string& destination,
+                            const GivenOptions& given, const py::object& listener) {
+    require_other_file(source, destination);
+    Options options = request_of(given).options;
+    options.read.source = source;
+    options.write.destination = destination;
+    std::string report;
+    run_listening(listener, [&](const PythonEars& ears) {
+        Context context = context_of(ears);
+        extract_file(with_preset(options), context);
+        report = json_report(context.report);
+    });
+    return report;
+}
+
+}  // namespace
+
+void define_extract(py::module_& module) {
+    module.def("extract_path", &extract_path);
+    module.def("extract_array", &extract_array);
+    module.def("extract_file", &extract_to_file);
+}
+
+}  // namespace d2b

@@ -1,0 +1,103 @@
+"""Writes the types of the package: make_stub.py <file>"""
+
+import inspect
+import pathlib
+import sys
+import textwrap
+
+import dem2buildings
+from dem2buildings import _options
+
+HEAD = '''"""{words}"""
+
+from collections.abc import Callable, Mapping, Sequence
+from os import PathLike
+from typing import Any, Literal, Protocol
+
+import numpy
+
+class _HasWkt(Protocol):
+    def to_wkt(self) -> str: ...
+
+class _HasGdalTerms(Protocol):
+    def to_gdal(self) -> tuple[float, float, float, float, float, float]: ...
+
+_Path = str | PathLike[str]
+_Crs = str | int | _HasWkt
+_Texts = str | Sequence[str] | Mapping[str, object]
+
+__version__: str
+
+class Error(Exception): ...
+class OptionError(Error, ValueError): ...
+class InputError(Error): ...
+class OutputError(Error, OSError): ...
+class Cancelled(Error): ...
+
+class Layer:
+    @property
+    def name(self) -> str: ...
+    @property
+    def crs(self) -> str | None: ...
+    @property
+    def fields(self) -> dict[str, dict[str, str]]: ...
+    @property
+    def columns(self) -> dict[str, numpy.ndarray[Any, Any]]: ...
+    @property
+    def wkb(self) -> numpy.ndarray[Any, numpy.dtype[numpy.object_]]: ...
+    @property
+    def __geo_interface__(self) -> dict[str, Any]: ...
+    def __len__(self) -> int: ...
+    def __getitem__(self, index: int) -> dict[str, Any]: ...
+
+class Result:
+    buildings: Layer | None
+    contours: Layer | None
+    doubtful: Layer | None
+    rejected: Layer | None
+    crs: str | None
+    metadata: dict[str, str]
+    report: dict[str, Any]
+'''
+
+OWN = {
+    "dem": "_Path | numpy.ndarray[Any, Any]",
+    "transform": "Sequence[float] | _HasGdalTerms | None",
+    "progress": "Callable[[float], object] | None",
+    "src": "_Path",
+    "dst": "_Path",
+    "found": "_Path | Result",
+    "reference": "_Path | Result",
+}
+
+
+def parameter(own, hints):
+    name = own.name
+    hint = OWN[name] if name in OWN else f"{hints[name]} | None"
+    return f"    {name}: {hint}" + (" = ...," if own.default is not inspect.Parameter.empty else ",")
+
+
+def function(call, options, result):
+    hints = {option.argument: option.hint for option in options}
+    lines = [f"def {call.__name__}("]
+    keyword = False
+    for own in inspect.signature(call).parameters.values():
+        if own.kind is inspect.Parameter.KEYWORD_ONLY and not keyword:
+            lines.append("    *,")
+            keyword = True
+        lines.append(parameter(own, hints))
+    words = textwrap.indent(inspect.getdoc(call), "    ", lambda line: line.strip())
+    return "\n".join(lines) + f'\n) -> {result}:\n    """{words.strip()}\n    """\n'
+
+
+def stub():
+    text = HEAD.format(words=inspect.getdoc(dem2buildings))
+    for call, options, result in ((dem2buildings.extract, _options.EXTRACT, "Result"),
+                                  (dem2buildings.extract_file, _options.EXTRACT_FILE, "dict[str, Any]"),
+                                  (dem2buildings.score, _options.SCORE, "dict[str, Any]")):
+        text += "\n" + function(call, options, result)
+    return text
+
+
+if __name__ == "__main__":
+    pathlib.Path(sys.argv[1]).write_text(stub(), encoding="ascii")

@@ -1,0 +1,20 @@
+#include <pybind11/pybind11.h>
+
+#include "core/version.hpp"
+#include "dem2buildings/help.hpp"
+#include "python/errors.hpp"
+#include "python/extract.hpp"
+#include "python/layer.hpp"
+#include "python/score.hpp"
+#include "read/gdal_dem_source.hpp"
+
+/// What the package dem2buildings is made on; users import that.
+PYBIND11_MODULE(_core, module) {
+    d2b::translate_errors();
+    d2b::register_formats();
+    module.attr("version") = d2b::version;
+    module.def("options_json", &d2b::options_json);
+    d2b::define_layer(module);
+    d2b::define_extract(module);
+    d2b::define_score(module);
+}
