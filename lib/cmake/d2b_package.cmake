@@ -12,6 +12,7 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_GENERATOR DEB)
 set(CPACK_COMPONENTS_ALL tools)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENT_TOOLS_DESCRIPTION ${CPACK_PACKAGE_DESCRIPTION})
 set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME dem2buildings)
 set(CPACK_DEBIAN_TOOLS_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
@@ -22,9 +23,9 @@ if(D2B_BUILD_PYTHON)
   find_package(Python REQUIRED COMPONENTS Interpreter)
   math(EXPR next_python "${Python_VERSION_MINOR} + 1")
   list(APPEND CPACK_COMPONENTS_ALL python)
-  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Building footprints from the elevation raster of a city, in Python
-Finds buildings in NumPy arrays and in files, and gives them as polygons with heights and with the stack of contours
-that each is made of, for GeoPandas, Shapely and all else that reads GeoJSON or WKB.")
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "For Python: finds buildings in NumPy arrays and in files, and gives them
+as polygons with heights and with the stack of contours that each is made of,
+for GeoPandas, Shapely and all else that reads GeoJSON or WKB.")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-dem2buildings)
   set(CPACK_DEBIAN_PYTHON_FILE_NAME DEB-DEFAULT)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)

@@ -5,6 +5,7 @@
 #include <pybind11/pybind11.h>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "dem2buildings/error.hpp"
 
@@ -22,7 +23,7 @@ void translate(std::exception_ptr failure) {
     constexpr const char* no_memory = "There is not enough memory; use a part of the input.";
     try {
         if (failure)
-            std::rethrow_exception(failure);
+            std::rethrow_exception(std::move(failure));
     } catch (const OptionError& error) {
         raise("OptionError", error.what());
     } catch (const InputError& error) {
