@@ -55,13 +55,14 @@ struct Judged {
     LeftOut left_out;
 };
 
-Judged judged_objects(const Scene& scene, const DetectOptions& options, Executor& threads) {
+Judged judged_objects(const Scene& scene, const DetectOptions& options, double smallest_m2,
+                      Executor& threads) {
     Mask elevated = elevated_cells(scene, options.min_height, threads);
     const double noise = surface_noise(scene.surface, elevated, threads);
     const Grid<std::uint8_t> flags = smoothness(scene.surface, scene.side(), noise, threads);
     leave_plants_out(scene, flags, elevated, threads);
     const SmoothSegments segments = smooth_segments(scene, elevated, flags, threads);
-    const std::int64_t least = cells_for(options.min_area_m2, scene.cell);
+    const std::int64_t least = cells_for(smallest_m2, scene.cell);
     Judged result;
     result.left_out.low = low_roofs(scene, flags, options.min_height, least, threads);
     DetectedObjects found = find_objects(scene, elevated, segments, least, result.left_out.small, threads);
@@ -93,13 +94,13 @@ Detection sorted_by_confidence(Judged&& judged, double least, Executor& threads)
 
 }  // namespace
 
-Detection detect_buildings(const Scene& scene, const DetectOptions& options, Context& context) {
+Detection detect_buildings(const Scene& scene, const DetectOptions& options, double smallest_m2,
+                           Context& context) {
     Executor& threads = *context.threads;
-    Detection result =
-        sorted_by_confidence(judged_objects(scene, options, threads), options.min_confidence, threads);
+    Detection result = sorted_by_confidence(judged_objects(scene, options, smallest_m2, threads),
+                                            options.min_confidence, threads);
     if (options.split_height > 0)
-        split_buildings(scene, options.split_height, cells_for(options.min_area_m2, scene.cell), result,
-                        threads);
+        split_buildings(scene, options.split_height, cells_for(smallest_m2, scene.cell), result, threads);
     return result;
 }
 

@@ -41,8 +41,10 @@ struct Detection {
 /// have between them, and each object that results is judged by its smoothness, the step along its border,
 /// and the tilt and size of its segments. Trees are rough, and crowns shatter into small, steep segments.
 /// Where options.split_height is set, buildings are then divided, see detect/split.hpp.
+/// @param smallest_m2 what covers less is none
 /// Halo: an object, the segments that it meets, and 11 m and five cells around them. Memory: 5 to 9 bytes
 /// a cell beside the scene, the result's four among them; 9 to 13 where buildings are divided.
-[[nodiscard]] Detection detect_buildings(const Scene& scene, const DetectOptions& options, Context& context);
+[[nodiscard]] Detection detect_buildings(const Scene& scene, const DetectOptions& options, double smallest_m2,
+                                         Context& context);
 
 }  // namespace d2b

@@ -29,13 +29,13 @@ std::string doubt_of_given(const GroundFit& fit, const std::string& terrain, boo
 
 }  // namespace
 
-std::string ground_doubt(const GroundFit& fit, const GroundOptions& options) {
+std::string ground_doubt(const GroundFit& fit, GroundMode mode, const std::string& terrain) {
     const bool few = fit.bare_share() < fewest_bare;
     if (fit.cells() == 0 || (!few && !(std::abs(fit.bare_median()) > farthest_m)))
         return {};
-    if (options.mode == GroundMode::given)
-        return doubt_of_given(fit, options.terrain, few);
-    if (options.mode == GroundMode::none)
+    if (mode == GroundMode::given)
+        return doubt_of_given(fit, terrain, few);
+    if (mode == GroundMode::none)
         return "-ground none takes elevations as heights above the ground, and their median is " +
                rounded(few ? fit.median() : fit.bare_median()) + " m" + (few ? "" : " where they are low") +
                "; give a terrain model with -ground, or leave -ground out to have the ground estimated";

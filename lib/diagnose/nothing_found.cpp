@@ -19,13 +19,14 @@ struct Sieve {
 };
 
 std::array<Sieve, 3> sieves(const Search& search) {
-    const DetectOptions& detect = search.options.detect;
+    const DetectOptions& detect = search.plan.asked.detect;
     const DetectOptions standard;
     const Tally& tally = search.tally;
-    return {{{"-min_area", detect.min_area_m2, standard.min_area_m2, tally.counted(Reason::building_small)},
-             {"-min_height", detect.min_height, standard.min_height, tally.counted(Reason::building_low)},
-             {"-min_confidence", detect.min_confidence, standard.min_confidence,
-              tally.counted(Reason::building_doubtful)}}};
+    return {
+        {{"-min_area", search.plan.building_m2, smallest_building_m2, tally.counted(Reason::building_small)},
+         {"-min_height", detect.min_height, standard.min_height, tally.counted(Reason::building_low)},
+         {"-min_confidence", detect.min_confidence, standard.min_confidence,
+          tally.counted(Reason::building_doubtful)}}};
 }
 
 /// @param stricter only of options that are stricter than their defaults
@@ -42,17 +43,17 @@ std::string left_out(const Search& search, bool stricter) {
 
 std::string why_nothing_was_found(const Search& search) {
     const DemInfo& dem = search.dem;
-    const DetectOptions& detect = search.options.detect;
+    const DetectOptions& detect = search.plan.asked.detect;
     // What explains most comes first.
     const std::array<std::function<std::string()>, 8> causes{
-        [&] { return empty_side_doubt(search.sides, search.options); },
+        [&] { return empty_side_doubt(search.sides, search.plan.asked); },
         [&] { return picture_doubt(dem); },
         [&] { return degrees_doubt(dem, search.has_crs); },
         [&] {
             return extent_doubt(dem.name, dem.window.cols * search.cell.across,
                                 dem.window.rows * search.cell.down * search.cell.sine);
         },
-        [&] { return ground_doubt(search.fit, search.options.ground); },
+        [&] { return ground_doubt(search.fit, search.plan.ground, search.plan.asked.ground.terrain); },
         [&] { return left_out(search, true); },
         [&] { return surface_doubt(search.fit, dem.name); },
         [&] { return left_out(search, false); },

@@ -4,17 +4,17 @@
 
 #include "core/grid.hpp"
 #include "dem2buildings/dem_info.hpp"
-#include "dem2buildings/options.hpp"
 #include "dem2buildings/report.hpp"
 #include "diagnose/ground_fit.hpp"
 #include "diagnose/side_doubt.hpp"
+#include "options/run_plan.hpp"
 
 namespace d2b {
 
 /// What is known of a search for buildings when it is over.
 struct Search {
     const DemInfo& dem;
-    const Options& options;
+    const RunPlan& plan;
     const Tally& tally;  ///< of what was left out
     const GroundFit& fit;
     SidesKnown sides;

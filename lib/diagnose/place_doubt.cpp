@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/number_text.hpp"
-#include "dem2buildings/options.hpp"
+#include "options/run_plan.hpp"
 
 namespace d2b {
 namespace {
@@ -49,7 +49,7 @@ std::string degrees_doubt(const DemInfo& dem, bool has_crs) {
 }
 
 std::string extent_doubt(const std::string& dem, double width, double height) {
-    if (std::min(width, height) >= narrowest_building_m && width * height >= DetectOptions{}.min_area_m2)
+    if (std::min(width, height) >= narrowest_building_m && width * height >= smallest_building_m2)
         return {};
     return "'" + dem + "' covers " + short_text(width) + " m x " + short_text(height) +
            " m, which is less than a building; give the right CRS with -a_srs, or a larger part of the "

@@ -20,7 +20,7 @@ void warn_of_search(const Search& search, bool found_any, Context& context) {
     const RunReport& report = context.report;
     if (report.valid_points == 0)
         return;
-    warn_of(ndvi_doubt(search.sides, search.options), context);
+    warn_of(ndvi_doubt(search.sides, search.plan.asked), context);
     if (!found_any) {
         if (report.minimum != report.maximum)
             context.warn("No building was found: " + why_nothing_was_found(search) + ".");
@@ -28,7 +28,7 @@ void warn_of_search(const Search& search, bool found_any, Context& context) {
     }
     if (search.dem.bytes && search.dem.bands >= 3)
         warn_of(picture_doubt(search.dem), context);
-    const std::string ground = ground_doubt(search.fit, search.options.ground);
+    const std::string ground = ground_doubt(search.fit, search.plan.ground, search.plan.asked.ground.terrain);
     warn_of(ground.empty() ? surface_doubt(search.fit, search.dem.name) : ground, context);
 }
 

@@ -6,21 +6,22 @@
 
 namespace d2b {
 
-LayerSpecs layer_specs(const Options& options, const LayerTerms& terms, const FeatureSink& sink) {
+LayerSpecs layer_specs(const RunPlan& plan, const LayerTerms& terms, const FeatureSink& sink) {
+    const Options& options = plan.asked;
     const WriteOptions& write = options.write;
     const bool with_arcs = options.outline.arcs && !terms.reprojected;
     LayerSpecs specs;
     const auto add = [&](LayerRole role, const char* title, const std::string& description,
                          std::vector<FieldSpec> fields, bool arcs) {
-        specs.layers.push_back({sink.layer_name(role, write.layers), title, description + terms.source,
+        specs.layers.push_back({sink.layer_name(role, plan.layers), title, description + terms.source,
                                 std::move(fields), write.with_z, arcs});
         return specs.layers.size() - 1;
     };
     const auto building_fields = field_specs(building_attributes(), terms.vertical_unit, write.fields);
-    if (write.layers != Layers::contours)
+    if (plan.layers != Layers::contours)
         specs.places.buildings = add(LayerRole::buildings, "Buildings", "One polygon a building, from ",
                                      building_fields, with_arcs);
-    if (write.layers != Layers::buildings)
+    if (plan.layers != Layers::buildings)
         specs.places.contours =
             add(LayerRole::contours, "Contours",
                 options.outline.disjoint ? "Bands between thresholds that do not overlap, from "

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "dem2buildings/feature_sink.hpp"
-#include "dem2buildings/options.hpp"
+#include "options/run_plan.hpp"
 
 namespace d2b {
 
@@ -32,7 +32,6 @@ struct LayerTerms {
 };
 
 /// @param options layers resolved @param sink knows what the destination calls its layers
-[[nodiscard]] LayerSpecs layer_specs(const Options& options, const LayerTerms& terms,
-                                     const FeatureSink& sink);
+[[nodiscard]] LayerSpecs layer_specs(const RunPlan& plan, const LayerTerms& terms, const FeatureSink& sink);
 
 }  // namespace d2b

@@ -52,13 +52,13 @@ LayerStyle reason_style(const char* title, const char* field, double label_scale
 void give_styles(std::vector<LayerSpec>& layers, const LayerPlaces& places, const FeatureInput& input,
                  double vertical_metres) {
     if (places.buildings) {
-        LayerStyle& style = layers[*places.buildings].style = building_style(input.options.write.fields);
+        LayerStyle& style = layers[*places.buildings].style = building_style(input.plan.asked.write.fields);
         // A block and the stack within it would stand in one place.
         if (!places.contours)
             style.top = "roof";
     }
     if (places.contours)
-        layers[*places.contours].style = contour_style(input.options.outline.disjoint);
+        layers[*places.contours].style = contour_style(input.plan.asked.outline.disjoint);
     if (places.doubtful)
         layers[*places.doubtful].style = reason_style("May be buildings", "doubt", buildings_scale);
     if (places.rejected)

@@ -53,11 +53,11 @@ std::int64_t vertices_of(const std::vector<WorldPolygon>& parts) {
     return static_cast<std::int64_t>(sum);
 }
 
-Outliner make_outliner(const ContourList& contours, const OutlineOptions& options,
+Outliner make_outliner(const ContourList& contours, const OutlineRules& rules,
                        const Georeference& georeference, const Crs& crs, const Window& window,
                        Context& context) {
-    return {contours,     choose_drawing(options, georeference), options,
-            georeference, x_stretch(georeference, crs, window),  context};
+    return {contours,     choose_drawing(rules, georeference),  rules,
+            georeference, x_stretch(georeference, crs, window), context};
 }
 
 PolygonMaker::PolygonMaker(const PolygonTerms& terms)

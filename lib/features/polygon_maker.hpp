@@ -83,7 +83,7 @@ class PolygonMaker {
 /// Without those that close rings.
 [[nodiscard]] std::int64_t vertices_of(const std::vector<WorldPolygon>& parts);
 /// The outlines of a run.
-[[nodiscard]] Outliner make_outliner(const ContourList& contours, const OutlineOptions& options,
+[[nodiscard]] Outliner make_outliner(const ContourList& contours, const OutlineRules& rules,
                                      const Georeference& georeference, const Crs& crs, const Window& window,
                                      Context& context);
 

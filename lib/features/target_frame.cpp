@@ -82,8 +82,8 @@ bool is_overstretched(double length, const Crs& crs, double ground_m) {
     return unit && length * unit->metres > most * ground_m;
 }
 
-Position require_whole_frame(const DemInfo& info, const Options& options, const Crs& crs, const Crs& target) {
-    const TraceMode mode = options.trace.mode;
+Position require_whole_frame(const DemInfo& info, const RunPlan& plan, const Crs& crs, const Crs& target) {
+    const TraceMode mode = plan.trace;
     const Georeference georeference(info.transform, mode);
     const Window& w = info.window;
     Position middle = georeference.position(LatticePoint{w.row + w.rows / 2, w.col + w.cols / 2});
@@ -104,7 +104,7 @@ Position require_whole_frame(const DemInfo& info, const Options& options, const 
     const auto ground_m = length_on_ground(frame, crs);
     if (fate == RingFate::torn || is_inside_out(frame, image, transform) ||
         (ground_m && is_overstretched(length_of(image), target, *ground_m)))
-        throw torn_apart(info.name, spoken_name(target, options.outline.target_crs));
+        throw torn_apart(info.name, spoken_name(target, plan.asked.outline.target_crs));
     return middle;
 }
 

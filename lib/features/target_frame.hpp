@@ -6,7 +6,7 @@
 #include "core/lattice.hpp"
 #include "dem2buildings/dem_info.hpp"
 #include "dem2buildings/error.hpp"
-#include "dem2buildings/options.hpp"
+#include "options/run_plan.hpp"
 
 namespace d2b {
 
@@ -23,7 +23,7 @@ namespace d2b {
 /// @return the middle of the window in the CRS of the output; not finite where it has no image
 /// @throws InputError where the frame of the window is torn apart, turned inside out or stretched beyond use
 /// @throws OptionError where there is no operation between the two
-Position require_whole_frame(const DemInfo& info, const Options& options, const Crs& crs, const Crs& target);
+Position require_whole_frame(const DemInfo& info, const RunPlan& plan, const Crs& crs, const Crs& target);
 
 /// What messages call a CRS. @param given how the user wrote it, which is better than "unknown"
 [[nodiscard]] std::string spoken_name(const Crs& crs, const std::string& given);

@@ -18,7 +18,6 @@
 #include "features/rejected_layer.hpp"
 #include "features/target_frame.hpp"
 #include "features/torn_warnings.hpp"
-#include "options/preset.hpp"
 
 namespace d2b {
 namespace {
@@ -79,8 +78,10 @@ class FeatureWriter {
 
 Outliner timed_outliner(const FeatureInput& input, Context& context) {
     const StageClock clock(context.report, Stage::outline);
-    return make_outliner(input.contours, input.options.outline, input.georeference, input.crs, input.window,
-                         context);
+    const RunPlan& plan = input.plan;
+    const OutlineRules rules{plan.walls, plan.wall_tolerance(input.cell_size_m), plan.asked.outline.simplify,
+                             input.target_crs.kind() != Crs::Kind::none};
+    return make_outliner(input.contours, rules, input.georeference, input.crs, input.window, context);
 }
 
 FeatureWriter::FeatureWriter(const FeatureInput& input, RecordMaker& records, FeatureSink& sink,
@@ -90,18 +91,24 @@ FeatureWriter::FeatureWriter(const FeatureInput& input, RecordMaker& records, Fe
       sink_(sink),
       context_(context),
       outliner_(timed_outliner(input, context)),
-      children_(input.options.outline.disjoint ? ContourChildren(input.contours) : ContourChildren()),
+      children_(input.plan.asked.outline.disjoint ? ContourChildren(input.contours) : ContourChildren()),
       written_id_(input.contours.size(), 0),
       invalid_(context) {
-    const PolygonTerms terms{input.options.outline, input.georeference, input.crs, input.target_crs,
-                             input.window,          outliner_,          children_, context.threads->stop()};
+    const PolygonTerms terms{input.plan.asked.outline,
+                             input.georeference,
+                             input.crs,
+                             input.target_crs,
+                             input.window,
+                             outliner_,
+                             children_,
+                             context.threads->stop()};
     for (int thread = 0; thread < context.threads->threads(); ++thread)
         makers_.emplace_back(terms);
 }
 
 void FeatureWriter::begin() {
     auto [layers, places] = layer_specs(
-        input_.options,
+        input_.plan,
         {context_.report.input, input_.vertical_unit, input_.target_crs.kind() != Crs::Kind::none}, sink_);
     buildings_layer_ = places.buildings;
     contours_layer_ = places.contours;
@@ -130,7 +137,7 @@ Drawn FeatureWriter::draw(std::size_t contour, std::size_t thread) {
         drawn.building = maker.footprint(contour);
     if (!contours_layer_ || is_doubtful(contour))
         return drawn;
-    if (input_.options.outline.disjoint)
+    if (input_.plan.asked.outline.disjoint)
         drawn.contour = maker.tier(contour);
     else
         drawn.contour =
@@ -180,7 +187,7 @@ void FeatureWriter::add_building(std::size_t contour, Drawn& drawn) {
     BuildingRecord& record = drawn.building_record;
     record.deviation_m = made.deviation / std::sqrt(input_.georeference.cell_area()) * input_.cell_size_m;
     record.area_change = made.area_change;
-    if (detects_buildings(input_.options) && !is_doubtful(contour))
+    if (input_.plan.detects_buildings() && !is_doubtful(contour))
         odd_heights_.note(record, drawn.record);
     write(*building_layer(contour), building_attributes(), record, std::move(made), drawn.record.threshold);
 }
@@ -216,7 +223,7 @@ void FeatureWriter::finish() {
         context_.warn(std::move(warning));
     if (const std::string traced = traced_doubt(context_.report, input_.cell_size_m); !traced.empty())
         context_.warn(as_sentence(traced));
-    torn_.finish(spoken_name(input_.target_crs, input_.options.outline.target_crs), context_);
+    torn_.finish(spoken_name(input_.target_crs, input_.plan.asked.outline.target_crs), context_);
     if (rejected_)
         rejected_->write(makers_, sink_, context_);
     for (PolygonMaker& maker : makers_)

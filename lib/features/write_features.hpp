@@ -6,12 +6,13 @@
 #include "dem2buildings/feature_sink.hpp"
 #include "filter/contour_store.hpp"
 #include "geometry/geos.hpp"
+#include "options/run_plan.hpp"
 
 namespace d2b {
 
 /// What the outlines of a run need on their way to the sink.
 struct FeatureInput {
-    const Options& options;
+    const RunPlan& plan;
     const Georeference& georeference;
     const Crs& crs;
     const Crs& target_crs;  ///< kind none: the DEM's

@@ -49,7 +49,7 @@ std::int64_t ContourStore::take(FinishedContour&& finished) {
     if (contour.key.level == 0 && !settings_.keep_roots)
         return -1;
     const auto name = static_cast<std::int64_t>(entries_.size());
-    const auto reason = contour_noise(contour, settings_.options, settings_.square_area);
+    const auto reason = contour_noise(contour, settings_.noise, settings_.square_area);
     for (const std::int64_t standing : finished.standing_on_it)
         entries_[static_cast<std::size_t>(standing)].head.parent = reason ? on_noise : name;
     if (reason) {
@@ -82,7 +82,7 @@ void ContourStore::put_aside(const Contour& contour, const RoofElevations& roof)
     entry.holes = contour.interiors.size();
     for (const PackedRing& ring : contour.interiors)
         holes_.push_back({contour.key.level, ring.start(), ring.box().low, ring.box().high,
-                          hole_noise(ring, contour.key.level, settings_.options, settings_.square_area)});
+                          hole_noise(ring, contour.key.level, settings_.noise, settings_.square_area)});
 }
 
 void ContourStore::reject(const StoredContours::Rejected& what) {

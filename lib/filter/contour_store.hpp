@@ -64,7 +64,7 @@ class StoredContours : public ContourList {
 class ContourStore : public ContourSink {
   public:
     struct Settings {
-        const FilterOptions& options;
+        NoiseRules noise;
         SquareArea square_area;
         ElevationRange range;
         FixedPoint fixed;

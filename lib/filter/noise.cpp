@@ -3,32 +3,31 @@
 namespace d2b {
 namespace {
 
-bool is_small(std::int64_t squares, LatticePoint place, const FilterOptions& options,
+bool is_small(std::int64_t squares, LatticePoint place, const NoiseRules& rules,
               const SquareArea& square_area) {
-    const double least = options.min_area_m2.value_or(0);
-    return least > 0 && static_cast<double>(squares) * square_area(place) < least;
+    return rules.min_area_m2 > 0 && static_cast<double>(squares) * square_area(place) < rules.min_area_m2;
 }
 
 }  // namespace
 
-std::optional<Reason> contour_noise(const Contour& contour, const FilterOptions& options,
+std::optional<Reason> contour_noise(const Contour& contour, const NoiseRules& rules,
                                     const SquareArea& square_area) {
-    if (contour.key.level == 0 || (contour.key.level == 1 && options.keep_footprints))
+    if (contour.key.level == 0 || (contour.key.level == 1 && rules.keep_footprints))
         return {};
-    if (contour.exterior.points() < options.noise_factor)
+    if (contour.exterior.points() < rules.noise_factor)
         return Reason::contour_short;
-    if (is_small(contour.squares(), contour.key.first, options, square_area))
+    if (is_small(contour.squares(), contour.key.first, rules, square_area))
         return Reason::contour_small;
     return {};
 }
 
-std::optional<Reason> hole_noise(const PackedRing& hole, std::int32_t level, const FilterOptions& options,
+std::optional<Reason> hole_noise(const PackedRing& hole, std::int32_t level, const NoiseRules& rules,
                                  const SquareArea& square_area) {
-    if (level == 1 && options.keep_footprints)
+    if (level == 1 && rules.keep_footprints)
         return {};
-    if (hole.points() < options.noise_factor)
+    if (hole.points() < rules.noise_factor)
         return Reason::hole_short;
-    if (is_small(-hole.area(), hole.start(), options, square_area))
+    if (is_small(-hole.area(), hole.start(), rules, square_area))
         return Reason::hole_small;
     return {};
 }

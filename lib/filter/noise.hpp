@@ -13,15 +13,22 @@
 
 namespace d2b {
 
+/// What is noise.
+struct NoiseRules {
+    int noise_factor = 0;          ///< fewest grid points on a ring
+    double min_area_m2 = 0;        ///< smallest area
+    bool keep_footprints = false;  ///< contours of level 1 were found by other means: none is noise
+};
+
 /// Why a contour is noise, if it is: its exterior ring passes fewer grid points than the noise factor
 /// (Chittineni 2003, 4.2), or it is smaller than the smallest area as traced. A root never is, and a
 /// footprint that was found by other means is not.
-[[nodiscard]] std::optional<Reason> contour_noise(const Contour& contour, const FilterOptions& options,
+[[nodiscard]] std::optional<Reason> contour_noise(const Contour& contour, const NoiseRules& rules,
                                                   const SquareArea& square_area);
 
 /// The same for a hole in a contour that is kept.
 [[nodiscard]] std::optional<Reason> hole_noise(const PackedRing& hole, std::int32_t level,
-                                               const FilterOptions& options, const SquareArea& square_area);
+                                               const NoiseRules& rules, const SquareArea& square_area);
 
 /// A hole in a contour that is kept: of its ring what is asked for often.
 struct Hole {

@@ -37,8 +37,8 @@ std::vector<double> breaks(const ElevationHistogram& histogram, int lod, double 
 
 /// What a building's own elevations say.
 std::vector<double> own_thresholds(const BuildingStatistics& statistics, Label label,
-                                   const LevelOptions& options, double metres) {
-    return options.source == LevelSource::natural
+                                   const LevelOptions& options, LevelSource source, double metres) {
+    return source == LevelSource::natural
                ? breaks(statistics.histogram(label), options.lod, metres)
                : slices(statistics.of(label), statistics.fixed(), options.lod, metres);
 }
@@ -58,13 +58,15 @@ void BuildingStatistics::add(const ElevationBand& elevations, const LabelBand& l
 }
 
 LevelPlan plan_building_levels(const BuildingStatistics& statistics, const std::vector<double>& ground,
-                               const LevelPlan& global, const LevelOptions& options, double metres) {
-    const bool own = options.source != LevelSource::global && options.fixed.empty() && !options.interval;
+                               const LevelPlan& global, const LevelOptions& options, LevelSource source,
+                               double metres) {
+    const bool own = source != LevelSource::global && options.fixed.empty() && !options.interval;
     LevelPlan plan{global.minimum, {{}}, true};
     for (Label label = 1; label <= statistics.labels(); ++label) {
         const PointStats& stats = statistics.of(label);
         std::vector<double> list{ground[label]};
-        for (const double t : own ? own_thresholds(statistics, label, options, metres) : global.thresholds[1])
+        for (const double t :
+             own ? own_thresholds(statistics, label, options, source, metres) : global.thresholds[1])
             if (t >= stats.lowest && t < stats.highest && t > list.back())
                 list.push_back(t);
         plan.thresholds.push_back(std::move(list));

@@ -49,6 +49,6 @@ class BuildingStatistics {
 /// @param metres in a vertical unit
 [[nodiscard]] LevelPlan plan_building_levels(const BuildingStatistics& statistics,
                                              const std::vector<double>& ground, const LevelPlan& global,
-                                             const LevelOptions& options, double metres);
+                                             const LevelOptions& options, LevelSource source, double metres);
 
 }  // namespace d2b

@@ -38,14 +38,15 @@ std::vector<double> multiples(const ElevationStatistics& statistics, const Level
     return result;
 }
 
-std::vector<double> candidates(const ElevationStatistics& statistics, const LevelOptions& options) {
+std::vector<double> candidates(const ElevationStatistics& statistics, const LevelOptions& options,
+                               LevelSource source) {
     if (!options.fixed.empty())
         return options.fixed;
     if (statistics.moments.n == 0)
         return {};
     if (options.interval)
         return multiples(statistics, options);
-    if (options.source == LevelSource::building || options.source == LevelSource::natural)
+    if (source != LevelSource::global)
         return {};  // each building has its own
     return sliced(statistics, options.lod);
 }
@@ -77,7 +78,7 @@ int LevelPlan::level_count() const {
 }
 
 LevelPlan plan_global_levels(const ElevationStatistics& statistics, const LevelOptions& options,
-                             Context& context) {
+                             LevelSource source, Context& context) {
     RunReport& report = context.report;
     report.valid_points = statistics.moments.n;
     LevelPlan plan{0, {{}, {}}};
@@ -87,7 +88,7 @@ LevelPlan plan_global_levels(const ElevationStatistics& statistics, const LevelO
     report.maximum = statistics.maximum;
     report.mean = statistics.moments.mean();
     report.standard_deviation = statistics.moments.standard_deviation();
-    plan.thresholds[1] = usable(candidates(statistics, options), statistics, report);
+    plan.thresholds[1] = usable(candidates(statistics, options, source), statistics, report);
     check_level_count(plan.level_count(), options);
     return plan;
 }

@@ -33,10 +33,10 @@ struct LevelPlan {
 /// s of all valid elevations, t_i = m - s + 2 s i / (LOD + 1), i = 1..LOD; or the explicit ones, or every
 /// multiple of an interval from an offset. Thresholds that are not above the minimum, not below the maximum
 /// or repeated are dropped and counted in the report, which also gets the statistics.
-/// With LevelSource::building there are no slices of the whole.
+/// @param source with LevelSource::building and natural there are no slices of the whole
 /// @throws OptionError as check_level_count() does
 [[nodiscard]] LevelPlan plan_global_levels(const ElevationStatistics& statistics, const LevelOptions& options,
-                                           Context& context);
+                                           LevelSource source, Context& context);
 
 /// For whoever makes a plan. @param levels of the label with most, the root counted; of an interval there may
 /// be more than an integer holds @throws OptionError where they are more than most_levels

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
+#include "core/number_text.hpp"
 #include "dem2buildings/error.hpp"
 #include "options/option_rules.hpp"
 
@@ -66,23 +68,71 @@ std::string written(const OptionUse& use, const Request& request) {
     return option;
 }
 
+bool holds(const OptionUse& use, const Request& request) {
+    const OptionRow& row = *find_option(use.name);
+    return row.is_given(request) && is_so(use, row.show(request));
+}
+
+bool is_broken(const OptionRule& rule, const Request& request) {
+    return holds(rule.one, request) && holds(rule.other, request) &&
+           (rule.unless.name.empty() || !holds(rule.unless, request));
+}
+
+void check_rule(const OptionRule& rule, const Request& request) {
+    if (!is_broken(rule, request))
+        return;
+    throw OptionError(
+        written(rule.one, request) +
+        (rule.kind == RuleKind::exclude ? " cannot be used together with " : " has no effect with ") +
+        written(rule.other, request) + "; " + std::string(rule.advice) + ".");
+}
+
+void check_need(const OptionNeed& need, const Request& request) {
+    const OptionRow& needed = *find_option(need.needed);
+    if (find_option(need.name)->is_given(request) && !needed.is_given(request))
+        throw OptionError("-" + std::string(need.name) + " needs " + option_synopsis(needed) + "; " +
+                          std::string(need.advice) + ".");
+}
+
+void check_preset(const Request& request) {
+    const Preset preset = request.options.preset;
+    for (const OptionRow& row : option_table()) {
+        if (row.has_meaning(preset) || !row.is_given(request))
+            continue;
+        const std::string value = row.show(request);
+        const bool any = row.scope.elsewhere.empty();
+        if (any || value != row.scope.elsewhere)
+            throw OptionError("-" + row.name + (any ? "" : " " + value) + " has no effect with -preset " +
+                              std::string(preset_name(preset)) + "; " + row.scope.why + ".");
+    }
+}
+
+/// Beyond this many intervals thresholds would be off by a thousandth of one and more, or be the same.
+void check_offset(const LevelOptions& levels) {
+    constexpr double most_intervals = 0x1p43;
+    if (levels.interval && !(std::abs(levels.offset) <= most_intervals * *levels.interval))
+        throw OptionError("-off " + number_text(levels.offset) + " is too far away to count intervals of " +
+                          number_text(*levels.interval) + " from; give a base near the elevations.");
+}
+
 }  // namespace
 
-void check_conflicts(const OptionNames& given, const Request& request) {
-    const auto holds = [&](const OptionUse& use) {
-        return given.contains(use.name) && is_so(use, find_option(use.name)->show(request));
-    };
+void check_options(const Request& request) {
     for (const OptionRule& rule : option_rules())
-        if (holds(rule.one) && holds(rule.other) && (rule.unless.name.empty() || !holds(rule.unless)))
-            throw OptionError(
-                written(rule.one, request) +
-                (rule.kind == RuleKind::exclude ? " cannot be used together with " : " has no effect with ") +
-                written(rule.other, request) + "; " + std::string(rule.advice) + ".");
+        check_rule(rule, request);
+    check_preset(request);
     for (const OptionNeed& need : option_needs())
-        if (given.contains(need.name) && !given.contains(need.needed))
-            throw OptionError("-" + std::string(need.name) + " needs " +
-                              option_synopsis(*find_option(need.needed)) + "; " + std::string(need.advice) +
-                              ".");
+        check_need(need, request);
+    check_offset(request.options.levels);
+}
+
+bool has_effect(const OptionRow& row, const Request& request) {
+    Request given = request;
+    given.options.given.insert(row.name);
+    return row.has_meaning(request.options.preset) &&
+           std::ranges::none_of(option_rules(), [&](const OptionRule& rule) {
+               return rule.one.name == row.name && is_broken(rule, given);
+           });
 }
 
 std::string nearest_name(std::string_view typed, std::span<const std::string> candidates) {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,14 +8,14 @@
 
 namespace d2b {
 
-/// Canonical names of options, without dash.
-using OptionNames = std::set<std::string, std::less<>>;
+/// Refuses what has no meaning in the preset, and what option_rules() and option_needs() forbid. Of an option
+/// counts whether it was given: OptionRow::is_given.
+/// @throws OptionError: an option without a meaning in the preset, two that exclude each other, one that has
+/// no effect beside another, one without the other that it needs, or intervals that cannot be counted
+void check_options(const Request& request);
 
-/// Refuses what option_rules() and option_needs() forbid. @param given the options that were given
-/// @param request what they were set to
-/// @throws OptionError: two that exclude each other, one that has no effect beside another, or one without
-/// the other that it needs
-void check_conflicts(const OptionNames& given, const Request& request);
+/// Whether the value of an option changes anything beside those of the others.
+[[nodiscard]] bool has_effect(const OptionRow& row, const Request& request);
 
 /// The candidate that a mistyped name most likely stands for; "" where none is near.
 /// Letter case does not count; a beginning of at least three letters is near.

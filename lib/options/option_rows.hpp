@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -18,6 +18,8 @@
 /// How the rows of the option table are made; for the files option_rows_*.cpp alone.
 namespace d2b::rows {
 
+using Texts = std::vector<std::string>;
+
 /// The rows of each group, in the order of the help.
 [[nodiscard]] std::vector<OptionRow> input();
 [[nodiscard]] std::vector<OptionRow> buildings();
@@ -26,55 +28,65 @@ namespace d2b::rows {
 [[nodiscard]] std::vector<OptionRow> output();
 [[nodiscard]] std::vector<OptionRow> report();
 
-/// What people read of an option.
-struct Words {
+enum class Python { none, extract_file, everywhere };
+
+/// What a row holds beside its name, its values and the field that they set.
+struct Columns {
     std::string help{};
     std::string details{};
     std::string unit{};
     std::vector<std::string> aliases{};
+    PresetScope scope{};
+    Python python = Python::everywhere;
+    std::string python_name{};  ///< where Python cannot spell the name
+    bool repeats = true;
+    std::string item{};
 };
 
-[[nodiscard]] OptionRow described(std::string name, std::string values, Words words);
+[[nodiscard]] OptionRow described(std::string name, OptionKind kind, std::string values, Columns columns);
+
+/// Of what looks for buildings. @param elsewhere the value that says that it is not done; "" for none
+[[nodiscard]] PresetScope where_buildings_are_found(std::string elsewhere = "");
 
 // In all that follows `field` is a generic lambda from a Request, const or not, to a reference to the field
 // that the option sets, so that a row cannot read one field and write another.
 
 template <class Field>
-OptionRow switch_row(std::string name, Field field, Words words) {
-    OptionRow row = described(std::move(name), "", std::move(words));
+OptionRow switch_row(std::string name, Field field, Columns columns) {
+    OptionRow row = described(std::move(name), OptionKind::toggle, "", std::move(columns));
     row.apply = [field](Request& request, OptionValues) { field(request) = true; };
-    row.show = [field](const Request& request) { return std::string(field(request) ? "yes" : ""); };
+    row.texts = [field](const Request& request) { return field(request) ? Texts{"yes"} : Texts{}; };
     return row;
 }
 
 template <class Field>
-OptionRow whole_row(std::string name, std::string values, NumberRange range, Field field, Words words) {
-    OptionRow row = described(std::move(name), std::move(values), std::move(words));
+OptionRow whole_row(std::string name, std::string values, NumberRange range, Field field, Columns columns) {
+    OptionRow row = described(std::move(name), OptionKind::whole, std::move(values), std::move(columns));
     row.range = range.text("a whole number");
     row.numbers = range;
     row.apply = [field, range, name = row.name](Request& request, OptionValues texts) {
         field(request) = parse_whole(name, range, texts[0]);
     };
-    row.show = [field](const Request& request) { return std::to_string(field(request)); };
+    row.texts = [field](const Request& request) { return Texts{std::to_string(field(request))}; };
     return row;
 }
 
-[[nodiscard]] inline std::string text_of(double value) {
-    return number_text(value);
+[[nodiscard]] inline Texts texts_of(double value) {
+    return {number_text(value)};
 }
-[[nodiscard]] inline std::string text_of(const std::optional<double>& value) {
-    return value ? number_text(*value) : "";
+[[nodiscard]] inline Texts texts_of(const std::optional<double>& value) {
+    return value ? texts_of(*value) : Texts{};
 }
 
 template <class Field>
-OptionRow number_row(std::string name, std::string values, NumberRange range, Field field, Words words) {
-    OptionRow row = described(std::move(name), std::move(values), std::move(words));
+OptionRow number_row(std::string name, std::string values, NumberRange range, Field field, Columns columns) {
+    OptionRow row = described(std::move(name), OptionKind::number, std::move(values), std::move(columns));
     row.range = range.text("a number");
     row.numbers = range;
     row.apply = [field, range, name = row.name](Request& request, OptionValues texts) {
         field(request) = parse_number(name, range, texts[0]);
     };
-    row.show = [field](const Request& request) { return text_of(field(request)); };
+    row.texts = [field](const Request& request) { return texts_of(field(request)); };
     return row;
 }
 
@@ -83,9 +95,9 @@ using Four = std::array<double, 4>;
 
 /// Some numbers. @param range what they must be, as text @param fits the same as a function
 template <std::size_t n, class Field>
-OptionRow several_row(std::string name, std::string values, std::string range,
-                      bool (*fits)(const std::array<double, n>&), Field field, Words words) {
-    OptionRow row = described(std::move(name), std::move(values), std::move(words));
+OptionRow several_row(std::string name, OptionKind kind, std::string values, std::string range,
+                      bool (*fits)(const std::array<double, n>&), Field field, Columns columns) {
+    OptionRow row = described(std::move(name), kind, std::move(values), std::move(columns));
     row.arity = Arity::several;
     row.count = n;
     row.range = std::move(range);
@@ -100,18 +112,23 @@ OptionRow several_row(std::string name, std::string values, std::string range,
             refuse_value(name, text, all);
         field(request) = numbers;
     };
-    row.show = [field](const Request& request) {
+    row.texts = [field](const Request& request) {
         const std::optional<std::array<double, n>>& numbers = field(request);
-        return numbers ? numbers_text(*numbers, " ") : std::string();
+        Texts texts;
+        if (numbers)
+            std::ranges::transform(*numbers, std::back_inserter(texts), number_text);
+        return texts;
     };
     return row;
 }
 
 template <class Field>
-OptionRow text_row(std::string name, std::string values, Field field, Words words) {
-    OptionRow row = described(std::move(name), std::move(values), std::move(words));
+OptionRow text_row(std::string name, OptionKind kind, std::string values, Field field, Columns columns) {
+    OptionRow row = described(std::move(name), kind, std::move(values), std::move(columns));
     row.apply = [field](Request& request, OptionValues texts) { field(request) = texts[0]; };
-    row.show = [field](const Request& request) { return field(request); };
+    row.texts = [field](const Request& request) {
+        return field(request).empty() ? Texts{} : Texts{field(request)};
+    };
     return row;
 }
 
@@ -119,37 +136,53 @@ OptionRow text_row(std::string name, std::string values, Field field, Words word
 template <class Value>
 using Choices = std::vector<std::pair<std::string, Value>>;
 
+template <class Value>
+[[nodiscard]] Texts words_of(const Choices<Value>& choices) {
+    Texts words;
+    for (const auto& [word, value] : choices)
+        words.push_back(word);
+    return words;
+}
+
+/// What a word stands for; nothing where it is none of them.
+template <class Value>
+[[nodiscard]] std::optional<Value> choice_of(const Choices<Value>& choices, const std::string& text) {
+    for (const auto& [word, value] : choices)
+        if (word == text)
+            return value;
+    return std::nullopt;
+}
+
+/// The word for a value; nothing where there is none. @param chosen a value, which may be optional
+template <class Value, class Chosen>
+[[nodiscard]] Texts word_for(const Choices<Value>& choices, const Chosen& chosen) {
+    for (const auto& [word, value] : choices)
+        if (chosen == value)
+            return {word};
+    return {};
+}
+
 /// One word out of a few.
 template <class Value, class Field>
-OptionRow choice_row(std::string name, std::string values, const Choices<Value>& choices, Field field,
-                     Words words) {
-    OptionRow row = described(std::move(name), std::move(values), std::move(words));
-    std::vector<std::string_view> names;
-    for (const auto& [word, value] : choices)
-        names.push_back(word);
-    row.range = alternatives(names);
+OptionRow choice_row(std::string name, const Choices<Value>& choices, Field field, Columns columns) {
+    const Texts words = words_of(choices);
+    OptionRow row = described(std::move(name), OptionKind::choice, joined(words, "|"), std::move(columns));
+    row.choices = words;
+    row.range = alternatives(words);
     row.apply = [field, choices, name = row.name, range = row.range](Request& request, OptionValues texts) {
-        for (const auto& [word, value] : choices) {
-            if (word == texts[0]) {
-                field(request) = value;
-                return;
-            }
-        }
-        refuse_value(name, range, texts[0]);
+        const std::optional<Value> value = choice_of(choices, texts[0]);
+        if (!value)
+            refuse_value(name, range, texts[0]);
+        field(request) = *value;
     };
-    row.show = [field, choices](const Request& request) {
-        for (const auto& [word, value] : choices)
-            if (field(request) == value)
-                return word;
-        return std::string();
-    };
+    row.texts = [field, choices](const Request& request) { return word_for(choices, field(request)); };
     return row;
 }
 
 /// Texts that add up over repeated options. @param range "NAME=VALUE", or "" where any text will do
 template <class Field>
-OptionRow texts_row(std::string name, std::string values, std::string range, Field field, Words words) {
-    OptionRow row = described(std::move(name), std::move(values), std::move(words));
+OptionRow texts_row(std::string name, std::string values, std::string range, Field field, Columns columns) {
+    OptionRow row = described(std::move(name), OptionKind::text, std::move(values), std::move(columns));
     row.repeatable = true;
     row.range = std::move(range);
     row.apply = [field, name = row.name, text = row.range](Request& request, OptionValues texts) {
@@ -158,12 +191,7 @@ OptionRow texts_row(std::string name, std::string values, std::string range, Fie
             refuse_value(name, text, texts[0]);
         field(request).push_back(texts[0]);
     };
-    row.show = [field](const Request& request) {
-        std::string all;
-        for (const std::string& text : field(request))
-            all += (all.empty() ? "" : " ") + text;
-        return all;
-    };
+    row.texts = [field](const Request& request) { return field(request); };
     return row;
 }
 

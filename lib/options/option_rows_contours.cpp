@@ -1,4 +1,5 @@
 #include "options/option_rows.hpp"
+#include "options/run_plan.hpp"
 
 namespace d2b::rows {
 namespace {
@@ -6,7 +7,7 @@ namespace {
 /// A greedy list: "-fl 10 12.5 15".
 OptionRow fixed_levels() {
     OptionRow row =
-        described("fl", "<level> [<level>...]",
+        described("fl", OptionKind::numbers, "<level> [<level>...]",
                   {.help = "Explicit thresholds, in place of those of -lod.",
                    .details = "Every number that follows is one; the option may be given again and then "
                               "adds levels. A file whose name is a number needs its path: ./12.",
@@ -25,11 +26,10 @@ OptionRow fixed_levels() {
         auto& all = request.options.levels.fixed;
         all.insert(all.end(), levels.begin(), levels.end());
     };
-    row.show = [](const Request& request) {
-        std::string text;
-        for (double level : request.options.levels.fixed)
-            text += (text.empty() ? "" : " ") + number_text(level);
-        return text;
+    row.texts = [](const Request& request) {
+        Texts texts;
+        std::ranges::transform(request.options.levels.fixed, std::back_inserter(texts), number_text);
+        return texts;
     };
     return row;
 }
@@ -43,14 +43,16 @@ std::vector<OptionRow> noise() {
          .details =
              "With a contour goes all that stands on it. Holes are filled by the same rule, unless something "
              "that is kept stands in them. 0 keeps everything.",
-         .unit = "grid points"}));
+         .unit = "grid points",
+         .item = "NOISE_FACTOR"}));
     rows.push_back(number_row(
         "min_area", "<m2>", {.lowest = 0}, [](auto& r) -> auto& { return r.options.filter.min_area_m2; },
-        {.help = "Smallest area of a building; by default 30 m2.",
+        {.help = "Smallest area of a building; by default " + number_text(smallest_building_m2) + " m2.",
          .details =
              "With -preset thesis contours of a smaller area are dropped and such holes filled, as -nf does "
              "with short ones, which also removes long thin rows of trees; by default none is.",
-         .unit = "m2"}));
+         .unit = "m2",
+         .item = "MIN_AREA_M2"}));
     return rows;
 }
 
@@ -59,14 +61,14 @@ OptionRow walls() {
     const Choices<Walls> choices{
         {"auto", Walls::automatic}, {"off", Walls::off}, {"right", Walls::right}, {"free", Walls::free}};
     return choice_row(
-        "regularize", "auto|off|right|free", choices,
-        [](auto& r) -> auto& { return r.options.outline.walls; },
+        "regularize", choices, [](auto& r) -> auto& { return r.options.outline.walls; },
         {.help = "Straight walls in place of the staircase that cells make.",
          .details =
              "auto: walls along a building's main directions and at right angles where the data support it, "
              "others as they run, circles and arcs where they fit. right: right angles alone. free: straight "
              "walls of any direction. off: the outline as it was traced. What does not fit within the "
-             "tolerance keeps its traced outline. By default auto, off with -simplify or -preset thesis."});
+             "tolerance keeps its traced outline. By default auto, off with -simplify or -preset thesis.",
+         .item = "REGULARIZE"});
 }
 
 }  // namespace
@@ -77,21 +79,23 @@ std::vector<OptionRow> levels() {
                                        {"global", LevelSource::global}};
     std::vector<OptionRow> rows;
     rows.push_back(choice_row(
-        "levels", "building|natural|global", sources,
-        [](auto& r) -> auto& { return r.options.levels.source; },
+        "levels", sources, [](auto& r) -> auto& { return r.options.levels.source; },
         {.help = "What the thresholds of -lod divide.",
          .details = "building: the elevations of each building in equal slices, so that tiers of a low house "
                     "and of a tower are both found. natural: the same at their natural breaks, which lie "
                     "between the roofs. With both thresholds are at least half a metre apart. global: the "
                     "elevations of the whole input, one set for all, as -preset thesis does. By default "
-                    "building, with -preset thesis global."}));
+                    "building, with -preset thesis global.",
+         .scope = where_buildings_are_found("global"),
+         .item = "LEVELS"}));
     rows.push_back(whole_row(
         "lod", "<n>", {.lowest = 1, .highest = 10000}, [](auto& r) -> auto& { return r.options.levels.lod; },
         {.help = "Level of detail: how many thresholds.",
          .details = "They divide the range from one standard deviation below the mean "
                     "elevation to one above it into "
                     "n + 1 equal slices; with -levels natural n is the largest number of "
-                    "breaks in a building."}));
+                    "breaks in a building.",
+         .item = "LOD"}));
     rows.push_back(number_row(
         "detail", "<height>", {.lowest = 0, .highest = 1000},
         [](auto& r) -> auto& { return r.options.levels.detail; },
@@ -101,7 +105,9 @@ std::vector<OptionRow> levels() {
              "So does what is narrower than two cells: chimneys, dormers, edges that a wall smears. Wider "
              "strips may stand out by less, narrower ones must by more. A larger height gives fewer "
              "contours with fewer vertices; 0, the default, keeps every cell's own elevation.",
-         .unit = "m"}));
+         .unit = "m",
+         .scope = where_buildings_are_found("0"),
+         .item = "DETAIL_M"}));
     rows.push_back(fixed_levels());
     rows.push_back(number_row("i", "<interval>", {.lowest = 0, .above_lowest = true},
                               [](auto& r) -> auto& { return r.options.levels.interval; },
@@ -117,23 +123,26 @@ std::vector<OptionRow> contours() {
     const Choices<TraceMode> modes{{"points", TraceMode::points}, {"cells", TraceMode::cells}};
     std::vector<OptionRow> rows;
     rows.push_back(choice_row(
-        "trace", "points|cells", modes, [](auto& r) -> auto& { return r.options.trace.mode; },
+        "trace", modes, [](auto& r) -> auto& { return r.options.trace.mode; },
         {.help = "What outlines are drawn through.",
          .details =
              "By default cells, with -preset thesis points. "
              "points: the outermost grid points above the threshold, so that a building loses half a cell on "
-             "each side. cells: the borders of the cells around these points, so that areas are unbiased."}));
+             "each side. cells: the borders of the cells around these points, so that areas are unbiased.",
+         .item = "TRACE"}));
     for (OptionRow& row : noise())
         rows.push_back(std::move(row));
     rows.push_back(walls());
     rows.push_back(
         switch_row("arcs", [](auto& r) -> auto& { return r.options.outline.arcs; },
                    {.help = "Write round walls as circular arcs where the format has them.",
-                    .details = "Without it, and elsewhere, they are written as short straight pieces."}));
+                    .details = "Without it, and elsewhere, they are written as short straight pieces.",
+                    .python = Python::extract_file}));
     rows.push_back(number_row(
         "regularize_tolerance", "<cells>", {.lowest = 0, .highest = 100, .above_lowest = true},
         [](auto& r) -> auto& { return r.options.outline.wall_tolerance; },
-        {.help = "How far a regularized outline may leave its trace; by default 1.5, but at most 1.25 m.",
+        {.help = "How far a regularized outline may leave its trace; by default " +
+                 number_text(wall_tolerance_cells) + ", but at most " + number_text(wall_tolerance_m) + " m.",
          .unit = "cells"}));
     rows.push_back(number_row(
         "simplify", "<tolerance>", {.lowest = 0}, [](auto& r) -> auto& { return r.options.outline.simplify; },
@@ -141,7 +150,8 @@ std::vector<OptionRow> contours() {
          .details =
              "Borders that polygons share move together: nesting, disjointness and validity hold. A contour "
              "that would break keeps its traced outline and is flagged.",
-         .unit = "units of the input's CRS, degrees in a geographic one"}));
+         .unit = "units of the input's CRS, degrees in a geographic one",
+         .item = "SIMPLIFY"}));
     rows.push_back(
         switch_row("disjoint", [](auto& r) -> auto& { return r.options.outline.disjoint; },
                    {.help = "Write contours as bands that do not overlap instead of stacked ones."}));

@@ -11,29 +11,36 @@ namespace {
 /// "m", "ft", "us-ft" or metres in a unit.
 OptionRow vertical_unit() {
     const NumberRange metres{.lowest = 0, .above_lowest = true};
+    const Texts units{"m", "ft", "us-ft"};
     OptionRow row = described(
-        "zunit", "m|ft|us-ft|<metres>",
+        "zunit", OptionKind::text, joined(units, "|") + "|<metres>",
         {.help = "Unit of the elevations.",
          .details = "By default the first of these that is known: the unit of the band, of the "
                     "vertical CRS, of the horizontal CRS; the report says which it was. A band whose unit is "
                     "no length is refused without this option. ft is "
                     "the international foot, us-ft the US survey foot; a number gives the "
                     "metres in one unit."});
-    row.range = "m, ft, us-ft or " + metres.text("a number") + " (metres in one unit)";
-    row.apply = [metres, range = row.range](Request& request, OptionValues texts) {
+    row.choices = units;
+    Texts all = units;
+    all.push_back(metres.text("a number") + " (metres in one unit)");
+    row.range = alternatives(all);
+    row.apply = [metres, units, range = row.range](Request& request, OptionValues texts) {
         const std::string& text = texts[0];
-        if (text != "m" && text != "ft" && text != "us-ft" && !read_number(metres, text))
+        if (std::ranges::find(units, text) == units.end() && !read_number(metres, text))
             refuse_value("zunit", range, text);
         request.options.read.vertical_unit = text;
     };
-    row.show = [](const Request& request) { return request.options.read.vertical_unit; };
+    row.texts = [](const Request& request) {
+        const std::string& unit = request.options.read.vertical_unit;
+        return unit.empty() ? Texts{} : Texts{unit};
+    };
     return row;
 }
 
 /// Of elevations.
 OptionRow elevation_range() {
     return several_row<2>(
-        "zrange", "<lowest> <highest>", "two numbers, the lowest below the highest",
+        "zrange", OptionKind::numbers, "<lowest> <highest>", "two numbers, the lowest below the highest",
         [](const Two& range) { return range[0] < range[1]; },
         [](auto& r) -> auto& { return r.options.read.elevation_range; },
         {.help = "Elevations that occur; what is outside is no elevation.",
@@ -61,18 +68,21 @@ void require_lower_left_first(const Four& extent) {
 std::vector<OptionRow> windows() {
     std::vector<OptionRow> rows;
     rows.push_back(several_row<4>(
-        "srcwin", "<column> <row> <columns> <rows>", "four whole numbers, columns and rows above 0",
+        "srcwin", OptionKind::numbers, "<column> <row> <columns> <rows>",
+        "four whole numbers, columns and rows above 0",
         [](const Four& w) { return std::ranges::all_of(w, whole) && w[2] > 0 && w[3] > 0; },
         [](auto& r) -> auto& { return r.options.read.source_window; },
         {.help = "Part of the input to use, in cells from its upper left corner.", .unit = "cells"}));
     rows.push_back(several_row<4>(
-        "projwin", "<ulx> <uly> <lrx> <lry>", "four numbers, ulx below lrx and uly above lry",
+        "projwin", OptionKind::numbers, "<ulx> <uly> <lrx> <lry>",
+        "four numbers, ulx below lrx and uly above lry",
         [](const Four& w) { return w[0] < w[2] && w[1] > w[3]; },
         [](auto& r) -> auto& { return r.options.read.projected_window; },
         {.help = "Part of the input to use, by its upper left and lower right corner.",
          .unit = "units of the input's CRS"}));
     rows.push_back(several_row<4>(
-        "te", "<xmin> <ymin> <xmax> <ymax>", "four numbers, xmin below xmax and ymin below ymax",
+        "te", OptionKind::extent, "<xmin> <ymin> <xmax> <ymax>",
+        "four numbers, xmin below xmax and ymin below ymax",
         [](const Four& w) {
             require_lower_left_first(w);
             return w[0] < w[2] && w[1] < w[3];
@@ -81,10 +91,11 @@ std::vector<OptionRow> windows() {
         {.help = "Part of the input to use, by its extent: the points within it.",
          .unit = "units of the input's CRS"}));
     rows.push_back(text_row(
-        "cutline", "<polygons>", [](auto& r) -> auto& { return r.options.read.cutline; },
+        "cutline", OptionKind::polygons, "<polygons>",
+        [](auto& r) -> auto& { return r.options.read.cutline; },
         {.help = "Vector dataset whose polygons bound the area of interest.",
          .details = "Any dataset that GDAL reads. Points outside the polygons are taken for no data."}));
-    rows.push_back(text_row("cutline_layer", "<layer>",
+    rows.push_back(text_row("cutline_layer", OptionKind::text, "<layer>",
                             [](auto& r) -> auto& { return r.options.read.cutline_layer; },
                             {.help = "Layer of the cutline; by default the first that has geometries."}));
     return rows;
@@ -104,12 +115,15 @@ std::vector<OptionRow> input() {
         "if", "<format>", "", [](auto& r) -> auto& { return r.options.read.drivers; },
         {.help = "Format to try on the input.",
          .details =
-             "A short name of GDAL's, as --formats lists them. Without this option every format is tried."}));
-    rows.push_back(text_row("a_srs", "<crs>", [](auto& r) -> auto& { return r.options.read.crs; },
+             "A short name of GDAL's, as --formats lists them. Without this option every format is tried.",
+         .python_name = "input_format"}));
+    rows.push_back(text_row("a_srs", OptionKind::crs, "<crs>",
+                            [](auto& r) -> auto& { return r.options.read.crs; },
                             {.help = "CRS of the input, in place of its own.",
                              .details = "An authority code such as EPSG:25832, with a vertical CRS "
                                         "EPSG:25832+7837, or WKT, PROJJSON or a "
-                                        "PROJ string. Nothing is reprojected."}));
+                                        "PROJ string. Nothing is reprojected.",
+                             .python_name = "crs"}));
     rows.push_back(number_row(
         "snodata", "<value>", {}, [](auto& r) -> auto& { return r.options.read.nodata; },
         {.help = "Value that stands for no data, in place of the input's own.",

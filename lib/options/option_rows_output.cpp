@@ -6,31 +6,39 @@ namespace {
 std::vector<OptionRow> dataset() {
     std::vector<OptionRow> rows;
     rows.push_back(text_row(
-        "f", "<format>", [](auto& r) -> auto& { return r.options.write.format; },
+        "f", OptionKind::text, "<format>", [](auto& r) -> auto& { return r.options.write.format; },
         {.help = "Format of the output; by default the one of the file name's extension.",
          .details = "A short name of GDAL's, as --formats lists them, such as GPKG or \"ESRI Shapefile\".",
-         .aliases = {"of", "output_format"}}));
+         .aliases = {"of", "output_format"},
+         .python = Python::extract_file}));
     rows.push_back(texts_row("dsco", "<NAME>=<VALUE>", "NAME=VALUE",
                              [](auto& r) -> auto& { return r.options.write.dataset_options; },
-                             {.help = "Creation option of the output's format.", .aliases = {"co"}}));
-    rows.push_back(texts_row("lco", "<NAME>=<VALUE>", "NAME=VALUE",
-                             [](auto& r) -> auto& { return r.options.write.layer_options; },
-                             {.help = "Creation option of the output's layers."}));
-    rows.push_back(
-        text_row("nln", "<name>", [](auto& r) -> auto& { return r.options.write.layer_name; },
-                 {.help = "Name of the output's layer.",
-                  .details = "Where both layers are written it is that of the buildings, and the contours "
-                             "go to <name>_contours. By default the layers are buildings and contours, "
-                             "or have the name of the file where the format holds one layer a file."}));
+                             {.help = "Creation option of the output's format.",
+                              .aliases = {"co"},
+                              .python = Python::extract_file}));
+    rows.push_back(texts_row(
+        "lco", "<NAME>=<VALUE>", "NAME=VALUE", [](auto& r) -> auto& { return r.options.write.layer_options; },
+        {.help = "Creation option of the output's layers.", .python = Python::extract_file}));
+    rows.push_back(text_row(
+        "nln", OptionKind::text, "<name>", [](auto& r) -> auto& { return r.options.write.layer_name; },
+        {.help = "Name of the output's layer.",
+         .details = "Where both layers are written it is that of the buildings, and the contours "
+                    "go to <name>_contours. By default the layers are buildings and contours, "
+                    "or have the name of the file where the format holds one layer a file.",
+         .python = Python::extract_file}));
     rows.push_back(switch_row(
         "overwrite", [](auto& r) -> auto& { return r.options.write.overwrite; },
         {.help = "Replace layers of the same names in an existing output.",
          .details =
              "Other layers of a GeoPackage or SQLite file stay, also the one of ours that -layers leaves "
              "out; other formats are refused where they hold other layers. An existing output is refused "
-             "without -overwrite or -append."}));
+             "without -overwrite or -append.",
+         .python = Python::extract_file,
+         .repeats = false}));
     rows.push_back(switch_row("append", [](auto& r) -> auto& { return r.options.write.append; },
-                              {.help = "Add to layers of the same names in an existing output."}));
+                              {.help = "Add to layers of the same names in an existing output.",
+                               .python = Python::extract_file,
+                               .repeats = false}));
     return rows;
 }
 
@@ -41,44 +49,58 @@ std::vector<OptionRow> also_written() {
                                     {"city4cfd", FieldNames::city4cfd},
                                     {"osm", FieldNames::osm}};
     std::vector<OptionRow> rows;
-    rows.push_back(choice_row("fields", "own|urock|city4cfd|osm", names,
-                              [](auto& r) -> auto& { return r.options.write.fields; },
+    rows.push_back(choice_row("fields", names, [](auto& r) -> auto& { return r.options.write.fields; },
                               {.help = "Names of the fields of buildings: those that another program reads.",
                                .details = "Some are longer than a Shapefile can hold, which is refused."}));
     rows.push_back(
         switch_row("write_doubtful", [](auto& r) -> auto& { return r.options.write.doubtful; },
                    {.help = "Also write a layer of what may be a building, with the reason for the doubt.",
-                    .details = "Its name is doubtful, or that of -nln with _doubtful after it."}));
+                    .details = "Its name is doubtful, or that of -nln with _doubtful after it.",
+                    .scope = where_buildings_are_found()}));
     rows.push_back(switch_row(
         "write_rejected", [](auto& r) -> auto& { return r.options.write.rejected; },
         {.help = "Also write a layer of what was dropped, filled or kept as traced, with the reason.",
          .details = "Its name is rejected, or that of -nln with _rejected after it."}));
-    rows.push_back(text_row("write_ground", "<file.tif>",
+    rows.push_back(text_row("write_ground", OptionKind::geotiff, "<file.tif>",
                             [](auto& r) -> auto& { return r.options.write.ground; },
-                            {.help = "Also write the terrain as a GeoTIFF, in metres."}));
-    rows.push_back(text_row("write_height", "<file.tif>",
+                            {.help = "Also write the terrain as a GeoTIFF, in metres.",
+                             .scope = where_buildings_are_found(),
+                             .python = Python::extract_file,
+                             .repeats = false}));
+    rows.push_back(text_row("write_height", OptionKind::geotiff, "<file.tif>",
                             [](auto& r) -> auto& { return r.options.write.height; },
-                            {.help = "Also write the heights above the terrain as a GeoTIFF, in metres."}));
+                            {.help = "Also write the heights above the terrain as a GeoTIFF, in metres.",
+                             .scope = where_buildings_are_found(),
+                             .python = Python::extract_file,
+                             .repeats = false}));
+    rows.push_back(
+        text_row("write_canopy", OptionKind::geotiff, "<file.tif>",
+                 [](auto& r) -> auto& { return r.options.write.canopy; },
+                 {.help = "Also write the heights of trees as a GeoTIFF, in metres; 0 elsewhere.",
+                  .details = "All that rises above -min_height and is no building, as wind models take it.",
+                  .scope = where_buildings_are_found(),
+                  .python = Python::extract_file,
+                  .repeats = false}));
     rows.push_back(text_row(
-        "write_canopy", "<file.tif>", [](auto& r) -> auto& { return r.options.write.canopy; },
-        {.help = "Also write the heights of trees as a GeoTIFF, in metres; 0 elsewhere.",
-         .details = "All that rises above -min_height and is no building, as wind models take it."}));
-    rows.push_back(text_row(
-        "preview", "<file.png>", [](auto& r) -> auto& { return r.options.write.preview; },
+        "preview", OptionKind::picture, "<file.png>",
+        [](auto& r) -> auto& { return r.options.write.preview; },
         {.help = "Also write a picture of the result over the shaded relief.",
          .details =
              "Contours, or buildings where no contours are written, in the colours of their heights above "
              "the ground, with the number of buildings and points and the distance of the stack to the "
-             "input; so -lod and -nf can be judged at a glance."}));
+             "input; so -lod and -nf can be judged at a glance.",
+         .python = Python::extract_file,
+         .repeats = false}));
     return rows;
 }
 
 /// gdal_contour's switch for polygons, so that its command lines work here.
 OptionRow polygons() {
-    OptionRow row = described("p", "", {.help = "Accepted; polygons are always written."});
+    OptionRow row = described("p", OptionKind::toggle, "",
+                              {.help = "Accepted; polygons are always written.", .python = Python::none});
     row.hidden = true;
     row.apply = [](Request&, OptionValues) {};
-    row.show = [](const Request&) { return std::string(); };
+    row.texts = [](const Request&) { return Texts{}; };
     return row;
 }
 
@@ -89,19 +111,20 @@ std::vector<OptionRow> output() {
         {"buildings", Layers::buildings}, {"contours", Layers::contours}, {"both", Layers::both}};
     std::vector<OptionRow> rows;
     rows.push_back(choice_row(
-        "layers", "buildings|contours|both", layers, [](auto& r) -> auto& { return r.options.write.layers; },
+        "layers", layers, [](auto& r) -> auto& { return r.options.write.layers; },
         {.help = "Layers to write.",
          .details = "buildings: one polygon a building; contours: the stacked polygons of all levels. By "
                     "default both, "
                     "or the buildings alone where the format holds one layer a file."}));
     rows.push_back(text_row(
-        "t_srs", "<crs>", [](auto& r) -> auto& { return r.options.outline.target_crs; },
+        "t_srs", OptionKind::crs, "<crs>", [](auto& r) -> auto& { return r.options.outline.target_crs; },
         {.help = "CRS of the output; by default the input's.",
          .details =
              "Written as for -a_srs. Features that it tears apart (across 180 degrees, over a pole) are left "
              "out with a warning; where it tears the whole area, the run is refused."}));
-    rows.push_back(switch_row("3d", [](auto& r) -> auto& { return r.options.write.with_z; },
-                              {.help = "Write the threshold as the Z of every vertex."}));
+    rows.push_back(
+        switch_row("3d", [](auto& r) -> auto& { return r.options.write.with_z; },
+                   {.help = "Write the threshold as the Z of every vertex.", .python_name = "with_z"}));
     for (OptionRow& row : dataset())
         rows.push_back(std::move(row));
     for (OptionRow& row : also_written())
@@ -114,7 +137,7 @@ namespace {
 
 OptionRow sweep() {
     OptionRow row = described(
-        "sweep", "lod=<from>..<to>,nf=<from>..<to>",
+        "sweep", OptionKind::text, "lod=<from>..<to>,nf=<from>..<to>",
         {.help =
              "Try every level of detail with every noise factor and print a table; nothing else is written.",
          .details = "The destination is left out. For each trial: buildings, contours, points of these, the "
@@ -128,7 +151,9 @@ OptionRow sweep() {
         request.tool.sweep_plan = parse_sweep(texts[0]);
         request.tool.sweep = texts[0];
     };
-    row.show = [](const Request& request) { return request.tool.sweep; };
+    row.texts = [](const Request& request) {
+        return request.tool.sweep.empty() ? Texts{} : Texts{request.tool.sweep};
+    };
     return row;
 }
 
@@ -161,10 +186,14 @@ std::vector<OptionRow> report() {
                               {.help = "Print the table of options as JSON and exit."}));
     rows.push_back(switch_row("bash_completion", [](auto& r) -> auto& { return r.tool.bash_completion; },
                               {.help = "Print a script that completes command lines in Bash and exit."}));
-    // Programs ask for these when the tool is built, installed or shown in a dialog.
-    for (OptionRow& row : rows)
+    for (OptionRow& row : rows) {
+        // Programs ask for these when the tool is built, installed or shown in a dialog.
         row.hidden = row.name == "man" || row.name == "options_md" || row.name == "options_json" ||
                      row.name == "bash_completion";
+        row.repeats = false;
+        if (row.name != "threads")
+            row.python = {};
+    }
     return rows;
 }
 

@@ -11,7 +11,6 @@ constexpr std::string_view own_values = "the sweep names the values itself";
 constexpr std::string_view no_layers = "a sweep writes no layers and no rasters";
 constexpr std::string_view round_walls = "round walls come from -regularize auto alone";
 constexpr std::string_view thesis_walls = "its outlines stay as traced unless -regularize auto is given";
-constexpr std::string_view thesis = "it detects no buildings, so leave one of them out";
 
 constexpr OptionUse given(std::string_view name) {
     return {name};
@@ -71,21 +70,6 @@ constexpr std::array rules{
     no_effect(given("write_doubtful"), is("min_confidence", "0"), "nothing is doubtful then"),
     no_effect(given("max_building_width"), is_not("ground", "auto"),
               "it helps to find the ground, which is given"),
-
-    // -preset thesis.
-    no_effect(is_not("ground", "none"), is("preset", "thesis"), thesis),
-    no_effect(is_not("levels", "global"), is("preset", "thesis"), thesis),
-    no_effect(is_not("detail", "0"), is("preset", "thesis"), thesis),
-    no_effect(is_not("split_height", "0"), is("preset", "thesis"), thesis),
-    no_effect(given("max_building_width"), is("preset", "thesis"), thesis),
-    no_effect(given("min_height"), is("preset", "thesis"), thesis),
-    no_effect(given("min_confidence"), is("preset", "thesis"), thesis),
-    no_effect(given("mask"), is("preset", "thesis"), thesis),
-    no_effect(given("ndvi"), is("preset", "thesis"), thesis),
-    no_effect(given("write_doubtful"), is("preset", "thesis"), thesis),
-    no_effect(given("write_ground"), is("preset", "thesis"), thesis),
-    no_effect(given("write_height"), is("preset", "thesis"), thesis),
-    no_effect(given("write_canopy"), is("preset", "thesis"), thesis),
 
     // -sweep.
     no_effect(given("layers"), given("sweep"), no_layers),

@@ -42,20 +42,43 @@ std::vector<OptionRow> make_table() {
 
 namespace rows {
 
-OptionRow described(std::string name, std::string values, Words words) {
+OptionRow described(std::string name, OptionKind kind, std::string values, Columns columns) {
     OptionRow row;
     row.name = std::move(name);
+    row.kind = kind;
     row.values = std::move(values);
     row.arity = row.values.empty() ? Arity::none : Arity::one;
     row.count = row.values.empty() ? 0 : 1;
-    row.help = std::move(words.help);
-    row.details = std::move(words.details);
-    row.unit = std::move(words.unit);
-    row.aliases = std::move(words.aliases);
+    row.help = std::move(columns.help);
+    row.details = std::move(columns.details);
+    row.unit = std::move(columns.unit);
+    row.aliases = std::move(columns.aliases);
+    row.scope = std::move(columns.scope);
+    if (columns.python != Python::none)
+        row.python = {columns.python_name.empty() ? row.name : std::move(columns.python_name),
+                      columns.python == Python::everywhere, true};
+    row.repeats = columns.repeats;
+    row.item = std::move(columns.item);
     return row;
 }
 
+PresetScope where_buildings_are_found(std::string elsewhere) {
+    return {{Preset::buildings}, std::move(elsewhere), "it detects no buildings, so leave one of them out"};
+}
+
 }  // namespace rows
+
+std::string OptionRow::show(const Request& request) const {
+    return joined(texts(request), " ");
+}
+
+bool OptionRow::is_given(const Request& request) const {
+    return request.options.given.contains(name) || show(request) != standard;
+}
+
+bool OptionRow::has_meaning(Preset preset) const {
+    return std::ranges::find(scope.presets, preset) != scope.presets.end();
+}
 
 const std::vector<OptionRow>& option_table() {
     static const std::vector<OptionRow> table = make_table();
@@ -84,6 +107,7 @@ void apply_option(const OptionRow& row, Request& request, OptionValues values) {
     if (!enough || std::ranges::any_of(values, &std::string::empty))
         refuse_count(row);
     row.apply(request, values);
+    request.options.given.insert(row.name);
 }
 
 }  // namespace d2b

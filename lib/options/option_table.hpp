@@ -51,14 +51,57 @@ enum class OptionGroup { input, buildings, levels, contours, output, report };
 inline constexpr std::array<std::string_view, 6> option_group_names{"Input",    "Buildings", "Levels",
                                                                     "Contours", "Output",    "Report"};
 
+/// What a value is: the widget of a dialog, what a shell completes.
+enum class OptionKind {
+    toggle,    ///< a switch
+    choice,    ///< one of OptionRow::choices
+    whole,     ///< a whole number
+    number,    ///< a number
+    numbers,   ///< several
+    extent,    ///< xmin ymin xmax ymax
+    crs,       ///< a coordinate reference system
+    raster,    ///< a raster that is read
+    polygons,  ///< a vector dataset that is read
+    dataset,   ///< either of them
+    terrain,   ///< one of OptionRow::choices, or a raster that is read
+    geotiff,   ///< a file that is written
+    picture,   ///< a PNG that is written
+    text
+};
+inline constexpr std::array<std::string_view, 14> option_kind_names{
+    "switch", "choice", "whole",   "number",  "numbers",  "extent",   "crs",
+    "raster", "vector", "dataset", "terrain", "file:tif", "file:png", "text"};
+
+inline constexpr std::array every_preset{Preset::buildings, Preset::thesis};
+[[nodiscard]] constexpr std::string_view preset_name(Preset preset) {
+    return preset == Preset::buildings ? "buildings" : "thesis";
+}
+
+/// The presets in which an option has a meaning.
+struct PresetScope {
+    std::vector<Preset> presets{every_preset.begin(), every_preset.end()};
+    std::string elsewhere{};  ///< the value that says again what other presets do anyway; "" for none
+    std::string why{};        ///< why it has no meaning in others, and what to do; ends a sentence
+};
+
+/// Which functions of the Python module take an option, by `name`. Where neither does there is no name.
+struct PythonUse {
+    std::string name{};
+    bool extract = false;
+    bool extract_file = false;
+};
+
 using OptionValues = std::span<const std::string>;
 
-/// One option. Parser, help, man page and reference are all made from these rows.
+/// One option. Parser, checks, help, man page, reference, completion, the dialog of QGIS, the Python module
+/// and the provenance of a result are all made from these rows.
 struct OptionRow {
     OptionGroup group = OptionGroup::input;
     std::string name{};                  ///< without dash
     std::vector<std::string> aliases{};  ///< without dash
+    OptionKind kind = OptionKind::text;
     std::string values{};                ///< "<xmin> <ymin> <xmax> <ymax>"; "" for a switch
+    std::vector<std::string> choices{};  ///< the words that it takes
     Arity arity = Arity::none;
     std::size_t count = 0;                 ///< values that follow the name, the least of a list
     bool repeatable = false;               ///< may be given again and then adds to what was given
@@ -69,11 +112,22 @@ struct OptionRow {
     std::string standard{};  ///< the default as text, from a default-constructed Request; "" for none
     std::string help{};      ///< a line
     std::string details{};   ///< more sentences, or ""
+    PresetScope scope{};
+    PythonUse python{};
+    bool repeats = true;  ///< a result cannot be made again without it
+    std::string item{};   ///< what the metadata of a result call its value, after "D2B_"; "": they do not
 
     /// Sets what the option stands for. @throws OptionError; call through apply_option
     std::function<void(Request&, OptionValues)> apply{};
-    /// What the option is set to, as text; "" where it is not set.
-    std::function<std::string(const Request&)> show{};
+    /// What the option is set to, as the values of a command line; none where it is not set, "yes" of a
+    /// switch.
+    std::function<std::vector<std::string>(const Request&)> texts{};
+
+    /// The same as one text.
+    [[nodiscard]] std::string show(const Request& request) const;
+    /// Whether it was given by its name, or the field that it sets has another value than the default.
+    [[nodiscard]] bool is_given(const Request& request) const;
+    [[nodiscard]] bool has_meaning(Preset preset) const;
 };
 
 /// All options, in the order in which help lists them. Immutable.
@@ -85,8 +139,8 @@ struct OptionRow {
 /// The option as it is written: "-te <xmin> <ymin> <xmax> <ymax>".
 [[nodiscard]] std::string option_synopsis(const OptionRow& row);
 
-/// Sets what the option stands for. @throws OptionError: too few, too many or empty values, or values out of
-/// range
+/// Sets what the option stands for and puts it down as given. @throws OptionError: too few, too many or empty
+/// values, or values out of range
 void apply_option(const OptionRow& row, Request& request, OptionValues values);
 
 }  // namespace d2b

@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <system_error>
 
 #include "core/number_text.hpp"
@@ -78,13 +79,20 @@ int parse_whole(std::string_view name, const NumberRange& range, std::string_vie
     return *value;
 }
 
-std::string alternatives(std::span<const std::string_view> words) {
+std::string alternatives(std::span<const std::string> words) {
     std::string text;
     for (std::size_t i = 0; i < words.size(); ++i) {
         if (i > 0)
             text += i + 1 == words.size() ? " or " : ", ";
         text += words[i];
     }
+    return text;
+}
+
+std::string joined(std::span<const std::string> words, std::string_view separator) {
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i)
+        text += (i == 0 ? std::string() : std::string(separator)) + words[i];
     return text;
 }
 

@@ -36,6 +36,9 @@ struct NumberRange {
 [[nodiscard]] int parse_whole(std::string_view name, const NumberRange& range, std::string_view text);
 
 /// "a", "a or b", "a, b or c".
-[[nodiscard]] std::string alternatives(std::span<const std::string_view> words);
+[[nodiscard]] std::string alternatives(std::span<const std::string> words);
+
+/// All of them, separated.
+[[nodiscard]] std::string joined(std::span<const std::string> words, std::string_view separator);
 
 }  // namespace d2b

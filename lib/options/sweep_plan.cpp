@@ -5,15 +5,13 @@
 #include <cstdint>
 
 #include "dem2buildings/error.hpp"
-#include "options/option_values.hpp"
+#include "options/option_table.hpp"
 
 namespace d2b {
 namespace {
 
 constexpr int most_by_themselves = 6;
 constexpr std::size_t most_trials = 400;
-constexpr NumberRange lod_range{.lowest = 1, .highest = 10000};
-constexpr NumberRange noise_range{.lowest = 0, .highest = 1000000000};
 
 [[noreturn]] void refuse(const std::string& text) {
     refuse_value("sweep", "such as lod=1..6,nf=5..60", text);
@@ -71,7 +69,7 @@ SweepPlan parse_sweep(const std::string& text) {
         std::vector<int>& values = lod ? plan.lods : plan.noise_factors;
         if (!values.empty() || (!lod && !part.starts_with("nf=")))
             refuse(text);
-        values = values_of(part.substr(part.find('=') + 1), lod ? lod_range : noise_range);
+        values = values_of(part.substr(part.find('=') + 1), *find_option(lod ? "lod" : "nf")->numbers);
     }
     const std::size_t trials =
         std::max<std::size_t>(plan.lods.size(), 1) * std::max<std::size_t>(plan.noise_factors.size(), 1);

@@ -21,12 +21,12 @@ CellShape cell_shape(const Georeference& georeference, double x_stretch) {
 
 }  // namespace
 
-Drawing choose_drawing(const OutlineOptions& options, const Georeference& georeference) {
-    if (options.walls != Walls::off && options.walls != Walls::by_preset)
+Drawing choose_drawing(const OutlineRules& rules, const Georeference& georeference) {
+    if (rules.walls != Walls::off)
         return Drawing::regularized;
-    if (options.simplify > 0)
+    if (rules.simplify > 0)
         return Drawing::simplified;
-    return georeference.axis_parallel() && options.target_crs.empty() ? Drawing::traced : Drawing::noded;
+    return georeference.axis_parallel() && !rules.reprojected ? Drawing::traced : Drawing::noded;
 }
 
 struct Outliner::Impl {
@@ -45,7 +45,7 @@ OutlineQuality quality_of(const WallQuality& quality) {
 
 }  // namespace
 
-Outliner::Outliner(const ContourList& contours, Drawing drawing, const OutlineOptions& options,
+Outliner::Outliner(const ContourList& contours, Drawing drawing, const OutlineRules& rules,
                    const Georeference& georeference, double x_stretch, Context& context)
     : impl_(std::make_unique<Impl>(Impl{contours, {}, {}, {}})) {
     if (drawing == Drawing::noded || drawing == Drawing::simplified)
@@ -53,11 +53,10 @@ Outliner::Outliner(const ContourList& contours, Drawing drawing, const OutlineOp
     context.check_stop();
     if (drawing == Drawing::simplified) {
         impl_->arcs = build_arc_graph(fetch_all(contours), context.threads->stop());
-        simplify(impl_->arcs->arcs, options.simplify, georeference, context.threads->stop());
+        simplify(impl_->arcs->arcs, rules.simplify, georeference, context.threads->stop());
     }
     if (drawing == Drawing::regularized) {
-        const WallOptions walls{options.walls, options.wall_tolerance.value_or(1.5),
-                                cell_shape(georeference, x_stretch)};
+        const WallOptions walls{rules.walls, rules.wall_tolerance, cell_shape(georeference, x_stretch)};
         impl_->walls.emplace(contours, walls, context.make_spool(), *context.threads);
     }
 }

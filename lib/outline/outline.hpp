@@ -13,6 +13,14 @@ namespace d2b {
 /// What became of an outline on its way from the trace to the file.
 enum class OutlineStatus { traced, simplified, regularized, kept_traced, repaired };
 
+/// What outlines are to look like.
+struct OutlineRules {
+    Walls walls = Walls::off;
+    double wall_tolerance = 0;  ///< cells: no outline with walls leaves its trace by more
+    double simplify = 0;        ///< tolerance in units of the CRS; 0: every corner is kept
+    bool reprojected = false;   ///< corners are moved afterwards
+};
+
 /// How outlines are drawn from contours.
 enum class Drawing {
     traced,      ///< corner by corner: exact where rows and columns run along the axes and nothing moves them
@@ -38,7 +46,7 @@ class Outliner {
     /// @param contours they stay the caller's and must outlive this
     /// @param x_stretch length on the ground of a unit of x over that of a unit of y: what is a right angle
     /// @param context its threads fit walls, which wait in a spool of its
-    Outliner(const ContourList& contours, Drawing drawing, const OutlineOptions& options,
+    Outliner(const ContourList& contours, Drawing drawing, const OutlineRules& rules,
              const Georeference& georeference, double x_stretch, Context& context);
     Outliner(Outliner&&) noexcept;
     Outliner& operator=(Outliner&&) noexcept;
@@ -61,7 +69,7 @@ class Outliner {
     std::unique_ptr<Impl> impl_;
 };
 
-/// What the options and the grid call for: nothing is noded that cannot come apart.
-[[nodiscard]] Drawing choose_drawing(const OutlineOptions& options, const Georeference& georeference);
+/// What the rules and the grid call for: nothing is noded that cannot come apart.
+[[nodiscard]] Drawing choose_drawing(const OutlineRules& rules, const Georeference& georeference);
 
 }  // namespace d2b

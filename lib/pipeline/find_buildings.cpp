@@ -37,7 +37,7 @@ void for_cells(Executor& threads, const Grid<T>& grid, const Work& work) {
 
 /// What the strips of a run have in common.
 struct Job {
-    const Options& options;
+    const RunPlan& plan;
     const Sources& sources;
     const Sinks& sinks;
     ElevationReader& reader;
@@ -66,15 +66,14 @@ MetreGrid surface_of(const Job& job, RowBand rows) {
 /// The terrain as it is given or estimated. Where that finds a cell to be far below the ground, the surface
 /// is not known.
 MetreGrid terrain_of(const Job& job, RowBand rows, MetreGrid& surface) {
-    const GroundOptions& options = job.options.ground;
-    if (options.mode == GroundMode::none)
+    if (job.plan.ground == GroundMode::none)
         return MetreGrid(surface.rows, surface.cols, 0);
-    if (options.mode == GroundMode::given)
+    if (job.plan.ground == GroundMode::given)
         return read_grid(*job.sources.terrain, rows, job.metres, job.context);
     const StageClock clock(job.context.report, Stage::ground);
     const Window& window = job.window();
-    Terrain terrain =
-        estimate_ground(surface, job.cell, options, job.context, {window.row + rows.begin, window.col});
+    Terrain terrain = estimate_ground(surface, job.cell, job.plan.asked.ground, job.context,
+                                      {window.row + rows.begin, window.col});
     for_cells(job.threads(), surface, [&](Cells cells) {
         for (std::size_t i = cells.begin; i < cells.end; ++i)
             if ((terrain.flags.values[i] & low_outlier) != 0)
@@ -85,7 +84,7 @@ MetreGrid terrain_of(const Job& job, RowBand rows, MetreGrid& surface) {
 
 /// The terrain that detection stands on is nowhere above the surface.
 void keep_below(const Job& job, const MetreGrid& surface, MetreGrid& terrain) {
-    if (job.options.ground.mode != GroundMode::given)
+    if (job.plan.ground != GroundMode::given)
         return;
     for_cells(job.threads(), terrain, [&](Cells cells) {
         for (std::size_t i = cells.begin; i < cells.end; ++i)
@@ -146,10 +145,10 @@ StripFound find_in_strip(const Job& job, const Strip& strip, FoundBuildings& fou
     }
     Detection detection = [&] {
         const StageClock clock(job.context.report, Stage::detect);
-        return detect_buildings(scene, job.options.detect, job.context);
+        return detect_buildings(scene, job.plan.asked.detect, job.plan.building_m2, job.context);
     }();
     count_left_out(detection.left_out, own, job.context.report);
-    write_scene_rasters(job.sinks, scene, detection, job.options.detect.min_height, own);
+    write_scene_rasters(job.sinks, scene, detection, job.plan.asked.detect.min_height, own);
     const StageClock clock(job.context.report, Stage::attributes);
     const std::vector<double> ground =
         ground_levels(terrain, detection.labels, static_cast<Label>(detection.objects.size()), job.threads());
@@ -200,12 +199,13 @@ void put_into(FoundBuildings& found, StripMerger::Merged&& merged, bool keep_dou
 
 }  // namespace
 
-FoundBuildings find_buildings(const Options& options, const Sources& sources, const Sinks& sinks,
+FoundBuildings find_buildings(const RunPlan& plan, const Sources& sources, const Sinks& sinks,
                               ElevationReader& reader, const CellSize& cell, double metres, Context& context,
                               const StripSize& size) {
     // What stands at a seam is seen whole by both strips, and so is the ground around it.
     constexpr double widths_around = 5;
-    const Job job{options, sources, sinks, reader, cell, metres, context};
+    const Options& options = plan.asked;
+    const Job job{plan, sources, sinks, reader, cell, metres, context};
     const std::vector<Strip> strips =
         strips_of(job.window(), cell, widths_around * options.ground.max_building_width, size);
     FoundBuildings found;
@@ -228,8 +228,8 @@ FoundBuildings find_buildings(const Options& options, const Sources& sources, co
                             {strip.own.begin - strip.seen.begin, strip.own.end - strip.seen.begin},
                             job.threads());
     }
-    found.sides.terrain = options.ground.mode != GroundMode::given || found.fit.cells() > 0;
-    put_into(found, merger.finish(strips.size() > 1 ? cells_for(options.detect.min_area_m2, cell) : 1),
+    found.sides.terrain = plan.ground != GroundMode::given || found.fit.cells() > 0;
+    put_into(found, merger.finish(strips.size() > 1 ? cells_for(plan.building_m2, cell) : 1),
              options.write.doubtful, metres, context.report);
     return found;
 }

@@ -9,6 +9,7 @@
 #include "diagnose/ground_fit.hpp"
 #include "diagnose/side_doubt.hpp"
 #include "elevations/elevation_reader.hpp"
+#include "options/run_plan.hpp"
 #include "pipeline/pipeline.hpp"
 
 namespace d2b {
@@ -32,8 +33,8 @@ struct FoundBuildings {
 /// Estimates or reads the terrain, detects buildings above it, and writes the rasters that are asked for. A
 /// large window is looked at in strips of rows, so that memory is bounded.
 /// @param metres in one vertical unit
-[[nodiscard]] FoundBuildings find_buildings(const Options& options, const Sources& sources,
-                                            const Sinks& sinks, ElevationReader& reader, const CellSize& cell,
-                                            double metres, Context& context, const StripSize& size = {});
+[[nodiscard]] FoundBuildings find_buildings(const RunPlan& plan, const Sources& sources, const Sinks& sinks,
+                                            ElevationReader& reader, const CellSize& cell, double metres,
+                                            Context& context, const StripSize& size = {});
 
 }  // namespace d2b

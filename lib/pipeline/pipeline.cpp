@@ -23,7 +23,8 @@
 #include "features/write_features.hpp"
 #include "levels/building_levels.hpp"
 #include "levels/clean_tiers.hpp"
-#include "options/preset.hpp"
+#include "options/option_checks.hpp"
+#include "options/run_plan.hpp"
 #include "pipeline/find_buildings.hpp"
 #include "pipeline/own_report.hpp"
 #include "pipeline/provenance.hpp"
@@ -129,11 +130,11 @@ ElevationStatistics collect_statistics(ElevationReader& reader, const Options& o
 /// The levels of each building, from the elevations in it.
 /// @param clean may be null
 LevelPlan plan_levels(ElevationReader& reader, const FoundBuildings& found, const CleanRows* clean,
-                      const ElevationStatistics& statistics, const LevelPlan& global,
-                      const LevelOptions& options, const Window& window, Context& context) {
+                      const ElevationStatistics& statistics, const LevelPlan& global, const RunPlan& decided,
+                      const Window& window, Context& context) {
     const double metres = context.report.units.vertical_metres;
     BuildingStatistics buildings(found.count(), statistics.fixed_point(),
-                                 options.source == LevelSource::natural ? metres : 0);
+                                 decided.levels == LevelSource::natural ? metres : 0);
     reader.for_each(
         [&](const ElevationBand& band, Tally& tally) {
             const StageClock clock(tally, Stage::levels);
@@ -143,7 +144,8 @@ LevelPlan plan_levels(ElevationReader& reader, const FoundBuildings& found, cons
             const StageClock clock(context.report, Stage::levels);
             buildings.add(clean != nullptr ? clean->clean(band) : band, labels);
         });
-    return plan_building_levels(buildings, found.ground, global, options, metres);
+    return plan_building_levels(buildings, found.ground, global, decided.asked.levels, decided.levels,
+                                metres);
 }
 
 void report_levels(const LevelPlan& plan, RunReport& report) {
@@ -158,13 +160,6 @@ void warn_of_large_tolerance(double tolerance, const Georeference& georeference,
     if (cells > most_cells)
         context.warn("-simplify " + number_text(tolerance) + " is " + number_text(std::round(cells)) +
                      " cells wide, which leaves little of a building; it is in units of the input's CRS.");
-}
-
-/// Coarse cells would let a wall leave its trace by more than its neighbours are away.
-double wall_tolerance(double cell_size_m) {
-    constexpr double most_cells = 1.5;
-    constexpr double most_m = 1.25;
-    return cell_size_m > 0 ? std::min(most_cells, most_m / cell_size_m) : most_cells;
 }
 
 void warn_of_nothing(const LevelPlan& plan, std::size_t buildings, const DemInfo& dem, Context& context) {
@@ -187,9 +182,11 @@ void warn_of_nothing(const LevelPlan& plan, std::size_t buildings, const DemInfo
 
 }  // namespace
 
-void run(const Options& user_options, const Sources& sources, const Sinks& sinks, Context& context,
+void run(const Options& asked, const Sources& sources, const Sinks& sinks, Context& context,
          const BandSize& size) {
-    Options options = with_preset(user_options);
+    check_options({asked, {}});
+    const RunPlan decided = make_run_plan(asked, sinks.features.layers(asked.write.layers));
+    const Options& options = decided.asked;
     const OwnReport own_report(context);
     start_threads(options.run, context);
     const DemInfo& info = sources.dem.info();
@@ -200,31 +197,28 @@ void run(const Options& user_options, const Sources& sources, const Sinks& sinks
     report.output = options.write.destination;
     report.units = resolve_units(info, crs, options.read.vertical_unit);
     sinks.features.rehearse(
-        layer_specs(options, {report.input, report.units.vertical, target.kind() != Crs::Kind::none},
+        layer_specs(decided, {report.input, report.units.vertical, target.kind() != Crs::Kind::none},
                     sinks.features)
             .layers,
         target.kind() == Crs::Kind::none ? crs.wkt() : target.wkt());
-    const Georeference georeference(info.transform, options.trace.mode);
-    const Position middle = require_whole_frame(info, options, crs, target);
+    const Georeference georeference(info.transform, decided.trace);
+    const Position middle = require_whole_frame(info, decided, crs, target);
     require_crs(options, crs, target, middle, sinks.features);
     const SquareArea area =
-        make_square_area(georeference, crs, lattice_frame({0, 0, info.rows, info.cols}, options.trace.mode));
+        make_square_area(georeference, crs, lattice_frame({0, 0, info.rows, info.cols}, decided.trace));
     warn_of_coarse_cells(info.window, area, crs, context);
     warn_of_large_tolerance(options.outline.simplify, georeference, context);
 
-    if (!options.outline.wall_tolerance)
-        options.outline.wall_tolerance = wall_tolerance(cell_size_m(info.window, area));
-
     ElevationReader reader(sources.dem, context, size);
-    const Milestones at = detects_buildings(options) ? of_buildings : of_thesis;
+    const Milestones at = decided.detects_buildings() ? of_buildings : of_thesis;
     const ElevationStatistics statistics =
         within(context, 0, at.read, [&] { return collect_statistics(reader, options, info, context); });
-    LevelPlan plan = plan_global_levels(statistics, options.levels, context);
+    LevelPlan plan = plan_global_levels(statistics, options.levels, decided.levels, context);
     std::optional<FoundBuildings> found;
     std::optional<CleanRows> clean;
-    if (detects_buildings(options)) {
+    if (decided.detects_buildings()) {
         found = within(context, at.read, at.found, [&] {
-            return find_buildings(options, sources, sinks, reader, cell_steps(info.window, georeference, crs),
+            return find_buildings(decided, sources, sinks, reader, cell_steps(info.window, georeference, crs),
                                   report.units.vertical_metres, context);
         });
         if (options.levels.detail > 0)
@@ -233,31 +227,31 @@ void run(const Options& user_options, const Sources& sources, const Sinks& sinks
                             region_options(options.levels.detail, cell_steps(info.window, georeference, crs),
                                            report.units.vertical_metres),
                             info.window, context);
-        plan = plan_levels(reader, *found, clean ? &*clean : nullptr, statistics, plan, options.levels,
-                           info.window, context);
+        plan = plan_levels(reader, *found, clean ? &*clean : nullptr, statistics, plan, decided, info.window,
+                           context);
     }
     const FoundBuildings* buildings = found ? &*found : nullptr;
     const TraceFrame frame{info.window, plan.level_count(), statistics.fixed_point(), statistics.range()};
     const auto contours = within(context, at.found, at.traced, [&] {
-        return trace_contours(reader, frame, {plan, buildings, clean ? &*clean : nullptr}, options, area,
+        return trace_contours(reader, frame, {plan, buildings, clean ? &*clean : nullptr}, decided, area,
                               context);
     });
 
     const std::vector<Footprint> footprints = found ? std::move(found->footprints) : std::vector<Footprint>();
     RecordMaker records(*contours, {plan, frame.fixed, footprints, report.units.vertical_metres,
-                                    lattice_frame(info.window, options.trace.mode)});
+                                    lattice_frame(info.window, decided.trace)});
     report_levels(plan, report);
     warn_of_nothing(plan, found ? found->buildings : records.buildings(), info, context);
     if (found)
-        warn_of_search({info, options, report, found->fit, found->sides,
+        warn_of_search({info, decided, report, found->fit, found->sides,
                         cell_steps(info.window, georeference, crs), crs.kind() != Crs::Kind::none},
                        found->buildings > 0, context);
-    const FeatureInput input{options,
+    const FeatureInput input{decided,
                              georeference,
                              crs,
                              target,
                              *contours,
-                             make_provenance(options, info, crs, target, report),
+                             make_provenance(decided, info, crs, target, report),
                              report.units.vertical,
                              info.window,
                              found ? found->buildings : std::numeric_limits<Label>::max(),

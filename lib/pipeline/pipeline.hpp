@@ -28,7 +28,7 @@ struct Sinks {
 /// The whole job: read -> ground -> detect -> levels -> trace -> filter -> outline -> attributes -> write.
 /// Reads the DEM twice (statistics, then contours), or once where it fits in memory; the report in `context`
 /// says what was done, found, dropped and repaired, by this run alone where the context has seen others.
-/// @param options  as checked by the option table; write.layers `automatic` means both
+/// @param options  checked by check_options(), whoever made them
 /// @param size     of bands; the result does not depend on it
 /// @throws Error: nothing is visible at the sinks then, but where finishing one fails after another is
 /// finished

@@ -3,14 +3,14 @@
 #include "core/crs.hpp"
 #include "dem2buildings/dem_info.hpp"
 #include "dem2buildings/feature_sink.hpp"
-#include "dem2buildings/options.hpp"
 #include "dem2buildings/report.hpp"
+#include "options/run_plan.hpp"
 
 namespace d2b {
 
-/// What a dataset says of where it comes from: source, method, thresholds, units and version; nothing that
-/// changes from run to run.
-[[nodiscard]] Provenance make_provenance(const Options& options, const DemInfo& info, const Crs& crs,
+/// What a dataset says of where it comes from: source, the options that make it again, what became of them,
+/// thresholds, units and version; nothing that changes from run to run.
+[[nodiscard]] Provenance make_provenance(const RunPlan& plan, const DemInfo& info, const Crs& crs,
                                          const Crs& target, const RunReport& report);
 
 }  // namespace d2b

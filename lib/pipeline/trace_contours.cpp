@@ -16,7 +16,7 @@ namespace {
 struct Tracing {
     const TraceFrame& frame;
     const TierImage& image;
-    const TraceOptions& options;
+    TraceMode mode;
 };
 
 LabelBand labels_of(const ElevationBand& band, const Tracing& tracing) {
@@ -42,9 +42,9 @@ PointRows<Count> point_rows(const std::shared_ptr<const ElevationBand>& elevatio
 template <typename Count>
 void trace_bands(ElevationReader& reader, const Tracing& tracing, ContourSink& sink, Context& context) {
     const TraceFrame& frame = tracing.frame;
-    Tracer tracer(frame, tracing.options, sink);
+    Tracer tracer(frame, tracing.mode, sink);
     reader.for_each_below(
-        rows_above(tracing.options.mode),
+        rows_above(tracing.mode),
         [&](ElevationBand above, const ElevationBand& elevations, Tally& tally) {
             PointRows<Count> before;
             PointRows<Count> band;
@@ -55,7 +55,7 @@ void trace_bands(ElevationReader& reader, const Tracing& tracing, ContourSink& s
                 band = point_rows<Count>(borrowed, tracing);
             }
             const StageClock clock(tally, Stage::trace);
-            return take_apart(frame, tracing.options, before, band);
+            return take_apart(frame, tracing.mode, before, band);
         },
         [&](const ElevationBand& band, std::vector<TraceLine> lines) {
             {
@@ -70,13 +70,14 @@ void trace_bands(ElevationReader& reader, const Tracing& tracing, ContourSink& s
 }  // namespace
 
 std::unique_ptr<StoredContours> trace_contours(ElevationReader& reader, const TraceFrame& frame,
-                                               const TierImage& image, const Options& options,
+                                               const TierImage& image, const RunPlan& plan,
                                                const SquareArea& area, Context& context) {
+    const NoiseRules noise{plan.asked.filter.noise_factor, plan.contour_m2, plan.detects_buildings()};
     // Footprints that were found stand on nothing.
     ContourStore store(
-        {options.filter, area, frame.range, frame.fixed, image.found == nullptr, options.write.rejected},
+        {noise, area, frame.range, frame.fixed, image.found == nullptr, plan.asked.write.rejected},
         context.make_spool(), context);
-    const Tracing tracing{frame, image, options.trace};
+    const Tracing tracing{frame, image, plan.trace};
     if (image.plan.level_count() <= std::numeric_limits<std::uint8_t>::max())
         trace_bands<std::uint8_t>(reader, tracing, store, context);
     else

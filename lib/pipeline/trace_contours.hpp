@@ -2,10 +2,10 @@
 
 #include <memory>
 
-#include "dem2buildings/options.hpp"
 #include "elevations/elevation_reader.hpp"
 #include "filter/contour_store.hpp"
 #include "levels/clean_rows.hpp"
+#include "options/run_plan.hpp"
 #include "pipeline/find_buildings.hpp"
 #include "trace/tracer.hpp"
 
@@ -21,7 +21,7 @@ struct TierImage {
 /// Traces and filters the contours of all levels, in one pass over the DEM.
 /// @throws InputError, Cancelled, and what the spool throws
 [[nodiscard]] std::unique_ptr<StoredContours> trace_contours(ElevationReader& reader, const TraceFrame& frame,
-                                                             const TierImage& image, const Options& options,
+                                                             const TierImage& image, const RunPlan& plan,
                                                              const SquareArea& area, Context& context);
 
 }  // namespace d2b

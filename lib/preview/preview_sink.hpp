@@ -43,6 +43,9 @@ class PreviewSink final : public FeatureSink {
     void add(std::size_t layer, const Feature& feature) override;
     void finish() override;
     [[nodiscard]] std::int64_t first_id() const override { return features_.first_id(); }
+    [[nodiscard]] Layers layers(std::optional<Layers> asked) const override {
+        return features_.layers(asked);
+    }
     [[nodiscard]] std::string layer_name(LayerRole role, Layers layers) const override {
         return features_.layer_name(role, layers);
     }

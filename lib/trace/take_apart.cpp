@@ -191,15 +191,15 @@ std::vector<TraceLine> Cutter<Count>::lines_of_points() const {
 }  // namespace
 
 template <typename Count>
-std::vector<TraceLine> take_apart(const TraceFrame& frame, const TraceOptions& options,
-                                  const PointRows<Count>& before, const PointRows<Count>& band) {
+std::vector<TraceLine> take_apart(const TraceFrame& frame, TraceMode mode, const PointRows<Count>& before,
+                                  const PointRows<Count>& band) {
     const Cutter<Count> cutter(frame, before, band);
-    return options.mode == TraceMode::points ? cutter.lines_of_points() : cutter.lines_of_cells();
+    return mode == TraceMode::points ? cutter.lines_of_points() : cutter.lines_of_cells();
 }
 
-template std::vector<TraceLine> take_apart(const TraceFrame&, const TraceOptions&,
-                                           const PointRows<std::uint8_t>&, const PointRows<std::uint8_t>&);
-template std::vector<TraceLine> take_apart(const TraceFrame&, const TraceOptions&,
-                                           const PointRows<std::uint16_t>&, const PointRows<std::uint16_t>&);
+template std::vector<TraceLine> take_apart(const TraceFrame&, TraceMode, const PointRows<std::uint8_t>&,
+                                           const PointRows<std::uint8_t>&);
+template std::vector<TraceLine> take_apart(const TraceFrame&, TraceMode, const PointRows<std::uint16_t>&,
+                                           const PointRows<std::uint16_t>&);
 
 }  // namespace d2b

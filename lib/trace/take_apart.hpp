@@ -69,13 +69,13 @@ struct TraceLine {
 /// @return the lines that the band's rows complete, from the top; after the window's last row also the line
 ///         under it
 template <typename Count>
-[[nodiscard]] std::vector<TraceLine> take_apart(const TraceFrame& frame, const TraceOptions& options,
+[[nodiscard]] std::vector<TraceLine> take_apart(const TraceFrame& frame, TraceMode mode,
                                                 const PointRows<Count>& before, const PointRows<Count>& band);
 
-extern template std::vector<TraceLine> take_apart(const TraceFrame&, const TraceOptions&,
+extern template std::vector<TraceLine> take_apart(const TraceFrame&, TraceMode,
                                                   const PointRows<std::uint8_t>&,
                                                   const PointRows<std::uint8_t>&);
-extern template std::vector<TraceLine> take_apart(const TraceFrame&, const TraceOptions&,
+extern template std::vector<TraceLine> take_apart(const TraceFrame&, TraceMode,
                                                   const PointRows<std::uint16_t>&,
                                                   const PointRows<std::uint16_t>&);
 

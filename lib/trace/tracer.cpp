@@ -4,8 +4,8 @@
 
 namespace d2b {
 
-Tracer::Tracer(const TraceFrame& frame, const TraceOptions& options, ContourSink& sink)
-    : points_(options.mode == TraceMode::points),
+Tracer::Tracer(const TraceFrame& frame, TraceMode mode, ContourSink& sink)
+    : points_(mode == TraceMode::points),
       range_(frame.range),
       sink_(sink),
       sweep_line_(frame.levels, frame.window.col, frame.range) {}

@@ -14,7 +14,7 @@ namespace d2b {
 /// the row of runs above, what lies beside outlines two rows above, open outlines and components.
 class Tracer {
   public:
-    Tracer(const TraceFrame& frame, const TraceOptions& options, ContourSink& sink);
+    Tracer(const TraceFrame& frame, TraceMode mode, ContourSink& sink);
 
     /// The next lines, without gap or overlap. After the last all contours have been handed out.
     void trace(std::vector<TraceLine>&& lines);

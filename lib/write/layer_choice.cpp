@@ -17,12 +17,12 @@ Layers resolve_layers(const WriteOptions& options, const VectorFormat& format) {
     if ((options.doubtful || options.rejected) && !format.several_layers)
         throw OptionError("\"" + options.destination + "\" holds one layer (format " + format.name +
                           "); use a GeoPackage for -write_" + (options.doubtful ? "doubtful." : "rejected."));
-    if (options.layers == Layers::automatic)
+    if (!options.layers)
         return format.several_layers ? Layers::both : Layers::buildings;
     if (options.layers == Layers::both && !format.several_layers)
         throw OptionError("\"" + options.destination + "\" holds one layer (format " + format.name +
                           "); use -layers buildings or -layers contours, or a GeoPackage for both.");
-    return options.layers;
+    return *options.layers;
 }
 
 std::string name_of(const WriteOptions& options, const VectorFormat& format, LayerRole role, Layers layers) {

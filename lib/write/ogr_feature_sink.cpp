@@ -40,6 +40,11 @@ class OgrFeatureSink final : public FeatureSink {
     }
     void finish() override;
     [[nodiscard]] std::int64_t first_id() const override { return writer_ ? writer_->first_id() : 1; }
+    [[nodiscard]] Layers layers(std::optional<Layers> asked) const override {
+        WriteOptions options = options_;
+        options.layers = asked;
+        return resolve_layers(options, format_);
+    }
     [[nodiscard]] std::string layer_name(LayerRole role, Layers layers) const override {
         return name_of(options_, format_, role, layers);
     }
@@ -180,17 +185,13 @@ std::unique_ptr<FeatureSink> open_sink(const WriteOptions& options, Context& con
     const Layers layers = resolve_layers(options, format);
     Destination destination = locate(options, format);
     std::optional<ExistingDataset> existing = existing_at(destination, format, options, layers);
-    if (options.layers == Layers::automatic && layers == Layers::buildings)
+    if (!options.layers && layers == Layers::buildings)
         context.warn(
             "\"" + options.destination +
             "\" holds one layer; only the buildings are written; use -layers contours for the stack, or a "
             "GeoPackage for both.");
     return std::make_unique<OgrFeatureSink>(options, std::move(format), std::move(destination),
                                             std::move(existing), context);
-}
-
-Layers layers_for(const WriteOptions& options) {
-    return resolve_layers(options, format_for(options));
 }
 
 }  // namespace d2b

@@ -28,8 +28,4 @@ namespace d2b {
 ///         something else, layers and files of others that would be lost. @throws OutputError: not writable
 [[nodiscard]] std::unique_ptr<FeatureSink> open_sink(const WriteOptions& options, Context& context);
 
-/// The layers that a destination gets: `automatic` is both, or the buildings alone where the format holds one
-/// layer a file. @throws OptionError as open_sink
-[[nodiscard]] Layers layers_for(const WriteOptions& options);
-
 }  // namespace d2b

@@ -9,7 +9,6 @@
 #include "features/target_frame.hpp"
 #include "levels/building_levels.hpp"
 #include "levels/quantise.hpp"
-#include "options/preset.hpp"
 #include "pipeline/pipeline.hpp"
 #include "read/gdal_dem_source.hpp"
 #include "support/memory_io.hpp"
@@ -18,11 +17,11 @@ namespace d2b::bench {
 
 namespace {
 
-Options preset_options(const std::string& dem, const std::string& preset) {
+RunPlan plan_of(const std::string& dem, Preset preset) {
     Options options;
     options.preset = preset;
     options.read.source = dem;
-    return with_preset(options);
+    return make_run_plan(options, Layers::both);
 }
 
 class ContourVector : public ContourSink {
@@ -39,14 +38,13 @@ class ContourVector : public ContourSink {
 
 }  // namespace
 
-PreparedRun::PreparedRun(const std::string& dem, const std::string& preset)
-    : options(preset_options(dem, preset)),
-      source(open_dem(options.read, context)),
+PreparedRun::PreparedRun(const std::string& dem, Preset preset)
+    : decided(plan_of(dem, preset)),
+      source(open_dem(decided.asked.read, context)),
       crs(source->info().crs_wkt),
-      georeference(source->info().transform, options.trace.mode),
-      area(make_square_area(
-          georeference, crs,
-          lattice_frame({0, 0, source->info().rows, source->info().cols}, options.trace.mode))),
+      georeference(source->info().transform, decided.trace),
+      area(make_square_area(georeference, crs,
+                            lattice_frame({0, 0, source->info().rows, source->info().cols}, decided.trace))),
       cell(cell_steps(source->info().window, georeference, crs)) {
     context.threads = std::make_unique<Executor>(2);
     read();
@@ -64,7 +62,7 @@ std::int64_t PreparedRun::points() const {
 void PreparedRun::read() {
     ElevationReader reader(*source, context);
     reader.for_each_below(
-        rows_above(options.trace.mode), [](ElevationBand halo, const ElevationBand&, Tally&) { return halo; },
+        rows_above(decided.trace), [](ElevationBand halo, const ElevationBand&, Tally&) { return halo; },
         [this](const ElevationBand& band, ElevationBand halo) {
             bands.emplace_back().elevations = std::make_shared<ElevationBand>(band);
             above.emplace_back().elevations = std::make_shared<ElevationBand>(std::move(halo));
@@ -81,10 +79,10 @@ MetreGrid PreparedRun::surface() const {
 }
 
 void PreparedRun::find() {
-    if (detects_buildings(options)) {
+    if (decided.detects_buildings()) {
         test::MemorySink nothing;
         ElevationReader reader(*source, context);
-        found = find_buildings(options, {*source}, {nothing}, reader, cell, 1, context);
+        found = find_buildings(decided, {*source}, {nothing}, reader, cell, 1, context);
     }
     for (std::vector<Rows>* all : {&bands, &above})
         for (Rows& rows : *all)
@@ -96,12 +94,12 @@ void PreparedRun::make_levels() {
     ElevationStatistics statistics;
     for (const Rows& band : bands)
         statistics.add(*band.elevations);
-    plan = plan_global_levels(statistics, options.levels, context);
+    plan = plan_global_levels(statistics, decided.asked.levels, decided.levels, context);
     if (!found.footprints.empty()) {
         BuildingStatistics buildings(found.count(), statistics.fixed_point());
         for (const Rows& band : bands)
             buildings.add(*band.elevations, band.labels);
-        plan = plan_building_levels(buildings, found.ground, plan, options.levels, 1);
+        plan = plan_building_levels(buildings, found.ground, plan, decided.asked.levels, decided.levels, 1);
     }
     frame = {source->info().window, plan.level_count(), statistics.fixed_point(), statistics.range()};
     for (std::vector<Rows>* all : {&bands, &above})
@@ -110,13 +108,15 @@ void PreparedRun::make_levels() {
 }
 
 void PreparedRun::trace(ContourSink& sink) const {
-    Tracer tracer(frame, options.trace, sink);
+    Tracer tracer(frame, decided.trace, sink);
     for (std::size_t i = 0; i < bands.size(); ++i)
-        tracer.trace(take_apart(frame, options.trace, above[i], bands[i]));
+        tracer.trace(take_apart(frame, decided.trace, above[i], bands[i]));
 }
 
 std::unique_ptr<StoredContours> PreparedRun::filter(std::vector<FinishedContour>&& finished) {
-    ContourStore store({options.filter, area, frame.range, frame.fixed, found.footprints.empty()},
+    const NoiseRules noise{decided.asked.filter.noise_factor, decided.contour_m2,
+                           decided.detects_buildings()};
+    ContourStore store({noise, area, frame.range, frame.fixed, found.footprints.empty()},
                        std::make_unique<MemorySpool>(), context);
     // The store's names are other ones where it drops what the list keeps.
     std::vector<std::int64_t> names;

@@ -11,6 +11,7 @@
 #include "dem2buildings/dem_source.hpp"
 #include "filter/contour_store.hpp"
 #include "levels/level_plan.hpp"
+#include "options/run_plan.hpp"
 #include "pipeline/find_buildings.hpp"
 #include "trace/tracer.hpp"
 
@@ -19,10 +20,10 @@ namespace d2b::bench {
 /// What every stage gets from those before it, made once.
 class PreparedRun {
   public:
-    PreparedRun(const std::string& dem, const std::string& preset);
+    PreparedRun(const std::string& dem, Preset preset);
 
     Context context;
-    Options options;
+    RunPlan decided;
     std::unique_ptr<DemSource> source;
     Crs crs;
     Georeference georeference;

@@ -25,7 +25,7 @@ void count_points(State& state, const PreparedRun& run) {
 
 void read(State& state, PreparedRun& run) {
     for ([[maybe_unused]] auto _ : state) {
-        const std::unique_ptr<DemSource> source = open_dem(run.options.read, run.context);
+        const std::unique_ptr<DemSource> source = open_dem(run.decided.asked.read, run.context);
         ElevationReader reader(*source, run.context, {.keep_bytes = 0});
         reader.for_each([](const ElevationBand& band) { benchmark::DoNotOptimize(band.elevations.data()); });
     }
@@ -35,16 +35,17 @@ void read(State& state, PreparedRun& run) {
 void ground(State& state, PreparedRun& run) {
     const MetreGrid surface = run.surface();
     for ([[maybe_unused]] auto _ : state)
-        benchmark::DoNotOptimize(estimate_ground(surface, run.cell, run.options.ground, run.context));
+        benchmark::DoNotOptimize(estimate_ground(surface, run.cell, run.decided.asked.ground, run.context));
     count_points(state, run);
 }
 
 void detect(State& state, PreparedRun& run) {
     const MetreGrid surface = run.surface();
-    const Terrain terrain = estimate_ground(surface, run.cell, run.options.ground, run.context);
+    const Terrain terrain = estimate_ground(surface, run.cell, run.decided.asked.ground, run.context);
     const Scene scene{surface, terrain.elevation, run.cell};
     for ([[maybe_unused]] auto _ : state)
-        benchmark::DoNotOptimize(detect_buildings(scene, run.options.detect, run.context));
+        benchmark::DoNotOptimize(
+            detect_buildings(scene, run.decided.asked.detect, run.decided.building_m2, run.context));
     count_points(state, run);
 }
 
@@ -82,8 +83,9 @@ void filter(State& state, PreparedRun& run) {
 
 void outline(State& state, PreparedRun& run) {
     Context context;
+    const OutlineRules rules{run.decided.walls, run.decided.wall_tolerance(0), 0, false};
     for ([[maybe_unused]] auto _ : state) {
-        const Outliner outliner = make_outliner(*run.contours, run.options.outline, run.georeference, run.crs,
+        const Outliner outliner = make_outliner(*run.contours, rules, run.georeference, run.crs,
                                                 run.source->info().window, context);
         for (std::size_t i = 0; i < run.contours->size(); ++i)
             benchmark::DoNotOptimize(outliner.outline(i));
@@ -105,7 +107,7 @@ void attributes(State& state, PreparedRun& run) {
 
 void write(State& state, PreparedRun& run) {
     test::MemorySink made;
-    d2b::run(run.options, {*run.source}, {made}, run.context);
+    d2b::run(run.decided.asked, {*run.source}, {made}, run.context);
     WriteOptions options;
     options.destination = (std::filesystem::temp_directory_path() / "stages_bench.gpkg").string();
     options.overwrite = true;
@@ -127,10 +129,10 @@ void write(State& state, PreparedRun& run) {
 /// Made when it is first asked for: a filter may leave a preset out.
 PreparedRun& prepared(bool detection) {
     if (detection) {
-        static PreparedRun run(city_path, "buildings");
+        static PreparedRun run(city_path, Preset::buildings);
         return run;
     }
-    static PreparedRun run(city_path, "thesis");
+    static PreparedRun run(city_path, Preset::thesis);
     return run;
 }
 

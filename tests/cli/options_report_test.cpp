@@ -150,6 +150,16 @@ TEST_F(OptionEffect, options_json) {
             EXPECT_EQ(option["lowest"], 1);
             EXPECT_EQ(option["highest"], 10000);
             EXPECT_EQ(option["default"], "4");
+            EXPECT_EQ(option["presets"], (nlohmann::json{"buildings", "thesis"}));
+            EXPECT_EQ(option["python"],
+                      (nlohmann::json{{"name", "lod"}, {"extract", true}, {"extract_file", true}}));
+        } else if (option["name"] == "ground") {
+            EXPECT_EQ(option["kind"], "terrain");
+            EXPECT_EQ(option["choices"], (nlohmann::json{"auto", "none"}));
+            EXPECT_EQ(option["presets"], nlohmann::json::array({"buildings"}));
+        } else if (option["name"] == "f") {
+            EXPECT_EQ(option["aliases"], (nlohmann::json{"of", "output_format"}));
+            EXPECT_FALSE(option["python"]["extract"]);
         }
 }
 

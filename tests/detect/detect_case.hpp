@@ -9,6 +9,7 @@
 
 #include "detect/detection.hpp"
 #include "detect/scene.hpp"
+#include "options/run_plan.hpp"
 
 namespace d2b::test {
 
@@ -112,9 +113,10 @@ struct Town {
     }
 };
 
-inline Detection detect(const Town& town, const DetectOptions& options = {}) {
+inline Detection detect(const Town& town, const DetectOptions& options = {},
+                        double smallest_m2 = smallest_building_m2) {
     Context context;
-    return detect_buildings(town.scene(), options, context);
+    return detect_buildings(town.scene(), options, smallest_m2, context);
 }
 
 inline Mask cells_with(const Grid<Label>& labels, const std::function<bool(Label)>& chosen) {

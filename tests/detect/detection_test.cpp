@@ -122,16 +122,13 @@ TEST(Detection, SmallAndLowOnesAreNone) {
     EXPECT_EQ(found.objects[0].cells, 32);
     EXPECT_EQ(found.labels.at(7, 17), 1U);
     DetectOptions options;
-    options.min_area_m2 = 26;
     options.min_height = 1.5;
-    const Detection more = detect(town, options);
+    const Detection more = detect(town, options, 26);
     ASSERT_EQ(more.buildings, 3U);
     EXPECT_EQ(more.objects[0].cells, 26) << "numbered in scan order";
     EXPECT_EQ(more.objects[2].cells, 96);
-    options.min_area_m2 = 26.5;
-    EXPECT_EQ(detect(town, options).objects.size(), 2U);
-    options.min_area_m2 = 97;
-    EXPECT_EQ(detect(town, options).objects.size(), 0U);
+    EXPECT_EQ(detect(town, options, 26.5).objects.size(), 2U);
+    EXPECT_EQ(detect(town, options, 97).objects.size(), 0U);
 }
 
 TEST(Detection, LooksOnlyWhereItIsAllowedTo) {
@@ -152,7 +149,8 @@ TEST(Detection, LooksOnlyWhereItIsAllowedTo) {
         test::Block part = house_block;
         part.right = 20;
         expected = without_corners(std::move(expected), {part});
-        EXPECT_EQ(drawing(building_mask(detect_buildings(scene, {}, context))), drawing(expected));
+        EXPECT_EQ(drawing(building_mask(detect_buildings(scene, {}, smallest_building_m2, context))),
+                  drawing(expected));
     }
 }
 
@@ -166,16 +164,17 @@ TEST(Detection, GreenIsLessLikelyAndRoughGreenLeftOut) {
     Scene scene = town.scene();
     scene.greenness = &greenness;
     Context context;
-    const Detection not_known = detect_buildings(scene, {}, context);
+    const Detection not_known = detect_buildings(scene, {}, smallest_building_m2, context);
     EXPECT_EQ(not_known.labels.values, without.labels.values);
     EXPECT_EQ(not_known.objects[0].confidence, without.objects[0].confidence);
     EXPECT_EQ(without.labels.at(13, 33), 1U) << "joined to the house as dormers would be";
     for (std::int32_t r = 0; r < 36; ++r)
         for (std::int32_t c = 32; c < 60; ++c)
             greenness.at(r, c) = 0.6F;
-    EXPECT_EQ(drawing(building_mask(detect_buildings(scene, {}, context))), drawing(house));
+    EXPECT_EQ(drawing(building_mask(detect_buildings(scene, {}, smallest_building_m2, context))),
+              drawing(house));
     std::fill(greenness.values.begin(), greenness.values.end(), 0.6F);
-    const Detection green = detect_buildings(scene, {}, context);
+    const Detection green = detect_buildings(scene, {}, smallest_building_m2, context);
     // Corners bend every way and are plants: their neighbours see five of nine and stay.
     EXPECT_EQ(drawing(building_mask(green)), drawing(house)) << "smooth: a green roof";
     EXPECT_LT(green.objects[0].confidence, without.objects[0].confidence);

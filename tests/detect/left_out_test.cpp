@@ -25,9 +25,8 @@ Town three_roofs() {
     return town;
 }
 
-DetectOptions least(double area, double height) {
+DetectOptions least(double height) {
     DetectOptions options;
-    options.min_area_m2 = area;
     options.min_height = height;
     return options;
 }
@@ -47,19 +46,19 @@ TEST(LeftOut, SmallRegionsGoAndAreToldByTheirFirstRows) {
 
 TEST(LeftOut, BelowTheSmallestArea) {
     const Town town = three_roofs();
-    EXPECT_EQ(detect(town, least(30, 1)).left_out.small, Rows{});
-    const Detection none = detect(town, least(500, 1));
+    EXPECT_EQ(detect(town, least(1), 30).left_out.small, Rows{});
+    const Detection none = detect(town, least(1), 500);
     EXPECT_EQ(none.left_out.small, (Rows{5, 25, 45}));
     EXPECT_TRUE(none.objects.empty());
 }
 
 TEST(LeftOut, BelowTheSmallestHeight) {
     const Town town = three_roofs();
-    EXPECT_EQ(detect(town, least(30, 1)).left_out.low, Rows{});
-    EXPECT_EQ(detect(town, least(30, 2)).left_out.low, (Rows{45}));
-    EXPECT_EQ(detect(town, least(30, 6)).left_out.low, (Rows{25, 45}));
-    EXPECT_EQ(detect(town, least(30, 50)).left_out.low, (Rows{5, 25, 45}));
-    EXPECT_EQ(detect(town, least(150, 50)).left_out.low, Rows{}) << "smaller than a building";
+    EXPECT_EQ(detect(town, least(1), 30).left_out.low, Rows{});
+    EXPECT_EQ(detect(town, least(2), 30).left_out.low, (Rows{45}));
+    EXPECT_EQ(detect(town, least(6), 30).left_out.low, (Rows{25, 45}));
+    EXPECT_EQ(detect(town, least(50), 30).left_out.low, (Rows{5, 25, 45}));
+    EXPECT_EQ(detect(town, least(50), 150).left_out.low, Rows{}) << "smaller than a building";
 }
 
 TEST(LeftOut, NotWhereNoBuildingMayBe) {
@@ -69,7 +68,7 @@ TEST(LeftOut, NotWhereNoBuildingMayBe) {
     Scene scene = town.scene();
     scene.allowed = &upper;
     Context context;
-    EXPECT_EQ(detect_buildings(scene, least(30, 50), context).left_out.low, (Rows{5, 25}));
+    EXPECT_EQ(detect_buildings(scene, least(50), 30, context).left_out.low, (Rows{5, 25}));
 }
 
 TEST(Scene, CellsForAnArea) {

@@ -18,48 +18,44 @@ GroundFit heights(int bare, float low, int raised, float high, double min_height
     return fit;
 }
 
-GroundOptions ground(GroundMode mode) {
-    GroundOptions options;
-    options.mode = mode;
-    if (mode == GroundMode::given)
-        options.terrain = "dtm.tif";
-    return options;
+std::string doubt(const GroundFit& fit, GroundMode mode) {
+    return ground_doubt(fit, mode, mode == GroundMode::given ? "dtm.tif" : "");
 }
 
 TEST(GroundDoubt, NoneOfATown) {
     for (const GroundMode mode : {GroundMode::automatic, GroundMode::given, GroundMode::none}) {
-        EXPECT_EQ(ground_doubt(heights(600, 0.1F, 400, 12), ground(mode)), "");
-        EXPECT_EQ(ground_doubt(heights(50, 0.1F, 950, 12), ground(mode)), "") << "5 % are enough";
-        EXPECT_EQ(ground_doubt(heights(600, -1.9F, 400, 12), ground(mode)), "");
-        EXPECT_EQ(ground_doubt(GroundFit(2), ground(mode)), "") << "nothing is known";
+        EXPECT_EQ(doubt(heights(600, 0.1F, 400, 12), mode), "");
+        EXPECT_EQ(doubt(heights(50, 0.1F, 950, 12), mode), "") << "5 % are enough";
+        EXPECT_EQ(doubt(heights(600, -1.9F, 400, 12), mode), "");
+        EXPECT_EQ(doubt(GroundFit(2), mode), "") << "nothing is known";
     }
 }
 
 TEST(GroundDoubt, ATerrainThatIsTooHigh) {
-    EXPECT_EQ(ground_doubt(heights(600, -43.1F, 400, -31), ground(GroundMode::given)),
+    EXPECT_EQ(doubt(heights(600, -43.1F, 400, -31), GroundMode::given),
               "the terrain 'dtm.tif' lies 43 m above the surface where nothing stands on it (median); see "
               "whether both have the same unit and vertical datum");
 }
 
 TEST(GroundDoubt, ATerrainThatIsTooLow) {
     EXPECT_EQ(
-        ground_doubt(heights(600, 43.1F, 400, 55), ground(GroundMode::given)),
+        doubt(heights(600, 43.1F, 400, 55), GroundMode::given),
         "only 0 % of the cells lie within 2 m of the terrain 'dtm.tif', above which the surface lies 43 m "
         "(median); see whether both have the same unit and vertical datum");
-    EXPECT_EQ(ground_doubt(heights(600, 5.1F, 400, 55, 10), ground(GroundMode::given)),
+    EXPECT_EQ(doubt(heights(600, 5.1F, 400, 55, 10), GroundMode::given),
               "the terrain 'dtm.tif' lies 5.1 m below the surface where nothing stands on it (median); see "
               "whether both have the same unit and vertical datum");
 }
 
 TEST(GroundDoubt, ElevationsTakenAsHeights) {
-    EXPECT_EQ(ground_doubt(heights(0, 0, 1000, 248.1F), ground(GroundMode::none)),
+    EXPECT_EQ(doubt(heights(0, 0, 1000, 248.1F), GroundMode::none),
               "-ground none takes elevations as heights above the ground, and their median is 248 m; give a "
               "terrain model with -ground, or leave -ground out to have the ground estimated");
 }
 
 TEST(GroundDoubt, DepthsTakenAsHeights) {
     EXPECT_EQ(
-        ground_doubt(heights(990, -30.1F, 10, 3), ground(GroundMode::none))
+        doubt(heights(990, -30.1F, 10, 3), GroundMode::none)
             .find(
                 "-ground none takes elevations as heights above the ground, and their median is -30 m where "
                 "they are low; "),
@@ -67,7 +63,7 @@ TEST(GroundDoubt, DepthsTakenAsHeights) {
 }
 
 TEST(GroundDoubt, NextToNoGroundToEstimateFrom) {
-    EXPECT_EQ(ground_doubt(heights(3, 0, 997, 9), ground(GroundMode::automatic)),
+    EXPECT_EQ(doubt(heights(3, 0, 997, 9), GroundMode::automatic),
               "only 0.3 % of the cells lie within 2 m of the ground that was estimated; give a terrain model "
               "with -ground, or use a larger part of the raster");
 }

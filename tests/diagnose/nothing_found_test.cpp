@@ -16,7 +16,6 @@ class NothingFound : public ::testing::Test {
         dem_.cols = dem_.window.cols = 300;
         dem_.transform = {391000, 1, 0, 5820000, 0, -1};
         dem_.georeferenced = true;
-        options_.ground.mode = GroundMode::automatic;
         lie(0.1F);
         fit_.add(std::vector<float>(300, 12.0F), std::vector<float>(300, 0.0F));  // trees
     }
@@ -26,7 +25,8 @@ class NothingFound : public ::testing::Test {
     }
     /// The beginning of what is said.
     [[nodiscard]] std::string said(std::size_t length) const {
-        return why_nothing_was_found({dem_, options_, tally_, fit_, sides_, cell_, has_crs_})
+        return why_nothing_was_found(
+                   {dem_, make_run_plan(options_, Layers::both), tally_, fit_, sides_, cell_, has_crs_})
             .substr(0, length);
     }
     void expect(const std::string& beginning) const { EXPECT_EQ(said(beginning.size()), beginning); }
@@ -83,7 +83,7 @@ TEST_F(NothingFound, ATerrainModelUnlessAnOptionHidesMore) {
     lie(0);
     tally_.count(Reason::building_small, 3);
     expect("none of the cells of 'dem.tif' rise by more than 2 m");
-    options_.detect.min_area_m2 = 500;
+    options_.filter.min_area_m2 = 500;
     expect("-min_area 500 leaves 3 out; a smaller value may show them");
 }
 

@@ -125,7 +125,8 @@ TEST(TargetFrame, whatIsWholeIsNot) {
         source.edit().transform = transform;
         Options options = cells({10});
         options.outline.target_crs = target;
-        EXPECT_NO_THROW(static_cast<void>(require_whole_frame(source.info(), options, Crs(crs), Crs(target))))
+        EXPECT_NO_THROW(static_cast<void>(
+            require_whole_frame(source.info(), make_run_plan(options, Layers::both), Crs(crs), Crs(target))))
             << crs << " to " << target;
     }
 }

@@ -8,16 +8,16 @@
 namespace d2b::test {
 namespace {
 
-OutlineOptions options_of(Bytes& bytes, bool walls) {
-    OutlineOptions options;
+OutlineRules rules_of(Bytes& bytes, bool walls) {
+    OutlineRules rules;
     const unsigned size = bytes.next();
     if (walls) {
-        options.walls = std::array{Walls::automatic, Walls::free, Walls::right}[bytes.below(3)];
-        options.wall_tolerance = 0.5 + size % 4 * 0.5;
+        rules.walls = std::array{Walls::automatic, Walls::free, Walls::right}[bytes.below(3)];
+        rules.wall_tolerance = 0.5 + size % 4 * 0.5;
     } else {
-        options.simplify = 0.5 + size % 8 * 0.5;
+        rules.simplify = 0.5 + size % 8 * 0.5;
     }
-    return options;
+    return rules;
 }
 
 }  // namespace
@@ -27,12 +27,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     using namespace d2b::test;
     Bytes bytes(data, size);
     const bool walls = bytes.next() % 2 == 0;
-    const d2b::OutlineOptions options = options_of(bytes, walls);
+    const d2b::OutlineRules rules = rules_of(bytes, walls);
     const RandomGridCase c = grid_of(bytes, 20);
     d2b::Context context;
     const ContourSet set = trace_grid(c.grid, c.thresholds, {c.mode}, context);
     const d2b::Drawing drawing = walls ? d2b::Drawing::regularized : d2b::Drawing::simplified;
-    const d2b::Outliner outliner(*set.list, drawing, options, unit_grid, 1, context);
+    const d2b::Outliner outliner(*set.list, drawing, rules, unit_grid, 1, context);
     demand_none(nesting_fault(set, outliner));
     return 0;
 }

@@ -24,17 +24,17 @@ BuildingStatistics statistics_of(const std::vector<double>& values, const std::v
 }
 
 /// The thresholds of a building with these elevations, which stands at 0.
-Thresholds thresholds_of(const std::vector<double>& values, const LevelOptions& options, double metres = 1,
+Thresholds thresholds_of(const std::vector<double>& values, const LevelOptions& options,
+                         LevelSource source = LevelSource::building, double metres = 1,
                          const Thresholds& global = {}, double ground = 0) {
     const std::vector<Label> labels(values.size(), 1);
     return plan_building_levels(statistics_of(values, labels, 1, 1000, metres), {0, ground},
-                                {-5, {{}, global}}, options, metres)
+                                {-5, {{}, global}}, options, source, metres)
         .thresholds[1];
 }
 
 LevelOptions each(int lod) {
     LevelOptions options;
-    options.source = LevelSource::building;
     options.lod = lod;
     return options;
 }
@@ -87,7 +87,7 @@ TEST(BuildingLevels, AreAtLeastHalfAMetreApart) {
     // Two points 2 a apart have s = a sqrt(2).
     const auto pair = [](double range_m, double metres) {
         const double a = range_m / 2 / std::sqrt(2.0) / metres;
-        return thresholds_of({20 - a, 20 + a}, each(4), metres);
+        return thresholds_of({20 - a, 20 + a}, each(4), LevelSource::building, metres);
     };
     EXPECT_EQ(pair(0.99, 1), Thresholds{0});  // half of it is less than half a metre
     expect_near(pair(1.01, 1), {0, 20});      // two slices
@@ -125,7 +125,8 @@ TEST(BuildingLevels, ExplicitOnesHoldWithinEachBuilding) {
     const Thresholds usable{5, 10, 12, 20, 25};  // as plan_global_levels gives them
     const LevelPlan global{1, {{}, usable}};
     const BuildingStatistics statistics = statistics_of({10, 11, 20, 3, 6, 30, 30}, {1, 1, 1, 2, 2, 3, 3}, 3);
-    const LevelPlan plan = plan_building_levels(statistics, {0, 2, 2.5, 8}, global, options, 1);
+    const LevelPlan plan =
+        plan_building_levels(statistics, {0, 2, 2.5, 8}, global, options, LevelSource::building, 1);
     EXPECT_TRUE(plan.footprints);
     EXPECT_EQ(plan.minimum, 1);
     ASSERT_EQ(plan.thresholds.size(), 4U);
@@ -140,41 +141,42 @@ TEST(BuildingLevels, ExplicitOnesHoldWithinEachBuilding) {
 TEST(BuildingLevels, IntervalsHoldWithinEachBuilding) {
     LevelOptions options = each(4);
     options.interval = 5;
-    EXPECT_EQ(thresholds_of({11, 19}, options, 1, {5, 10, 15, 20, 25}), (Thresholds{0, 15}));
+    EXPECT_EQ(thresholds_of({11, 19}, options, LevelSource::building, 1, {5, 10, 15, 20, 25}),
+              (Thresholds{0, 15}));
 }
 
 TEST(BuildingLevels, GlobalSlicesAreThoseOfTheDem) {
     LevelOptions options = each(4);
-    options.source = LevelSource::global;
-    EXPECT_EQ(thresholds_of({10, 20}, options, 1, {5, 12, 19, 26}), (Thresholds{0, 12, 19}));
+    EXPECT_EQ(thresholds_of({10, 20}, options, LevelSource::global, 1, {5, 12, 19, 26}),
+              (Thresholds{0, 12, 19}));
 }
 
 TEST(BuildingLevels, NaturalOnesLieBetweenRoofs) {
     LevelOptions options = each(4);
-    options.source = LevelSource::natural;
     options.lod = 1;
     const std::vector<double> roofs{10.05, 10.15, 10.05, 10.1, 15.05, 15.15, 15.05};
     // Roofs of ten and fifteen: the border is the bin in which the higher one begins.
-    expect_near(thresholds_of(roofs, options), {0, 15});
+    expect_near(thresholds_of(roofs, options, LevelSource::natural), {0, 15});
     // More would be closer than half a metre to it, but for none.
     options.lod = 9;
-    expect_near(thresholds_of(roofs, options), {0, 15});
+    expect_near(thresholds_of(roofs, options, LevelSource::natural), {0, 15});
     // The same in feet.
     std::vector<double> feet;
     for (const double z : roofs)
         feet.push_back(z / 0.3048);
-    expect_near(thresholds_of(feet, options, 0.3048), {0, 15 / 0.3048});
+    expect_near(thresholds_of(feet, options, LevelSource::natural, 0.3048), {0, 15 / 0.3048});
 }
 
 TEST(BuildingLevels, BelowTheGroundAreLeftOut) {
     LevelOptions options = each(4);
     options.fixed = {12, 14, 16};
-    EXPECT_EQ(thresholds_of({10, 20}, options, 1, {12, 14, 16}, 14), (Thresholds{14, 16}));
+    EXPECT_EQ(thresholds_of({10, 20}, options, LevelSource::building, 1, {12, 14, 16}, 14),
+              (Thresholds{14, 16}));
 }
 
 TEST(BuildingLevels, WithoutBuildingsThereAreNone) {
-    const LevelPlan plan =
-        plan_building_levels(statistics_of({1, 2}, {0, 0}, 0), {0}, {1, {{}, {}}}, each(4), 1);
+    const LevelPlan plan = plan_building_levels(statistics_of({1, 2}, {0, 0}, 0), {0}, {1, {{}, {}}}, each(4),
+                                                LevelSource::building, 1);
     EXPECT_EQ(plan.level_count(), 1);
     EXPECT_TRUE(plan.footprints);
 }
@@ -183,12 +185,14 @@ TEST(GlobalLevels, HaveNoSlicesWhereEachBuildingHasItsOwn) {
     ElevationStatistics statistics;
     statistics.add({{0, 1, 4}, {1, 5, 9, 14}});
     Context context;
-    EXPECT_EQ(plan_global_levels(statistics, each(4), context).thresholds[1], Thresholds{});
+    EXPECT_EQ(plan_global_levels(statistics, each(4), LevelSource::building, context).thresholds[1],
+              Thresholds{});
     EXPECT_EQ(context.report.valid_points, 4);
     EXPECT_EQ(context.report.maximum, 14);
     LevelOptions options = each(4);
     options.interval = 5;
-    EXPECT_EQ(plan_global_levels(statistics, options, context).thresholds[1], (Thresholds{5, 10}));
+    EXPECT_EQ(plan_global_levels(statistics, options, LevelSource::building, context).thresholds[1],
+              (Thresholds{5, 10}));
 }
 
 TEST(QuantiseFootprints, AllTheirPointsAreOfLevelOne) {
@@ -211,7 +215,7 @@ TEST(BuildingLevels, AreAsManyAsSixteenBitsCount) {
         LevelOptions options;
         options.interval = 1;
         return plan_building_levels(statistics_of({0.5, 70000}, {1, 1}, 1, 1e6), {0, 0}, {-5, {{}, global}},
-                                    options, 1);
+                                    options, LevelSource::building, 1);
     };
     const LevelPlan most = levels_with(65533);
     EXPECT_EQ(most.level_count(), 65535);

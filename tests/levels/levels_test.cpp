@@ -26,8 +26,8 @@ LevelOptions with_lod(int lod) {
 TEST(LevelPlan, SlicesMeanPlusMinusDeviation) {
     // mean 5, sample standard deviation sqrt(32 / 7); LOD 3 cuts at the quarters of 2 s.
     Context context;
-    const LevelPlan plan =
-        plan_global_levels(statistics_of({2, 4, 4, nan, 4, 5, 5, 7, 9}), with_lod(3), context);
+    const LevelPlan plan = plan_global_levels(statistics_of({2, 4, 4, nan, 4, 5, 5, 7, 9}), with_lod(3),
+                                              LevelSource::global, context);
     const double s = std::sqrt(32.0 / 7.0);
     ASSERT_EQ(plan.level_count(), 4);
     EXPECT_DOUBLE_EQ(plan.threshold(1, 1), 5 - s / 2);
@@ -41,14 +41,17 @@ TEST(LevelPlan, SlicesMeanPlusMinusDeviation) {
 
 TEST(LevelPlan, LodOneIsTheMean) {
     Context context;
-    EXPECT_EQ(plan_global_levels(statistics_of({0, 0, 0, 8}), with_lod(1), context).threshold(1, 1), 2);
+    EXPECT_EQ(plan_global_levels(statistics_of({0, 0, 0, 8}), with_lod(1), LevelSource::global, context)
+                  .threshold(1, 1),
+              2);
 }
 
 TEST(LevelPlan, DropsWhatCutsNothingAndSaysSo) {
     Context context;
     LevelOptions options;
     options.fixed = {7, 1, 3, 3, 0, 9, 12, 1};  // the minimum is 1, the maximum 9
-    const LevelPlan plan = plan_global_levels(statistics_of({1, 9, 4}), options, context);
+    const LevelPlan plan =
+        plan_global_levels(statistics_of({1, 9, 4}), options, LevelSource::global, context);
     EXPECT_EQ(plan.thresholds[1], (std::vector<double>{3, 7}));
     EXPECT_EQ(context.report.counted(Reason::threshold_not_above_minimum), 3);  // 0, 1 and 1
     EXPECT_EQ(context.report.counted(Reason::threshold_not_below_maximum), 2);
@@ -58,7 +61,8 @@ TEST(LevelPlan, DropsWhatCutsNothingAndSaysSo) {
 TEST(LevelPlan, SlicesBelowTheMinimumAreDropped) {
     // 0 0 0 0 10: mean 2, s = sqrt(20) = 4.47; the first of four slices lies below 0.
     Context context;
-    const LevelPlan plan = plan_global_levels(statistics_of({0, 0, 0, 0, 10}), with_lod(4), context);
+    const LevelPlan plan =
+        plan_global_levels(statistics_of({0, 0, 0, 0, 10}), with_lod(4), LevelSource::global, context);
     EXPECT_EQ(plan.level_count(), 4);
     EXPECT_EQ(context.report.counted(Reason::threshold_not_above_minimum), 1);
 }
@@ -68,23 +72,27 @@ TEST(LevelPlan, IntervalsCountFromTheirOffset) {
     LevelOptions options;
     options.interval = 5;
     options.offset = 2;
-    EXPECT_EQ(plan_global_levels(statistics_of({-4, 17.5}), options, context).thresholds[1],
-              (std::vector<double>{-3, 2, 7, 12, 17}));
-    EXPECT_EQ(plan_global_levels(statistics_of({2, 17}), options, context).thresholds[1],
+    EXPECT_EQ(
+        plan_global_levels(statistics_of({-4, 17.5}), options, LevelSource::global, context).thresholds[1],
+        (std::vector<double>{-3, 2, 7, 12, 17}));
+    EXPECT_EQ(plan_global_levels(statistics_of({2, 17}), options, LevelSource::global, context).thresholds[1],
               (std::vector<double>{7, 12}));
 }
 
 TEST(LevelPlan, EnormousElevationsNeitherOverflowNorNeverEnd) {
     Context context;
     for (const int lod : {1, 4}) {
-        const LevelPlan plan = plan_global_levels(statistics_of({-1.7e308, 1.7e308}), with_lod(lod), context);
+        const LevelPlan plan = plan_global_levels(statistics_of({-1.7e308, 1.7e308}), with_lod(lod),
+                                                  LevelSource::global, context);
         for (const double t : plan.thresholds[1])
             EXPECT_TRUE(std::isfinite(t));
     }
     LevelOptions options;
     options.interval = 1e13;  // 1e30 and the next double are 1.4e14 apart: no threshold fits between them
-    EXPECT_LE(
-        plan_global_levels(statistics_of({1e30, 1.0000000000000002e30}), options, context).level_count(), 1);
+    EXPECT_LE(plan_global_levels(statistics_of({1e30, 1.0000000000000002e30}), options, LevelSource::global,
+                                 context)
+                  .level_count(),
+              1);
 }
 
 TEST(LevelPlan, TooManyLevelsAreRefused) {
@@ -92,7 +100,7 @@ TEST(LevelPlan, TooManyLevelsAreRefused) {
     LevelOptions options;
     options.interval = 1e-6;
     try {
-        static_cast<void>(plan_global_levels(statistics_of({0, 1}), options, context));
+        static_cast<void>(plan_global_levels(statistics_of({0, 1}), options, LevelSource::global, context));
         FAIL();
     } catch (const OptionError& error) {
         EXPECT_STREQ(error.what(),
@@ -101,7 +109,7 @@ TEST(LevelPlan, TooManyLevelsAreRefused) {
     for (int i = 1; i < 70000; ++i)
         options.fixed.push_back(i / 70000.0);
     try {
-        static_cast<void>(plan_global_levels(statistics_of({0, 1}), options, context));
+        static_cast<void>(plan_global_levels(statistics_of({0, 1}), options, LevelSource::global, context));
         FAIL();
     } catch (const OptionError& error) {
         EXPECT_STREQ(error.what(), "-fl and -lod give at most 65534 levels, not 69999.");
@@ -110,9 +118,14 @@ TEST(LevelPlan, TooManyLevelsAreRefused) {
 
 TEST(LevelPlan, FlatAndEmptyDataHaveNoThresholds) {
     Context context;
-    EXPECT_EQ(plan_global_levels(statistics_of({3, 3, 3}), with_lod(4), context).level_count(), 1);
-    EXPECT_EQ(plan_global_levels(statistics_of({nan, nan}), with_lod(4), context).level_count(), 1);
-    EXPECT_EQ(plan_global_levels(statistics_of({}), with_lod(4), context).level_count(), 1);
+    EXPECT_EQ(
+        plan_global_levels(statistics_of({3, 3, 3}), with_lod(4), LevelSource::global, context).level_count(),
+        1);
+    EXPECT_EQ(plan_global_levels(statistics_of({nan, nan}), with_lod(4), LevelSource::global, context)
+                  .level_count(),
+              1);
+    EXPECT_EQ(plan_global_levels(statistics_of({}), with_lod(4), LevelSource::global, context).level_count(),
+              1);
 }
 
 TEST(ElevationStatistics, BandsInAnyOrderGiveTheSame) {

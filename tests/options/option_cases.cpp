@@ -6,7 +6,6 @@
 
 #include "dem2buildings/command_line.hpp"
 #include "dem2buildings/error.hpp"
-#include "dem2buildings/help.hpp"
 
 namespace d2b::test {
 namespace {
@@ -71,7 +70,7 @@ std::vector<Texts> values_of(const OptionRow& row) {
     if (const auto listed = values().find(row.name); listed != values().end())
         return listed->second;
     std::vector<Texts> words;
-    for (const std::string& word : option_words(row))
+    for (const std::string& word : row.choices)
         words.push_back({word});
     return words;
 }

@@ -78,6 +78,33 @@ TEST(OptionRules, sayWhichTwoAndWhatToDo) {
         EXPECT_EQ(refusal_of(words), message);
 }
 
+/// Also where it says again what the default is.
+TEST(OptionRules, refuseWhatHasNoMeaningInAPreset) {
+    const std::string end =
+        " has no effect with -preset thesis; it detects no buildings, so leave one of them out.";
+    int tried = 0;
+    for (const OptionCase& option : option_cases()) {
+        const OptionRow& row = *find_option(option.name);
+        if (row.has_meaning(Preset::thesis))
+            continue;
+        Texts words = option.words();
+        words.insert(words.end(), {"-preset", "thesis"});
+        const std::string value = option.values.empty() ? "yes" : option.values.front();
+        const bool any = row.scope.elsewhere.empty();
+        if (value == row.scope.elsewhere)
+            EXPECT_EQ(refusal_of(words), "");
+        else if (option.with.empty())
+            EXPECT_EQ(refusal_of(words), "-" + row.name + (any ? "" : " " + value) + end);
+        else
+            EXPECT_NE(refusal_of(words), "");
+        ++tried;
+    }
+    EXPECT_GT(tried, 16);
+    for (const char* name : {"min_height", "min_confidence", "max_building_width"})
+        EXPECT_EQ(refusal_of({"-preset", "thesis", "-" + std::string(name), find_option(name)->standard}),
+                  "-" + std::string(name) + end);
+}
+
 TEST(OptionRules, leaveWhatMakesSense) {
     for (const Texts& words : std::vector<Texts>{{"-arcs", "-regularize", "auto"},
                                                  {"-arcs", "-preset", "thesis", "-regularize", "auto"},

@@ -14,7 +14,6 @@
 #include "dem2buildings/command_line.hpp"
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/side_rasters.hpp"
-#include "options/preset.hpp"
 #include "pipeline/pipeline.hpp"
 #include "read/gdal_dem_source.hpp"
 #include "read/rasters.hpp"
@@ -238,7 +237,7 @@ class Writer {
 
 void run_into(Writer& writer, const Texts& words) {
     const Request request = parse_command_line(words);
-    const Options options = with_preset(request.options);
+    const Options& options = request.options;
     Context context;
     const auto source = open_dem(options.read, context);
     const SideSources sides = open_side_sources(options, source->info(), context);
@@ -248,6 +247,9 @@ void run_into(Writer& writer, const Texts& words) {
     MemoryRaster canopy;
     run(options, {*source, sides.terrain.get(), sides.mask.get(), sides.ndvi.get()},
         {sink, &ground_raster, &height, &canopy}, context);
+    const auto given = sink.provenance.metadata.find("D2B_OPTIONS");
+    if (given != sink.provenance.metadata.end())
+        writer.outcome.options = given->second;
     writer.add(sink);
     writer.add(options.write.ground, ground_raster);
     writer.add(options.write.height, height);
@@ -276,7 +278,7 @@ Outcome outcome_of(const Texts& words) {
     try {
         run_into(writer, all);
     } catch (const Error& error) {
-        return {"", error.what(), true};
+        return {"", error.what(), true, ""};
     }
     return writer.outcome;
 }

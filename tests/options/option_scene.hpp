@@ -22,8 +22,12 @@ struct Outcome {
     std::string written;  ///< layers with all features, and rasters; "" where it was refused
     std::string error;    ///< the message; "" where there was none
     bool finite = true;   ///< all numbers
+    std::string options;  ///< that the provenance names
 
-    friend bool operator==(const Outcome&, const Outcome&) = default;
+    /// Whatever the options were called.
+    friend bool operator==(const Outcome& one, const Outcome& other) {
+        return one.written == other.written && one.error == other.error && one.finite == other.finite;
+    }
 };
 
 /// Runs a command line on the scene, in this process and into memory.

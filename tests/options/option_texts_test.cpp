@@ -78,7 +78,7 @@ bool should_take(const OptionRow& row, const std::string& text) {
 Texts with_value(const OptionRow& row, const std::string& text) {
     Texts words{"-" + row.name + "=" + text};
     if (row.name == "off")
-        words.insert(words.begin(), {"-i", "2.5"});
+        words.insert(words.begin(), {"-i", "1e300"});  // that can be counted from anywhere
     return words;
 }
 

@@ -112,22 +112,22 @@ class SimplifiedGrid : public testing::TestWithParam<unsigned> {
         mode_ = c.mode;
         set_ = trace_grid(c.grid, c.thresholds, {c.mode, 6}, context_);
         tolerance_ = 0.5 + GetParam() % 6 * 0.5;
-        options_.simplify = tolerance_;
+        rules_.simplify = tolerance_;
     }
     Context context_;
     TraceMode mode_ = TraceMode::cells;
     test::ContourSet set_;
     double tolerance_ = 1;
-    OutlineOptions options_;
+    OutlineRules rules_;
 };
 
 TEST_P(SimplifiedGrid, StaysValidNestedAndDisjoint) {
-    const Outliner outliner(*set_.list, Drawing::simplified, options_, unit_grid, 1, context_);
+    const Outliner outliner(*set_.list, Drawing::simplified, rules_, unit_grid, 1, context_);
     EXPECT_EQ(test::nesting_fault(set_, outliner), "");
 }
 
 TEST_P(SimplifiedGrid, StaysWithinTheToleranceBothWays) {
-    const Outliner outliner(*set_.list, Drawing::simplified, options_, unit_grid, 1, context_);
+    const Outliner outliner(*set_.list, Drawing::simplified, rules_, unit_grid, 1, context_);
     for (std::size_t i = 0; i < set_.contours.size(); ++i) {
         const FinePolygon drawn = outliner.outline(i);
         const FinePolygon traced = outliner.traced(i);
@@ -181,17 +181,17 @@ INSTANTIATE_TEST_SUITE_P(Seeds, RotatedGrid, testing::Range(0U, 60U));
 
 TEST(Drawing, NodesOnlyWhatCanComeApart) {
     const Georeference rotated({0, 0.6, 0.8, 0, 0.8, -0.6}, TraceMode::cells);
-    OutlineOptions options;
-    options.walls = Walls::off;
-    EXPECT_EQ(choose_drawing(options, unit_grid), Drawing::traced);
-    EXPECT_EQ(choose_drawing(options, rotated), Drawing::noded);
-    options.target_crs = "EPSG:3857";
-    EXPECT_EQ(choose_drawing(options, unit_grid), Drawing::noded);
-    options.simplify = 1;
-    EXPECT_EQ(choose_drawing(options, unit_grid), Drawing::simplified);
-    options.walls = Walls::right;
-    EXPECT_EQ(choose_drawing(options, unit_grid), Drawing::regularized);
-    EXPECT_EQ(choose_drawing(options, rotated), Drawing::regularized);
+    OutlineRules rules;
+    rules.walls = Walls::off;
+    EXPECT_EQ(choose_drawing(rules, unit_grid), Drawing::traced);
+    EXPECT_EQ(choose_drawing(rules, rotated), Drawing::noded);
+    rules.reprojected = true;
+    EXPECT_EQ(choose_drawing(rules, unit_grid), Drawing::noded);
+    rules.simplify = 1;
+    EXPECT_EQ(choose_drawing(rules, unit_grid), Drawing::simplified);
+    rules.walls = Walls::right;
+    EXPECT_EQ(choose_drawing(rules, unit_grid), Drawing::regularized);
+    EXPECT_EQ(choose_drawing(rules, rotated), Drawing::regularized);
 }
 
 }  // namespace

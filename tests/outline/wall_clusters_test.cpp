@@ -49,12 +49,14 @@ ContourVector two_houses(std::int32_t gap, bool with_tower = false) {
     return without_roots(trace_grid(grid, {5, 15}, {}, context));
 }
 
+const WallOptions usual{Walls::automatic, 1.5, {}};
+
 TEST(WallClusters, HousesACellApartAreTogetherAndFarOnesAreNot) {
-    EXPECT_EQ(wall_clusters(two_houses(1), {}).size(), 1U);
-    EXPECT_EQ(wall_clusters(two_houses(20), {}).size(), 2U);
+    EXPECT_EQ(wall_clusters(two_houses(1), usual).size(), 1U);
+    EXPECT_EQ(wall_clusters(two_houses(20), usual).size(), 2U);
     // Both walls may leave their traces by 1.5 cells.
-    EXPECT_EQ(wall_clusters(two_houses(3), {}).size(), 1U);
-    EXPECT_EQ(wall_clusters(two_houses(5), {}).size(), 2U);
+    EXPECT_EQ(wall_clusters(two_houses(3), usual).size(), 1U);
+    EXPECT_EQ(wall_clusters(two_houses(5), usual).size(), 2U);
 }
 
 TEST(WallClusters, WideCellsReachFewerColumns) {
@@ -66,7 +68,7 @@ TEST(WallClusters, WideCellsReachFewerColumns) {
 TEST(WallClusters, WhatStandsOnAHouseIsWithIt) {
     const ContourVector contours = two_houses(20, true);
     ASSERT_EQ(contours.size(), 3U);
-    const std::vector<ClusterPlan> clusters = wall_clusters(contours, {});
+    const std::vector<ClusterPlan> clusters = wall_clusters(contours, usual);
     ASSERT_EQ(clusters.size(), 2U);
     EXPECT_EQ(clusters[0].numbers, (std::vector<std::uint32_t>{0, 2}));
     EXPECT_EQ(clusters[0].parents, (std::vector<std::int32_t>{-1, 0}));
@@ -124,7 +126,7 @@ TEST_P(Village, AClusterAloneIsDrawnAsAmongAll) {
     const ContourVector contours = village(GetParam());
     Executor executor(2);
     const RegularOutlines all(contours, {}, std::make_unique<MemorySpool>(), executor);
-    const std::vector<ClusterPlan> clusters = wall_clusters(contours, {});
+    const std::vector<ClusterPlan> clusters = wall_clusters(contours, usual);
     ASSERT_GT(clusters.size(), 2U);
     for (const ClusterPlan& cluster : clusters) {
         std::vector<Contour> of_cluster;
@@ -162,7 +164,7 @@ TEST_P(Village, FootprintsAreThoseOfTheLowLevelsAlone) {
 
 TEST_P(Village, IsDividedAlikeInStripsOfAnyHeight) {
     const ContourVector contours = village(GetParam());
-    const std::vector<ClusterPlan> whole = wall_clusters(contours, {});
+    const std::vector<ClusterPlan> whole = wall_clusters(contours, usual);
     for (const std::int64_t rows : {1, 7, 64}) {
         const std::vector<ClusterPlan> strips = wall_clusters(contours, {}, {}, rows);
         ASSERT_EQ(strips.size(), whole.size());

@@ -54,13 +54,13 @@ struct WallCase {
     TraceGrid grid;
     std::vector<double> thresholds;
     TraceMode mode = TraceMode::cells;
-    OutlineOptions options;
+    OutlineRules rules;
 };
 
 WallCase wall_case(unsigned seed) {
     WallCase c;
-    c.options.walls = std::array{Walls::automatic, Walls::free, Walls::right, Walls::automatic}[seed % 4];
-    c.options.wall_tolerance = std::array{1.5, 1.0, 2.0}[seed % 3];
+    c.rules.walls = std::array{Walls::automatic, Walls::free, Walls::right, Walls::automatic}[seed % 4];
+    c.rules.wall_tolerance = std::array{1.5, 1.0, 2.0}[seed % 3];
     if (seed % 5 == 0) {
         test::RandomGridCase noise = test::random_grid(seed, 26);
         c.grid = noise.grid;
@@ -92,7 +92,7 @@ class RandomWalls : public testing::TestWithParam<unsigned> {
         set_ = test::trace_grid(case_.grid, case_.thresholds, {case_.mode}, context_);
     }
     [[nodiscard]] Outliner draw() {
-        return Outliner(*set_.list, Drawing::regularized, case_.options, unit_grid, 1, context_);
+        return Outliner(*set_.list, Drawing::regularized, case_.rules, unit_grid, 1, context_);
     }
     Context context_;
     WallCase case_;
@@ -111,7 +111,7 @@ TEST_P(RandomWalls, StayNearTheirTraceAndKeepTheirAreas) {
         const FinePolygon traced = fine(traced_polygon(set_.contours[i]));
         const OutlineQuality quality = outliner.quality(i);
         ASSERT_EQ(drawn.interiors.size(), traced.interiors.size());
-        EXPECT_LE(quality.deviation_cells, *case_.options.wall_tolerance);
+        EXPECT_LE(quality.deviation_cells, case_.rules.wall_tolerance);
         EXPECT_NEAR(quality.area_change, planar_area(drawn) / planar_area(traced) - 1, 1e-9);
         const auto after = rings_of(drawn);
         const auto before = rings_of(traced);
@@ -128,7 +128,7 @@ TEST_P(RandomWalls, ComeOutTheSameWhereverTheWindowIs) {
     test::TraceSettings settings(case_.mode);
     settings.origin = {1234, 56789};
     const test::ContourSet moved = test::trace_grid(case_.grid, case_.thresholds, settings, context_);
-    const Outliner other(*moved.list, Drawing::regularized, case_.options, unit_grid, 1, context_);
+    const Outliner other(*moved.list, Drawing::regularized, case_.rules, unit_grid, 1, context_);
     ASSERT_EQ(moved.contours.size(), set_.contours.size());
     for (std::size_t i = 0; i < moved.contours.size(); ++i) {
         FineRing ring = outliner.outline(i).exterior;

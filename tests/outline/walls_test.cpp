@@ -43,18 +43,18 @@ bool in_box(Place p, Place centre, double angle, double length, double width) {
     return std::abs(u) <= length / 2 && std::abs(v) <= width / 2;
 }
 
-OutlineOptions walls(Walls style = Walls::automatic, double tolerance = 1.5) {
-    OutlineOptions options;
-    options.walls = style;
-    options.wall_tolerance = tolerance;
-    return options;
+OutlineRules walls(Walls style = Walls::automatic, double tolerance = 1.5) {
+    OutlineRules rules;
+    rules.walls = style;
+    rules.wall_tolerance = tolerance;
+    return rules;
 }
 
 struct Drawn {
-    explicit Drawn(const TraceGrid& grid, const OutlineOptions& options = walls(),
+    explicit Drawn(const TraceGrid& grid, const OutlineRules& rules = walls(),
                    const std::vector<double>& levels = {10})
         : set(trace_grid(grid, levels, {}, context)),
-          outliner(*set.list, Drawing::regularized, options, unit_grid, 1, context) {}
+          outliner(*set.list, Drawing::regularized, rules, unit_grid, 1, context) {}
     Context context;
     test::ContourSet set;
     Outliner outliner;

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "dem2buildings/error.hpp"
+#include "options/option_table.hpp"
 #include "pipeline/tall_blocks.hpp"
 
 namespace d2b {
@@ -50,7 +51,7 @@ class FaultySource final : public DemSource {
     std::map<std::int32_t, int> seen_;
 };
 
-class BandFaults : public testing::TestWithParam<std::tuple<const char*, int>> {
+class BandFaults : public testing::TestWithParam<std::tuple<Preset, int>> {
   protected:
     static void run_on(DemSource& source, Context& context, MemorySink& sink) {
         run(test::of_preset(std::get<0>(GetParam()), std::get<1>(GetParam())), {source}, {sink}, context,
@@ -134,7 +135,7 @@ TEST_P(BandFaults, ProgressThatIsRefusedEndsTheRun) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, BandFaults,
-                         testing::Combine(testing::Values("thesis", "buildings"), testing::Values(1, 2, 16)));
+                         testing::Combine(testing::ValuesIn(every_preset), testing::Values(1, 2, 16)));
 
 }  // namespace
 }  // namespace d2b

@@ -47,7 +47,7 @@ std::string text_of(const MemorySink& sink) {
 }
 
 struct Case {
-    const char* preset;
+    Preset preset;
     TraceMode mode;
     std::optional<double> interval;  ///< of levels, in place of the preset's
     double detail = 0;
@@ -83,12 +83,12 @@ TEST_P(Bands, TheirNumberDoesNotShow) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, Bands,
-                         testing::Values(Case{"thesis", TraceMode::points, {}},
-                                         Case{"thesis", TraceMode::points, 0.04},  // counts of 16 bits
-                                         Case{"thesis", TraceMode::cells, {}},
-                                         Case{"buildings", TraceMode::points, {}},
-                                         Case{"buildings", TraceMode::cells, {}},
-                                         Case{"buildings", TraceMode::cells, {}, 1}));
+                         testing::Values(Case{Preset::thesis, TraceMode::points, {}},
+                                         Case{Preset::thesis, TraceMode::points, 0.04},  // counts of 16 bits
+                                         Case{Preset::thesis, TraceMode::cells, {}},
+                                         Case{Preset::buildings, TraceMode::points, {}},
+                                         Case{Preset::buildings, TraceMode::cells, {}},
+                                         Case{Preset::buildings, TraceMode::cells, {}, 1}));
 
 }  // namespace
 }  // namespace d2b

@@ -212,7 +212,19 @@ TEST(Buildings, SayHowTheyWereFound) {
     EXPECT_EQ(metadata.at("D2B_LOD"), "4");
     EXPECT_EQ(metadata.at("D2B_REGULARIZE"), "auto");
     EXPECT_EQ(metadata.at("D2B_TRACE"), "cells");
-    EXPECT_EQ(metadata.at("D2B_THRESHOLDS"), "");  // each building has its own
+    EXPECT_EQ(metadata.at("D2B_OPTIONS"), "-min_height 2.5");
+    EXPECT_FALSE(metadata.contains("D2B_THRESHOLDS"));  // each building has its own
+}
+
+TEST(Buildings, SayNothingOfOptionsWithoutEffect) {
+    TownRun town;
+    town.options.levels.fixed = {4};
+    town.options.ground.mode = GroundMode::none;
+    town.run();
+    const auto& metadata = town.sink.provenance.metadata;
+    EXPECT_EQ(metadata.at("D2B_OPTIONS"), "-ground none -fl 4");
+    for (const char* name : {"D2B_LOD", "D2B_LEVELS", "D2B_MAX_BUILDING_WIDTH_M", "D2B_MASK"})
+        EXPECT_FALSE(metadata.contains(name)) << name;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "options/option_table.hpp"
 #include "pipeline/made_town.hpp"
 
 namespace d2b {
@@ -66,7 +67,7 @@ TEST(SideRasters, AreNotFinishedWhereTheRunIsCancelled) {
 }
 
 TEST(Progress, NeverGoesBack) {
-    for (const char* preset : {"thesis", "buildings"}) {
+    for (const Preset preset : every_preset) {
         TownRun town;
         town.options.preset = preset;
         std::vector<double> shares;

@@ -24,7 +24,7 @@ inline MemorySource block() {
 
 inline Options cells(std::vector<double> thresholds) {
     Options options;
-    options.preset = "thesis";
+    options.preset = Preset::thesis;
     options.trace.mode = TraceMode::cells;
     options.levels.fixed = std::move(thresholds);
     options.filter.noise_factor = 0;

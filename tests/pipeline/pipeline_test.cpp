@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/crs.hpp"
+#include "options/option_table.hpp"
 #include "pipeline/pipeline_case.hpp"
 
 namespace d2b {
@@ -176,7 +177,7 @@ TEST(Pipeline, ThreadsThatCannotBeStartedAreDoneWithout) {
 }
 
 TEST(Pipeline, AReportTellsOfItsOwnRun) {
-    for (const char* preset : {"thesis", "buildings"}) {
+    for (const Preset preset : every_preset) {
         Options options;
         options.preset = preset;
         options.levels.interval = 0.1;
@@ -203,9 +204,9 @@ TEST(Pipeline, AReportTellsOfItsOwnRun) {
         ASSERT_EQ(second.warnings.size(), first.warnings.size());
         EXPECT_EQ(second.warnings[0], "opened again");
         // Nor does what a run that failed had counted stay.
-        options.preset = "none";
+        options.levels.offset = 1e300;
         EXPECT_THROW(run_again(), OptionError);
-        options.preset = preset;
+        options.levels.offset = 0;
         EXPECT_EQ(run_again().dropped, first.dropped);
     }
 }

@@ -52,7 +52,7 @@ MemorySource random_blocks(unsigned seed) {
 
 Options random_options(unsigned seed) {
     Options options;
-    options.detect.min_confidence = seed % 2 == 0 ? 0.0 : 0.995;
+    options.detect.min_confidence = seed % 2 == 0 ? 0.001 : 0.995;
     options.filter.min_area_m2 = seed % 5;
     options.filter.noise_factor = static_cast<int>(seed % 4 * 4);
     options.detect.split_height = seed % 3 == 1 ? 2 : 0;

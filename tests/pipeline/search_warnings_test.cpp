@@ -97,7 +97,7 @@ TEST(SearchWarnings, APicture) {
     town.dem.edit().bytes = true;
     expect_warning(town, "No building was found: 'memory' has 3 bands of byte values, as a picture has");
     TownRun thesis(MadeTown::terrain());
-    thesis.options.preset = "thesis";
+    thesis.options.preset = Preset::thesis;
     thesis.options.filter.noise_factor = 100000;
     thesis.dem.edit().bytes = true;
     expect_warning(thesis, "No building was found: 'memory' has byte values, as a picture has");
@@ -157,12 +157,12 @@ TEST(SearchWarnings, AValidCellWhereTheDemHasNoneIsNone) {
 
 TEST(SearchWarnings, WhatOptionsLeaveOutIsCountedAndNamed) {
     TownRun area;
-    area.options.detect.min_area_m2 = 500;
+    area.options.filter.min_area_m2 = 500;
     area.run();
     EXPECT_EQ(area.count(), 1U);  // the podium; the two houses have 252 and 264 m2
     EXPECT_GE(area.context.report.counted(Reason::building_small), 2);
     TownRun all;
-    all.options.detect.min_area_m2 = 1e300;
+    all.options.filter.min_area_m2 = 1e300;
     expect_warning(all, "No building was found: -min_area ");
     EXPECT_EQ(all.count(), 0U);
     TownRun height;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/value_counts.hpp"
+#include "options/option_table.hpp"
 #include "pipeline/made_town.hpp"
 
 namespace d2b {
@@ -69,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(All, NoElevation,
                          testing::Values(-9999, -32768, 9999, 65535, -3.4028234663852886e38, 1e300));
 
 TEST_P(NoElevation, IsAsIfItWereDeclared) {
-    for (const char* preset : {"buildings", "thesis"}) {
+    for (const Preset preset : every_preset) {
         Options options;
         options.preset = preset;
         TownWith declared({in_flat_roof, in_street}, none);
@@ -155,7 +156,7 @@ TEST(StrangeValues, WhatManyCellsShareFarFromAllOthersIsWarnedOf) {
     std::vector<Cell> cells;
     for (int i = 0; i < 30; ++i)
         cells.push_back({i * 4 + 2, 5});
-    for (const char* preset : {"buildings", "thesis"}) {
+    for (const Preset preset : every_preset) {
         Options options;
         options.preset = preset;
         TownWith town(cells, 0);
@@ -243,7 +244,7 @@ TEST(StrangeValues, ASpikeIsNoElevationOrNoRoof) {
     EXPECT_NEAR(more, 50, 3);  // it is a cell of the building all the same
 
     Options thesis;
-    thesis.preset = "thesis";
+    thesis.preset = Preset::thesis;
     Result taken;
     run_on(high, thesis, taken);
     EXPECT_EQ(taken.context.report.counted(Reason::elevation_above_neighbours), 0);

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "options/preset.hpp"
+#include "options/run_plan.hpp"
 #include "pipeline/find_buildings.hpp"
 #include "pipeline/made_town.hpp"
 
@@ -68,12 +68,12 @@ void find(const StripSize& size, bool keep_doubtful, Found& found) {
     Options options;
     options.ground.max_building_width = 40;  // strips see 200 rows on either side
     options.write.doubtful = keep_doubtful;
-    options = with_preset(options);
+    const RunPlan plan = make_run_plan(options, Layers::both);
     test::MemorySink features;
     found.context.threads = std::make_unique<Executor>(2);
     ElevationReader reader(dem, found.context);
     found.buildings =
-        find_buildings(options, {dem}, {features, &found.ground}, reader, {1, 1}, 1, found.context, size);
+        find_buildings(plan, {dem}, {features, &found.ground}, reader, {1, 1}, 1, found.context, size);
     const Window& window = dem.info().window;
     found.labels = found.buildings.band({0, window.rows, window.cols}, 0).labels;
 }

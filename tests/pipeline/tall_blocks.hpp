@@ -27,7 +27,7 @@ inline MemorySource tall_blocks() {
     return {rows, cols, z};
 }
 
-inline Options of_preset(const char* preset, int threads) {
+inline Options of_preset(Preset preset, int threads) {
     Options options;
     options.preset = preset;
     options.run.threads = threads;

@@ -58,14 +58,10 @@ TEST(Pipeline, ArcsAreLeftOutWhereTheyAreNotAskedForOrBend) {
     Result result;
     run_on(source, options, result);
     EXPECT_TRUE(result.sink.features[contours][2].parts[0].arcs.empty());
-    source.edit().transform = {600000, 0.5, 0, 5800000, 0, -0.5};
-    source.edit().crs_wkt = Crs("EPSG:25832").wkt();
     options.outline.arcs = true;
     options.outline.target_crs = "EPSG:4326";
     Result moved;
-    run_on(source, options, moved);
-    EXPECT_TRUE(moved.sink.features[contours][2].parts[0].arcs.empty());
-    EXPECT_EQ(moved.context.report.counted(Reason::polygon_repaired), 0);
+    EXPECT_THROW(run_on(source, options, moved), OptionError);
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ std::string only_warning(MemorySource& source, const Options& options) {
 
 TEST(Pipeline, NothingToFindIsAWarning) {
     Options thesis;
-    thesis.preset = "thesis";
+    thesis.preset = Preset::thesis;
     MemorySource nothing(2, 2, std::vector<double>(4, std::numeric_limits<double>::quiet_NaN()));
     EXPECT_EQ(only_warning(nothing, thesis), "'memory' has no valid point; the layers are empty.");
     MemorySource flat(3, 3, std::vector<double>(9, 7.0));

@@ -68,22 +68,19 @@ ContourSet trace_levels(const TraceGrid& grid, const LevelPlan& plan, const Trac
                         Context& context) {
     ElevationStatistics statistics;
     statistics.add({{0, grid.rows, grid.cols}, grid.z});
-    FilterOptions filter;
-    filter.noise_factor = settings.noise_factor;
-    filter.min_area_m2 = settings.min_area;
-    filter.keep_footprints = plan.footprints;
-    ContourStore store({filter, [](LatticePoint) { return 1.0; }, statistics.range(),
-                        statistics.fixed_point(), settings.keep_roots},
+    const NoiseRules noise{settings.noise_factor, settings.min_area, plan.footprints};
+    ContourStore store({noise, [](LatticePoint) { return 1.0; }, statistics.range(), statistics.fixed_point(),
+                        settings.keep_roots},
                        context.make_spool(), context);
     const Window window{settings.origin.row, settings.origin.col, grid.rows, grid.cols};
     const TraceFrame frame{window, plan.level_count(), statistics.fixed_point(), statistics.range()};
-    Tracer tracer(frame, {settings.mode}, store);
+    Tracer tracer(frame, settings.mode, store);
     for (std::int32_t row = 0; row < grid.rows; row += settings.rows_a_band) {
         const std::int32_t rows = std::min(settings.rows_a_band, grid.rows - row);
         const std::int32_t above = std::min(row, rows_above(settings.mode));
         const auto before = point_rows<Count>(grid, plan, settings.origin, row - above, above);
         const auto band = point_rows<Count>(grid, plan, settings.origin, row, rows);
-        tracer.trace(take_apart(frame, {settings.mode}, before, band));
+        tracer.trace(take_apart(frame, settings.mode, before, band));
     }
     return fetch_set(store.finish());
 }

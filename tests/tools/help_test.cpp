@@ -132,7 +132,10 @@ TEST(OptionFacts, giveRangeUnitAndDefault) {
     EXPECT_EQ(option_facts(*find_option("lod")), "A whole number from 1 to 10000. Default: 4.");
     EXPECT_EQ(option_facts(*find_option("min_area")), "A number of at least 0. Unit: m2.");
     EXPECT_EQ(option_facts(*find_option("oo")), "May be repeated.");
-    EXPECT_EQ(option_facts(*find_option("min_height")), "A number of at least 0. Unit: m. Default: 2.");
+    EXPECT_EQ(option_facts(*find_option("min_height")),
+              "A number of at least 0. Unit: m. Default: 2. Not with -preset thesis.");
+    EXPECT_EQ(option_facts(*find_option("ground")), "Not with -preset thesis, but for none.");
+    EXPECT_EQ(option_facts(*find_option("min_height"), true), "A number of at least 0. Unit: m. Default: 2.");
     EXPECT_EQ(option_facts(*find_option("preset")), "Default: buildings.");
     EXPECT_EQ(option_facts(*find_option("trace")), "");
     EXPECT_EQ(option_facts(*find_option("q")), "");

@@ -1,5 +1,7 @@
 #include <array>
 #include <clocale>
+#include <map>
+#include <regex>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -103,8 +105,91 @@ TEST(OptionTable, saysAllOfEveryOption) {
         EXPECT_TRUE(row.details.empty() || row.details.back() == '.') << row.name;
         EXPECT_EQ(row.values.empty(), row.arity == Arity::none) << row.name;
         EXPECT_TRUE(row.apply) << row.name;
-        EXPECT_TRUE(row.show) << row.name;
+        EXPECT_TRUE(row.texts) << row.name;
+        EXPECT_EQ(row.kind == OptionKind::toggle, row.arity == Arity::none) << row.name;
+        EXPECT_EQ(row.has_meaning(Preset::thesis), row.scope.why.empty()) << row.name;
+        EXPECT_TRUE(row.has_meaning(Preset::buildings)) << row.name;
     }
+}
+
+TEST(OptionTable, namesEachWordOfAChoiceOnce) {
+    const auto choices = [](const char* name) { return find_option(name)->choices; };
+    EXPECT_EQ(choices("preset"), (Texts{"buildings", "thesis"}));
+    EXPECT_EQ(choices("ground"), (Texts{"auto", "none"}));
+    EXPECT_EQ(find_option("ground")->values, "auto|none|<terrain model>");
+    EXPECT_EQ(choices("zunit"), (Texts{"m", "ft", "us-ft"}));
+    for (const OptionRow& row : option_table()) {
+        if (row.kind != OptionKind::choice)
+            continue;
+        EXPECT_EQ(row.values, joined(row.choices, "|")) << row.name;
+        EXPECT_EQ(row.range, alternatives(row.choices)) << row.name;
+        for (const std::string& word : row.choices) {
+            Request request;
+            const Texts text{word};
+            apply_option(row, request, text);
+            EXPECT_EQ(row.show(request), word) << row.name;
+        }
+    }
+}
+
+TEST(OptionTable, saysWhatAValueIs) {
+    for (const auto& [name, kind] : std::map<std::string, OptionKind>{{"preset", OptionKind::choice},
+                                                                      {"lod", OptionKind::whole},
+                                                                      {"min_height", OptionKind::number},
+                                                                      {"fl", OptionKind::numbers},
+                                                                      {"srcwin", OptionKind::numbers},
+                                                                      {"te", OptionKind::extent},
+                                                                      {"t_srs", OptionKind::crs},
+                                                                      {"ndvi", OptionKind::raster},
+                                                                      {"cutline", OptionKind::polygons},
+                                                                      {"mask", OptionKind::dataset},
+                                                                      {"ground", OptionKind::terrain},
+                                                                      {"write_canopy", OptionKind::geotiff},
+                                                                      {"preview", OptionKind::picture},
+                                                                      {"zunit", OptionKind::text},
+                                                                      {"arcs", OptionKind::toggle}})
+        EXPECT_EQ(find_option(name)->kind, kind) << name;
+    EXPECT_EQ(option_kind_names[static_cast<std::size_t>(OptionKind::toggle)], "switch");
+    EXPECT_EQ(option_kind_names[static_cast<std::size_t>(OptionKind::picture)], "file:png");
+    EXPECT_EQ(option_kind_names[static_cast<std::size_t>(OptionKind::text)], "text");
+}
+
+/// Names of arguments of Python: none is a keyword, or what extract() itself takes.
+TEST(OptionTable, hasNamesThatPythonCanSpell) {
+    const std::set<std::string> taken{"if",  "in",  "is",  "as",        "or",       "not", "and", "lambda",
+                                      "for", "def", "dem", "transform", "progress", "src", "dst"};
+    std::set<std::string> names;
+    for (const OptionRow& row : option_table()) {
+        const PythonUse& python = row.python;
+        EXPECT_EQ(python.name.empty(), !python.extract && !python.extract_file) << row.name;
+        EXPECT_TRUE(!python.extract || python.extract_file) << row.name;
+        if (python.name.empty())
+            continue;
+        EXPECT_TRUE(std::regex_match(python.name, std::regex("[a-z][a-z_0-9]*"))) << row.name;
+        EXPECT_FALSE(taken.contains(python.name)) << row.name;
+        EXPECT_TRUE(names.insert(python.name).second) << row.name;
+    }
+    EXPECT_EQ(find_option("3d")->python.name, "with_z");
+    EXPECT_EQ(find_option("if")->python.name, "input_format");
+    for (const char* neither : {"p", "q", "json", "sweep", "help", "version", "man"})
+        EXPECT_EQ(find_option(neither)->python.name, "") << neither;
+    for (const char* of_files : {"f", "dsco", "nln", "overwrite", "write_ground", "preview", "arcs"}) {
+        EXPECT_TRUE(find_option(of_files)->python.extract_file) << of_files;
+        EXPECT_FALSE(find_option(of_files)->python.extract) << of_files;
+    }
+}
+
+TEST(OptionTable, knowsWhatWasGiven) {
+    const OptionRow& row = *find_option("min_height");
+    Request request;
+    EXPECT_FALSE(row.is_given(request));
+    request.options.detect.min_height = 3;
+    EXPECT_TRUE(row.is_given(request));
+    Request by_name;
+    const Texts text{"2"};  // its default
+    apply_option(row, by_name, text);
+    EXPECT_TRUE(row.is_given(by_name));
+    EXPECT_EQ(row.show(by_name), row.standard);
 }
 
 TEST(OptionTable, findsNamesWithDashesAndAliases) {
@@ -118,7 +203,7 @@ TEST(OptionTable, findsNamesWithDashesAndAliases) {
 
 TEST(OptionTable, defaultsAreThoseOfTheOptions) {
     const Options standard;
-    EXPECT_EQ(find_option("preset")->standard, standard.preset);
+    EXPECT_EQ(find_option("preset")->standard, preset_name(standard.preset));
     EXPECT_EQ(find_option("b")->standard, std::to_string(standard.read.band));
     EXPECT_EQ(find_option("lod")->standard, std::to_string(standard.levels.lod));
     EXPECT_EQ(find_option("nf")->standard, std::to_string(standard.filter.noise_factor));
@@ -189,7 +274,7 @@ TEST(Options, withoutAnyAreTheDefaults) {
         EXPECT_EQ(row.show(request), row.standard) << row.name;
     EXPECT_EQ(request.options.read.source, "in.tif");
     EXPECT_EQ(request.options.write.destination, "out.gpkg");
-    EXPECT_EQ(request.options.write.layers, Layers::automatic);
+    EXPECT_EQ(request.options.write.layers, std::nullopt);
 }
 
 TEST(Options, ofTheInput) {
@@ -212,7 +297,7 @@ TEST(Options, ofTheInput) {
 
 TEST(Options, ofTheGround) {
     const auto ground = [](const Texts& arguments) { return parse(arguments).options.ground; };
-    EXPECT_EQ(ground({}).mode, GroundMode::by_preset);
+    EXPECT_EQ(ground({}).mode, std::nullopt);
     EXPECT_EQ(ground({"-ground", "auto"}).mode, GroundMode::automatic);
     EXPECT_EQ(ground({"-ground", "none"}).mode, GroundMode::none);
     EXPECT_EQ(ground({"-ground", "none"}).terrain, "");
@@ -226,8 +311,8 @@ TEST(Options, ofTheGround) {
 
 TEST(Options, ofDetection) {
     const auto detect = [](const Texts& arguments) { return parse(arguments).options.detect; };
-    EXPECT_EQ(parse({"-preset", "thesis"}).options.preset, "thesis");
-    EXPECT_EQ(parse({"-preset", "buildings"}).options.preset, "buildings");
+    EXPECT_EQ(parse({"-preset", "thesis"}).options.preset, Preset::thesis);
+    EXPECT_EQ(parse({"-preset", "buildings"}).options.preset, Preset::buildings);
     EXPECT_EQ(detect({"-min_height", "3.5"}).min_height, 3.5);
     EXPECT_EQ(detect({"-min_confidence", "1"}).min_confidence, 1);
     EXPECT_EQ(detect({"-min_confidence", "0"}).min_confidence, 0);
@@ -242,7 +327,7 @@ TEST(Options, ofLevels) {
     EXPECT_EQ(levels({"-levels", "building"}).source, LevelSource::building);
     EXPECT_EQ(levels({"-levels", "natural"}).source, LevelSource::natural);
     EXPECT_EQ(levels({"-levels", "global"}).source, LevelSource::global);
-    EXPECT_EQ(levels({}).source, LevelSource::by_preset);
+    EXPECT_EQ(levels({}).source, std::nullopt);
     EXPECT_EQ(levels({"-lod", "1"}).lod, 1);
     EXPECT_EQ(levels({"-detail", "1.5"}).detail, 1.5);
     EXPECT_EQ(levels({}).detail, 0);
@@ -259,7 +344,7 @@ TEST(Options, ofContours) {
     EXPECT_EQ(parse({"-nf", "0"}).options.filter.noise_factor, 0);
     EXPECT_EQ(parse({"-min_area", "12.5"}).options.filter.min_area_m2, 12.5);
     EXPECT_EQ(parse({}).options.filter.min_area_m2, std::nullopt);
-    EXPECT_EQ(parse({}).options.outline.walls, Walls::by_preset);
+    EXPECT_EQ(parse({}).options.outline.walls, std::nullopt);
     EXPECT_EQ(parse({"-regularize", "auto"}).options.outline.walls, Walls::automatic);
     EXPECT_EQ(parse({"-regularize", "off"}).options.outline.walls, Walls::off);
     EXPECT_EQ(parse({"-regularize", "right"}).options.outline.walls, Walls::right);

@@ -148,7 +148,8 @@ TEST_F(FormatTest, DoubtfulBuildingsNeedALayerOfTheirOwn) {
     WriteOptions options = named("a", "ESRI Shapefile");
     options.doubtful = true;
     EXPECT_EQ(layers_for(options), Layers::both);
-    for (const Layers layers : {Layers::automatic, Layers::buildings, Layers::contours}) {
+    for (const std::optional<Layers> layers :
+         {std::optional<Layers>(), {Layers::buildings}, {Layers::contours}}) {
         options = named("a.geojson");
         options.doubtful = true;
         options.layers = layers;

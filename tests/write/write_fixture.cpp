@@ -112,6 +112,10 @@ Feature square(std::int64_t id) {
     return feature;
 }
 
+Layers layers_for(const WriteOptions& options) {
+    return resolve_layers(options, format_for(options));
+}
+
 Provenance provenance() {
     return {wkt_of(25832), {{"source", "dem.tif"}, {"thresholds", "1, 2"}}};
 }

@@ -68,6 +68,8 @@ class WriteTest : public ::testing::Test {
 [[nodiscard]] LayerSpec layer_spec(const std::string& name, bool with_z = false);
 /// A unit square with its lower left corner at (id, 0); `height` is NULL for even numbers.
 [[nodiscard]] Feature square(std::int64_t id);
+/// The layers that a destination gets.
+[[nodiscard]] Layers layers_for(const WriteOptions& options);
 [[nodiscard]] Provenance provenance();
 
 [[nodiscard]] Dataset open_dataset(const std::string& path, bool update = false);

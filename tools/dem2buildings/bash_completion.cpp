@@ -14,17 +14,24 @@ std::string pattern(const OptionRow& row) {
     return text;
 }
 
-bool names_a_file(const std::string& kind) {
-    return kind == "raster" || kind == "vector" || kind == "dataset" || kind == "terrain" ||
-           kind.starts_with("file:");
+bool names_a_file(OptionKind kind) {
+    switch (kind) {
+        case OptionKind::raster:
+        case OptionKind::polygons:
+        case OptionKind::dataset:
+        case OptionKind::terrain:
+        case OptionKind::geotiff:
+        case OptionKind::picture:
+            return true;
+        default:
+            return false;
+    }
 }
 
 /// What follows the option: words, a file, or something that cannot be guessed.
 std::string action(const OptionRow& row) {
-    std::string words;
-    for (const std::string& word : option_words(row))
-        words += (words.empty() ? "" : " ") + word;
-    if (names_a_file(option_kind(row)))
+    const std::string words = joined(row.choices, " ");
+    if (names_a_file(row.kind))
         return "COMPREPLY=($(compgen -W \"" + words + "\" -- \"$word\") $(compgen -f -- \"$word\"))";
     return words.empty() ? "COMPREPLY=()" : "COMPREPLY=($(compgen -W \"" + words + "\" -- \"$word\"))";
 }

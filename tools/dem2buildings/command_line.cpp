@@ -1,7 +1,5 @@
 #include "dem2buildings/command_line.hpp"
 
-#include <algorithm>
-
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/tokens.hpp"
 #include "options/option_checks.hpp"
@@ -25,15 +23,13 @@ bool asks_for_text(const std::vector<GivenOption>& given, Request& request) {
     return false;
 }
 
-OptionNames apply_all(const std::vector<GivenOption>& given, Request& request) {
-    OptionNames names;
+void apply_all(const std::vector<GivenOption>& given, Request& request) {
     for (const GivenOption& option : given) {
         const OptionRow& row = *option.row;
-        if (!names.insert(row.name).second && row.arity != Arity::none && !row.repeatable)
+        if (request.options.given.contains(row.name) && row.arity != Arity::none && !row.repeatable)
             throw OptionError("-" + row.name + " is given twice; give it once.");
         apply_option(row, request, option.values);
     }
-    return names;
 }
 
 std::string quoted_list(const std::vector<std::string>& names) {
@@ -99,11 +95,8 @@ Request parse_command_line(const std::vector<std::string>& arguments) {
         return request;
     if (!tokens.unknown.empty())
         refuse_unknown_option(tokens.unknown.front());
-    // A preset sets defaults, so it comes first wherever it stands.
-    std::stable_partition(tokens.options.begin(), tokens.options.end(),
-                          [](const GivenOption& option) { return option.row->name == "preset"; });
-    const OptionNames given = apply_all(tokens.options, request);
-    check_conflicts(given, request);
+    apply_all(tokens.options, request);
+    check_options(request);
     if (request.tool.sweep.empty())
         take_file_names(tokens.file_names, request.options);
     else

@@ -30,16 +30,15 @@ Inputs open_inputs(const Options& options, Context& context) {
     return inputs;
 }
 
-Layers extract_file(Options options, Context& context) {
+Layers extract_file(const Options& options, Context& context) {
     const Inputs inputs = open_inputs(options, context);
     const auto sink = open_sink(options.write, context);
     const SideSinks side = open_side_sinks(options, inputs.dem->info(), context);
     Preview preview(options, *sink, *inputs.dem, context);
-    options.write.layers = layers_for(options.write);
     run(options, inputs.sources(),
         {preview.features(), side.ground.get(), side.height.get(), side.canopy.get()}, context);
     preview.publish();
-    return options.write.layers;
+    return sink->layers(options.write.layers);
 }
 
 }  // namespace d2b

@@ -22,7 +22,7 @@ struct Inputs {
 
 /// The whole job on files: reads what the options name and writes the destination, and the rasters and the
 /// picture that they name beside it. The report is in the context.
-/// @param options with their preset @return the layers that were written @throws Error
-Layers extract_file(Options options, Context& context);
+/// @param options as check_options() takes them @return the layers that were written @throws Error
+Layers extract_file(const Options& options, Context& context);
 
 }  // namespace d2b

@@ -14,8 +14,7 @@ std::string option_heading(const OptionRow& row) {
 std::string option_facts(const OptionRow& row, bool brief) {
     std::string text;
     const auto add = [&text](const std::string& sentence) { text += (text.empty() ? "" : " ") + sentence; };
-    const bool in_synopsis =
-        row.values.find('|') != std::string::npos || row.repeatable || row.values == row.range;
+    const bool in_synopsis = !row.choices.empty() || row.repeatable || row.values == row.range;
     const bool left_out = in_synopsis || row.range == "a number" || (brief && row.arity == Arity::several);
     if (!row.range.empty() && !left_out)
         add(std::string(1, static_cast<char>(std::toupper(static_cast<unsigned char>(row.range[0])))) +
@@ -26,6 +25,11 @@ std::string option_facts(const OptionRow& row, bool brief) {
         add("Default: " + row.standard + ".");
     if (row.repeatable)
         add("May be repeated.");
+    if (!brief)
+        for (const Preset preset : every_preset)
+            if (!row.has_meaning(preset))
+                add("Not with -preset " + std::string(preset_name(preset)) +
+                    (row.scope.elsewhere.empty() ? "." : ", but for " + row.scope.elsewhere + "."));
     return text;
 }
 

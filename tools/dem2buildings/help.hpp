@@ -27,15 +27,9 @@ namespace d2b {
 /// A script that completes command lines in Bash.
 [[nodiscard]] std::string bash_completion();
 
-/// What a value is, for those who ask for it in another way than as text: "switch", "choice", "whole",
-/// "number", "numbers", "extent", "crs", "raster", "vector", "dataset" (either of them), "terrain" (a word or
-/// a raster), "file:<extension>" (which is written) or "text".
-[[nodiscard]] std::string option_kind(const OptionRow& row);
-/// The words that the option takes, as its synopsis lists them.
-[[nodiscard]] std::vector<std::string> option_words(const OptionRow& row);
-
-/// Range, unit, default and whether it may be repeated, as sentences; "" where there is nothing to say.
-/// @param brief without the range of several values, which takes a line
+/// Range, unit, default, whether it may be repeated and what presets take it, as sentences; "" where there is
+/// nothing to say.
+/// @param brief without the range of several values, which takes a line, and the presets
 [[nodiscard]] std::string option_facts(const OptionRow& row, bool brief = false);
 
 /// The option and its aliases: "-f, -of <format>".

@@ -21,7 +21,6 @@
 #include "dem2buildings/progress.hpp"
 #include "dem2buildings/sweep.hpp"
 #include "geometry/geos.hpp"
-#include "options/preset.hpp"
 #include "read/gdal_command_line.hpp"
 #include "read/gdal_dem_source.hpp"
 #include "write/file_spool.hpp"
@@ -31,7 +30,7 @@ namespace {
 
 void process(const Request& request) {
     OwnStdout own_stdout;
-    Options options = with_preset(request.options);
+    const Options& options = request.options;
     const bool quiet = request.tool.quiet;
     TerminalProgress progress(std::cout);
     Context context;
@@ -48,7 +47,6 @@ void process(const Request& request) {
     context.stop = interrupted;
     start_gdal();
     if (!request.tool.sweep.empty()) {
-        options.write.layers = Layers::both;
         const Inputs inputs = open_inputs(options, context);
         const std::vector<Trial> trials =
             run_sweep(options, inputs.sources(), request.tool.sweep_plan, context);

@@ -10,14 +10,35 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json presets_of(const OptionRow& row) {
+    Json presets = Json::array();
+    for (const Preset preset : every_preset)
+        if (row.has_meaning(preset))
+            presets.push_back(preset_name(preset));
+    return presets;
+}
+
+Json python_of(const OptionRow& row) {
+    return {{"name", row.python.name},
+            {"extract", row.python.extract},
+            {"extract_file", row.python.extract_file}};
+}
+
 Json json_of(const OptionRow& row) {
-    Json option{
-        {"name", row.name},           {"group", option_group_names[static_cast<std::size_t>(row.group)]},
-        {"kind", option_kind(row)},   {"values", row.values},
-        {"words", option_words(row)}, {"unit", row.unit},
-        {"default", row.standard},    {"repeatable", row.repeatable},
-        {"hidden", row.hidden},       {"help", row.help},
-        {"details", row.details}};
+    Json option{{"name", row.name},
+                {"aliases", row.aliases},
+                {"group", option_group_names[static_cast<std::size_t>(row.group)]},
+                {"kind", option_kind_names[static_cast<std::size_t>(row.kind)]},
+                {"values", row.values},
+                {"choices", row.choices},
+                {"unit", row.unit},
+                {"default", row.standard},
+                {"repeatable", row.repeatable},
+                {"hidden", row.hidden},
+                {"presets", presets_of(row)},
+                {"python", python_of(row)},
+                {"help", row.help},
+                {"details", row.details}};
     if (row.numbers && std::isfinite(row.numbers->lowest))
         option["lowest"] = row.numbers->lowest;
     if (row.numbers && std::isfinite(row.numbers->highest))

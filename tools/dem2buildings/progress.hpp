@@ -37,7 +37,7 @@ class TerminalProgress {
 
 /// What was written, on a line: "1,234 buildings and 5,678 contours in delft.gpkg"; and where options left
 /// anything out, how much: "(left out: 12 below -min_area, 3 below -min_confidence)".
-/// @param layers as they are in the destination, not `automatic`
+/// @param layers what the destination gets
 [[nodiscard]] std::string summary(const RunReport& report, Layers layers, const std::string& destination);
 
 }  // namespace d2b

@@ -13,7 +13,6 @@
 #include "dem2buildings/extract_file.hpp"
 #include "dem2buildings/json_report.hpp"
 #include "dem2buildings/side_rasters.hpp"
-#include "options/preset.hpp"
 #include "pipeline/pipeline.hpp"
 #include "python/array_argument.hpp"
 #include "python/collecting_sink.hpp"
@@ -45,8 +44,7 @@ Context context_of(const PythonEars& ears) {
     return context;
 }
 
-Extraction extract(const Options& asked, const Opener& open, const PythonEars& ears) {
-    const Options options = with_preset(asked);
+Extraction extract(const Options& options, const Opener& open, const PythonEars& ears) {
     Context context = context_of(ears);
     const auto source = open(options.read, context);
     const SideSources side = open_side_sources(options, source->info(), context);
@@ -91,7 +89,7 @@ std::string extract_to_file(const std::string& source, const std::string& destin
     std::string report;
     run_listening(listener, [&](const PythonEars& ears) {
         Context context = context_of(ears);
-        extract_file(with_preset(options), context);
+        extract_file(options, context);
         report = json_report(context.report);
     });
     return report;

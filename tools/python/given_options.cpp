@@ -7,15 +7,13 @@ namespace d2b {
 
 Request request_of(const GivenOptions& given) {
     Request request;
-    OptionNames names;
     for (const auto& [name, values] : given) {
         const OptionRow* const row = find_option(name);
         if (row == nullptr)
             throw OptionError("There is no option " + name + ".");
-        names.insert(row->name);
         apply_option(*row, request, values);
     }
-    check_conflicts(names, request);
+    check_options(request);
     return request;
 }
 

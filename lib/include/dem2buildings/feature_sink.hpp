@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
@@ -98,6 +99,12 @@ class FeatureSink {
     /// The first number that a feature may take, given what the destination already holds (append). Known
     /// once begin() has been called: nobody else adds to the destination from then on.
     [[nodiscard]] virtual std::int64_t first_id() const { return 1; }
+
+    /// The layers that the destination gets. @param asked nothing where that is left open
+    /// @throws OptionError where it cannot hold what is asked for
+    [[nodiscard]] virtual Layers layers(std::optional<Layers> asked) const {
+        return asked.value_or(Layers::both);
+    }
 
     /// What the destination calls a layer. @param layers what is written
     [[nodiscard]] virtual std::string layer_name(LayerRole role, Layers /*layers*/) const {

@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,18 +31,22 @@ struct ReadOptions {
     std::optional<std::array<double, 2>> elevation_range;
 };
 
-/// Where `by_preset` stands, the preset decides: see options/preset.hpp.
-enum class GroundMode { by_preset, automatic, given, none };
+/// A method, with what it decides where an option is left open.
+enum class Preset {
+    buildings,  ///< ground and buildings are found, outlines get straight walls
+    thesis      ///< that of Chittineni (2003): everything above a threshold is taken for a building
+};
+
+enum class GroundMode { automatic, given, none };
 
 struct GroundOptions {
-    GroundMode mode = GroundMode::by_preset;
+    std::optional<GroundMode> mode;
     std::string terrain;             ///< the terrain model of GroundMode::given
     double max_building_width = 60;  ///< m: the ground is looked for beyond buildings as wide as this
 };
 
 struct DetectOptions {
     double min_height = 2;        ///< m above ground
-    double min_area_m2 = 30;      ///< of a building; FilterOptions::min_area_m2 where that is given
     double min_confidence = 0.5;  ///< what is below is doubtful
     std::string mask;             ///< raster or polygons: buildings are looked for in them alone
     std::string mask_layer;       ///< of polygons; "": the first with geometries
@@ -48,14 +54,14 @@ struct DetectOptions {
     double split_height = 0;      ///< m: a step that divides buildings; 0: none does
 };
 
-enum class TraceMode { by_preset, points, cells };
+enum class TraceMode { points, cells };
 
 /// What the thresholds of -lod divide: the elevations of each building, in equal slices or at their natural
 /// breaks, or those of the whole DEM, in slices.
-enum class LevelSource { by_preset, building, natural, global };
+enum class LevelSource { building, natural, global };
 
 struct LevelOptions {
-    LevelSource source = LevelSource::by_preset;
+    std::optional<LevelSource> source;
     int lod = 4;                     ///< slices of mean +- standard deviation; most natural breaks
     std::vector<double> fixed;       ///< explicit thresholds
     std::optional<double> interval;  ///< thresholds at offset + n * interval
@@ -65,28 +71,27 @@ struct LevelOptions {
 };
 
 struct TraceOptions {
-    TraceMode mode = TraceMode::by_preset;
+    std::optional<TraceMode> mode;
 };
 
 struct FilterOptions {
-    int noise_factor = 10;              ///< fewest grid points on a ring
-    std::optional<double> min_area_m2;  ///< smallest area; by preset where it is not given
-    bool keep_footprints = false;       ///< contours of level 1 were found by other means: none is noise
+    int noise_factor = 10;  ///< fewest grid points on a ring
+    std::optional<double>
+        min_area_m2;  ///< smallest area of a building, or of a contour where none is looked for
 };
 
-enum class Walls { by_preset, automatic, off, right, free };
+enum class Walls { automatic, off, right, free };
 
 struct OutlineOptions {
-    Walls walls = Walls::by_preset;
-    /// cells: no outline leaves its trace by more; 1.5, but at most 1.25 m, where it is not given
-    std::optional<double> wall_tolerance;
-    bool arcs = false;       ///< recognised arcs are written as such
-    double simplify = 0;     ///< tolerance in units of the CRS; 0: every corner is kept
-    bool disjoint = false;   ///< bands that do not overlap
-    std::string target_crs;  ///< "": the DEM's
+    std::optional<Walls> walls;
+    std::optional<double> wall_tolerance;  ///< cells: no outline leaves its trace by more
+    bool arcs = false;                     ///< recognised arcs are written as such
+    double simplify = 0;                   ///< tolerance in units of the CRS; 0: every corner is kept
+    bool disjoint = false;                 ///< bands that do not overlap
+    std::string target_crs;                ///< "": the DEM's
 };
 
-enum class Layers { automatic, both, buildings, contours };
+enum class Layers { both, buildings, contours };
 enum class LayerRole { buildings, contours, doubtful, rejected };
 
 /// Whose names the fields of buildings have.
@@ -98,7 +103,7 @@ struct WriteOptions {
     std::vector<std::string> dataset_options;  ///< NAME=VALUE
     std::vector<std::string> layer_options;    ///< NAME=VALUE
     std::string layer_name;
-    Layers layers = Layers::automatic;
+    std::optional<Layers> layers;  ///< those that the format holds where it is not given
     bool overwrite = false;
     bool append = false;
     bool with_z = false;
@@ -116,7 +121,7 @@ struct RunOptions {
 };
 
 struct Options {
-    std::string preset = "buildings";
+    Preset preset = Preset::buildings;
     RunOptions run;
     ReadOptions read;
     GroundOptions ground;
@@ -126,6 +131,9 @@ struct Options {
     FilterOptions filter;
     OutlineOptions outline;
     WriteOptions write;
+    /// Names of options that were given by name, without dash. A field that is set shows by its value, but
+    /// not where that is the default.
+    std::set<std::string, std::less<>> given;
 };
 
 }  // namespace d2b

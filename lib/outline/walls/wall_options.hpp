@@ -8,7 +8,7 @@ namespace d2b {
 /// How walls are fitted.
 struct WallOptions {
     Walls walls = Walls::automatic;
-    double tolerance = 1.5;  ///< cells
+    double tolerance = 0;  ///< cells
     CellShape shape;
 };
 

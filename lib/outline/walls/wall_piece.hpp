@@ -25,8 +25,8 @@ struct WallStyle {
     static constexpr double variance = 0.3;  ///< of the middle of a step about its wall, square cells
 
     Walls walls = Walls::automatic;
-    double tolerance = 1.5;  ///< cells
-    double price = 1;        ///< of a wall: less gives more walls that lie closer
+    double tolerance = 0;  ///< cells
+    double price = 1;      ///< of a wall: less gives more walls that lie closer
 };
 
 }  // namespace d2b

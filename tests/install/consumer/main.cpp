@@ -62,7 +62,7 @@ class Counter : public d2b::FeatureSink {
 
 int main() {
     d2b::Options options;
-    options.preset = "thesis";
+    options.preset = d2b::Preset::thesis;
     options.levels.fixed = {7};
     Block source;
     Counter sink;

@@ -11,12 +11,6 @@ import textwrap
 
 from . import _core
 
-# Until the table says so itself.
-_ALIASES = {"3d": "with_z", "if": "input_format", "a_srs": "crs"}
-_PROGRAM_ONLY = {"p", "sweep", "q", "json", "help", "version", "man", "options_md", "options_json", "bash_completion"}
-_FILE_ONLY = {"f", "dsco", "lco", "nln", "overwrite", "append", "arcs", "write_ground", "write_height",
-              "write_canopy", "preview"}
-
 
 @dataclasses.dataclass(frozen=True)
 class Option:
@@ -38,7 +32,7 @@ class Option:
     def hint(self):
         """Its type, for the stub."""
         kind = self.row["kind"]
-        words = ", ".join(f'"{word}"' for word in self.row.get("words", []))
+        words = ", ".join(f'"{word}"' for word in self.row.get("choices", []))
         simple = {"switch": "bool", "whole": "int", "number": "float", "numbers": "Sequence[float]",
                   "extent": "Sequence[float]", "crs": "_Crs", "choice": f"Literal[{words}]"}
         if kind in simple:
@@ -50,7 +44,7 @@ class Option:
         """The same for people."""
         kind = self.row["kind"]
         simple = {"switch": "bool", "whole": "int", "number": "float", "numbers": "numbers", "extent": "4 numbers",
-                  "crs": "CRS", "choice": " or ".join(map(repr, self.row.get("words", []))), "text": "str"}
+                  "crs": "CRS", "choice": " or ".join(map(repr, self.row.get("choices", []))), "text": "str"}
         return simple.get(kind, "path") + (", one or several" if self._repeatable and kind == "text" else "")
 
     @property
@@ -98,11 +92,11 @@ def _crs_text(argument, crs):
 class OptionSet:
     """The options that a function takes."""
 
-    def __init__(self, function, rows, arguments=None):
+    def __init__(self, function, rows):
         self._function = function
         self._options = {}
         for row in rows:
-            argument = (arguments or {}).get(row["name"], row["name"])
+            argument = row["python"]["name"] if "python" in row else row["name"]
             self._options[argument] = Option(row["name"], argument, row)
 
     def __iter__(self):
@@ -143,13 +137,11 @@ class OptionSet:
         return re.sub(pattern, lambda match: match[1] or names[match[2]] + "=", message)
 
 
-def _rows():
-    rows = [row for row in json.loads(_core.options_json())["options"] if row["name"] not in _PROGRAM_ONLY]
-    in_memory = [row for row in rows if row["name"] not in _FILE_ONLY]
-    return in_memory, rows
+def _taken_by(function):
+    rows = json.loads(_core.options_json())["options"]
+    return OptionSet(function, [row for row in rows if row["python"][function]])
 
 
-_in_memory, _to_file = _rows()
-EXTRACT = OptionSet("extract", _in_memory, _ALIASES)
-EXTRACT_FILE = OptionSet("extract_file", _to_file, _ALIASES)
+EXTRACT = _taken_by("extract")
+EXTRACT_FILE = _taken_by("extract_file")
 SCORE = OptionSet("score", json.loads(_core.score_options_json()))

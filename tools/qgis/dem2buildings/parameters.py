@@ -41,8 +41,8 @@ def _label(option):
 
 
 def _choice(option):
-    default = option["words"].index(option["default"]) if option["default"] in option["words"] else None
-    return QgsProcessingParameterEnum(option["name"], _label(option), option["words"], optional=True,
+    default = option["choices"].index(option["default"]) if option["default"] in option["choices"] else None
+    return QgsProcessingParameterEnum(option["name"], _label(option), option["choices"], optional=True,
                                       defaultValue=default)
 
 
@@ -130,7 +130,7 @@ def _values(algorithm, option, given, context):
     if kind == "terrain" and given.get(name + TERRAIN):
         return [_file_of(algorithm.parameterAsRasterLayer(given, name + TERRAIN, context), name)]
     if kind in ("choice", "terrain"):
-        word = option["words"][algorithm.parameterAsEnum(given, name, context)]
+        word = option["choices"][algorithm.parameterAsEnum(given, name, context)]
         return None if word == option["default"] else [word]
     if kind in ("whole", "number"):
         text = _plain(algorithm.parameterAsDouble(given, name, context))

@@ -1,0 +1,60 @@
+#include "options/run_plan.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "dem2buildings/error.hpp"
+
+namespace d2b {
+namespace {
+
+/// What stands in layers that are not written: asked for by name that is refused by the table of rules.
+void refuse_for_layers(const Options& options, Layers layers) {
+    const WriteOptions& write = options.write;
+    if (options.outline.disjoint && layers == Layers::buildings)
+        throw OptionError(
+            "-disjoint has no effect where the buildings alone are written; use -layers contours, "
+            "or a format that holds both layers, such as GeoPackage.");
+    if (write.fields != FieldNames::own && layers == Layers::contours && !write.doubtful)
+        throw OptionError(
+            "-fields has no effect where the contours alone are written; only fields of buildings "
+            "have other names.");
+}
+
+}  // namespace
+
+double RunPlan::wall_tolerance(double cell_m) const {
+    if (asked.outline.wall_tolerance)
+        return *asked.outline.wall_tolerance;
+    return cell_m > 0 ? std::min(wall_tolerance_cells, wall_tolerance_m / cell_m) : wall_tolerance_cells;
+}
+
+Options RunPlan::settled() const {
+    Options options = asked;
+    options.ground.mode = ground;
+    options.levels.source = levels;
+    options.trace.mode = trace;
+    options.outline.walls = walls;
+    options.filter.min_area_m2 = detects_buildings() ? building_m2 : contour_m2;
+    options.write.layers = layers;
+    return options;
+}
+
+RunPlan make_run_plan(Options options, Layers layers) {
+    refuse_for_layers(options, layers);
+    const bool detects = detects_buildings(options);
+    const bool straightens = detects && options.outline.simplify == 0;
+    RunPlan plan{
+        .asked = {},
+        .ground = options.ground.mode.value_or(detects ? GroundMode::automatic : GroundMode::none),
+        .levels = options.levels.source.value_or(detects ? LevelSource::building : LevelSource::global),
+        .trace = options.trace.mode.value_or(detects ? TraceMode::cells : TraceMode::points),
+        .walls = options.outline.walls.value_or(straightens ? Walls::automatic : Walls::off),
+        .building_m2 = options.filter.min_area_m2.value_or(smallest_building_m2),
+        .contour_m2 = detects ? 0 : options.filter.min_area_m2.value_or(0),  // tiers may be smaller
+        .layers = layers};
+    plan.asked = std::move(options);
+    return plan;
+}
+
+}  // namespace d2b

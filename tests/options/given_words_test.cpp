@@ -1,0 +1,113 @@
+#include "options/given_words.hpp"
+
+#include "dem2buildings/command_line.hpp"
+#include "options/option_scene.hpp"
+#include "support/run_tool.hpp"
+
+namespace d2b::test {
+namespace {
+
+Options options_of(const Texts& words) {
+    Texts all = words;
+    all.insert(all.end(), {"--", "in.tif", "out.gpkg"});
+    return parse_command_line(all).options;
+}
+
+/// The words as a shell splits them.
+Texts split(const std::string& text) {
+    const std::string lines =
+        run_tool(
+            {"/bin/sh", "-c", "eval \"set -- $1\"; for word; do printf '%s\\n' \"$word\"; done", "sh", text})
+            .out;
+    Texts words;
+    for (std::size_t at = 0; at < lines.size();) {
+        const std::size_t end = lines.find('\n', at);
+        words.push_back(lines.substr(at, end - at));
+        at = end + 1;
+    }
+    return words;
+}
+
+TEST(GivenWords, areThoseOfTheCommandLine) {
+    EXPECT_EQ(given_words({}), "");
+    EXPECT_EQ(given_words(options_of({"-q", "-threads", "2", "-overwrite", "-write_ground", "g.tif"})), "");
+    EXPECT_EQ(given_words(options_of({"-nf", "10", "-preset", "thesis", "-fl", "-3", "12.5", "1e-7", "-3d"})),
+              "-preset thesis -fl -3 12.5 1e-07 -nf 10 -3d");
+    EXPECT_EQ(given_words(options_of({"-te", "0", "-1", "2", "3.5", "-oo", "A=1", "-oo", "B=x y"})),
+              "-oo A=1 -oo 'B=x y' -te 0 -1 2 3.5");
+    EXPECT_EQ(given_words(options_of({"-nln", "Bob's roofs", "-cutline=-a.gpkg", "-snodata", "-9999"})),
+              "-snodata -9999 -cutline=-a.gpkg -nln 'Bob'\\''s roofs'");
+}
+
+TEST(GivenWords, areThoseOfFieldsThatAreSet) {
+    Options options;
+    options.preset = Preset::thesis;
+    options.detect.mask = "mask.gpkg";
+    options.write.layers = Layers::contours;
+    EXPECT_EQ(given_words(options), "-preset thesis -mask mask.gpkg -layers contours");
+}
+
+TEST(GivenWords, giveTheSameOptionsAgain) {
+    for (const char* name : {"a b", "it's", "$HOME", "`x`", "a\\b", "-x", "--", "*", "#", "~", "\xC3\xA4"}) {
+        const Options options = options_of({"-nln=" + std::string(name)});
+        EXPECT_EQ(options_of(split(given_words(options))).write.layer_name, name);
+    }
+    for (const OptionCase& option : option_cases()) {
+        if (option.name == "sweep")
+            continue;
+        const std::string words = given_words(options_of(option.words()));
+        EXPECT_EQ(given_words(options_of(split(words))), words) << option.text();
+        EXPECT_EQ(words.empty(), !find_option(option.name)->repeats) << option.text();
+    }
+}
+
+using Provenances = OptionScene;
+
+/// What a result says of itself makes it again.
+TEST_F(Provenances, repeatTheRun) {
+    for (const OptionCase& option : option_cases()) {
+        if (!shapes_the_result(option.name))
+            continue;
+        const Outcome outcome = outcome_of(option.words());
+        ASSERT_EQ(outcome.error, "") << option.text();
+        const Outcome again = outcome_of(split(outcome.options));
+        EXPECT_EQ(again.options, outcome.options);
+        const bool beside = !find_option(option.name)->repeats;  // a raster
+        EXPECT_EQ(again.written == outcome.written, !beside) << option.text();
+    }
+    const Texts many{"-b",
+                     "2",
+                     "-te",
+                     "391000",
+                     "5819907",
+                     "391098",
+                     "5820000",
+                     "-cutline",
+                     "/vsimem/scene/areas.gpkg",
+                     "-cutline_layer",
+                     "north",
+                     "-snodata",
+                     "16",
+                     "-min_height",
+                     "1.5",
+                     "-min_area",
+                     "20",
+                     "-fl",
+                     "3",
+                     "4.5",
+                     "-fields",
+                     "osm",
+                     "-3d",
+                     "-write_doubtful",
+                     "-regularize",
+                     "free",
+                     "-t_srs",
+                     "EPSG:4326"};
+    const Outcome outcome = outcome_of(many);
+    ASSERT_EQ(outcome.error, "");
+    EXPECT_NE(outcome.written, outcome_of({}).written);
+    EXPECT_EQ(outcome_of(split(outcome.options)), outcome);
+}
+
+}  // namespace
+}  // namespace d2b::test
