@@ -96,8 +96,9 @@ std::vector<OptionRow> also_written() {
 
 /// gdal_contour's switch for polygons, so that its command lines work here.
 OptionRow polygons() {
-    OptionRow row = described("p", OptionKind::toggle, "",
-                              {.help = "Accepted; polygons are always written.", .python = Python::none});
+    OptionRow row = described(
+        "p", OptionKind::toggle, "",
+        {.help = "Accepted; polygons are always written.", .python = Python::none, .repeats = false});
     row.hidden = true;
     row.apply = [](Request&, OptionValues) {};
     row.texts = [](const Request&) { return Texts{}; };

@@ -76,8 +76,8 @@ TEST(WallClusters, WhatStandsOnAHouseIsWithIt) {
     const FetchedCluster first(contours, clusters[0]);
     EXPECT_EQ(first.cluster().contours[1]->key, contours.head(2).key);
     EXPECT_EQ(first.cluster().parents, clusters[0].parents);
-    EXPECT_EQ(fit_walls(first.cluster(), {}).footprints.size(), 1U);
-    EXPECT_TRUE(fit_walls(FetchedCluster(contours, clusters[1]).cluster(), {}).footprints.empty());
+    EXPECT_EQ(fit_walls(first.cluster(), usual).footprints.size(), 1U);
+    EXPECT_TRUE(fit_walls(FetchedCluster(contours, clusters[1]).cluster(), usual).footprints.empty());
 }
 
 /// Ragged houses of some levels all over a grid.
@@ -109,10 +109,10 @@ class Village : public testing::TestWithParam<unsigned> {};
 TEST_P(Village, IsTheSameWithAnyNumberOfThreads) {
     const ContourVector contours = village(GetParam());
     Executor one(1);
-    const RegularOutlines alone(contours, {}, std::make_unique<MemorySpool>(), one);
+    const RegularOutlines alone(contours, usual, std::make_unique<MemorySpool>(), one);
     for (const int threads : {2, 5}) {
         Executor several(threads);
-        const RegularOutlines shared(contours, {}, std::make_unique<MemorySpool>(), several);
+        const RegularOutlines shared(contours, usual, std::make_unique<MemorySpool>(), several);
         for (std::size_t i = 0; i < contours.size(); ++i) {
             expect_same(shared.polygon(i), alone.polygon(i));
             EXPECT_EQ(shared.quality(i).deviation, alone.quality(i).deviation);
@@ -125,7 +125,7 @@ TEST_P(Village, IsTheSameWithAnyNumberOfThreads) {
 TEST_P(Village, AClusterAloneIsDrawnAsAmongAll) {
     const ContourVector contours = village(GetParam());
     Executor executor(2);
-    const RegularOutlines all(contours, {}, std::make_unique<MemorySpool>(), executor);
+    const RegularOutlines all(contours, usual, std::make_unique<MemorySpool>(), executor);
     const std::vector<ClusterPlan> clusters = wall_clusters(contours, usual);
     ASSERT_GT(clusters.size(), 2U);
     for (const ClusterPlan& cluster : clusters) {
@@ -135,8 +135,8 @@ TEST_P(Village, AClusterAloneIsDrawnAsAmongAll) {
             of_cluster.back().parent = cluster.parents[i];
         }
         const ContourVector own(of_cluster);
-        ASSERT_EQ(wall_clusters(own, {}).size(), 1U);
-        const RegularOutlines alone(own, {}, std::make_unique<MemorySpool>(), executor);
+        ASSERT_EQ(wall_clusters(own, usual).size(), 1U);
+        const RegularOutlines alone(own, usual, std::make_unique<MemorySpool>(), executor);
         for (std::size_t i = 0; i < own.size(); ++i) {
             expect_same(alone.polygon(i), all.polygon(cluster.numbers[i]));
             expect_same(alone.traced(i), all.traced(cluster.numbers[i]));
@@ -154,8 +154,8 @@ TEST_P(Village, FootprintsAreThoseOfTheLowLevelsAlone) {
             low_contours.push_back(contour);
     const ContourVector low(low_contours);
     Executor executor;
-    const RegularOutlines all(contours, {}, std::make_unique<MemorySpool>(), executor);
-    const RegularOutlines alone(low, {}, std::make_unique<MemorySpool>(), executor);
+    const RegularOutlines all(contours, usual, std::make_unique<MemorySpool>(), executor);
+    const RegularOutlines alone(low, usual, std::make_unique<MemorySpool>(), executor);
     for (std::size_t i = 0; i < low.size(); ++i) {
         expect_same(all.footprint(i), alone.polygon(i));
         EXPECT_EQ(all.footprint_quality(i).fitted, alone.quality(i).fitted);
@@ -166,7 +166,7 @@ TEST_P(Village, IsDividedAlikeInStripsOfAnyHeight) {
     const ContourVector contours = village(GetParam());
     const std::vector<ClusterPlan> whole = wall_clusters(contours, usual);
     for (const std::int64_t rows : {1, 7, 64}) {
-        const std::vector<ClusterPlan> strips = wall_clusters(contours, {}, {}, rows);
+        const std::vector<ClusterPlan> strips = wall_clusters(contours, usual, {}, rows);
         ASSERT_EQ(strips.size(), whole.size());
         for (std::size_t i = 0; i < whole.size(); ++i)
             EXPECT_EQ(strips[i].numbers, whole[i].numbers);

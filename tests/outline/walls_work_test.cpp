@@ -24,7 +24,8 @@ double work_of(const TraceGrid& grid, const std::vector<double>& levels, int noi
         ++asked;
         return false;
     });
-    const RegularOutlines outlines(*set.list, {}, context.make_spool(), *context.threads);
+    const RegularOutlines outlines(*set.list, {Walls::automatic, 1.5, {}}, context.make_spool(),
+                                   *context.threads);
     return asked;
 }
 
@@ -93,7 +94,9 @@ TEST(WallsWork, EndsSoonAfterItIsAskedTo) {
     for (const int after : {0, 1, 100, 1000, 5000}) {
         int asked = 0;
         context.threads = std::make_unique<Executor>(1, [&] { return ++asked > after; });
-        EXPECT_THROW(RegularOutlines(*set.list, {}, context.make_spool(), *context.threads), Cancelled);
+        EXPECT_THROW(
+            RegularOutlines(*set.list, {Walls::automatic, 1.5, {}}, context.make_spool(), *context.threads),
+            Cancelled);
         EXPECT_EQ(asked, after + 1);
     }
 }
