@@ -6,7 +6,7 @@ build_packages="g++ cmake ninja-build libgdal-dev libgeos-dev libproj-dev libgeo
 
 # What the package for Python is built with and needs, and what its tests and its page in docs/ use.
 python_packages="python3-dev pybind11-dev python3-numpy"
-python_test_packages="python3-geopandas python3-matplotlib"
+python_test_packages="mypy python3-geopandas python3-matplotlib"
 
 # as_root command...: with sudo only where it is needed
 as_root() {

@@ -33,7 +33,7 @@ class CollectingSink final : public FeatureSink {
     void add(std::size_t layer, const Feature& feature) override;
     void finish() override {}
 
-    [[nodiscard]] const std::vector<std::shared_ptr<CollectedLayer>>& layers() const { return layers_; }
+    [[nodiscard]] const std::vector<std::shared_ptr<CollectedLayer>>& collected() const { return layers_; }
     [[nodiscard]] const Provenance& provenance() const { return provenance_; }
 
   private:

@@ -50,7 +50,7 @@ Extraction extract(const Options& options, const Opener& open, const PythonEars&
     const SideSources side = open_side_sources(options, source->info(), context);
     CollectingSink sink;
     run(options, {*source, side.terrain.get(), side.mask.get(), side.ndvi.get()}, {sink}, context);
-    return {sink.layers(), sink.provenance(), json_report(context.report)};
+    return {sink.collected(), sink.provenance(), json_report(context.report)};
 }
 
 py::tuple extract_listening(const GivenOptions& given, const py::object& listener, const Opener& open,

@@ -152,20 +152,35 @@ py::object array_of(const FieldColumn& column, const py::handle& owner) {
 }
 
 void define_layer(py::module_& module) {
-    py::class_<CollectedLayer, LayerPtr>(module, "Layer")
+    py::class_<CollectedLayer, LayerPtr>(module, "Layer",
+                                         "Features of one kind. A layer is a sequence of GeoJSON-like "
+                                         "dictionaries, and has __geo_interface__.")
         .def("__len__", [](const CollectedLayer& layer) { return layer.features.size(); })
         .def("__getitem__", &item)
+        .def("__iter__",
+             [](const py::object& self) {
+                 return py::reinterpret_steal<py::object>(PySeqIter_New(self.ptr()));
+             })
         .def("__repr__", &repr)
-        .def_property_readonly("name", [](const CollectedLayer& layer) { return layer.spec.name; })
-        .def_property_readonly("crs",
-                               [](const CollectedLayer& layer) -> py::object {
-                                   return layer.crs_wkt.empty() ? py::object(py::none())
-                                                                : py::object(py::str(layer.crs_wkt));
-                               })
-        .def_property_readonly("fields", &fields_of)
-        .def_property_readonly("columns", &columns_of)
-        .def_property_readonly("wkb", &wkb_of)
-        .def_property_readonly("__geo_interface__", &collection_of);
+        .def_property_readonly(
+            "name", [](const CollectedLayer& layer) { return layer.spec.name; },
+            "buildings, contours, doubtful or rejected")
+        .def_property_readonly(
+            "crs",
+            [](const CollectedLayer& layer) -> py::object {
+                return layer.crs_wkt.empty() ? py::object(py::none()) : py::object(py::str(layer.crs_wkt));
+            },
+            "The coordinate reference system as WKT; None where there is none.")
+        .def_property_readonly("fields", &fields_of,
+                               "What each column is: a dictionary of alias, unit and description.")
+        .def_property_readonly("columns", &columns_of,
+                               "A NumPy array a field, of int64, float64 or str; no value is masked, NaN or "
+                               "None. Arrays of numbers "
+                               "look into the layer and cannot be changed.")
+        .def_property_readonly(
+            "wkb", &wkb_of, "A NumPy array of bytes, the MultiPolygon of each feature as well-known binary.")
+        .def_property_readonly("__geo_interface__", &collection_of,
+                               "All features as a GeoJSON-like FeatureCollection.");
 }
 
 }  // namespace d2b

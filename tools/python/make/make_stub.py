@@ -10,7 +10,7 @@ from dem2buildings import _options
 
 HEAD = '''"""{words}"""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from os import PathLike
 from typing import Any, Literal, Protocol
 
@@ -35,22 +35,32 @@ class OutputError(Error, OSError): ...
 class Cancelled(Error): ...
 
 class Layer:
+    """{layer}"""
+
     @property
-    def name(self) -> str: ...
+    def name(self) -> str:
+        """{layer_name}"""
     @property
-    def crs(self) -> str | None: ...
+    def crs(self) -> str | None:
+        """{layer_crs}"""
     @property
-    def fields(self) -> dict[str, dict[str, str]]: ...
+    def fields(self) -> dict[str, dict[str, str]]:
+        """{layer_fields}"""
     @property
-    def columns(self) -> dict[str, numpy.ndarray[Any, Any]]: ...
+    def columns(self) -> dict[str, numpy.ndarray[Any, Any]]:
+        """{layer_columns}"""
     @property
-    def wkb(self) -> numpy.ndarray[Any, numpy.dtype[numpy.object_]]: ...
+    def wkb(self) -> numpy.ndarray[Any, numpy.dtype[numpy.object_]]:
+        """{layer_wkb}"""
     @property
     def __geo_interface__(self) -> dict[str, Any]: ...
     def __len__(self) -> int: ...
+    def __iter__(self) -> Iterator[dict[str, Any]]: ...
     def __getitem__(self, index: int) -> dict[str, Any]: ...
 
 class Result:
+    """{result}"""
+
     buildings: Layer | None
     contours: Layer | None
     doubtful: Layer | None
@@ -91,7 +101,10 @@ def function(call, options, result):
 
 
 def stub():
-    text = HEAD.format(words=inspect.getdoc(dem2buildings))
+    layer = dem2buildings.Layer
+    text = HEAD.format(words=inspect.getdoc(dem2buildings), layer=layer.__doc__, result=dem2buildings.Result.__doc__.strip(),
+                       **{f"layer_{name}": getattr(layer, name).__doc__
+                          for name in ("name", "crs", "fields", "columns", "wkb")})
     for call, options, result in ((dem2buildings.extract, _options.EXTRACT, "Result"),
                                   (dem2buildings.extract_file, _options.EXTRACT_FILE, "dict[str, Any]"),
                                   (dem2buildings.score, _options.SCORE, "dict[str, Any]")):
