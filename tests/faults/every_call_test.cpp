@@ -10,9 +10,18 @@ namespace {
 using Files = std::map<std::string, std::string>;
 namespace fs = std::filesystem;
 
+/// What is written where, in which state it is before.
+struct Destination {
+    const char* what;
+    const char* name;
+    const char* format;
+    const char* layers;
+    const char* mode;  ///< "new", "-overwrite" or "-append"
+};
+
 /// Every call that changes a file or a folder fails in turn: what is there afterwards is what was there
 /// before, or all that was to come, and the status says which.
-class EveryCall : public FaultyTest {
+class EveryCall : public FaultyTest, public testing::WithParamInterface<Destination> {
   protected:
     void SetUp() override {
         if (D2B_SANITIZED != 0)
@@ -148,19 +157,11 @@ class EveryCall : public FaultyTest {
         RecordProperty("failed", failed_);
         EXPECT_GT(failed_, count / step());
     }
-    void try_all(const std::string& destination, const std::string& format, const std::string& layers,
-                 const std::string& mode) {
-        destination_ = destination;
-        format_ = format;
-        layers_ = layers;
-        mode_ = mode;
-        try_all();
-    }
 
-    std::string destination_;
-    std::string format_;
-    std::string layers_;
-    std::string mode_;
+    const std::string destination_ = GetParam().name;
+    const std::string format_ = GetParam().format;
+    const std::string layers_ = GetParam().layers;
+    const std::string mode_ = GetParam().mode;
     int failed_ = 0;
     const std::string input_ = [] {
         const std::string folder = testing::TempDir() + "d2b_every_call_" + std::to_string(::getpid());
@@ -169,39 +170,25 @@ class EveryCall : public FaultyTest {
     }();
 };
 
-TEST_F(EveryCall, ofANewGeoPackage) {
-    try_all("out.gpkg", "GPKG", "both", "new");
+TEST_P(EveryCall, failsWithoutALoss) {
+    try_all();
 }
-TEST_F(EveryCall, thatReplacesLayersOfAGeoPackage) {
-    try_all("out.gpkg", "GPKG", "both", "-overwrite");
-}
-TEST_F(EveryCall, thatAddsToAGeoPackage) {
-    try_all("out.gpkg", "GPKG", "both", "-append");
-}
-TEST_F(EveryCall, ofANewFolderOfShapefiles) {
-    try_all("shapes", "ESRI Shapefile", "both", "new");
-}
-TEST_F(EveryCall, thatReplacesAFolderOfShapefiles) {
-    try_all("shapes", "ESRI Shapefile", "both", "-overwrite");
-}
-TEST_F(EveryCall, thatAddsToAFolderOfShapefiles) {
-    try_all("shapes", "ESRI Shapefile", "both", "-append");
-}
-TEST_F(EveryCall, ofANewShapefile) {
-    try_all("out.shp", "ESRI Shapefile", "buildings", "new");
-}
-TEST_F(EveryCall, thatReplacesAShapefile) {
-    try_all("out.shp", "ESRI Shapefile", "buildings", "-overwrite");
-}
-TEST_F(EveryCall, thatAddsToAShapefile) {
-    try_all("out.shp", "ESRI Shapefile", "buildings", "-append");
-}
-TEST_F(EveryCall, ofANewFlatGeobuf) {
-    try_all("out.fgb", "FlatGeobuf", "buildings", "new");
-}
-TEST_F(EveryCall, thatReplacesAFlatGeobuf) {
-    try_all("out.fgb", "FlatGeobuf", "buildings", "-overwrite");
-}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, EveryCall,
+    testing::Values(Destination{"NewGeoPackage", "out.gpkg", "GPKG", "both", "new"},
+                    Destination{"LayersOfAGeoPackageReplaced", "out.gpkg", "GPKG", "both", "-overwrite"},
+                    Destination{"GeoPackageAddedTo", "out.gpkg", "GPKG", "both", "-append"},
+                    Destination{"NewFolderOfShapefiles", "shapes", "ESRI Shapefile", "both", "new"},
+                    Destination{"FolderOfShapefilesReplaced", "shapes", "ESRI Shapefile", "both",
+                                "-overwrite"},
+                    Destination{"FolderOfShapefilesAddedTo", "shapes", "ESRI Shapefile", "both", "-append"},
+                    Destination{"NewShapefile", "out.shp", "ESRI Shapefile", "buildings", "new"},
+                    Destination{"ShapefileReplaced", "out.shp", "ESRI Shapefile", "buildings", "-overwrite"},
+                    Destination{"ShapefileAddedTo", "out.shp", "ESRI Shapefile", "buildings", "-append"},
+                    Destination{"NewFlatGeobuf", "out.fgb", "FlatGeobuf", "buildings", "new"},
+                    Destination{"FlatGeobufReplaced", "out.fgb", "FlatGeobuf", "buildings", "-overwrite"}),
+    [](const auto& test) { return test.param.what; });
 
 }  // namespace
 }  // namespace d2b::test
