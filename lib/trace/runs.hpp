@@ -24,8 +24,8 @@ struct Run {
     std::uint32_t tail = no_index;  ///< arm of the outline that goes up its right side
 };
 
-/// A longest stretch of squares with the same levels: what statistics are added by.
-struct Segment {
+/// A longest run of squares with the same levels, down from the highest: what statistics are added by.
+struct TopRun {
     std::int32_t begin = 0;
     std::int32_t end = 0;
     std::int32_t level = 0;             ///< the highest level that it belongs to
@@ -36,12 +36,12 @@ struct Segment {
 /// One row of squares, taken apart.
 struct RunRow {
     std::vector<std::vector<Run>> levels;  ///< runs by level, ascending columns
-    std::vector<Segment> segments;
+    std::vector<TopRun> top_runs;
 
     void clear() {
         for (auto& runs : levels)
             runs.clear();
-        segments.clear();
+        top_runs.clear();
     }
 };
 
@@ -78,7 +78,7 @@ void cut_into_runs(std::span<const Count> counts, std::span<const Label> labels,
             const auto last = [&](std::int32_t level) {
                 return static_cast<std::uint32_t>(row.levels[static_cast<std::size_t>(level)].size() - 1);
             };
-            row.segments.push_back({col, end, count - 1, last(count - 1), count > 1 ? last(1) : no_index});
+            row.top_runs.push_back({col, end, count - 1, last(count - 1), count > 1 ? last(1) : no_index});
         }
         col = end;
     }

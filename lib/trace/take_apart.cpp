@@ -11,18 +11,18 @@ namespace {
 
 constexpr double nothing_outside = std::numeric_limits<double>::infinity();
 
-/// The segment of a row of squares that holds a square; level -1 where none does.
+/// The top run of a row of squares that holds a square; level -1 where none does.
 struct Holder {
     std::int32_t level = -1;
-    std::uint32_t segment = 0;
+    std::uint32_t top_run = 0;
 };
 using Holders = std::vector<Holder>;
 
 Holders holders_of(const RunRow& row, std::size_t squares) {
     Holders holders(squares);
-    for (std::uint32_t s = 0; s < row.segments.size(); ++s) {
-        const Segment& segment = row.segments[s];
-        std::fill(holders.begin() + segment.begin, holders.begin() + segment.end, Holder{segment.level, s});
+    for (std::uint32_t s = 0; s < row.top_runs.size(); ++s) {
+        const TopRun& top_run = row.top_runs[s];
+        std::fill(holders.begin() + top_run.begin, holders.begin() + top_run.end, Holder{top_run.level, s});
     }
     return holders;
 }
@@ -106,8 +106,8 @@ std::vector<TraceLine> Cutter<Count>::lines_of_cells() const {
         line.elevations = cells.elevations;
         line.spires = cells.spires;
         line.outside = outside_of(cells);
-        for (std::uint32_t s = 0; s < line.squares.segments.size(); ++s)
-            add_share(line, {false, s, line.squares.segments[s].begin, line.squares.segments[s].end, {}});
+        for (std::uint32_t s = 0; s < line.squares.top_runs.size(); ++s)
+            add_share(line, {false, s, line.squares.top_runs[s].begin, line.squares.top_runs[s].end, {}});
     }
     if (is_last()) {
         lines.emplace_back().line = band_.end_row();
@@ -153,13 +153,13 @@ TraceLine Cutter<Count>::line_of_points(std::int32_t number, const Holders& abov
                     best_above = is_above;
                 }
             }
-        if (level >= 0 && (best.level < 0 || best.segment != share.segment || best_above != share.above)) {
+        if (level >= 0 && (best.level < 0 || best.top_run != share.top_run || best_above != share.above)) {
             share.end = c;
             add_share(line, share);
             level = -1;
         }
         if (level < 0 && best.level >= 0)
-            share = {best_above, best.segment, c, c, {}};
+            share = {best_above, best.top_run, c, c, {}};
         level = best.level;
     }
     line.squares = std::move(squares);

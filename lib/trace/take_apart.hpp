@@ -35,7 +35,7 @@ struct PointRows {
 /// Points of a line, side by side, that belong to one contour: to the highest around them.
 struct PointShare {
     bool above = false;         ///< the contour's square lies above the line, else below
-    std::uint32_t segment = 0;  ///< of that row of squares
+    std::uint32_t top_run = 0;  ///< of that row of squares
     std::int32_t begin = 0;     ///< columns
     std::int32_t end = 0;
     PointStats stats;

@@ -32,11 +32,11 @@ void Tracer::add_points(const TraceLine& line) {
         const auto component_of = [&](std::int32_t level, std::uint32_t run) -> Component& {
             return components[components.find(row.levels[static_cast<std::size_t>(level)][run].component)];
         };
-        const Segment& segment = row.segments[share.segment];
-        component_of(segment.level, segment.run).own.merge(share.stats);
-        if (segment.building == no_index)
+        const TopRun& top_run = row.top_runs[share.top_run];
+        component_of(top_run.level, top_run.run).own.merge(share.stats);
+        if (top_run.building == no_index)
             continue;
-        add_roof(line, share, *component_of(1, segment.building).sample);
+        add_roof(line, share, *component_of(1, top_run.building).sample);
     }
 }
 

@@ -1,6 +1,7 @@
 #include "dem2buildings/command_line.hpp"
 
 #include "dem2buildings/error.hpp"
+#include "dem2buildings/side_files.hpp"
 #include "dem2buildings/tokens.hpp"
 #include "options/option_checks.hpp"
 
@@ -71,7 +72,9 @@ void take_file_names(const std::vector<std::string>& names, Options& options) {
 
 /// Rasters and pictures that are written beside the layers.
 void check_side_files(const WriteOptions& write) {
-    for (const std::string& name : {write.ground, write.height, write.canopy, write.preview})
+    std::vector<std::string> names = side_rasters_of(write);
+    names.push_back(write.preview);
+    for (const std::string& name : names)
         if (name.starts_with("/vsimem/"))
             throw OptionError("'" + name +
                               "' lies in memory and is gone when the program ends; give a file.");

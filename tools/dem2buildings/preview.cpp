@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/units.hpp"
+#include "dem2buildings/side_files.hpp"
 
 namespace d2b {
 
@@ -22,8 +23,10 @@ PreviewLook look_of(const Options& options, const DemInfo& dem, std::string head
 RasterTarget picture_target(const Options& options) {
     const WriteOptions& write = options.write;
     RasterTarget target{write.preview, write.overwrite, {options.read.source}, RasterFormat::png};
-    for (const std::string& name : {write.destination, options.ground.terrain, options.detect.mask,
-                                    options.detect.ndvi, write.ground, write.height, write.canopy})
+    std::vector<std::string> others = side_rasters_of(write);
+    others.insert(others.end(),
+                  {write.destination, options.ground.terrain, options.detect.mask, options.detect.ndvi});
+    for (const std::string& name : others)
         if (!name.empty())
             target.in_use.push_back(name);
     return target;
