@@ -6,11 +6,11 @@
 #include <limits>
 #include <utility>
 
-#include "attributes/ground_level.hpp"
 #include "core/progress_span.hpp"
 #include "core/row_bands.hpp"
 #include "core/stage_clock.hpp"
 #include "detect/detection.hpp"
+#include "detect/ground_level.hpp"
 #include "detect/merge_strips.hpp"
 #include "detect/side_grids.hpp"
 #include "ground/ground.hpp"

@@ -1,4 +1,4 @@
-#include "attributes/ground_level.hpp"
+#include "detect/ground_level.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -22,13 +22,13 @@ MetreGrid noisy_plane(float deviation) {
 
 }  // namespace
 
-TEST(Noise, IsTheStandardDeviationOnOpenGround) {
+TEST(SurfaceNoise, IsTheStandardDeviationOnOpenGround) {
     for (const float deviation : {0.02F, 0.1F, 0.4F})
         EXPECT_NEAR(surface_noise(noisy_plane(deviation), Mask(200, 200), test::threads()),
                     static_cast<double>(deviation), 0.03 * static_cast<double>(deviation));
 }
 
-TEST(Noise, WhatIsElevatedOrNotValidDoesNotCount) {
+TEST(SurfaceNoise, WhatIsElevatedOrNotValidDoesNotCount) {
     MetreGrid surface = noisy_plane(0.05F);
     Mask elevated(200, 200);
     for (std::int32_t r = 0; r < 200; ++r)
@@ -41,7 +41,7 @@ TEST(Noise, WhatIsElevatedOrNotValidDoesNotCount) {
     EXPECT_NEAR(surface_noise(surface, elevated, test::threads()), 0.05, 0.003);
 }
 
-TEST(Noise, AFewRoughCellsDoNotMoveIt) {
+TEST(SurfaceNoise, AFewRoughCellsDoNotMoveIt) {
     MetreGrid surface = noisy_plane(0.05F);
     for (std::int32_t r = 0; r < 200; r += 10)
         for (std::int32_t c = 0; c < 200; c += 10)
@@ -49,7 +49,7 @@ TEST(Noise, AFewRoughCellsDoNotMoveIt) {
     EXPECT_NEAR(surface_noise(surface, Mask(200, 200), test::threads()), 0.05, 0.004);
 }
 
-TEST(Noise, ZeroWhereValuesAreRoundedOrThereIsNoGround) {
+TEST(SurfaceNoise, ZeroWhereValuesAreRoundedOrThereIsNoGround) {
     MetreGrid rounded = noisy_plane(0.05F);
     for (float& z : rounded.values)
         z = std::round(z);

@@ -1,4 +1,4 @@
-#include "attributes/ground_level.hpp"
+#include "detect/ground_level.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,11 +17,11 @@ constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 /// 7 x 7 cells with a label of 5 x 5. Its terrain is 100; that of the 20 cells beside it counts from 1 on,
 /// and the corners, which touch it in a point alone, lie at -100.
-struct Scene {
+struct LabelledTerrain {
     MetreGrid terrain{7, 7, 100};
     Grid<Label> labels{7, 7, 1};
 
-    Scene() {
+    LabelledTerrain() {
         float next = 1;
         for (std::int32_t r = 0; r < 7; ++r)
             for (std::int32_t c = 0; c < 7; ++c) {
@@ -36,7 +36,7 @@ struct Scene {
 };
 
 TEST(GroundLevel, IsTheTenthPercentileAlongTheBorder) {
-    const Scene scene;
+    const LabelledTerrain scene;
     // Both sides of 20 edges: 1 to 20, and 100 twenty times. A tenth of 40 values lies below the fifth.
     const std::vector<double> ground = ground_levels(scene.terrain, scene.labels, 1, test::threads());
     ASSERT_EQ(ground.size(), 2U);
@@ -44,7 +44,7 @@ TEST(GroundLevel, IsTheTenthPercentileAlongTheBorder) {
 }
 
 TEST(GroundLevel, LeavesOutWhatIsNotKnown) {
-    Scene scene;
+    LabelledTerrain scene;
     scene.terrain.at(0, 1) = nan;  // that of 1: of 39 values the fourth is 5
     EXPECT_EQ(ground_levels(scene.terrain, scene.labels, 1, test::threads())[1], 5);
     scene.terrain = MetreGrid(7, 7, nan);
