@@ -196,13 +196,13 @@ void run(const Options& asked, const Sources& sources, const Sinks& sinks, Conte
     describe(info, crs, target, report);
     report.output = options.write.destination;
     report.units = resolve_units(info, crs, options.read.vertical_unit);
+    const Georeference georeference(info.transform, decided.trace);
+    const Position middle = require_whole_frame(info, decided, crs, target);
     sinks.features.rehearse(
         layer_specs(decided, {report.input, report.units.vertical, target.kind() != Crs::Kind::none},
                     sinks.features)
             .layers,
-        target.kind() == Crs::Kind::none ? crs.wkt() : target.wkt());
-    const Georeference georeference(info.transform, decided.trace);
-    const Position middle = require_whole_frame(info, decided, crs, target);
+        make_provenance(decided, info, crs, target, report), middle);
     require_crs(options, crs, target, middle, sinks.features);
     const SquareArea area =
         make_square_area(georeference, crs, lattice_frame({0, 0, info.rows, info.cols}, decided.trace));

@@ -36,8 +36,9 @@ class PreviewSink final : public FeatureSink {
     void require_crs(const std::string& wkt, const std::string& name, const Position& place) override {
         features_.require_crs(wkt, name, place);
     }
-    void rehearse(std::span<const LayerSpec> layers, const std::string& crs_wkt) override {
-        features_.rehearse(layers, crs_wkt);
+    void rehearse(std::span<const LayerSpec> layers, const Provenance& provenance,
+                  const Position& place) override {
+        features_.rehearse(layers, provenance, place);
     }
     void begin(std::span<const LayerSpec> layers, const Provenance& provenance) override;
     void add(std::size_t layer, const Feature& feature) override;

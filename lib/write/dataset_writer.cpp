@@ -10,6 +10,8 @@
 #include "write/database_turn.hpp"
 #include "write/existing_dataset.hpp"
 #include "write/geopackage_tables.hpp"
+#include "write/layer_create.hpp"
+#include "write/layer_fit.hpp"
 #include "write/layer_ids.hpp"
 #include "write/style_sidecar.hpp"
 
@@ -19,16 +21,6 @@ namespace {
 
 /// Features in one transaction of a new dataset: large, for each commit waits for the disk.
 constexpr std::int64_t batch = 200'000;
-
-CrsOwner srs_of(const std::string& wkt, const WriteTarget& target) {
-    if (wkt.empty())
-        return nullptr;
-    OgrCall call(target);
-    CrsOwner srs(OSRNewSpatialReference(wkt.c_str()));
-    call.check(srs != nullptr, "reading the CRS");
-    OSRSetAxisMappingStrategy(srs.get(), OAMS_TRADITIONAL_GIS_ORDER);
-    return srs;
-}
 
 /// An empty log is none: opening the database makes one.
 std::string stamp_of_database(const std::string& path) {
@@ -202,16 +194,9 @@ void DatasetWriter::remove_layer(const std::string& name) {
 
 void DatasetWriter::open_layer(const LayerSpec& spec) {
     const LayerSetting setting{target_, format_, options_.layer_options, srs_.get()};
-    OGRLayerH layer = nullptr;
-    if (mode_ == Mode::extend) {
-        const GdalMessages quiet;
-        layer = GDALDatasetGetLayerByName(dataset_.get(), spec.name.c_str());
-        // Where a file is a layer, its name does not matter.
-        if (layer == nullptr && !format_.several_layers)
-            layer = GDALDatasetGetLayer(dataset_.get(), 0);
-    }
+    OGRLayerH layer = mode_ == Mode::extend ? layer_called(dataset_.get(), format_, spec.name) : nullptr;
     if (layer != nullptr) {
-        require_same_origin(layer);
+        require_same_origin(layer, provenance_, target_);
         layers_.push_back(LayerWriter::adopt(layer, spec, setting));
         if (in_transaction_)
             layers_.back().expect(count_rows(target_, dataset_.get(), layers_.back().name()));
@@ -219,17 +204,6 @@ void DatasetWriter::open_layer(const LayerSpec& spec) {
     }
     layers_.push_back(LayerWriter::create(dataset_.get(), spec, setting));
     describe(layers_.back().handle());
-}
-
-void DatasetWriter::require_same_origin(OGRLayerH layer) const {
-    for (const std::string& name : provenance_.binding) {
-        const char* there = GDALGetMetadataItem(layer, name.c_str(), nullptr);
-        const auto ours = provenance_.metadata.find(name);
-        if (there != nullptr && ours != provenance_.metadata.end() && ours->second != there)
-            throw OutputError("Cannot append to \"" + target_.name + "\": its layer \"" +
-                              OGR_L_GetName(layer) + "\" has " + name + " \"" + there +
-                              "\" and the result \"" + ours->second + "\"; write to another destination.");
-    }
 }
 
 void DatasetWriter::describe(GDALMajorObjectH object) {

@@ -61,8 +61,6 @@ class DatasetWriter {
     void remove_layers();
     void remove_layer(const std::string& name);
     void open_layer(const LayerSpec& spec);
-    /// @throws OutputError where a layer that is there was made in another way
-    void require_same_origin(OGRLayerH layer) const;
     void describe(GDALMajorObjectH object);
     void write_pending();
     /// What tells other programs how to show the new layers, and what is in them.

@@ -12,8 +12,8 @@
 #include "write/existing_refusals.hpp"
 #include "write/ogr_call.hpp"
 #include "write/ogr_handles.hpp"
+#include "write/replacing_refusals.hpp"
 #include "write/style_sidecar.hpp"
-#include "write/users_objects.hpp"
 
 namespace d2b {
 

@@ -1,5 +1,9 @@
 #include "write/layer_counts.hpp"
 
+#include <algorithm>
+
+#include <cpl_vsi.h>
+
 #include "dem2buildings/error.hpp"
 #include "write/sql.hpp"
 
@@ -20,6 +24,13 @@ OutputError wrong_count(const WriteTarget& target, const std::string& layer, std
     return OutputError("Cannot write \"" + target.name + "\": layer \"" + layer + "\" holds " +
                        std::to_string(found) + " features when read back instead of " +
                        std::to_string(expected) + ".");
+}
+
+/// A sequence of no objects is a file of no bytes, which no driver knows.
+bool is_empty_sequence(const std::string& path, const LayerCounts& counts) {
+    VSIStatBufL status{};
+    return std::ranges::all_of(counts, [](const auto& layer) { return layer.second == 0; }) &&
+           VSIStatL(path.c_str(), &status) == 0 && status.st_size == 0;
 }
 
 }  // namespace
@@ -45,6 +56,8 @@ void verify_counts(const WriteTarget& target, const VectorFormat& format, const 
         return;
     OgrCall call(target);
     const DatasetOwner dataset = open_dataset(format, path, GDAL_OF_READONLY);
+    if (!dataset && is_empty_sequence(path, counts))
+        return;
     call.check(dataset != nullptr, "reading the result back");
     for (std::size_t i = 0; i < counts.size(); ++i) {
         const auto& [name, expected] = counts[i];

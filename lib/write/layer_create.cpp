@@ -81,6 +81,16 @@ OGRwkbGeometryType geometry_type(const LayerSpec& spec, GDALDriverH driver) {
 
 }  // namespace
 
+CrsOwner srs_of(const std::string& wkt, const WriteTarget& target) {
+    if (wkt.empty())
+        return nullptr;
+    OgrCall call(target);
+    CrsOwner srs(OSRNewSpatialReference(wkt.c_str()));
+    call.check(srs != nullptr, "reading the CRS");
+    OSRSetAxisMappingStrategy(srs.get(), OAMS_TRADITIONAL_GIS_ORDER);
+    return srs;
+}
+
 OGRLayerH create_layer(GDALDatasetH dataset, const LayerSpec& spec, const LayerSetting& setting) {
     OgrCall call(setting.target);
     const NameValueList options = layer_options(dataset, spec, setting);

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "write/layer_writer.hpp"
 
 namespace d2b {
+
+/// @return null where there is none @throws OutputError
+[[nodiscard]] CrsOwner srs_of(const std::string& wkt, const WriteTarget& target);
 
 /// A new layer of MultiPolygons with title and description where the format has a place for them; options of
 /// the user's go first. Warns where the format keeps no geometries. @throws OutputError

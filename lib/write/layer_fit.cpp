@@ -3,6 +3,7 @@
 #include <array>
 
 #include "dem2buildings/error.hpp"
+#include "read/gdal_messages.hpp"
 
 namespace d2b {
 
@@ -74,6 +75,23 @@ std::vector<int> fitting_fields(OGRLayerH layer, const LayerSpec& spec, const La
         indices.push_back(index);
     }
     return indices;
+}
+
+OGRLayerH layer_called(GDALDatasetH dataset, const VectorFormat& format, const std::string& name) {
+    const GdalMessages quiet;
+    OGRLayerH layer = GDALDatasetGetLayerByName(dataset, name.c_str());
+    return layer == nullptr && !format.several_layers ? GDALDatasetGetLayer(dataset, 0) : layer;
+}
+
+void require_same_origin(OGRLayerH layer, const Provenance& provenance, const WriteTarget& target) {
+    for (const std::string& name : provenance.binding) {
+        const char* there = GDALGetMetadataItem(layer, name.c_str(), nullptr);
+        const auto ours = provenance.metadata.find(name);
+        if (there != nullptr && ours != provenance.metadata.end() && ours->second != there)
+            throw OutputError("Cannot append to \"" + target.name + "\": its layer \"" +
+                              OGR_L_GetName(layer) + "\" has " + name + " \"" + there +
+                              "\" and the result \"" + ours->second + "\"; write to another destination.");
+    }
 }
 
 }  // namespace d2b

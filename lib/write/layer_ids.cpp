@@ -4,6 +4,7 @@
 #include <array>
 
 #include "dem2buildings/error.hpp"
+#include "write/layer_fit.hpp"
 #include "write/sql.hpp"
 
 namespace d2b {
@@ -52,10 +53,7 @@ std::int64_t largest_id(const WriteTarget& target, const VectorFormat& format, c
     const DatasetOwner dataset = open_dataset(format, path, GDAL_OF_READONLY);
     std::int64_t largest = 0;
     for (const LayerSpec& spec : layers) {
-        OGRLayerH layer = dataset ? GDALDatasetGetLayerByName(dataset.get(), spec.name.c_str()) : nullptr;
-        // Where a file is a layer, its name does not matter.
-        if (layer == nullptr && dataset && !format.several_layers)
-            layer = GDALDatasetGetLayer(dataset.get(), 0);
+        OGRLayerH layer = dataset ? layer_called(dataset.get(), format, spec.name) : nullptr;
         const int field = layer == nullptr ? -1 : id_field(layer, spec);
         if (field >= 0)
             largest = std::max(largest, largest_in_file(layer, field));

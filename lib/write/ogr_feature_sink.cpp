@@ -29,10 +29,12 @@ class OgrFeatureSink final : public FeatureSink {
           format_(std::move(format)),
           destination_(std::move(destination)),
           existing_(std::move(existing)),
-          context_(context) {}
+          context_(context),
+          writes_virtual_files_(keeps_virtual_files(format_.driver)) {}
 
     void require_crs(const std::string& wkt, const std::string& name, const Position& place) override;
-    void rehearse(std::span<const LayerSpec> layers, const std::string& crs_wkt) override;
+    void rehearse(std::span<const LayerSpec> layers, const Provenance& provenance,
+                  const Position& place) override;
     void begin(std::span<const LayerSpec> layers, const Provenance& provenance) override;
     void add(std::size_t layer, const Feature& feature) override {
         writer_->add(layer, feature);
@@ -62,6 +64,7 @@ class OgrFeatureSink final : public FeatureSink {
     Destination destination_;
     std::optional<ExistingDataset> existing_;
     Context& context_;
+    bool writes_virtual_files_;
     std::optional<Staging> staging_;
     std::optional<WriteWatch> watch_;
     WriteTarget target_;
@@ -92,13 +95,20 @@ void OgrFeatureSink::require_crs(const std::string& wkt, const std::string& name
                       misfit.read_as + "'; choose that one with -t_srs, or another format.");
 }
 
-void OgrFeatureSink::rehearse(std::span<const LayerSpec> layers, const std::string& crs_wkt) {
+void OgrFeatureSink::rehearse(std::span<const LayerSpec> layers, const Provenance& provenance,
+                              const Position& place) {
+    const Draft draft{destination_, format_, options_, layers, provenance, place};
+    if (mode() == DatasetWriter::Mode::extend) {
+        rehearse_adding(draft);
+        return;
+    }
     // What has no surprises is not tried: it would take longer than a small raster.
     const bool plain = format_.name == "GPKG" && options_.layer_name.empty() &&
                        options_.layer_options.empty() && options_.dataset_options.empty();
-    const bool creates = mode() != DatasetWriter::Mode::extend;
-    if (creates && !plain && !is_connection(format_.driver, destination_.path))
-        d2b::rehearse(destination_, format_, options_, layers, crs_wkt);
+    if (!plain && !is_connection(format_.driver, destination_.path))
+        writes_virtual_files_ = rehearse_creating(draft) && writes_virtual_files_;
+    if (mode() == DatasetWriter::Mode::replace)
+        rehearse_replacing(draft);
 }
 
 void OgrFeatureSink::begin(std::span<const LayerSpec> layers, const Provenance& provenance) {
@@ -106,7 +116,7 @@ void OgrFeatureSink::begin(std::span<const LayerSpec> layers, const Provenance& 
     std::string path = destination_.path;
     if (destination_.local && !in_place()) {
         staging_.emplace(destination_.name, destination_.path);
-        const bool watched = !format_.transactions && keeps_virtual_files(format_.driver);
+        const bool watched = !format_.transactions && writes_virtual_files_;
         const auto called = [&](const std::filesystem::path& file) {
             return watched ? watch_->name_of(file.string()) : file.string();
         };

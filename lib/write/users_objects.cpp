@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <utility>
 
 #include "dem2buildings/error.hpp"
@@ -26,7 +25,14 @@ std::string objection(GDALDatasetH dataset, const std::string& sql) {
     const GdalMessages messages;
     if (OGRLayerH rows = GDALDatasetExecuteSQL(dataset, sql.c_str(), nullptr, nullptr))
         GDALDatasetReleaseResultSet(dataset, rows);
-    return messages.failed() ? messages.first_reason() : "";
+    if (!messages.failed())
+        return "";
+    // GDAL puts the statement before what SQLite says.
+    const std::string reason = messages.first_reason();
+    const std::size_t statement = reason.find(sql);
+    const std::size_t colon =
+        statement == std::string::npos ? statement : reason.find(": ", statement + sql.size());
+    return colon == std::string::npos ? reason : reason.substr(colon + 2);
 }
 
 bool is_there(GDALDatasetH dataset, const std::string& type, const std::string& name) {
@@ -39,52 +45,12 @@ std::string view_query(const std::string& view) {
     return "SELECT * FROM " + sql_name(view) + " LIMIT 0";
 }
 
-/// @param sql gives the kind and the name of each
-void refuse_found(const Destination& destination, GDALDatasetH dataset, const std::string& layer,
-                  const std::string& sql) {
-    const GdalMessages quiet;
-    std::optional<SqlRow> first;
-    sql_query(dataset, sql, [&](const SqlRow& row) {
-        if (!first)
-            first = row;
-    });
-    if (first)
-        throw OptionError(
-            "\"" + destination.name + "\" has a " + first->at(0) + " \"" + first->at(1) + "\" on layer \"" +
-            layer + "\", which -overwrite would break; remove it first, or write to another destination.");
-}
-
-void refuse_in_sqlite(const Destination& destination, GDALDatasetH dataset, const std::string& layer) {
-    const std::string text = sql_text(layer);
-    if (is_there(dataset, "table", "gpkgext_relations"))
-        refuse_found(
-            destination, dataset, layer,
-            "SELECT 'relation', mapping_table_name FROM gpkgext_relations WHERE lower(base_table_name) = "
-            "lower(" +
-                text + ") OR lower(related_table_name) = lower(" + text + ")");
-    refuse_found(
-        destination, dataset, layer,
-        "SELECT 'foreign key of table', m.name FROM sqlite_master m, pragma_foreign_key_list(m.name) k "
-        "WHERE m.type = 'table' AND lower(k.\"table\") = lower(" +
-            text + ") AND lower(m.name) <> lower(" + text + ")");
-}
-
-void refuse_in_postgresql(const Destination& destination, GDALDatasetH dataset, const std::string& layer) {
-    const std::string table = "to_regclass(" + sql_text(sql_name(layer)) + ")";
-    refuse_found(
-        destination, dataset, layer,
-        "SELECT DISTINCT 'view' AS kind, c.relname AS name FROM pg_depend d JOIN pg_rewrite r ON r.oid = "
-        "d.objid JOIN pg_class c ON c.oid = r.ev_class WHERE d.classid = 'pg_rewrite'::regclass AND "
-        "d.refobjid = " +
-            table + " AND c.oid <> d.refobjid");
-    refuse_found(
-        destination, dataset, layer,
-        "SELECT 'trigger' AS kind, tgname AS name FROM pg_trigger WHERE NOT tgisinternal AND tgrelid = " +
-            table);
-    refuse_found(destination, dataset, layer,
-                 "SELECT 'foreign key' AS kind, conname AS name FROM pg_constraint WHERE contype = 'f' AND "
-                 "confrelid = " +
-                     table + " AND conrelid <> confrelid");
+/// A statement of SQLite's own list, which begins as here whatever the user wrote, as one that makes the same
+/// in the temporary database. Names mean what is there first.
+std::string temporary(const std::string& type, const std::string& sql) {
+    const std::size_t word = sql.find(type == "index" ? "INDEX " : " ");
+    return type == "index" ? std::string(sql).insert(word + 6, "temp.")
+                           : std::string(sql).insert(word, " TEMP");
 }
 
 }  // namespace
@@ -106,48 +72,53 @@ UsersObjects::UsersObjects(GDALDatasetH dataset, std::vector<std::string> layers
                 if (!is_drivers_own(row[1], layer))
                     gone_with_tables_.push_back({row[0], row[1], row[2]});
             });
-    sql_query(dataset_, "SELECT name FROM sqlite_master WHERE type = 'view'",
-              [&](const SqlRow& row) { views_.push_back(row[0]); });
+    sql_query(dataset_, "SELECT name, sql FROM sqlite_master WHERE type = 'view' ORDER BY rowid",
+              [&](const SqlRow& row) {
+                  views_.push_back({"view", row[0], row[1]});
+              });
     std::erase_if(views_,
-                  [&](const std::string& view) { return !objection(dataset_, view_query(view)).empty(); });
+                  [&](const Object& view) { return !objection(dataset_, view_query(view.name)).empty(); });
+}
+
+void UsersObjects::rehearse(const WriteTarget& target, const std::vector<std::string>& tables) const {
+    const GdalMessages quiet;
+    for (const std::string& table : tables)
+        require(target, temporary("table", table), "layer");
+    for (const Object& view : views_)
+        require(target, temporary("view", view.sql), view.type + " \"" + view.name + "\"");
+    for (const Object& object : gone_with_tables_)
+        require(target, temporary(object.type, object.sql), object.type + " \"" + object.name + "\"");
+    require_fit(target);
 }
 
 void UsersObjects::bring_back(const WriteTarget& target) const {
-    const auto require = [&](const std::string& sql, const std::string& what) {
-        const std::string reason = objection(dataset_, sql);
-        if (!reason.empty())
-            throw OutputError("Cannot write \"" + target.name + "\": its " + what +
-                              " does not fit the new layers (" + reason +
-                              "); remove it first, or write to another destination.");
-    };
-    for (const Object& object : gone_with_tables_) {
-        const std::string what = object.type + " \"" + object.name + "\"";
+    for (const Object& object : gone_with_tables_)
         if (!is_there(dataset_, object.type, object.name))
-            require(object.sql, what);
-        // What a trigger does is looked at when it is called for the first time.
+            require(target, object.sql, object.type + " \"" + object.name + "\"");
+    require_fit(target);
+}
+
+void UsersObjects::require_fit(const WriteTarget& target) const {
+    // What a trigger does is looked at when it is called for the first time.
+    for (const Object& object : gone_with_tables_)
         if (object.type == "trigger")
             for (const std::string& layer : layers_)
                 for (const char* sql : {"EXPLAIN INSERT INTO @ DEFAULT VALUES", "EXPLAIN DELETE FROM @",
                                         "EXPLAIN UPDATE @ SET rowid = rowid"}) {
                     std::string text = sql;
-                    require(text.replace(text.find('@'), 1, sql_name(layer)), what);
+                    require(target, text.replace(text.find('@'), 1, sql_name(layer)),
+                            object.type + " \"" + object.name + "\"");
                 }
-    }
-    for (const std::string& view : views_)
-        require(view_query(view), "view \"" + view + "\"");
+    for (const Object& view : views_)
+        require(target, view_query(view.name), view.type + " \"" + view.name + "\"");
 }
 
-void refuse_what_would_break(const Destination& destination, GDALDatasetH dataset, const VectorFormat& format,
-                             const std::vector<std::string>& names) {
-    for (const std::string& name : names) {
-        OGRLayerH layer = GDALDatasetGetLayerByName(dataset, name.c_str());
-        if (layer == nullptr)
-            continue;
-        if (format.name == "PostgreSQL")
-            refuse_in_postgresql(destination, dataset, OGR_L_GetName(layer));
-        else if (format.transactions && GDALGetInternalHandle(dataset, "SQLITE_HANDLE") != nullptr)
-            refuse_in_sqlite(destination, dataset, OGR_L_GetName(layer));
-    }
+void UsersObjects::require(const WriteTarget& target, const std::string& sql, const std::string& what) const {
+    const std::string reason = objection(dataset_, sql);
+    if (!reason.empty())
+        throw OutputError("Cannot write \"" + target.name + "\": its " + what +
+                          " does not fit the new layers (" + reason +
+                          "); remove it first, or write to another destination.");
 }
 
 }  // namespace d2b

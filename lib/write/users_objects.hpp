@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "write/destination.hpp"
 #include "write/ogr_call.hpp"
 
 namespace d2b {
@@ -15,6 +14,12 @@ class UsersObjects {
     /// @param layers that are to be replaced
     UsersObjects(GDALDatasetH dataset, std::vector<std::string> layers);
 
+    [[nodiscard]] bool empty() const { return gone_with_tables_.empty() && views_.empty(); }
+    /// Makes the new layers, empty, and what the user has made of them, in the temporary database of this
+    /// connection, which covers the other one and goes with it: nothing is written.
+    /// @param tables statements that make the layers @throws OutputError with the name of what does not fit
+    /// them
+    void rehearse(const WriteTarget& target, const std::vector<std::string>& tables) const;
     /// Once the new layers are written, within the same transaction. @throws OutputError with the name of
     /// what does not fit them
     void bring_back(const WriteTarget& target) const;
@@ -25,16 +30,14 @@ class UsersObjects {
         std::string name;
         std::string sql;
     };
+    void require_fit(const WriteTarget& target) const;
+    /// @param what of the user's is in question @throws OutputError where the database refuses a statement
+    void require(const WriteTarget& target, const std::string& sql, const std::string& what) const;
+
     GDALDatasetH dataset_;
     std::vector<std::string> layers_;
     std::vector<Object> gone_with_tables_;
-    std::vector<std::string> views_;  ///< those that can be read
+    std::vector<Object> views_;  ///< those that can be read
 };
-
-/// For what would break where layers are replaced: relations and foreign keys, whose numbers would mean other
-/// features; in PostgreSQL views and triggers, too, which it drops. @param names of the layers
-/// @throws OptionError with the name of the first
-void refuse_what_would_break(const Destination& destination, GDALDatasetH dataset, const VectorFormat& format,
-                             const std::vector<std::string>& names);
 
 }  // namespace d2b

@@ -105,7 +105,12 @@ VectorFormat format_for(const WriteOptions& options) {
 
 DatasetOwner open_dataset(const VectorFormat& format, const std::string& path, unsigned access) {
     const std::array<const char*, 2> only{format.name.c_str(), nullptr};
-    return DatasetOwner(GDALOpenEx(path.c_str(), GDAL_OF_VECTOR | access, only.data(), nullptr, nullptr));
+    const auto open = [&](const std::string& name) {
+        return DatasetOwner(GDALOpenEx(name.c_str(), GDAL_OF_VECTOR | access, only.data(), nullptr, nullptr));
+    };
+    DatasetOwner dataset = open(path);
+    // Where there is one feature, it takes the file for plain GeoJSON, unless it is told.
+    return !dataset && format.name == "GeoJSONSeq" ? open("GeoJSONSeq:" + path) : std::move(dataset);
 }
 
 bool is_stream(const std::string& destination) {

@@ -16,6 +16,13 @@ class OutputErrors : public CliTest {
         arguments.insert(arguments.end(), {"--", "dem.tif", destination});
         expect_error(status, part, arguments);
     }
+    /// And nothing has been worked on before.
+    void failed_at_once(const std::string& part, const std::string& destination,
+                        Arguments arguments = {}) const {
+        failed(1, part, destination, arguments);
+        arguments.insert(arguments.end(), {"--", "dem.tif", destination});
+        EXPECT_EQ(run(arguments).out, "");
+    }
     /// Runs with a limit of the size of files, as a disk that fills up.
     ToolResult run_limited(int kilobytes, const Arguments& arguments) const {
         Arguments command{"sh", "-c", "ulimit -f " + std::to_string(kilobytes * 2) + "; exec \"$@\"", "sh",
@@ -84,15 +91,44 @@ TEST_F(OutputErrors, aCrsThatTheFormatCannotHold) {
 
 TEST_F(OutputErrors, appendsNothingThatDoesNotFit) {
     run_well({"-q", "dem.tif", "out.gpkg"});
-    failed(
-        1,
+    failed_at_once(
         R"(Cannot append to "out.gpkg": its layer "buildings" is in "ETRS89 / UTM zone 33N" and the result in "WGS 84")",
         "out.gpkg", {"-append", "-t_srs", "EPSG:4326"});
-    failed(1, "has no Z, and the result has; write to another destination.", "out.gpkg", {"-append", "-3d"});
-    failed(1, R"(has D2B_VERTICAL_UNIT "metre" and the result "foot"; write to another destination.)",
-           "out.gpkg", {"-append", "-zunit", "ft"});
-    failed(1, R"(has D2B_CONTOURS "stacked" and the result "disjoint"; write to another destination.)",
-           "out.gpkg", {"-append", "-disjoint"});
+    failed_at_once("has no Z, and the result has; write to another destination.", "out.gpkg",
+                   {"-append", "-3d"});
+    failed_at_once(R"(has D2B_VERTICAL_UNIT "metre" and the result "foot"; write to another destination.)",
+                   "out.gpkg", {"-append", "-zunit", "ft"});
+    failed_at_once(R"(has D2B_CONTOURS "stacked" and the result "disjoint"; write to another destination.)",
+                   "out.gpkg", {"-append", "-disjoint"});
+    run_well({"-q", "-layers", "buildings", "dem.tif", "out.shp"});
+    failed_at_once(
+        R"(its layer "out" has no field "unique_id"; write to another destination.)", "out.shp",
+        {"-append", "-layers", "buildings", "-preset", "buildings", "-nln", "out", "-fields", "city4cfd"});
+}
+
+TEST_F(OutputErrors, aViewThatNeedsAFieldThatGoes) {
+    run_well({"-q", "dem.tif", "out.gpkg"});
+    {
+        const OpenDataset file(
+            GDALOpenEx(path("out.gpkg").c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE, nullptr, nullptr, nullptr));
+        GDALDatasetExecuteSQL(file.get(), "CREATE VIEW tall AS SELECT id, height FROM buildings", nullptr,
+                              nullptr);
+    }
+    failed_at_once(
+        R"(Cannot write "out.gpkg": its view "tall" does not fit the new layers (no such column: id); remove it first, or write to another destination.)",
+        "out.gpkg", {"-overwrite", "-preset", "buildings", "-fields", "urock"});
+    run_well({"-q", "-overwrite", "dem.tif", "out.gpkg"});
+    EXPECT_EQ(sql_value(path("out.gpkg"), "SELECT count(*) FROM tall"),
+              sql_value(path("out.gpkg"), "SELECT count(*) FROM buildings"));
+}
+
+TEST_F(OutputErrors, formatsThatTakeNoPolygonsOrGiveNoneBack) {
+    failed_at_once("Cannot write \"out.map\": writing feature 1 of layer \"out\" failed (", "out.map",
+                   {"-f", "WAsP", "-layers", "buildings"});
+    failed_at_once(
+        "Cannot write \"out.mvt\": reading the result back failed (GDAL gives no reason); write "
+        "another format, such as GeoPackage.",
+        "out.mvt");
 }
 
 TEST_F(OutputErrors, foldersWithForeignFiles) {

@@ -17,10 +17,14 @@ class AppendTest : public WriteTest {
         options.append = true;
         return options;
     }
-    /// What begin() says to a layer like this.
+    /// What is said to a layer like this, before the work and, should it come to be there meanwhile, after
+    /// it.
     std::string refusal(const WriteOptions& options, const LayerSpec& spec, const Provenance& what) {
+        const auto early = open_sink(options, context_);
+        const std::string message = thrown<OutputError>([&] { early->rehearse({&spec, 1}, what, {}); });
         const auto sink = open_sink(options, context_);
-        return thrown<OutputError>([&] { sink->begin({&spec, 1}, what); });
+        EXPECT_EQ(thrown<OutputError>([&] { sink->begin({&spec, 1}, what); }), message);
+        return message;
     }
 };
 

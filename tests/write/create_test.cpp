@@ -85,6 +85,19 @@ TEST_F(CreateTest, EmptyLayersAreWritten) {
     }
 }
 
+/// A sequence of one GeoJSON object looks like plain GeoJSON, and one of none like nothing.
+TEST_F(CreateTest, FewFeatures) {
+    for (const char* name : {"city.geojson", "city.fgb", "city.geojsonl", "city.csv", "city.gml"})
+        for (const int features : {0, 1}) {
+            WriteOptions options = to(name);
+            options.layers = Layers::buildings;
+            EXPECT_EQ(write(options, features), 1) << name;
+            EXPECT_EQ(warnings_, Names()) << name;
+            for (const std::string& file : entries())
+                std::filesystem::remove(path(file));
+        }
+}
+
 TEST_F(CreateTest, FilesThatAreOneLayer) {
     for (const char* name :
          {"city.geojson", "city.shp", "city.fgb", "city.geojsonl", "city.csv", "city.tab"}) {

@@ -17,6 +17,19 @@ class UsersObjects : public WriteTest {
         options.overwrite = true;
         return options;
     }
+    /// What is said before the work where the field `height` is going to be called otherwise.
+    std::string refusal_without_height() {
+        const std::string before = bytes("a.gpkg");
+        LayerSpec spec = layer_spec("buildings");
+        spec.fields[1].name = "tallness";
+        const auto sink = open_sink(over(), context_);
+        const std::string message = thrown<OutputError>([&] {
+            sink->rehearse({&spec, 1}, provenance(), {});
+        });
+        EXPECT_EQ(bytes("a.gpkg"), before);
+        EXPECT_EQ(entries(), std::vector<std::string>{"a.gpkg"});
+        return message;
+    }
     void make_view(bool registered) const {
         run("CREATE VIEW tall AS SELECT fid, id, height, geom FROM buildings WHERE height > 2");
         if (!registered)
@@ -56,6 +69,57 @@ TEST_F(UsersObjects, AViewOnAFieldThatIsGoneIsNamed) {
         << message;
     EXPECT_NE(message.find("height"), std::string::npos) << message;
     EXPECT_TRUE(message.ends_with("); remove it first, or write to another destination.")) << message;
+}
+
+TEST_F(UsersObjects, WhatNeedsAFieldThatIsGoneIsNamedBeforeTheWork) {
+    const std::string end = "); remove it first, or write to another destination.";
+    for (const auto& [what, statement] : std::vector<std::pair<std::string, std::string>>{
+             {"view \"tall\"", "CREATE VIEW tall AS SELECT fid, height FROM buildings"},
+             {"view \"upper\"",
+              "CREATE VIEW upper (h) AS SELECT b.height FROM buildings b JOIN contours c ON "
+              "b.id = c.id"},
+             {"index \"by_height\"", "create unique index if not exists by_height ON buildings (height)"},
+             {"trigger \"noted\"",
+              "CREATE TRIGGER noted AFTER DELETE ON buildings BEGIN INSERT INTO journal "
+              "VALUES (OLD.height); END"}}) {
+        std::filesystem::remove(path("a.gpkg"));
+        write(to("a.gpkg"), 2);
+        run("CREATE TABLE journal (what TEXT)");
+        run(statement);
+        const std::string message = refusal_without_height();
+        EXPECT_TRUE(message.starts_with("Cannot write \"" + path("a.gpkg") + "\": its " + what +
+                                        " does not fit the new layers ("))
+            << message;
+        EXPECT_NE(message.find("height"), std::string::npos) << message;
+        EXPECT_TRUE(message.ends_with(end)) << message;
+    }
+}
+
+TEST_F(UsersObjects, AViewOnAViewIsLookedAtToo) {
+    write(to("a.gpkg"), 2);
+    make_view(true);
+    run("CREATE VIEW taller AS SELECT * FROM tall WHERE height > 9");
+    EXPECT_NE(refusal_without_height().find("its view \"tall\" does not fit"), std::string::npos);
+}
+
+TEST_F(UsersObjects, AViewOnAnotherLayerIsNoReason) {
+    write(to("a.gpkg"), 2);
+    run("CREATE VIEW high AS SELECT height FROM contours");
+    LayerSpec spec = layer_spec("buildings");
+    spec.fields[1].name = "tallness";
+    const auto sink = open_sink(over(), context_);
+    sink->rehearse({&spec, 1}, provenance(), {});
+}
+
+TEST_F(UsersObjects, LayerOptionsCount) {
+    write(to("a.gpkg"), 2);
+    make_view(false);
+    const LayerSpec spec = layer_spec("buildings");
+    WriteOptions options = over();
+    options.layer_options = {"GEOMETRY_NAME=shape"};
+    const auto sink = open_sink(options, context_);
+    const std::string message = thrown<OutputError>([&] { sink->rehearse({&spec, 1}, provenance(), {}); });
+    EXPECT_NE(message.find("its view \"tall\" does not fit the new layers ("), std::string::npos) << message;
 }
 
 TEST_F(UsersObjects, AViewThatNeverWorkedIsNoReason) {

@@ -68,6 +68,7 @@ std::int64_t WriteTest::write(const WriteOptions& options, int n) {
         specs.push_back(layer_spec(sink->layer_name(LayerRole::buildings, layers), options.with_z));
     if (layers != Layers::buildings)
         specs.push_back(layer_spec(sink->layer_name(LayerRole::contours, layers), options.with_z));
+    sink->rehearse(specs, provenance(), {});
     sink->begin(specs, provenance());
     for (int i = 0; i < n; ++i)
         for (std::size_t layer = 0; layer < specs.size(); ++layer)

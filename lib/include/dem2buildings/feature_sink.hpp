@@ -87,8 +87,10 @@ class FeatureSink {
     virtual void require_crs(const std::string& /*wkt*/, const std::string& /*name*/,
                              const Position& /*place*/) {}
     /// Tries, before the work, whether such layers can be written; nothing is left of the trial.
-    /// @param crs_wkt of their coordinates; "" for none @throws OutputError, OptionError
-    virtual void rehearse(std::span<const LayerSpec> /*layers*/, const std::string& /*crs_wkt*/) {}
+    /// @param provenance as far as it is known @param place a position among the features
+    /// @throws OutputError, OptionError
+    virtual void rehearse(std::span<const LayerSpec> /*layers*/, const Provenance& /*provenance*/,
+                          const Position& /*place*/) {}
     /// @throws OutputError
     virtual void begin(std::span<const LayerSpec> layers, const Provenance& provenance) = 0;
     /// @param layer index into the layers that begin() got @throws OutputError
