@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <limits>
-#include <system_error>
 #include <thread>
 
 namespace d2b {
@@ -44,6 +43,29 @@ struct Executor::Pool {
     bool ending = false;
     std::vector<std::thread> threads;
 
+    Pool() = default;
+    Pool(const Pool&) = delete;
+    Pool& operator=(const Pool&) = delete;
+    ~Pool() {
+        {
+            const std::lock_guard lock(mutex);
+            ending = true;
+        }
+        wake.notify_all();
+        for (std::thread& thread : threads)
+            thread.join();
+    }
+    /// @return whether all could be started
+    bool start(std::size_t count) {
+        try {
+            threads.reserve(count);
+            while (threads.size() < count)
+                threads.emplace_back([this, thread = threads.size() + 1] { serve(thread); });
+        } catch (const std::exception&) {
+            return false;  // the user may start no more, or there is no room for a stack
+        }
+        return true;
+    }
     void serve(std::size_t thread) {
         std::unique_lock lock(mutex);
         for (std::size_t done = 0;;) {
@@ -63,25 +85,15 @@ struct Executor::Pool {
 
 Executor::Executor(int threads, std::function<bool()> stop)
     : stop_(std::move(stop)), pool_(std::make_unique<Pool>()) {
-    pool_->threads.reserve(static_cast<std::size_t>(std::max(threads, 1) - 1));
-    try {
-        for (int thread = 1; thread < threads; ++thread)
-            pool_->threads.emplace_back(
-                [pool = pool_.get(), thread] { pool->serve(static_cast<std::size_t>(thread)); });
-    } catch (const std::system_error&) {
-        // The user may start no more, or there is no room for a stack: those that are there do all the work.
+    auto count = static_cast<std::size_t>(std::max(threads, 1) - 1);
+    while (!pool_->start(count)) {
+        // Half of those that there is room for: the work needs some, too.
+        count = pool_->threads.size() / 2;
+        pool_ = std::make_unique<Pool>();
     }
 }
 
-Executor::~Executor() {
-    {
-        const std::lock_guard lock(pool_->mutex);
-        pool_->ending = true;
-    }
-    pool_->wake.notify_all();
-    for (std::thread& thread : pool_->threads)
-        thread.join();
-}
+Executor::~Executor() = default;
 
 int Executor::threads() const {
     return static_cast<int>(pool_->threads.size()) + 1;

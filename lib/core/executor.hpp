@@ -18,7 +18,8 @@ namespace d2b {
 /// time alone. What is called from inside of such work runs on the thread that calls it.
 class Executor {
   public:
-    /// @param threads the caller's included; 1 starts none. There are fewer where the system starts no more
+    /// @param threads the caller's included; 1 starts none. Where the system starts no more there
+    /// are half as many as it would
     /// @param stop asked before each piece of work, by any thread; where it says true the work ends with a
     /// Cancelled
     explicit Executor(int threads = 1, std::function<bool()> stop = {});

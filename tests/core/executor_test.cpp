@@ -137,12 +137,13 @@ TEST_P(Executors, StopBeforeWhatWasMadeIsTaken) {
     EXPECT_EQ(taken, 50U);
 }
 
-/// Room for some stacks, and no more: what there is of threads does all the work.
+/// Room for some stacks, and no more: what there is of threads does all the work, and has room for it.
 void work_in_little_room() {
     rlimit room{};
     room.rlim_cur = room.rlim_max = rlim_t{1} << 30;
     setrlimit(RLIMIT_AS, &room);
     Executor threads(100000);
+    const std::vector<char> room_to_work(std::size_t{1} << 28);
     std::vector<int> done(1000);
     if (threads.threads() > 1 && threads.threads() < 100000)
         threads.for_each(done.size(), [&](std::size_t i) { done[i] = 1; });

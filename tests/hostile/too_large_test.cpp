@@ -14,7 +14,7 @@ class TooLarge : public CliTest {
             GTEST_SKIP() << "the sanitizers end a program that asks for too much memory";
     }
     static constexpr const char* no_memory_ =
-        "There is not enough memory; use a part of the input (-srcwin, -projwin or -te).";
+        "There is not enough memory; use a part of the input (-srcwin, -projwin or -te) or fewer -threads.";
     void write_large(const std::string& cols, const std::string& rows) const {
         write_text(path("large.vrt"),
                    "<VRTDataset rasterXSize=\"" + cols + "\" rasterYSize=\"" + rows +

@@ -172,7 +172,7 @@ TEST(Pipeline, ThreadsThatCannotBeStartedAreDoneWithout) {
     EXPECT_EQ(result.sink.features[buildings].size(), 1U);
     EXPECT_EQ(result.context.report.threads, 1);
     EXPECT_EQ(result.context.report.warnings,
-              std::vector<std::string>{"Only 1 of 16 threads could be started, as the system allows no more; "
+              std::vector<std::string>{"Only 1 of 16 threads are at work, as the system allows few more; "
                                        "the result is the same, later."});
 }
 

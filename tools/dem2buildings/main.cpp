@@ -112,5 +112,5 @@ int run_tool(const std::vector<std::string>& arguments) {
 
 int main(int argc, char* argv[]) {
     return d2b::run_guarded({argv + std::min(argc, 1), argv + argc},
-                            "use a part of the input (-srcwin, -projwin or -te)", d2b::run_tool);
+                            "use a part of the input (-srcwin, -projwin or -te) or fewer -threads", d2b::run_tool);
 }
