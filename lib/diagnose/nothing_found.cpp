@@ -45,7 +45,7 @@ std::string why_nothing_was_found(const Search& search) {
     const DemInfo& dem = search.dem;
     const DetectOptions& detect = search.plan.asked.detect;
     // What explains most comes first.
-    const std::array<std::function<std::string()>, 8> causes{
+    const std::array<std::function<std::string()>, 9> causes{
         [&] { return empty_side_doubt(search.sides, search.plan.asked); },
         [&] { return picture_doubt(dem); },
         [&] { return degrees_doubt(dem, search.has_crs); },
@@ -56,6 +56,7 @@ std::string why_nothing_was_found(const Search& search) {
         [&] { return ground_doubt(search.fit, search.plan.ground, search.plan.asked.ground.terrain); },
         [&] { return left_out(search, true); },
         [&] { return surface_doubt(search.fit, dem.name); },
+        [&] { return slope_doubt(search.slope, dem.name); },
         [&] { return left_out(search, false); },
     };
     for (const auto& cause : causes)

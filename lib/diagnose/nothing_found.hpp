@@ -6,6 +6,7 @@
 #include "dem2buildings/dem_info.hpp"
 #include "dem2buildings/report.hpp"
 #include "diagnose/ground_fit.hpp"
+#include "diagnose/ground_slope.hpp"
 #include "diagnose/side_doubt.hpp"
 #include "options/run_plan.hpp"
 
@@ -20,6 +21,7 @@ struct Search {
     SidesKnown sides;
     CellSize cell;
     bool has_crs = true;
+    GroundSlope slope = {};
 };
 
 /// What is most probably the reason why no building was found, and what may help. Without a full stop.

@@ -129,6 +129,7 @@ StripFound find_in_strip(const Job& job, const Strip& strip, FoundBuildings& fou
     MetreGrid surface = surface_of(job, strip.seen);
     MetreGrid terrain = terrain_of(job, strip.seen, surface);
     add_fit(surface, terrain, own, found.fit, job.threads());
+    add_slope(terrain, job.cell, strip.seen.begin, own, found.slope);
     keep_below(job, surface, terrain);
     Mask allowed;
     MetreGrid ndvi;

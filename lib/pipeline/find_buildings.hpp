@@ -7,6 +7,7 @@
 #include "detect/label_rows.hpp"
 #include "detect/strips.hpp"
 #include "diagnose/ground_fit.hpp"
+#include "diagnose/ground_slope.hpp"
 #include "diagnose/side_doubt.hpp"
 #include "elevations/elevation_reader.hpp"
 #include "options/run_plan.hpp"
@@ -21,6 +22,7 @@ struct FoundBuildings {
     std::vector<Footprint> footprints;  ///< by label; [0] is not used
     std::vector<double> ground;         ///< elevations in the vertical unit, by label
     GroundFit fit{0};                   ///< of the surface to the ground, before that was kept below it
+    GroundSlope slope;                  ///< of the ground, in some of its rows
     SidesKnown sides;
 
     [[nodiscard]] Label count() const { return static_cast<Label>(footprints.size() - 1); }

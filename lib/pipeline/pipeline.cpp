@@ -61,9 +61,8 @@ void start_threads(const RunOptions& options, Context& context) {
     const int started = context.threads->threads();
     context.report.threads = started;
     if (started < wanted)
-        context.warn(
-            "Only " + std::to_string(started) + " of " + std::to_string(wanted) +
-            " threads could be started, as the system allows no more; the result is the same, later.");
+        context.warn("Only " + std::to_string(started) + " of " + std::to_string(wanted) +
+                     " threads are at work, as the system allows few more; the result is the same, later.");
 }
 
 Crs dem_crs(const Options& options, const DemInfo& info) {
@@ -243,9 +242,10 @@ void run(const Options& asked, const Sources& sources, const Sinks& sinks, Conte
     report_levels(plan, report);
     warn_of_nothing(plan, found ? found->buildings : records.buildings(), info, context);
     if (found)
-        warn_of_search({info, decided, report, found->fit, found->sides,
-                        cell_steps(info.window, georeference, crs), crs.kind() != Crs::Kind::none},
-                       found->buildings > 0, context);
+        warn_of_search(
+            {info, decided, report, found->fit, found->sides, cell_steps(info.window, georeference, crs),
+             crs.kind() != Crs::Kind::none, found->slope},
+            found->buildings > 0, context);
     const FeatureInput input{decided,
                              georeference,
                              crs,

@@ -25,8 +25,8 @@ class NothingFound : public ::testing::Test {
     }
     /// The beginning of what is said.
     [[nodiscard]] std::string said(std::size_t length) const {
-        return why_nothing_was_found(
-                   {dem_, make_run_plan(options_, Layers::both), tally_, fit_, sides_, cell_, has_crs_})
+        return why_nothing_was_found({dem_, make_run_plan(options_, Layers::both), tally_, fit_, sides_,
+                                      cell_, has_crs_, slope_})
             .substr(0, length);
     }
     void expect(const std::string& beginning) const { EXPECT_EQ(said(beginning.size()), beginning); }
@@ -38,6 +38,7 @@ class NothingFound : public ::testing::Test {
     SidesKnown sides_;
     CellSize cell_;
     bool has_crs_ = true;
+    GroundSlope slope_;
 };
 
 TEST_F(NothingFound, WhereNothingElseIsKnown) {
@@ -94,6 +95,8 @@ TEST_F(NothingFound, WhatOptionsLeaveOut) {
     expect(
         "-min_area 30 leaves 12 out, -min_height 2 leaves 3 out, -min_confidence 0.5 leaves 5 out; a smaller "
         "value may show them");
+    slope_.add(0.6, 0);
+    expect("100 % of the ground of 'dem.tif' is steeper than 40 %");
     options_.detect.min_height = 10;
     expect("-min_height 10 leaves 3 out; a smaller value may show them");
 }

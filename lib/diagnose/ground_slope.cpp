@@ -1,0 +1,33 @@
+#include "diagnose/ground_slope.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "diagnose/words.hpp"
+
+namespace d2b {
+
+void add_slope(const MetreGrid& ground, const CellSize& cell, std::int32_t first_row, RowBand rows,
+               GroundSlope& slope) {
+    constexpr std::int32_t every = 16;
+    for (std::int32_t r = rows.begin; r < std::min(rows.end, ground.rows - 1); ++r) {
+        if ((first_row + r) % every != 0)
+            continue;
+        const auto here = ground.row(r);
+        const auto below = ground.row(r + 1);
+        for (std::size_t c = 0; c + 1 < here.size(); ++c)
+            slope.add(static_cast<double>(here[c + 1] - here[c]) / cell.across,
+                      static_cast<double>(below[c] - here[c]) / cell.down);
+    }
+}
+
+std::string slope_doubt(const GroundSlope& slope, const std::string& dem) {
+    if (2 * slope.steep_cells <= slope.cells)
+        return {};
+    const double share = static_cast<double>(slope.steep_cells) / static_cast<double>(slope.cells);
+    return percent(share) + " of the ground of '" + dem + "' is steeper than " + percent(GroundSlope::steep) +
+           ", where buildings can hardly be told from the slope; give a terrain model with -ground, and see "
+           "whether elevations and coordinates have the units that they are taken for (-zunit)";
+}
+
+}  // namespace d2b

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include "core/grid.hpp"
+#include "core/row_bands.hpp"
+
+namespace d2b {
+
+/// How much of a ground is steep, as counts of cells: they add up whatever their order.
+struct GroundSlope {
+    static constexpr double steep = 0.4;  ///< rise over run
+
+    std::int64_t cells = 0;
+    std::int64_t steep_cells = 0;
+
+    /// A cell with its slopes along the row and the column; NaN where one is not known.
+    void add(double across, double down) {
+        const double slope = std::hypot(across, down);
+        if (std::isnan(slope))
+            return;
+        ++cells;
+        steep_cells += slope > steep ? 1 : 0;
+    }
+};
+
+/// Adds the slopes of a ground in every sixteenth of the window's rows. @param first_row of the grid in the
+/// window @param rows of the grid
+void add_slope(const MetreGrid& ground, const CellSize& cell, std::int32_t first_row, RowBand rows,
+               GroundSlope& slope);
+
+/// Where most of the ground is steep. Without a full stop; "" where it is not.
+[[nodiscard]] std::string slope_doubt(const GroundSlope& slope, const std::string& dem);
+
+}  // namespace d2b
