@@ -53,7 +53,7 @@ class FeatureWriter {
     void add_building(std::size_t contour, Drawn& drawn);
     /// @return whether it is in its layer
     bool add_contour(std::size_t contour, Drawn& drawn);
-    void measure(const FeaturePolygon& made);
+    void warn_of_traced();
     template <typename Record>
     void write(std::size_t layer, std::span<const Attribute<Record>> attributes, Record& record,
                FeaturePolygon&& made, double threshold);
@@ -75,6 +75,14 @@ class FeatureWriter {
     OddHeights odd_heights_;
     TornWarnings torn_;
 };
+
+/// By what is known of the whole of a polygon.
+void add_length(const FeaturePolygon& made, OutlineLength& sum) {
+    const double length = made.measure.perimeter_m;
+    const double traced = made.status == OutlineStatus::traced ? length : made.kept_traced * length;
+    (made.status == OutlineStatus::simplified ? sum.simplified : sum.fitted) += length - traced;
+    sum.traced += traced;
+}
 
 Outliner timed_outliner(const FeatureInput& input, Context& context) {
     const StageClock clock(context.report, Stage::outline);
@@ -165,12 +173,6 @@ void FeatureWriter::count(std::size_t contour, const Drawn& drawn) {
         rmse_.add(drawn.own, input_.fixed);
 }
 
-/// How much of a building's outline stays as it was traced.
-void FeatureWriter::measure(const FeaturePolygon& made) {
-    context_.report.outlines_m += made.measure.perimeter_m;
-    context_.report.kept_traced_m += made.kept_traced * made.measure.perimeter_m;
-}
-
 void FeatureWriter::add_building(std::size_t contour, Drawn& drawn) {
     FeaturePolygon& made = *drawn.building;
     invalid_.note("Building", drawn.building_record.id, made);
@@ -181,7 +183,7 @@ void FeatureWriter::add_building(std::size_t contour, Drawn& drawn) {
         return;
     ++(is_doubtful(contour) ? context_.report.doubtful : context_.report.buildings);
     if (!is_doubtful(contour))
-        measure(made);
+        add_length(made, context_.report.building_outlines);
     if (!contours_layer_)
         context_.report.vertices += vertices_of(made.parts);
     BuildingRecord& record = drawn.building_record;
@@ -201,6 +203,7 @@ bool FeatureWriter::add_contour(std::size_t contour, Drawn& drawn) {
     if (drawn.contour->parts.empty())
         return false;
     ++context_.report.contours;
+    add_length(*drawn.contour, context_.report.contour_outlines);
     context_.report.vertices += vertices_of(drawn.contour->parts);
     write(*contours_layer_, contour_attributes(), drawn.record, std::move(*drawn.contour),
           drawn.record.threshold);
@@ -217,12 +220,22 @@ void FeatureWriter::add(std::size_t contour, Drawn&& drawn) {
     written_id_[contour] = written ? drawn.record.id : drawn.record.parent_id;
 }
 
+void FeatureWriter::warn_of_traced() {
+    const RunPlan& plan = input_.plan;
+    if (plan.walls == Walls::off && !(plan.asked.outline.simplify > 0))
+        return;  // as it was asked for
+    const RunReport& report = context_.report;
+    if (const std::string traced =
+            traced_doubt(report.building_outlines, report.contour_outlines, input_.cell_size_m);
+        !traced.empty())
+        context_.warn(as_sentence(traced));
+}
+
 void FeatureWriter::finish() {
     invalid_.finish();
     for (std::string& warning : odd_heights_.warnings())
         context_.warn(std::move(warning));
-    if (const std::string traced = traced_doubt(context_.report, input_.cell_size_m); !traced.empty())
-        context_.warn(as_sentence(traced));
+    warn_of_traced();
     torn_.finish(spoken_name(input_.target_crs, input_.plan.asked.outline.target_crs), context_);
     if (rejected_)
         rejected_->write(makers_, sink_, context_);

@@ -5,23 +5,27 @@
 namespace d2b {
 namespace {
 
-TEST(TracedDoubt, FromFivePerCentOn) {
-    RunReport report;
-    EXPECT_EQ(traced_doubt(report, 0.5), "") << "nothing was written";
-    report.outlines_m = 1000;
-    report.kept_traced_m = 50;
-    EXPECT_EQ(traced_doubt(report, 0.5), "");
-    report.kept_traced_m = 60;
-    EXPECT_EQ(traced_doubt(report, 0.5),
-              "6 % of the length of the buildings' outlines stays as the cells make them, where anything "
-              "else would have "
-              "left the trace or met a neighbour; -write_rejected shows which, and a larger "
-              "-regularize_tolerance may straighten more");
-    report.kept_traced_m = 970;
-    EXPECT_EQ(traced_doubt(report, 2.5),
+const std::string fine_cells =
+    ", where anything else would have left the trace or met a neighbour; "
+    "-write_rejected shows which, and a larger -regularize_tolerance may "
+    "straighten more";
+
+TEST(TracedDoubt, FromFivePerCentOfTheBuildingsOn) {
+    EXPECT_EQ(traced_doubt({}, {}, 0.5), "") << "nothing was written";
+    EXPECT_EQ(traced_doubt({950, 0, 50}, {}, 0.5), "");
+    EXPECT_EQ(traced_doubt({900, 40, 60}, {}, 0.5),
+              "6 % of the length of the buildings' outlines stays as the cells make them" + fine_cells);
+    EXPECT_EQ(traced_doubt({30, 0, 970}, {30, 0, 970}, 2.5),
               "97 % of the length of the buildings' outlines stays as the cells make them, since walls "
-              "cannot be told in "
-              "cells of 2.5 m; use a finer raster, or a larger -regularize_tolerance");
+              "cannot be told in cells of 2.5 m; use a finer raster, or a larger -regularize_tolerance");
+}
+
+TEST(TracedDoubt, FromNinetyPerCentOfTheContoursOn) {
+    EXPECT_EQ(traced_doubt({950, 0, 50}, {60, 40, 900}, 0.5), "");
+    EXPECT_EQ(traced_doubt({950, 0, 50}, {60, 30, 910}, 0.5),
+              "91 % of the length of the contours' outlines stays as the cells make them" + fine_cells);
+    EXPECT_EQ(traced_doubt({}, {0, 0, 510}, 0.5),
+              "100 % of the length of the contours' outlines stays as the cells make them" + fine_cells);
 }
 
 }  // namespace

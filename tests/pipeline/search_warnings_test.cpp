@@ -189,6 +189,12 @@ TEST(SearchWarnings, ABarePlaneHasNoBuilding) {
             TownRun plane(z);
             plane.run();
             EXPECT_EQ(plane.count(), 0U) << slope << " " << turn;
+            const Texts& warnings = plane.context.report.warnings;
+            ASSERT_EQ(warnings.size(), 1U);
+            EXPECT_TRUE(
+                warnings[0].find(" of the cells of 'memory' rise by more than 2 m") != std::string::npos ||
+                warnings[0].find(" % of the ground of 'memory' is steeper than 40 %") != std::string::npos)
+                << warnings[0];
         }
 }
 
@@ -209,14 +215,19 @@ TEST(SearchWarnings, OutlinesThatStayAsTraced) {
     double length = 0;
     for (std::size_t i = 0; i < coarse.count(); ++i)
         length += coarse.sink.number(test::buildings, i, "perim_m");
-    EXPECT_NEAR(coarse.context.report.outlines_m, length, 1e-9 * length);
-    EXPECT_LE(coarse.context.report.kept_traced_m, length);
+    EXPECT_NEAR(coarse.context.report.building_outlines.whole(), length, 1e-9 * length);
+    EXPECT_GT(coarse.context.report.building_outlines.traced, 0.05 * length);
     TownRun off;
     off.dem.edit() = coarse.dem.info();
     off.options.outline.walls = Walls::off;
     off.run();
     EXPECT_EQ(off.context.report.warnings, Texts{});
-    EXPECT_EQ(off.context.report.kept_traced_m, 0);
+    EXPECT_EQ(off.context.report.building_outlines.fitted, 0);
+    EXPECT_GT(off.context.report.building_outlines.traced, 0);
+    length = 0;
+    for (std::size_t i = 0; i < off.sink.features[test::contours].size(); ++i)
+        length += off.sink.number(test::contours, i, "perim_m");
+    EXPECT_NEAR(off.context.report.contour_outlines.traced, length, 1e-9 * length);
 }
 
 }  // namespace

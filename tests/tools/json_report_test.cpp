@@ -34,6 +34,8 @@ RunReport filled() {
     report.contours = 4;
     report.buildings = 2;
     report.vertices = 99;
+    report.building_outlines = {10, 0, 0.5};
+    report.contour_outlines = {20, 5, 1.5};
     report.count(Reason::contour_short, 5);
     report.count(Reason::polygon_repaired, 6);
     report.seconds[0] = 0.25;
@@ -68,7 +70,9 @@ TEST(JsonReport, readsBackAsItWas) {
     EXPECT_EQ(
         json["output"],
         Json::parse(
-            R"({"name":"out.gpkg","crs":"WGS 84","buildings":2,"doubtful":1,"stack_rmse_m":0.75,"contours":4,"vertices":99})"));
+            R"({"name":"out.gpkg","crs":"WGS 84","buildings":2,"doubtful":1,"stack_rmse_m":0.75,"contours":4,"vertices":99,
+                "outline_length_m":{"buildings":{"fitted":10.0,"simplified":0.0,"traced":0.5},
+                                    "contours":{"fitted":20.0,"simplified":5.0,"traced":1.5}}})"));
     EXPECT_EQ(json["warnings"], Json::parse(R"(["first","second"])"));
 }
 

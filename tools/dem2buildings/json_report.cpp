@@ -46,6 +46,10 @@ Json levels_of(const RunReport& report) {
     return levels;
 }
 
+Json length_of(const OutlineLength& length) {
+    return {{"fitted", length.fitted}, {"simplified", length.simplified}, {"traced", length.traced}};
+}
+
 Json output_of(const RunReport& report) {
     return {{"name", report.output},
             {"crs", report.output_crs},
@@ -53,7 +57,10 @@ Json output_of(const RunReport& report) {
             {"doubtful", report.doubtful},
             {"stack_rmse_m", report.stack_rmse_m},
             {"contours", report.contours},
-            {"vertices", report.vertices}};
+            {"vertices", report.vertices},
+            {"outline_length_m",
+             {{"buildings", length_of(report.building_outlines)},
+              {"contours", length_of(report.contour_outlines)}}}};
 }
 
 Json dropped_of(const RunReport& report) {

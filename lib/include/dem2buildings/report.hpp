@@ -64,6 +64,16 @@ struct LevelReport {
     std::int64_t points = 0;
 };
 
+/// Length of the outlines of a layer, in metres, by what they are made of.
+struct OutlineLength {
+    double fitted = 0;  ///< straight walls and circular arcs
+    double simplified = 0;
+    double traced = 0;  ///< borders of cells
+
+    [[nodiscard]] double whole() const { return fitted + simplified + traced; }
+    [[nodiscard]] double traced_share() const { return traced > 0 ? traced / whole() : 0; }
+};
+
 struct UnitReport {
     std::string horizontal;  ///< name of the unit, "degree", or "unknown"
     std::string horizontal_decided_by;
@@ -119,10 +129,9 @@ struct RunReport : Tally {
                                 ///< holds it) against the points of all buildings
     std::int64_t vertices = 0;  ///< of the contours as written (of the buildings where these are alone),
                                 ///< closing ones not counted
-    double outlines_m = 0;      ///< length of the outlines of the buildings as written, where they are
-                                ///< a layer; those of contours are not counted
-    double kept_traced_m = 0;   ///< and of the parts of them that stay as traced although more was asked for
-    int threads = 1;            ///< that worked on it
+    OutlineLength building_outlines;  ///< of the layers as written; nothing where one is not
+    OutlineLength contour_outlines;
+    int threads = 1;  ///< that worked on it
     std::vector<std::string> warnings;
 };
 
