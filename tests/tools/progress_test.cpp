@@ -100,6 +100,25 @@ TEST(Summary, saysWhatOptionsLeftOut) {
     EXPECT_EQ(summary(report, Layers::contours, "x"), "200 contours in x (left out: 4 below -min_area)\n");
 }
 
+TEST(Summary, countsWhatTheReportCounts) {
+    for (std::size_t reason = 0; reason < reason_names.size(); ++reason) {
+        RunReport report;
+        report.dropped[reason] = 4321;
+        const std::string text = summary(report, Layers::both, "x");
+        EXPECT_NE(text.find(": 4,321 "), std::string::npos) << reason_names[reason] << " in " << text;
+    }
+    RunReport report;
+    report.count(Reason::building_low, 3);
+    report.count(Reason::hole_small, 4);
+    report.count(Reason::hole_short, 1);
+    report.count(Reason::outline_kept_traced, 421);
+    report.count(Reason::elevation_outside_range, 12);
+    report.count(Reason::elevation_above_neighbours, 2);
+    EXPECT_EQ(summary(report, Layers::buildings, "x"),
+              "0 buildings in x (left out: 3 below -min_height; filled: 5 holes; drawn otherwise: 421 as "
+              "traced; no elevation: 12 outside of -zrange, 2 far above all around)\n");
+}
+
 TEST(Interrupt, isSeenAndTheNextOneEndsTheProcess) {
     std::signal(SIGINT, SIG_DFL);
     catch_interrupts();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <ostream>
+#include <vector>
 
 namespace d2b {
 namespace {
@@ -24,19 +25,51 @@ std::string counted(std::int64_t n, const std::string& noun) {
     return grouped(n) + " " + noun + (n == 1 ? "" : "s");
 }
 
-/// What options left out, or "".
-std::string left_out(const RunReport& report) {
-    const std::int64_t small = report.counted(Reason::building_small) + report.counted(Reason::contour_small);
-    const std::int64_t low = report.counted(Reason::building_low);
-    const std::int64_t doubtful = report.counted(Reason::building_doubtful) - report.doubtful;
-    std::string text;
-    const auto add = [&text](std::int64_t n, const char* why) {
-        if (n > 0)
-            text += (text.empty() ? " (left out: " : ", ") + grouped(n) + why;
+/// How the summary counts what is not in the result, or not as it was found.
+struct Part {
+    const char* kind;
+    const char* words;
+    std::vector<Reason> reasons;
+};
+
+const std::vector<Part>& parts() {
+    static const std::vector<Part> all{
+        {"left out", "below -min_area", {Reason::building_small, Reason::contour_small}},
+        {"left out", "below -min_height", {Reason::building_low}},
+        {"left out", "below -min_confidence", {Reason::building_doubtful}},
+        {"left out", "below -nf", {Reason::contour_short}},
+        {"left out", "on what was left out", {Reason::contour_on_dropped}},
+        {"left out", "torn by -t_srs", {Reason::outline_torn}},
+        {"left out", "beyond repair", {Reason::polygon_lost}},
+        {"left out",
+         "thresholds that separate nothing",
+         {Reason::threshold_not_above_minimum, Reason::threshold_not_below_maximum,
+          Reason::threshold_repeated}},
+        {"filled", "holes", {Reason::hole_small, Reason::hole_short}},
+        {"drawn otherwise", "as traced", {Reason::outline_kept_traced}},
+        {"drawn otherwise", "repaired", {Reason::polygon_repaired}},
+        {"no elevation", "outside of -zrange", {Reason::elevation_outside_range}},
+        {"no elevation", "far above all around", {Reason::elevation_above_neighbours}},
+        {"no elevation", "of the terrain", {Reason::terrain_outside_range}},
+        {"no roof", "above all around", {Reason::elevation_not_roof}},
     };
-    add(small, " below -min_area");
-    add(low, " below -min_height");
-    add(doubtful, " below -min_confidence");
+    return all;
+}
+
+/// What is not in the result, or not as it was found; or "".
+std::string counts(const RunReport& report) {
+    std::string text;
+    std::string kind;
+    for (const Part& part : parts()) {
+        std::int64_t n = 0;
+        for (const Reason reason : part.reasons)
+            n += report.counted(reason) - (reason == Reason::building_doubtful ? report.doubtful : 0);
+        if (n <= 0)
+            continue;
+        text += text.empty() ? " (" : kind == part.kind ? ", " : "; ";
+        text += (kind == part.kind ? "" : std::string(part.kind) + ": ") + grouped(n) + " " + part.words;
+        kind = part.kind;
+    }
     return text.empty() ? text : text + ")";
 }
 
@@ -82,7 +115,7 @@ std::string summary(const RunReport& report, Layers layers, const std::string& d
         text = counted(report.buildings, "building");
     if (layers != Layers::buildings)
         text += (text.empty() ? "" : " and ") + counted(report.contours, "contour");
-    return text + " in " + destination + left_out(report) + "\n";
+    return text + " in " + destination + counts(report) + "\n";
 }
 
 }  // namespace d2b

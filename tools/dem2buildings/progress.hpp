@@ -35,8 +35,8 @@ class TerminalProgress {
     bool line_begun_ = false;  // by ticks after it, where a line came between them
 };
 
-/// What was written, on a line: "1,234 buildings and 5,678 contours in delft.gpkg"; and where options left
-/// anything out, how much: "(left out: 12 below -min_area, 3 below -min_confidence)".
+/// What was written, on a line: "1,234 buildings and 5,678 contours in delft.gpkg"; and what the report
+/// counts beside: "(left out: 12 below -min_area, 3 below -min_confidence; filled: 5 holes)".
 /// @param layers what the destination gets
 [[nodiscard]] std::string summary(const RunReport& report, Layers layers, const std::string& destination);
 
