@@ -89,7 +89,7 @@ void merge_up_to(RegionGraph& graph, double price, const StopRequest& stop) {
     for (bool merged = true; merged;) {
         merged = false;
         for (std::uint32_t region = 0; region < graph.size(); ++region) {
-            if (graph.root(region) != region)
+            if (!graph.is_root(region))
                 continue;
             stop.check();
             const RegionGraph::Neighbour neighbour = graph.cheapest(region);
@@ -124,12 +124,12 @@ void merge_narrow(const BuildingCells& cells, Image& image, int width, const Sto
         const std::vector<bool> wide = wide_regions(cells, image, width, stop);
         std::vector<std::uint32_t> narrow;
         for (std::uint32_t region = 0; region < graph.size(); ++region)
-            if (graph.root(region) == region && !wide[region])
+            if (graph.is_root(region) && !wide[region])
                 narrow.push_back(region);
         std::ranges::stable_sort(narrow, {}, [&](std::uint32_t region) { return graph.of(region).points; });
         bool merged = false;
         for (const std::uint32_t region : narrow) {
-            if (graph.root(region) != region)
+            if (!graph.is_root(region))
                 continue;
             const RegionGraph::Neighbour neighbour = graph.cheapest(region);
             if (neighbour.region == RegionGraph::none)

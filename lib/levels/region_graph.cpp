@@ -1,5 +1,6 @@
 #include "levels/region_graph.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace d2b {
@@ -8,18 +9,33 @@ RegionGraph::RegionGraph(std::vector<Region> regions)
     : regions_(std::move(regions)),
       sets_(static_cast<std::uint32_t>(regions_.size())),
       borders_(regions_.size()),
-      place_(regions_.size(), none) {}
+      cheapest_(regions_.size()),
+      changed_(regions_.size(), 0),
+      place_(regions_.size(), none) {
+    means_.reserve(regions_.size());
+    for (const Region& region : regions_)
+        means_.push_back(region.sum / region.points);
+}
 
-void RegionGraph::add_border(std::uint32_t a, std::uint32_t b, double length) {
+void RegionGraph::add_border(std::uint32_t a, std::uint32_t b, std::uint32_t length) {
     borders_[a].push_back({b, length});
     borders_[b].push_back({a, length});
 }
 
-double RegionGraph::added_error(const Region& one, const Region& other) {
-    if (one.points == 0 || other.points == 0)
+namespace {
+
+/// Squared error that merging two regions adds.
+double error_of_union(double points, double mean, double other_points, double other_mean) {
+    if (points == 0 || other_points == 0)
         return 0;
-    const double step = one.sum / one.points - other.sum / other.points;
-    return one.points * other.points / (one.points + other.points) * step * step;
+    const double step = mean - other_mean;
+    return points * other_points / (points + other_points) * step * step;
+}
+
+}  // namespace
+
+double RegionGraph::added_error(const Region& one, const Region& other) {
+    return error_of_union(one.points, one.sum / one.points, other.points, other.sum / other.points);
 }
 
 void RegionGraph::gather(std::uint32_t root_of) {
@@ -41,14 +57,30 @@ void RegionGraph::gather(std::uint32_t root_of) {
         place_[border.region] = none;
 }
 
+bool RegionGraph::still_holds(std::uint32_t root_of) const {
+    const std::uint32_t then = cheapest_[root_of].merges;
+    if (then == none || changed_[root_of] > then)
+        return false;
+    const std::vector<Border>& borders = borders_[root_of];
+    return std::ranges::all_of(borders,
+                               [&](const Border& border) { return changed_[border.region] <= then; });
+}
+
 RegionGraph::Neighbour RegionGraph::cheapest(std::uint32_t root_of) {
+    if (still_holds(root_of))
+        return cheapest_[root_of].neighbour;
     gather(root_of);
     Neighbour best;
+    const double points = regions_[root_of].points;
+    const double mean = means_[root_of];
     for (const Border& border : borders_[root_of]) {
-        const double cost = added_error(regions_[root_of], regions_[border.region]) / border.length;
+        const double cost =
+            error_of_union(points, mean, regions_[border.region].points, means_[border.region]) /
+            border.length;
         if (best.region == none || cost < best.cost || (cost == best.cost && border.region < best.region))
             best = {border.region, cost};
     }
+    cheapest_[root_of] = {best, merges_};
     return best;
 }
 
@@ -61,6 +93,8 @@ std::uint32_t RegionGraph::merge(std::uint32_t a, std::uint32_t b) {
     regions_[a].sum += regions_[b].sum;
     borders_[a].insert(borders_[a].end(), borders_[b].begin(), borders_[b].end());
     borders_[b] = {};
+    means_[a] = regions_[a].sum / regions_[a].points;
+    changed_[a] = changed_[b] = ++merges_;
     return a;
 }
 

@@ -22,10 +22,11 @@ class RegionGraph {
     explicit RegionGraph(std::vector<Region> regions);
 
     /// Also more than once for the same two: lengths add up. @param length in cells
-    void add_border(std::uint32_t a, std::uint32_t b, double length);
+    void add_border(std::uint32_t a, std::uint32_t b, std::uint32_t length);
 
     [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(regions_.size()); }
     [[nodiscard]] std::uint32_t root(std::uint32_t region) { return sets_.find(region); }
+    [[nodiscard]] bool is_root(std::uint32_t region) { return root(region) == region; }
     [[nodiscard]] const Region& of(std::uint32_t root) const { return regions_[root]; }
 
     struct Neighbour {
@@ -33,6 +34,7 @@ class RegionGraph {
         double cost = 0;  ///< of merging: squared error that is added a length of the border that goes
     };
     /// The neighbour that is cheapest to merge with; the one with the lowest number where two cost the same.
+    /// Found anew only where the region or one beside it has changed since it was asked for last.
     [[nodiscard]] Neighbour cheapest(std::uint32_t root);
     /// @return the root of the two
     std::uint32_t merge(std::uint32_t a, std::uint32_t b);
@@ -40,14 +42,24 @@ class RegionGraph {
   private:
     struct Border {
         std::uint32_t region = none;
-        double length = 0;
+        std::uint32_t length = 0;
     };
+    /// What was cheapest, and after how many merges; none where it was not asked for.
+    struct Cheapest {
+        Neighbour neighbour;
+        std::uint32_t merges = none;
+    };
+    [[nodiscard]] bool still_holds(std::uint32_t root) const;
     /// Makes one border of all those with the same neighbour.
     void gather(std::uint32_t root);
 
     std::vector<Region> regions_;
     DisjointSets sets_;
     std::vector<std::vector<Border>> borders_;
+    std::vector<double> means_;
+    std::vector<Cheapest> cheapest_;
+    std::vector<std::uint32_t> changed_;  ///< after how many merges it last grew, or went into another
+    std::uint32_t merges_ = 0;
     std::vector<std::uint32_t> place_;  ///< room of gather(): of a neighbour among the borders
 };
 
