@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "core/square_area.hpp"
@@ -77,8 +78,12 @@ PolygonMaker::Parts PolygonMaker::shape(std::size_t contour, bool tier, const Dr
         polygons = geos_.difference(polygons.front(), children);
     }
     Parts parts;
-    for (const FinePolygon& polygon : polygons)
+    cells_.clear();
+    for (const FinePolygon& polygon : polygons) {
         parts.push_back(terms_.georeference.polygon(polygon));
+        if (terms_.with_cells)
+            std::ranges::copy(row_spans(polygon), std::back_inserter(cells_));
+    }
     if (!terms_.options.arcs)
         for (WorldPolygon& part : parts)
             part.arcs.clear();
@@ -170,6 +175,7 @@ FeaturePolygon PolygonMaker::make(std::size_t contour, Form form) {
                 made.kept_traced = 1;
         }
     }
+    made.cells = std::exchange(cells_, {});
     made.torn = torn_;
     if (made.torn)
         tally_.count(Reason::outline_torn);

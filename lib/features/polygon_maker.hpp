@@ -11,6 +11,7 @@
 #include "dem2buildings/report.hpp"
 #include "features/contour_children.hpp"
 #include "features/ring_transform.hpp"
+#include "features/row_spans.hpp"
 #include "geometry/geos.hpp"
 #include "outline/outline.hpp"
 
@@ -26,6 +27,7 @@ struct PolygonTerms {
     const Outliner& outliner;
     const ContourChildren& children;  ///< may be empty where no tier is asked for
     StopRequest stop = {};
+    bool with_cells = false;  ///< whether it is asked which cells a polygon holds
 };
 
 /// A polygon as it is written, with its measures and what became of its outline.
@@ -39,6 +41,8 @@ struct FeaturePolygon {
     double area_change = 0;  ///< of a regularized outline, share of the traced area
     std::string trouble;     ///< what GEOS said of it, where it is not written as it was drawn
     bool torn = false;       ///< the CRS of the output tears it apart: it has no parts
+    std::vector<RowSpan>
+        cells;  ///< whose middles it holds, as it is drawn; none where they are not asked for
 };
 
 /// Draws outlines, places them in the CRS of the output, has them checked and measures them; one object a
@@ -77,6 +81,7 @@ class PolygonMaker {
     Geodesy geodesy_;
     std::optional<RingTransform> to_target_;  ///< empty: nothing is reprojected
     bool torn_ = false;                       ///< the feature at hand
+    std::vector<RowSpan> cells_;              ///< likewise
     Tally tally_;
 };
 

@@ -64,7 +64,8 @@ class FeatureWriter {
     Context& context_;
     Outliner outliner_;
     ContourChildren children_;
-    StackRmse rmse_;
+    StackRmse rmse_;                        // of the contours as they were traced
+    std::optional<DrawnStack> stack_;       // where they are drawn otherwise
     std::vector<PolygonMaker> makers_;      // one a thread
     std::vector<std::int64_t> written_id_;  // what stands on a contour that is not written stands on this
     std::optional<std::size_t> buildings_layer_;
@@ -82,6 +83,12 @@ void add_length(const FeaturePolygon& made, OutlineLength& sum) {
     const double traced = made.status == OutlineStatus::traced ? length : made.kept_traced * length;
     (made.status == OutlineStatus::simplified ? sum.simplified : sum.fitted) += length - traced;
     sum.traced += traced;
+}
+
+/// Whether the stack is measured as it is drawn. The thesis's, which is drawn as it was traced, may be of a
+/// raster of any size, which would have to be read once more.
+bool measures_drawn(const RunPlan& plan) {
+    return plan.detects_buildings() && plan.trace == TraceMode::cells && plan.layers != Layers::buildings;
 }
 
 Outliner timed_outliner(const FeatureInput& input, Context& context) {
@@ -102,14 +109,18 @@ FeatureWriter::FeatureWriter(const FeatureInput& input, RecordMaker& records, Fe
       children_(input.plan.asked.outline.disjoint ? ContourChildren(input.contours) : ContourChildren()),
       written_id_(input.contours.size(), 0),
       invalid_(context) {
-    const PolygonTerms terms{input.plan.asked.outline,
-                             input.georeference,
-                             input.crs,
-                             input.target_crs,
-                             input.window,
-                             outliner_,
-                             children_,
-                             context.threads->stop()};
+    PolygonTerms terms{input.plan.asked.outline,
+                       input.georeference,
+                       input.crs,
+                       input.target_crs,
+                       input.window,
+                       outliner_,
+                       children_,
+                       context.threads->stop()};
+    if (measures_drawn(input.plan)) {
+        stack_.emplace(context.make_spool(), input.window);
+        terms.with_cells = true;
+    }
     for (int thread = 0; thread < context.threads->threads(); ++thread)
         makers_.emplace_back(terms);
 }
@@ -186,6 +197,8 @@ void FeatureWriter::add_building(std::size_t contour, Drawn& drawn) {
         add_length(made, context_.report.building_outlines);
     if (!contours_layer_)
         context_.report.vertices += vertices_of(made.parts);
+    if (stack_ && !is_doubtful(contour))
+        stack_->add_building(made.cells);
     BuildingRecord& record = drawn.building_record;
     record.deviation_m = made.deviation / std::sqrt(input_.georeference.cell_area()) * input_.cell_size_m;
     record.area_change = made.area_change;
@@ -204,6 +217,10 @@ bool FeatureWriter::add_contour(std::size_t contour, Drawn& drawn) {
         return false;
     ++context_.report.contours;
     add_length(*drawn.contour, context_.report.contour_outlines);
+    if (stack_ && !buildings_layer_ && drawn.record.level == 1)
+        stack_->add_building(drawn.contour->cells);
+    if (stack_)
+        stack_->add_contour(drawn.contour->cells, drawn.record.tier_z);
     context_.report.vertices += vertices_of(drawn.contour->parts);
     write(*contours_layer_, contour_attributes(), drawn.record, std::move(*drawn.contour),
           drawn.record.threshold);
@@ -241,7 +258,8 @@ void FeatureWriter::finish() {
         rejected_->write(makers_, sink_, context_);
     for (PolygonMaker& maker : makers_)
         context_.report.merge(maker.tally());
-    context_.report.stack_rmse_m = rmse_.value() * context_.report.units.vertical_metres;
+    const double rmse = stack_ ? input_.compare(*stack_).rms(input_.fixed) : rmse_.value();
+    context_.report.stack_rmse_m = rmse * context_.report.units.vertical_metres;
 }
 
 }  // namespace

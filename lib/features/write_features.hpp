@@ -1,9 +1,12 @@
 #pragma once
 
+#include <functional>
+
 #include "attributes/records.hpp"
 #include "core/crs.hpp"
 #include "core/georeference.hpp"
 #include "dem2buildings/feature_sink.hpp"
+#include "features/drawn_stack.hpp"
 #include "filter/contour_store.hpp"
 #include "geometry/geos.hpp"
 #include "options/run_plan.hpp"
@@ -23,6 +26,8 @@ struct FeatureInput {
     Label buildings;     ///< labels above are doubtful
     double cell_size_m;  ///< side of a square of a cell's area
     FixedPoint fixed;
+    /// Goes through the elevations once more.
+    std::function<StackError(const DrawnStack&)> compare;
 };
 
 /// Draws every outline, places it, has it checked, measures it, and hands it to the sink with its attributes,

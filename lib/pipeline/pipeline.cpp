@@ -147,6 +147,18 @@ LevelPlan plan_levels(ElevationReader& reader, const FoundBuildings& found, cons
                                 metres);
 }
 
+/// @param stack as it is drawn
+StackError compare(const DrawnStack& stack, const FixedPoint& fixed, ElevationReader& reader) {
+    StackError error;
+    reader.for_each(
+        [&](const ElevationBand& band, Tally& tally) {
+            const StageClock clock(tally, Stage::attributes);
+            return stack.error(band, fixed);
+        },
+        [&](const ElevationBand&, const StackError& of_band) { error.merge(of_band); });
+    return error;
+}
+
 void report_levels(const LevelPlan& plan, RunReport& report) {
     for (int level = 0; level < plan.level_count(); ++level)
         report.levels.push_back(
@@ -256,7 +268,8 @@ void run(const Options& asked, const Sources& sources, const Sinks& sinks, Conte
                              info.window,
                              found ? found->buildings : std::numeric_limits<Label>::max(),
                              cell_size_m(info.window, area),
-                             frame.fixed};
+                             frame.fixed,
+                             [&](const DrawnStack& stack) { return compare(stack, frame.fixed, reader); }};
     within(context, at.traced, at.drawn, [&] { write_features(input, records, sinks.features, context); });
     context.progress(at.drawn);
     const StageClock clock(report, Stage::write);

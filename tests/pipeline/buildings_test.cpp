@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -129,6 +131,73 @@ TEST(Buildings, FlatRoofsHaveNoTiers) {
     EXPECT_EQ(town.sink.whole(buildings, i, "has_parts"), 0);
     EXPECT_LT(town.context.report.stack_rmse_m, 1.5);
     EXPECT_GT(town.context.report.stack_rmse_m, 0);
+}
+
+/// Whether the middle of a cell lies in a feature, or on the left of its borders.
+bool holds(const Feature& feature, const Position& middle) {
+    bool inside = false;
+    const auto pass = [&](const WorldRing& ring) {
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Position& a = ring[i];
+            const Position& b = ring[(i + 1) % ring.size()];
+            if ((a.y > middle.y) != (b.y > middle.y) &&
+                middle.x < a.x + (b.x - a.x) * (middle.y - a.y) / (b.y - a.y))
+                inside = !inside;
+        }
+    };
+    for (const WorldPolygon& part : feature.parts) {
+        pass(part.exterior);
+        std::ranges::for_each(part.interiors, pass);
+    }
+    return inside;
+}
+
+/// The stack against the town, cell by cell, from what was written alone.
+double rmse_as_written(const TownRun& town, const std::vector<double>& z) {
+    double squares = 0;
+    double cells = 0;
+    for (int row = 0; row < MadeTown::rows; ++row)
+        for (int col = 0; col < MadeTown::cols; ++col) {
+            const AffineTransform& t = town.dem.info().transform;
+            const Position middle{t[0] + (col + 0.5) * t[1], t[3] + (row + 0.5) * t[5]};
+            const auto in = [&](const Feature& feature) { return holds(feature, middle); };
+            double tier = std::numeric_limits<double>::quiet_NaN();
+            if (std::ranges::any_of(town.sink.features[buildings], in))
+                for (std::size_t i = 0; i < town.count(contours); ++i)  // from low to high
+                    if (town.sink.value(contours, i, "tier_z") != FieldValue{} &&
+                        in(town.sink.features[contours][i]))
+                        tier = town.sink.number(contours, i, "tier_z");
+            if (std::isnan(tier))
+                continue;
+            squares += std::pow(tier - z[MadeTown::index(row, col)], 2);
+            ++cells;
+        }
+    return std::sqrt(squares / cells);
+}
+
+TEST(Buildings, TheStackIsMeasuredAsItIsWritten) {
+    const std::vector<double> z = MadeTown::surface();
+    TownRun town(z);
+    town.run();
+    EXPECT_NEAR(town.context.report.stack_rmse_m, rmse_as_written(town, z), 1e-6);
+    for (const auto& change :
+         std::vector<std::function<void(Options&)>>{[](Options& o) { o.outline.walls = Walls::off; },
+                                                    [](Options& o) {
+                                                        o.outline.walls = Walls::off;
+                                                        o.outline.simplify = 2;
+                                                    },
+                                                    [](Options& o) { o.outline.disjoint = true; }}) {
+        TownRun other(z);
+        change(other.options);
+        other.run();
+        EXPECT_NEAR(other.context.report.stack_rmse_m, rmse_as_written(other, z), 1e-6);
+    }
+    TownRun alone(z);
+    alone.options.write.layers = Layers::contours;
+    alone.options.run.threads = 3;
+    alone.run();
+    EXPECT_NEAR(alone.context.report.stack_rmse_m, town.context.report.stack_rmse_m,
+                0.1 * town.context.report.stack_rmse_m);
 }
 
 TEST(Buildings, GlobalLevelsAreOneSetForAll) {

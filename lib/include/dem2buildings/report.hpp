@@ -126,7 +126,8 @@ struct RunReport : Tally {
     std::int64_t buildings = 0;       ///< written
     std::int64_t doubtful = 0;        ///< written
     double stack_rmse_m = 0;    ///< of the stacked surface (at a point: tier_z of the highest contour that
-                                ///< holds it) against the points of all buildings
+                                ///< holds it, as written) against the points of all buildings; where no
+                                ///< contours are written, of those as they were traced
     std::int64_t vertices = 0;  ///< of the contours as written (of the buildings where these are alone),
                                 ///< closing ones not counted
     OutlineLength building_outlines;  ///< of the layers as written; nothing where one is not

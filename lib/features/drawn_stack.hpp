@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/band.hpp"
+#include "core/int128.hpp"
+#include "core/point_stats.hpp"
+#include "core/spool.hpp"
+#include "dem2buildings/window.hpp"
+#include "features/row_spans.hpp"
+
+namespace d2b {
+
+/// How far a stacked surface is from elevations. Adds up exactly, in any order.
+struct StackError {
+    std::int64_t n = 0;
+    Int128 coarse_sum = 0;  ///< stays 0: what is squared is a distance already
+    Int128 coarse_squares = 0;
+
+    void add(double distance, const FixedPoint& fixed) {
+        const std::int64_t c = FixedPoint::coarse(fixed.to_fixed(distance));
+        coarse_squares += Int128{c} * c;
+        ++n;
+    }
+    void merge(const StackError& other) {
+        n += other.n;
+        coarse_squares += other.coarse_squares;
+    }
+    /// Root mean square; 0 where there is no point.
+    [[nodiscard]] double rms(const FixedPoint& fixed) const;
+};
+
+/// The surface that a stack of contours stands for, from their polygons as they are drawn: in a cell of a
+/// building the tier of the highest contour that holds its middle. Waits in a spool as runs of cells.
+class DrawnStack {
+  public:
+    DrawnStack(std::unique_ptr<Spool> spool, const Window& window);
+
+    /// @throws OutputError the spool has no room
+    void add_building(const std::vector<RowSpan>& cells);
+    /// What comes later stands on what came before. @param tier elevation; nothing is added where it is NaN
+    void add_contour(const std::vector<RowSpan>& cells, double tier);
+    /// In the cells of buildings that some contour holds, and that are valid. From any thread, once all are
+    /// there. @throws OutputError the spool cannot be read
+    [[nodiscard]] StackError error(const ElevationBand& band, const FixedPoint& fixed) const;
+
+  private:
+    static constexpr std::int32_t slab_rows = 64;
+    struct Slab {
+        std::vector<SpoolEntry> buildings;
+        std::vector<SpoolEntry> contours;
+    };
+    void add(const std::vector<RowSpan>& cells, double tier, std::vector<SpoolEntry> Slab::*entries);
+
+    std::unique_ptr<Spool> spool_;
+    Window window_;
+    std::vector<Slab> slabs_;
+};
+
+}  // namespace d2b

@@ -1,0 +1,124 @@
+#include "features/drawn_stack.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace d2b {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// Whether a ring passes a place on its left, or through it, an odd number of times: exactly, on integers.
+bool holds(const FineRing& ring, const FinePoint& p) {
+    bool inside = false;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const FinePoint& a = ring[i];
+        const FinePoint& b = ring[(i + 1) % ring.size()];
+        if ((a.row <= p.row) == (b.row <= p.row))
+            continue;
+        const std::int64_t to_right = (p.col - a.col) * (b.row - a.row) - (b.col - a.col) * (p.row - a.row);
+        if (to_right == 0 || (to_right > 0) == (b.row > a.row))
+            inside = !inside;
+    }
+    return inside;
+}
+
+std::vector<std::pair<int, int>> cells_of(const std::vector<RowSpan>& spans) {
+    std::vector<std::pair<int, int>> cells;
+    for (const RowSpan& span : spans)
+        for (std::int32_t col = span.begin; col < span.end; ++col)
+            cells.emplace_back(span.row, col);
+    std::ranges::sort(cells);
+    cells.erase(std::ranges::unique(cells).begin(), cells.end());
+    return cells;
+}
+
+/// A star, so that no two edges cross. @param on corners of the lattice alone
+FineRing star(std::mt19937& random, const FinePoint& middle, double least, double most, bool on_corners) {
+    std::uniform_real_distribution<double> radius(least, most);
+    FineRing ring;
+    for (int i = 0; i < 12; ++i) {
+        const double angle = i * std::acos(-1.0) / 6;
+        const double r = radius(random);
+        FinePoint point{middle.row + std::llround(r * std::sin(angle)),
+                        middle.col + std::llround(r * std::cos(angle))};
+        if (on_corners)
+            point = {point.row / 1024 * 1024, point.col / 1024 * 1024};
+        ring.push_back(point);
+    }
+    return ring;
+}
+
+TEST(RowSpans, AreTheCellsWhoseMiddlesAPolygonHolds) {
+    std::mt19937 random(7);
+    for (int trial = 0; trial < 60; ++trial) {
+        const bool on_corners = trial % 2 == 0;  // where slanted walls pass through the middles of cells
+        const FinePolygon polygon{star(random, {20480, 20480}, 9000, 19000, on_corners),
+                                  {star(random, {20480, 20480}, 2000, 6000, on_corners)}};
+        std::vector<std::pair<int, int>> expected;
+        for (int row = 0; row < 41; ++row)
+            for (int col = 0; col < 41; ++col) {
+                const FinePoint p{row * 1024 + 512, col * 1024 + 512};
+                if (holds(polygon.exterior, p) && !holds(polygon.interiors[0], p))
+                    expected.emplace_back(row, col);
+            }
+        EXPECT_EQ(cells_of(row_spans(polygon)), expected) << trial;
+    }
+}
+
+TEST(RowSpans, OfPolygonsThatShareAWallShareNoCell) {
+    const FinePoint low{0, 0};
+    const FinePoint high{4096, 4096};
+    const FinePolygon right{{low, high, {0, 4096}}, {}};
+    const FinePolygon left{{low, {4096, 0}, high}, {}};
+    EXPECT_EQ(row_spans(right), (std::vector<RowSpan>{{0, 0, 4}, {1, 1, 4}, {2, 2, 4}, {3, 3, 4}}));
+    EXPECT_EQ(row_spans(left), (std::vector<RowSpan>{{1, 0, 1}, {2, 0, 2}, {3, 0, 3}}));
+}
+
+TEST(RowSpans, OfASquareOfCellsAreItsCells) {
+    const FinePolygon cells{{{-1024, 2048}, {1024, 2048}, {1024, 5120}, {-1024, 5120}}, {}};
+    EXPECT_EQ(row_spans(cells), (std::vector<RowSpan>{{-1, 2, 5}, {0, 2, 5}}));
+}
+
+TEST(DrawnStack, IsTheHighestContourInTheBuildings) {
+    const FixedPoint fixed(100);
+    // A window whose first cell is (100, 50), with a building of 3 x 3 cells and a tier on its middle column
+    // that reaches beyond it.
+    DrawnStack stack(std::make_unique<MemorySpool>(), {100, 50, 80, 6});
+    stack.add_building({{163, 51, 54}, {164, 51, 54}, {165, 51, 54}});
+    stack.add_contour({{163, 51, 54}, {164, 51, 54}, {165, 51, 54}}, 10);
+    stack.add_contour({{162, 52, 53}, {163, 52, 53}, {164, 52, 53}}, 20);
+    stack.add_contour({{163, 40, 90}}, unknown);
+    const auto error_of = [&](std::int32_t first, std::int32_t rows) {
+        ElevationBand band{{first, rows, 6}, std::vector<double>(static_cast<std::size_t>(rows) * 6, 10)};
+        if (first <= 164 && 164 < first + rows)
+            band.elevations[static_cast<std::size_t>(164 - first) * 6 + 1] = unknown;
+        return stack.error(band, fixed);
+    };
+    StackError whole = error_of(100, 80);
+    EXPECT_EQ(whole.n, 8);
+    EXPECT_NEAR(whole.rms(fixed), std::sqrt(2 * 100 / 8.0), 1e-9);
+    StackError parts = error_of(160, 4);
+    EXPECT_EQ(parts.n, 3);
+    parts.merge(error_of(100, 60));
+    parts.merge(error_of(164, 16));
+    EXPECT_EQ(parts.n, whole.n);
+    EXPECT_EQ(parts.coarse_squares, whole.coarse_squares);
+    EXPECT_EQ(StackError().rms(fixed), 0);
+}
+
+TEST(DrawnStack, EndsWithTheWindow) {
+    DrawnStack stack(std::make_unique<MemorySpool>(), {0, 0, 2, 2});
+    stack.add_building({{-1, 0, 2}, {0, -3, 9}, {1, 2, 5}, {2, 0, 2}});
+    stack.add_contour({{0, -3, 1}}, 5);
+    const StackError error = stack.error({{0, 2, 2}, {5, 5, 5, 5}}, FixedPoint(5));
+    EXPECT_EQ(error.n, 1);
+    EXPECT_EQ(error.rms(FixedPoint(5)), 0);
+}
+
+}  // namespace
+}  // namespace d2b
