@@ -138,14 +138,16 @@ namespace {
 
 OptionRow sweep() {
     OptionRow row = described(
-        "sweep", OptionKind::text, "lod=<from>..<to>,nf=<from>..<to>",
-        {.help =
-             "Try every level of detail with every noise factor and print a table; nothing else is written.",
+        "sweep", OptionKind::text, "lod=<from>..<to>,nf=<from>..<to>,detail=<from>..<to>",
+        {.help = "Try every level of detail with every noise factor and every -detail, and print a table; "
+                 "nothing "
+                 "else is written.",
          .details = "The destination is left out. For each trial: buildings, contours, points of these, the "
                     "distance of "
                     "the stack to the input (root mean square), seconds. With -preview a contact sheet. Of "
                     "more than six "
-                    "values six are tried, spread evenly; a third number is the step: nf=5..60..5. The input "
+                    "values six are tried, spread evenly; a third number is the step: nf=5..60..5, "
+                    "detail=0..2..0.5. What is not named stays as its option says. The input "
                     "is read "
                     "once and kept in memory."});
     row.apply = [](Request& request, OptionValues texts) {

@@ -51,6 +51,7 @@ constexpr std::array rules{
     no_effect(given("levels"), given("i"), "the levels of an interval are the same for all buildings"),
     no_effect(given("lod"), names("sweep", "lod"), own_values),
     no_effect(given("nf"), names("sweep", "nf"), own_values),
+    no_effect(given("detail"), names("sweep", "detail"), own_values),
 
     // Outlines and layers.
     no_effect(given("arcs"), is_not("simplify", "0"), "simplified outlines have no straight walls"),
@@ -72,6 +73,7 @@ constexpr std::array rules{
               "it helps to find the ground, which is given"),
 
     // -sweep.
+    no_effect(names("sweep", "detail"), is("preset", "thesis"), "it detects no buildings"),
     no_effect(given("layers"), given("sweep"), no_layers),
     no_effect(given("3d"), given("sweep"), no_layers),
     no_effect(given("f"), given("sweep"), no_layers),

@@ -60,19 +60,52 @@ std::vector<int> values_of(const std::string& text, const NumberRange& range) {
     return stepped;
 }
 
+bool is_whole(double value) {
+    return value == std::floor(value);
+}
+
+std::vector<double> reals_of(const std::string& text, const NumberRange& range) {
+    std::vector<double> numbers;
+    for (const std::string& part : parts_of(text, ".."))
+        numbers.push_back(parse_number("sweep", range, part));
+    if (numbers.size() == 1)
+        return numbers;
+    const double first = numbers[0];
+    const double last = numbers[1];
+    if (numbers.size() > 3 || last < first || (numbers.size() == 3 && !(numbers[2] > 0)))
+        refuse(text);
+    const bool all = is_whole(first) && is_whole(last) && last - first < most_by_themselves;
+    const double step = numbers.size() == 3    ? numbers[2]
+                        : all || last == first ? 1
+                                               : (last - first) / (most_by_themselves - 1);
+    // A hair more than the steps that fit, as ten times a tenth is less than one.
+    const double steps = std::floor((last - first) / step + 1e-9);
+    if (steps > static_cast<double>(most_trials))
+        refuse(text);
+    std::vector<double> values;
+    for (int i = 0; i <= static_cast<int>(steps); ++i)
+        values.push_back(std::min(last, first + i * step));
+    return values;
+}
+
 }  // namespace
 
 SweepPlan parse_sweep(const std::string& text) {
     SweepPlan plan;
     for (const std::string& part : parts_of(text, ",")) {
+        if (part.starts_with("detail=") && plan.details.empty()) {
+            plan.details = reals_of(part.substr(part.find('=') + 1), *find_option("detail")->numbers);
+            continue;
+        }
         const bool lod = part.starts_with("lod=");
         std::vector<int>& values = lod ? plan.lods : plan.noise_factors;
         if (!values.empty() || (!lod && !part.starts_with("nf=")))
             refuse(text);
         values = values_of(part.substr(part.find('=') + 1), *find_option(lod ? "lod" : "nf")->numbers);
     }
-    const std::size_t trials =
-        std::max<std::size_t>(plan.lods.size(), 1) * std::max<std::size_t>(plan.noise_factors.size(), 1);
+    const std::size_t trials = std::max<std::size_t>(plan.lods.size(), 1) *
+                               std::max<std::size_t>(plan.noise_factors.size(), 1) *
+                               std::max<std::size_t>(plan.details.size(), 1);
     if (trials > most_trials)
         throw OptionError("-sweep names " + std::to_string(trials) + " trials or more; name at most " +
                           std::to_string(most_trials) + ".");

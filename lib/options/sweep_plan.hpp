@@ -5,16 +5,19 @@
 
 namespace d2b {
 
-/// What is tried: every lod with every noise factor. A list that is empty leaves its option as it is.
+/// What is tried: every lod with every noise factor and every detail. A list that is empty leaves its option as
+/// it is.
 struct SweepPlan {
     std::vector<int> lods;
     std::vector<int> noise_factors;
+    std::vector<double> details;  ///< m
 
-    [[nodiscard]] bool empty() const { return lods.empty() && noise_factors.empty(); }
+    [[nodiscard]] bool empty() const { return lods.empty() && noise_factors.empty() && details.empty(); }
 };
 
 /// "lod=1..6,nf=5..60": whole numbers from the first to the last, all where they are six or fewer, else six
 /// spread evenly; a third number is the step between them ("nf=5..60..5"), and one alone is one value.
+/// "detail=0..2..0.5": the same, but any numbers; between two that are not whole six are spread.
 /// @throws OptionError where the text is anything else, or names more than 400 trials
 [[nodiscard]] SweepPlan parse_sweep(const std::string& text);
 

@@ -54,8 +54,18 @@ DemSource* get(Kept& kept) {
     return kept ? &*kept : nullptr;
 }
 
-std::vector<int> or_else(std::vector<int> values, int standard) {
-    return values.empty() ? std::vector{standard} : std::move(values);
+template <typename T>
+std::vector<T> or_else(const std::vector<T>& values, T standard) {
+    return values.empty() ? std::vector{standard} : values;
+}
+
+std::vector<TrialValues> combinations(const SweepPlan& plan, const Options& options) {
+    std::vector<TrialValues> all;
+    for (const int lod : or_else(plan.lods, options.levels.lod))
+        for (const double detail : or_else(plan.details, options.levels.detail))
+            for (const int noise_factor : or_else(plan.noise_factors, options.filter.noise_factor))
+                all.push_back({lod, noise_factor, detail});
+    return all;
 }
 
 }  // namespace
@@ -69,34 +79,32 @@ std::vector<Trial> run_trials(const Options& options, const Sources& sources, co
     keep(sources.terrain, terrain);
     keep(sources.mask, mask);
     keep(sources.ndvi, ndvi);
-    const std::vector<int> lods = or_else(plan.lods, options.levels.lod);
-    const std::vector<int> noise_factors = or_else(plan.noise_factors, options.filter.noise_factor);
-    const auto all = static_cast<double>(lods.size() * noise_factors.size());
+    const std::vector<TrialValues> all = combinations(plan, options);
     std::vector<Trial> trials;
     std::set<std::string> warned;
-    for (const int lod : lods)
-        for (const int noise_factor : noise_factors) {
-            const auto start = std::chrono::steady_clock::now();
-            Options tried = options;
-            tried.levels.lod = lod;
-            tried.filter.noise_factor = noise_factor;
-            Context of_trial;
-            of_trial.on_warning = [&](const std::string& text) {
-                if (warned.insert(text).second)
-                    context.warn(text);
-            };
-            of_trial.stop = context.stop;
-            of_trial.make_spool = context.make_spool;
-            of_trial.on_progress = [&, done = trials.size()](double share) {
-                return !context.on_progress || context.on_progress((static_cast<double>(done) + share) / all);
-            };
-            NoFeatures nothing;
-            const std::unique_ptr<FeatureSink> seen =
-                view ? view(nothing, dem, of_trial, lod, noise_factor) : nullptr;
-            run(tried, {dem, get(terrain), get(mask), get(ndvi)}, {seen ? *seen : nothing}, of_trial);
-            const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-            trials.push_back({lod, noise_factor, std::move(of_trial.report), took.count()});
-        }
+    for (const TrialValues& values : all) {
+        const auto start = std::chrono::steady_clock::now();
+        Options tried = options;
+        tried.levels.lod = values.lod;
+        tried.levels.detail = values.detail;
+        tried.filter.noise_factor = values.noise_factor;
+        Context of_trial;
+        of_trial.on_warning = [&](const std::string& text) {
+            if (warned.insert(text).second)
+                context.warn(text);
+        };
+        of_trial.stop = context.stop;
+        of_trial.make_spool = context.make_spool;
+        of_trial.on_progress = [&, done = trials.size()](double share) {
+            return !context.on_progress ||
+                   context.on_progress((static_cast<double>(done) + share) / static_cast<double>(all.size()));
+        };
+        NoFeatures nothing;
+        const std::unique_ptr<FeatureSink> seen = view ? view(nothing, dem, of_trial, values) : nullptr;
+        run(tried, {dem, get(terrain), get(mask), get(ndvi)}, {seen ? *seen : nothing}, of_trial);
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+        trials.push_back({values, std::move(of_trial.report), took.count()});
+    }
     return trials;
 }
 

@@ -9,10 +9,16 @@
 
 namespace d2b {
 
-/// One run of several, whose layers went nowhere.
-struct Trial {
+/// The values that a trial has of its own.
+struct TrialValues {
     int lod = 0;
     int noise_factor = 0;
+    double detail = 0;
+};
+
+/// One run of several, whose layers went nowhere.
+struct Trial {
+    TrialValues values;
     RunReport report;
     double seconds = 0;  ///< on the clock
 };
@@ -20,10 +26,10 @@ struct Trial {
 /// What a trial's features go through, such as a picture of them. @param nothing takes them in the end
 /// @param context of the trial
 using TrialView = std::function<std::unique_ptr<FeatureSink>(
-    FeatureSink& nothing, DemSource& dem, const Context& context, int lod, int noise_factor)>;
+    FeatureSink& nothing, DemSource& dem, const Context& context, const TrialValues& values)>;
 
-/// Runs the whole job for every pair of the plan, the noise factors of one lod after the other. Each source
-/// is read once and kept, 8 bytes a point.
+/// Runs the whole job for every combination of the plan: the noise factors of one detail after the other, and
+/// the details of one lod. Each source is read once and kept, 8 bytes a point.
 /// @param view may be empty @throws Error
 [[nodiscard]] std::vector<Trial> run_trials(const Options& options, const Sources& sources,
                                             const SweepPlan& plan, const TrialView& view, Context& context);

@@ -48,14 +48,15 @@ TEST_F(OptionEffect, sweep) {
     preset_ = "buildings";
     const std::string town = sample("town.tif");
     const std::vector<std::string> part{"-te", "391250", "5820250", "391650", "5820600"};
-    Arguments all{"-json", "-sweep", "lod=2..4..2,nf=5..40..35", "-preview", "sheet.png"};
+    Arguments all{"-json", "-sweep", "lod=2..4..2,nf=5..40..35,detail=0..1", "-preview", "sheet.png"};
     all.insert(all.end(), part.begin(), part.end());
     all.push_back(town);
     const json trials = json::parse(run_well(all))["trials"];
     EXPECT_EQ(entries(), (std::vector<std::string>{"blocks.tif", "sheet.png"}));
-    ASSERT_EQ(trials.size(), 4U);
+    ASSERT_EQ(trials.size(), 8U);
     for (const json& trial : trials) {
-        Arguments one{"-json", "-overwrite", "-lod", trial["lod"].dump(), "-nf", trial["nf"].dump()};
+        Arguments one{"-json", "-overwrite",       "-lod",    trial["lod"].dump(),
+                      "-nf",   trial["nf"].dump(), "-detail", trial["detail"].dump()};
         one.insert(one.end(), part.begin(), part.end());
         one.insert(one.end(), {town, "one.gpkg"});
         const json output = json::parse(run_well(one))["output"];
@@ -64,7 +65,8 @@ TEST_F(OptionEffect, sweep) {
         EXPECT_EQ(trial["points"], output["vertices"]);
         EXPECT_EQ(trial["stack_rmse_m"], output["stack_rmse_m"]);
     }
-    EXPECT_LT(trials[0]["contours"], trials[2]["contours"]);  // more levels
+    EXPECT_LT(trials[0]["contours"], trials[4]["contours"]);  // more levels
+    EXPECT_GT(trials[0]["points"], trials[2]["points"]);      // cleaner tiers
     EXPECT_GT(trials[0]["contours"], trials[1]["contours"]);  // less noise
     const OpenDataset sheet(GDALOpen(path("sheet.png").c_str(), GA_ReadOnly));
     ASSERT_NE(sheet, nullptr);
@@ -73,8 +75,9 @@ TEST_F(OptionEffect, sweep) {
         run_well({"-q", "-sweep", "lod=3", "-te", "391250", "5820250", "391350", "5820350", town});
     EXPECT_EQ(std::ranges::count(table, '\n'), 2);
     expect_has(table,
-               "        lod         nf  buildings   contours     points   rmse [m]    seconds\n          3   "
-               "      10 ");
+               "        lod         nf     detail  buildings   contours     points   rmse [m]    seconds\n   "
+               "       3   "
+               "      10          0 ");
     expect_error(2, "-sweep takes one file name", {"-sweep", "lod=1..2", town, "out.gpkg"});
 }
 

@@ -51,7 +51,7 @@ const std::map<std::string, std::vector<Texts>>& values() {
         {"write_height", {{"h.tif"}}},
         {"write_canopy", {{"c.tif"}}},
         {"preview", {{"p.png"}}},
-        {"sweep", {{"lod=1..2"}, {"nf=5..10"}}},
+        {"sweep", {{"lod=1..2"}, {"nf=5..10"}, {"detail=0..2"}}},
         {"threads", {{"1"}}},
     };
     return all;

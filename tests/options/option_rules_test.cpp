@@ -73,6 +73,8 @@ TEST(OptionRules, sayWhichTwoAndWhatToDo) {
               "given."},
              {{"-sweep", "lod=1..3,nf=2", "-lod", "2"},
               "-lod has no effect with -sweep lod=...; the sweep names the values itself."},
+             {{"-sweep", "detail=1", "-detail", "2"},
+              "-detail has no effect with -sweep detail=...; the sweep names the values itself."},
              {{"-mask_layer", "roofs"},
               "-mask_layer needs -mask <raster or polygons>; it names the layer of its polygons."}})
         EXPECT_EQ(refusal_of(words), message);

@@ -406,9 +406,31 @@ TEST(Options, aSweepIsEveryPairOfItsNumbers) {
     EXPECT_EQ(sweep_of("nf=7").noise_factors, std::vector<int>{7});
     EXPECT_EQ(sweep_of("lod=3..3").lods, std::vector<int>{3});
     EXPECT_EQ(sweep_of("nf=0..1000000000..1000000000").noise_factors, (std::vector<int>{0, 1000000000}));
-    for (const char* wrong :
-         {"lod", "lod=", "lod=0..3", "lod=3..1", "nf=1..2..0", "lod=1..2..3..4", "x=1", "lod=1,lod=2",
-          "lod=1..2,", "nf=1.5", "nf=0..1000000000..1", "lod=1..20..1,nf=0..30..1"})
+    EXPECT_EQ(sweep_of("detail=0..2..0.5,lod=4").details, (std::vector<double>{0, 0.5, 1, 1.5, 2}));
+    EXPECT_EQ(sweep_of("detail=0..1..0.1").details.size(), 11U);
+    EXPECT_EQ(sweep_of("detail=0..3").details, (std::vector<double>{0, 1, 2, 3}));
+    EXPECT_EQ(sweep_of("detail=0.5..3").details, (std::vector<double>{0.5, 1, 1.5, 2, 2.5, 3}));
+    EXPECT_EQ(sweep_of("detail=1.5").details, std::vector<double>{1.5});
+    for (const char* wrong : {"detail=",
+                              "detail=-1..2",
+                              "detail=2..1",
+                              "detail=0..1..0",
+                              "detail=0..1000..0.1",
+                              "detail=0,detail=1",
+                              "detail=0..1..0.5..2",
+                              "detail=nan",
+                              "lod",
+                              "lod=",
+                              "lod=0..3",
+                              "lod=3..1",
+                              "nf=1..2..0",
+                              "lod=1..2..3..4",
+                              "x=1",
+                              "lod=1,lod=2",
+                              "lod=1..2,",
+                              "nf=1.5",
+                              "nf=0..1000000000..1",
+                              "lod=1..20..1,nf=0..30..1"})
         EXPECT_THROW((void)sweep_of(wrong), OptionError) << wrong;
 }
 

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/number_text.hpp"
 #include "dem2buildings/preview.hpp"
 #include "preview/contact_sheet.hpp"
 
@@ -31,14 +32,16 @@ std::string fixed(double value) {
 
 std::string sweep_table(const std::vector<Trial>& trials) {
     std::string text;
-    for (const char* title : {"lod", "nf", "buildings", "contours", "points", "rmse [m]", "seconds"})
+    for (const char* title :
+         {"lod", "nf", "detail", "buildings", "contours", "points", "rmse [m]", "seconds"})
         text += aligned(title);
     for (const Trial& trial : trials) {
         const RunReport& report = trial.report;
-        text += "\n" + aligned(std::to_string(trial.lod)) + aligned(std::to_string(trial.noise_factor)) +
-                aligned(std::to_string(report.buildings)) + aligned(std::to_string(report.contours)) +
-                aligned(std::to_string(report.vertices)) + aligned(fixed(report.stack_rmse_m)) +
-                aligned(fixed(trial.seconds));
+        text += "\n" + aligned(std::to_string(trial.values.lod)) +
+                aligned(std::to_string(trial.values.noise_factor)) +
+                aligned(number_text(trial.values.detail)) + aligned(std::to_string(report.buildings)) +
+                aligned(std::to_string(report.contours)) + aligned(std::to_string(report.vertices)) +
+                aligned(fixed(report.stack_rmse_m)) + aligned(fixed(trial.seconds));
     }
     return text + "\n";
 }
@@ -46,8 +49,9 @@ std::string sweep_table(const std::vector<Trial>& trials) {
 std::string sweep_json(const std::vector<Trial>& trials) {
     Json rows = Json::array();
     for (const Trial& trial : trials)
-        rows.push_back(Json{{"lod", trial.lod},
-                            {"nf", trial.noise_factor},
+        rows.push_back(Json{{"lod", trial.values.lod},
+                            {"nf", trial.values.noise_factor},
+                            {"detail", trial.values.detail},
                             {"buildings", trial.report.buildings},
                             {"contours", trial.report.contours},
                             {"points", trial.report.vertices},
@@ -68,9 +72,12 @@ std::vector<Trial> run_sweep(const Options& options, const Sources& sources, con
     std::vector<Image> pictures;
     std::vector<Trial> trials = run_trials(
         options, sources, plan,
-        [&](FeatureSink& nothing, DemSource& dem, const Context& of_trial, int lod, int noise_factor) {
-            PreviewLook look = look_of(options, dem.info(),
-                                       "lod " + std::to_string(lod) + " nf " + std::to_string(noise_factor));
+        [&](FeatureSink& nothing, DemSource& dem, const Context& of_trial, const TrialValues& values) {
+            std::string heading =
+                "lod " + std::to_string(values.lod) + " nf " + std::to_string(values.noise_factor);
+            if (!plan.details.empty())
+                heading += " detail " + number_text(values.detail);
+            PreviewLook look = look_of(options, dem.info(), heading);
             look.longest = std::clamp(sheet_width / columns, least, most);
             return std::make_unique<PreviewSink>(nothing, dem, crs_of(options, dem.info()), look, of_trial,
                                                  [&](const Image& image) { pictures.push_back(image); });
