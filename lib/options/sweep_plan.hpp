@@ -5,8 +5,8 @@
 
 namespace d2b {
 
-/// What is tried: every lod with every noise factor and every detail. A list that is empty leaves its option as
-/// it is.
+/// What is tried: every lod with every noise factor and every detail. A list that is empty leaves its option
+/// as it is.
 struct SweepPlan {
     std::vector<int> lods;
     std::vector<int> noise_factors;
