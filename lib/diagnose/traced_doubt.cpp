@@ -25,7 +25,7 @@ std::string traced_doubt(const OutlineLength& buildings, const OutlineLength& co
     constexpr double most_of_contours = 0.9;
     if (buildings.traced_share() > most_of_buildings)
         return sentence(buildings.traced_share(), "buildings", cell_size_m);
-    if (contours.traced_share() > most_of_contours)
+    if (!(buildings.whole() > 0) && contours.traced_share() > most_of_contours)
         return sentence(contours.traced_share(), "contours", cell_size_m);
     return {};
 }

@@ -17,8 +17,7 @@ constexpr double no_tier = std::numeric_limits<double>::quiet_NaN();
 /// The tiers of a band, which only buildings' cells have.
 class Tiers {
   public:
-    explicit Tiers(const BandShape& shape)
-        : shape_(shape), tiers_(std::make_unique_for_overwrite<double[]>(shape.size())) {}
+    explicit Tiers(const BandShape& shape) : shape_(shape), tiers_(shape.size()) {}
 
     /// Calls use(first, last) with the tiers of each run of an entry that lies in the band.
     template <typename Use>
@@ -33,7 +32,8 @@ class Tiers {
     }
     [[nodiscard]] double& at(std::size_t i) { return tiers_[i]; }
     void fill(std::size_t begin, std::size_t end, double tier) {
-        std::fill(tiers_.get() + begin, tiers_.get() + end, tier);
+        std::fill(tiers_.begin() + static_cast<std::ptrdiff_t>(begin),
+                  tiers_.begin() + static_cast<std::ptrdiff_t>(end), tier);
     }
 
   private:
@@ -42,7 +42,7 @@ class Tiers {
                static_cast<std::size_t>(col);
     }
     BandShape shape_;
-    std::unique_ptr<double[]> tiers_;  ///< most pages of it are never touched
+    std::vector<double> tiers_;
 };
 
 }  // namespace
