@@ -3,32 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
+
+#include "core/disjoint_sets.hpp"
 
 namespace d2b {
 namespace {
-
-class Groups {
-  public:
-    explicit Groups(std::size_t n) : up_(n) { std::iota(up_.begin(), up_.end(), 0U); }
-    std::uint32_t find(std::uint32_t i) {
-        while (up_[i] != i) {
-            up_[i] = up_[up_[i]];
-            i = up_[i];
-        }
-        return i;
-    }
-    /// The lower one stands for both.
-    void join(std::uint32_t a, std::uint32_t b) {
-        a = find(a);
-        b = find(b);
-        up_[std::max(a, b)] = std::min(a, b);
-    }
-
-  private:
-    std::vector<std::uint32_t> up_;
-};
 
 /// Rows and columns over which two traces can get into each other's way. Both walls stay within the
 /// tolerance.
@@ -53,7 +33,7 @@ class TraceBuckets {
 
     void add(const Contour& contour, std::uint32_t number);
     /// Joins the groups of edges that are near each other.
-    void join(Groups& groups);
+    void join(DisjointSets& groups);
 
   private:
     struct Edge {
@@ -72,7 +52,7 @@ class TraceBuckets {
     [[nodiscard]] std::int64_t bucket(std::int32_t at, std::int32_t low) const {
         return (static_cast<std::int64_t>(at) - low) >> shift_;
     }
-    void join_bucket(std::size_t begin, std::size_t end, Groups& groups) const;
+    void join_bucket(std::size_t begin, std::size_t end, DisjointSets& groups) const;
 
     LatticePoint reach_;
     Rows rows_;
@@ -130,7 +110,7 @@ void TraceBuckets::lay_out() {
         for_each_bucket(edges_[e].box, [&](std::size_t b) { entries_[next[b]++] = e; });
 }
 
-void TraceBuckets::join_bucket(std::size_t begin, std::size_t end, Groups& groups) const {
+void TraceBuckets::join_bucket(std::size_t begin, std::size_t end, DisjointSets& groups) const {
     for (std::size_t i = begin + 1; i < end; ++i) {
         const Edge& edge = edges_[entries_[i]];
         std::uint32_t last = edge.contour;  // most neighbours in the list are of one contour
@@ -144,7 +124,7 @@ void TraceBuckets::join_bucket(std::size_t begin, std::size_t end, Groups& group
     }
 }
 
-void TraceBuckets::join(Groups& groups) {
+void TraceBuckets::join(DisjointSets& groups) {
     if (edges_.empty())
         return;
     lay_out();
@@ -166,7 +146,7 @@ bool is_low(const ContourHead& head) {
 
 /// Joins contours that are near each other, a strip of rows at a time.
 void join_neighbours(const ContourList& contours, const WallOptions& options, std::int64_t rows_a_strip,
-                     Groups& groups, const StopRequest& stop) {
+                     DisjointSets& groups, const StopRequest& stop) {
     const LatticePoint reach = conflict_reach(options);
     const auto first_row = [&](std::uint32_t i) {
         return std::int64_t{contours.head(i).key.first.row} - reach.row;
@@ -202,7 +182,7 @@ void join_neighbours(const ContourList& contours, const WallOptions& options, st
 
 std::vector<ClusterPlan> wall_clusters(const ContourList& contours, const WallOptions& options,
                                        const StopRequest& stop, std::int64_t rows_a_strip) {
-    Groups groups(contours.size());
+    DisjointSets groups(static_cast<std::uint32_t>(contours.size()));
     for (std::uint32_t i = 0; i < contours.size(); ++i)
         if (!is_low(contours.head(i)))
             groups.join(i, static_cast<std::uint32_t>(contours.head(i).parent));

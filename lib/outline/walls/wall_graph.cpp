@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "core/disjoint_sets.hpp"
 #include "outline/walls/chain_tracer.hpp"
 
 namespace d2b {
@@ -177,24 +178,13 @@ void Builder::find_owners() {
 }
 
 void Builder::find_parts() {
-    std::vector<std::uint32_t> up(walls_.chains.size());
-    std::iota(up.begin(), up.end(), 0U);
-    const auto find = [&](std::uint32_t c) {
-        while (up[c] != c) {
-            up[c] = up[up[c]];
-            c = up[c];
-        }
-        return c;
-    };
+    DisjointSets parts(static_cast<std::uint32_t>(walls_.chains.size()));
     for (std::size_t n = 0; n < walls_.nodes.size(); ++n)
-        for (std::uint32_t e = walls_.first_end[n] + 1; e < walls_.first_end[n + 1]; ++e) {
-            const std::uint32_t a = find(walls_.chain_of[walls_.arc_ends[e - 1] / 2]);
-            const std::uint32_t b = find(walls_.chain_of[walls_.arc_ends[e] / 2]);
-            up[std::max(a, b)] = std::min(a, b);
-        }
-    walls_.part_of.resize(up.size());
-    for (std::uint32_t c = 0; c < up.size(); ++c)
-        walls_.part_of[c] = find(c) == c ? walls_.parts++ : walls_.part_of[find(c)];
+        for (std::uint32_t e = walls_.first_end[n] + 1; e < walls_.first_end[n + 1]; ++e)
+            parts.join(walls_.chain_of[walls_.arc_ends[e - 1] / 2], walls_.chain_of[walls_.arc_ends[e] / 2]);
+    walls_.part_of.resize(parts.size());
+    for (std::uint32_t c = 0; c < parts.size(); ++c)
+        walls_.part_of[c] = parts.find(c) == c ? walls_.parts++ : walls_.part_of[parts.find(c)];
 }
 
 }  // namespace
