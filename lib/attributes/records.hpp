@@ -6,66 +6,12 @@
 
 #include "core/elevation_sample.hpp"
 #include "core/roof_elevations.hpp"
+#include "dem2buildings/records.hpp"
 #include "levels/level_plan.hpp"
 #include "outline/outline.hpp"
 #include "trace/contour_list.hpp"
 
 namespace d2b {
-
-/// What is known of a contour, in the DEM's vertical unit and datum where nothing else is said. NaN is
-/// unknown.
-struct ContourRecord {
-    std::int64_t id = 0;
-    std::int64_t parent_id = 0;    ///< 0: none
-    std::int64_t building_id = 0;  ///< 0: none
-    std::int32_t level = 0;
-    double threshold = 0;
-    double base = 0;          ///< where its part of the stack begins ...
-    double top = 0;           ///< ... and ends
-    double height_m = 0;      ///< of the top above the ground of the stack; NaN in level 0
-    double min_height_m = 0;  ///< of the base above it
-    double tier_z = 0;        ///< mean of the points that no child holds
-    std::int64_t points = 0;
-    double lowest = 0;
-    double mean = 0;
-    double highest = 0;
-    double area_m2 = 0;
-    double perimeter_m = 0;
-    OutlineStatus status = OutlineStatus::traced;
-};
-
-/// What is known of a building.
-struct BuildingRecord {
-    std::int64_t id = 0;
-    double ground = 0;
-    double roof = 0;
-    double height_m = 0;
-    Percentiles heights_m{};  ///< above ground
-    std::int64_t parts = 0;   ///< contours of its stack
-    std::int32_t levels = 0;  ///< highest level of its stack
-    std::int64_t points = 0;
-    std::int64_t cells = 0;  ///< unit squares of the footprint
-    double mean_m = 0;       ///< mean height above ground
-    double confidence = 0;   ///< 0 to 1; NaN where nothing was detected
-    std::string_view doubt;  ///< what speaks most against it being a building
-    bool at_edge = false;
-    double area_m2 = 0;
-    double perimeter_m = 0;
-    OutlineStatus status = OutlineStatus::traced;
-    double deviation_m = 0;  ///< largest distance between the outline and its trace
-    double area_change = 0;  ///< by regularisation, share of the traced area
-};
-
-/// What is known of something that was dropped, filled or changed.
-struct RejectedRecord {
-    std::int64_t id = 0;
-    std::string_view reason;    ///< as in the report
-    std::int64_t building = 0;  ///< building that it became, whose outline is another one; 0: none
-    std::int64_t contour = 0;   ///< contour that it became; 0: none
-    std::int32_t level = 0;
-    double area_m2 = 0;
-    double perimeter_m = 0;
-};
 
 /// What detection knows of a label.
 struct Footprint {

@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "core/spool.hpp"
+#include "dem2buildings/spool.hpp"
 
 namespace d2b {
 

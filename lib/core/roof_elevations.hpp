@@ -1,15 +1,11 @@
 #pragma once
 
-#include <array>
 #include <limits>
 
 #include "core/elevation_sample.hpp"
+#include "dem2buildings/records.hpp"
 
 namespace d2b {
-
-/// Shares of a building's points, and the elevations that they do not exceed.
-inline constexpr std::array<double, 4> percentile_shares{0.50, 0.70, 0.90, 0.95};
-using Percentiles = std::array<double, percentile_shares.size()>;
 
 /// What the points of a building say of its roof, but those that stand above all around them.
 /// NaN where there are none of these.

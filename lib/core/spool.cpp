@@ -1,4 +1,4 @@
-#include "core/spool.hpp"
+#include "dem2buildings/spool.hpp"
 
 #include <algorithm>
 #include <cstring>

@@ -9,7 +9,7 @@
 #include "core/executor.hpp"
 #include "core/grid.hpp"
 #include "core/row_bands.hpp"
-#include "core/spool.hpp"
+#include "dem2buildings/spool.hpp"
 
 namespace d2b {
 

@@ -75,7 +75,7 @@ void RejectedLayer::write(std::vector<PolygonMaker>& makers, FeatureSink& sink, 
                                       one.record.id = id++;
                                       if (!one.made.parts.empty())
                                           sink.add(layer_, {field_values(rejected_attributes(), one.record),
-                                                            std::move(one.made.parts), 0});
+                                                            std::move(one.made.parts), 0, one.record});
                                   }
                               });
 }

@@ -171,7 +171,7 @@ void FeatureWriter::write(std::size_t layer, std::span<const Attribute<Record>> 
     record.perimeter_m = made.measure.perimeter_m;
     record.status = made.status;
     const StageClock clock(context_.report, Stage::write);
-    sink_.add(layer, {field_values(attributes, record), std::move(made.parts), threshold});
+    sink_.add(layer, {field_values(attributes, record), std::move(made.parts), threshold, record});
 }
 
 void FeatureWriter::count(std::size_t contour, const Drawn& drawn) {

@@ -7,8 +7,8 @@
 #include "core/context.hpp"
 #include "core/point_stats.hpp"
 #include "core/roof_elevations.hpp"
-#include "core/spool.hpp"
 #include "dem2buildings/options.hpp"
+#include "dem2buildings/spool.hpp"
 #include "filter/noise.hpp"
 #include "trace/contour_list.hpp"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/band.hpp"
-#include "core/spool.hpp"
+#include "dem2buildings/spool.hpp"
 #include "levels/building_cells.hpp"
 
 namespace d2b {

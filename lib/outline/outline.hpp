@@ -6,12 +6,10 @@
 #include "core/context.hpp"
 #include "core/georeference.hpp"
 #include "dem2buildings/options.hpp"
+#include "dem2buildings/records.hpp"
 #include "trace/contour_list.hpp"
 
 namespace d2b {
-
-/// What became of an outline on its way from the trace to the file.
-enum class OutlineStatus { traced, simplified, regularized, kept_traced, repaired };
 
 /// What outlines are to look like.
 struct OutlineRules {

@@ -229,6 +229,8 @@ FoundBuildings find_buildings(const RunPlan& plan, const Sources& sources, const
                             {strip.own.begin - strip.seen.begin, strip.own.end - strip.seen.begin},
                             job.threads());
     }
+    if (plan.ground == GroundMode::given)
+        context.report.count(Reason::terrain_outside_range, sources.terrain->cells_outside_range());
     found.sides.terrain = plan.ground != GroundMode::given || found.fit.cells() > 0;
     put_into(found, merger.finish(strips.size() > 1 ? cells_for(plan.building_m2, cell) : 1),
              options.write.doubtful, metres, context.report);

@@ -26,7 +26,6 @@
 #include "options/option_checks.hpp"
 #include "options/run_plan.hpp"
 #include "pipeline/find_buildings.hpp"
-#include "pipeline/own_report.hpp"
 #include "pipeline/provenance.hpp"
 #include "pipeline/trace_contours.hpp"
 
@@ -191,14 +190,25 @@ void warn_of_nothing(const LevelPlan& plan, std::size_t buildings, const DemInfo
         context.warn("No building was found; a smaller -nf or -min_area, or more levels, may show some.");
 }
 
-}  // namespace
+/// Warns of what sources and sinks have noticed, on whichever thread.
+void pass_warnings(const Sources& sources, const Sinks& sinks, Context& context) {
+    const auto pass = [&](auto* from) {
+        if (from != nullptr)
+            for (const std::string& text : from->take_warnings())
+                context.warn(text);
+    };
+    for (DemSource* source : {&sources.dem, sources.terrain, sources.mask, sources.ndvi})
+        pass(source);
+    pass(&sinks.features);
+    for (RasterSink* raster : {sinks.ground, sinks.height, sinks.canopy})
+        pass(raster);
+}
 
-void run(const Options& asked, const Sources& sources, const Sinks& sinks, Context& context,
-         const BandSize& size) {
+void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks, const BandSize& size,
+                Context& context) {
     check_options({asked, {}});
     const RunPlan decided = make_run_plan(asked, sinks.features.layers(asked.write.layers));
     const Options& options = decided.asked;
-    const OwnReport own_report(context);
     start_threads(options.run, context);
     const DemInfo& info = sources.dem.info();
     const Crs crs = dem_crs(options, info);
@@ -206,6 +216,7 @@ void run(const Options& asked, const Sources& sources, const Sinks& sinks, Conte
     RunReport& report = context.report;
     describe(info, crs, target, report);
     report.output = options.write.destination;
+    report.layers = decided.layers;
     report.units = resolve_units(info, crs, options.read.vertical_unit);
     const Georeference georeference(info.transform, decided.trace);
     const Position middle = require_whole_frame(info, decided, crs, target);
@@ -224,6 +235,7 @@ void run(const Options& asked, const Sources& sources, const Sinks& sinks, Conte
     const Milestones at = decided.detects_buildings() ? of_buildings : of_thesis;
     const ElevationStatistics statistics =
         within(context, 0, at.read, [&] { return collect_statistics(reader, options, info, context); });
+    pass_warnings(sources, sinks, context);
     LevelPlan plan = plan_global_levels(statistics, options.levels, decided.levels, context);
     std::optional<FoundBuildings> found;
     std::optional<CleanRows> clean;
@@ -248,6 +260,7 @@ void run(const Options& asked, const Sources& sources, const Sinks& sinks, Conte
                               context);
     });
 
+    pass_warnings(sources, sinks, context);
     const std::vector<Footprint> footprints = found ? std::move(found->footprints) : std::vector<Footprint>();
     RecordMaker records(*contours, {plan, frame.fixed, footprints, report.units.vertical_metres,
                                     lattice_frame(info.window, decided.trace)});
@@ -276,9 +289,25 @@ void run(const Options& asked, const Sources& sources, const Sinks& sinks, Conte
     for (RasterSink* raster : {sinks.ground, sinks.height, sinks.canopy})
         if (raster != nullptr)
             raster->finish();
+    sinks.features.take_report(report);
     sinks.features.finish();
     if (context.on_progress)
         context.on_progress(1);  // the result is there; nobody can stop it any more
+}
+
+}  // namespace
+
+RunReport run(const Options& options, const Sources& sources, const Sinks& sinks, const Callbacks& callbacks,
+              const BandSize& size) {
+    Context context(callbacks);
+    try {
+        run_stages(options, sources, sinks, size, context);
+    } catch (...) {
+        pass_warnings(sources, sinks, context);  // which may say why
+        throw;
+    }
+    pass_warnings(sources, sinks, context);
+    return std::move(context.report);
 }
 
 }  // namespace d2b

@@ -13,7 +13,7 @@ namespace {
 /// A source that has been read whole.
 class KeptSource final : public DemSource {
   public:
-    explicit KeptSource(DemSource& source) : info_(source.info()) {
+    explicit KeptSource(DemSource& source) : source_(source), info_(source.info()) {
         constexpr std::int32_t least_rows = 64;
         const Window& window = info_.window;
         values_.resize(cells(window.rows));
@@ -28,12 +28,15 @@ class KeptSource final : public DemSource {
         std::ranges::copy(std::span(values_).subspan(cells(first_row - info_.window.row), cells(rows)),
                           elevations.begin());
     }
+    [[nodiscard]] std::vector<std::string> take_warnings() override { return source_.take_warnings(); }
+    [[nodiscard]] std::int64_t cells_outside_range() const override { return source_.cells_outside_range(); }
 
   private:
     [[nodiscard]] std::size_t cells(std::int32_t rows) const {
         return static_cast<std::size_t>(rows) * static_cast<std::size_t>(info_.window.cols);
     }
 
+    DemSource& source_;
     DemInfo info_;
     std::vector<double> values_;
 };
@@ -71,7 +74,7 @@ std::vector<TrialValues> combinations(const SweepPlan& plan, const Options& opti
 }  // namespace
 
 std::vector<Trial> run_trials(const Options& options, const Sources& sources, const SweepPlan& plan,
-                              const TrialView& view, Context& context) {
+                              const TrialView& view, const Callbacks& callbacks) {
     KeptSource dem(sources.dem);
     Kept terrain;
     Kept mask;
@@ -88,22 +91,21 @@ std::vector<Trial> run_trials(const Options& options, const Sources& sources, co
         tried.levels.lod = values.lod;
         tried.levels.detail = values.detail;
         tried.filter.noise_factor = values.noise_factor;
-        Context of_trial;
+        Callbacks of_trial = callbacks;
         of_trial.on_warning = [&](const std::string& text) {
-            if (warned.insert(text).second)
-                context.warn(text);
+            if (warned.insert(text).second && callbacks.on_warning)
+                callbacks.on_warning(text);
         };
-        of_trial.stop = context.stop;
-        of_trial.make_spool = context.make_spool;
         of_trial.on_progress = [&, done = trials.size()](double share) {
-            return !context.on_progress ||
-                   context.on_progress((static_cast<double>(done) + share) / static_cast<double>(all.size()));
+            return !callbacks.on_progress ||
+                   callbacks.on_progress((static_cast<double>(done) + share) / static_cast<double>(all.size()));
         };
         NoFeatures nothing;
-        const std::unique_ptr<FeatureSink> seen = view ? view(nothing, dem, of_trial, values) : nullptr;
-        run(tried, {dem, get(terrain), get(mask), get(ndvi)}, {seen ? *seen : nothing}, of_trial);
+        const std::unique_ptr<FeatureSink> seen = view ? view(nothing, dem, values) : nullptr;
+        RunReport report =
+            run(tried, {dem, get(terrain), get(mask), get(ndvi)}, {seen ? *seen : nothing}, of_trial);
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-        trials.push_back({values, std::move(of_trial.report), took.count()});
+        trials.push_back({values, std::move(report), took.count()});
     }
     return trials;
 }

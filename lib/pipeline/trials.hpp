@@ -24,14 +24,15 @@ struct Trial {
 };
 
 /// What a trial's features go through, such as a picture of them. @param nothing takes them in the end
-/// @param context of the trial
 using TrialView = std::function<std::unique_ptr<FeatureSink>(
-    FeatureSink& nothing, DemSource& dem, const Context& context, const TrialValues& values)>;
+    FeatureSink& nothing, DemSource& dem, const TrialValues& values)>;
 
 /// Runs the whole job for every combination of the plan: the noise factors of one detail after the other, and
 /// the details of one lod. Each source is read once and kept, 8 bytes a point.
+/// What several trials would warn of is told once.
 /// @param view may be empty @throws Error
 [[nodiscard]] std::vector<Trial> run_trials(const Options& options, const Sources& sources,
-                                            const SweepPlan& plan, const TrialView& view, Context& context);
+                                            const SweepPlan& plan, const TrialView& view,
+                                            const Callbacks& callbacks = {});
 
 }  // namespace d2b

@@ -34,13 +34,11 @@ std::string one_decimal(double value) {
 
 }  // namespace
 
-PreviewSink::PreviewSink(FeatureSink& features, DemSource& dem, Crs crs, PreviewLook look,
-                         const Context& context, Taken taken)
+PreviewSink::PreviewSink(FeatureSink& features, DemSource& dem, Crs crs, PreviewLook look, Taken taken)
     : features_(features),
       dem_(dem),
       crs_(std::move(crs)),
       look_(std::move(look)),
-      context_(context),
       taken_(std::move(taken)),
       frame_(dem.info(), look_.longest),
       canvas_(frame_.width(), frame_.height() + 2 * caption_height(frame_.width()), paper) {}
@@ -89,8 +87,7 @@ void PreviewSink::add(std::size_t layer, const Feature& feature) {
     features_.add(layer, feature);
 }
 
-void PreviewSink::write_caption() {
-    const RunReport& report = context_.report;
+void PreviewSink::write_caption(const RunReport& report) {
     const int size = letter_size(frame_.width());
     const int strip = caption_height(frame_.width());
     // What the features lie over at the edges goes under the caption.
@@ -111,8 +108,12 @@ void PreviewSink::write_caption() {
     }
 }
 
+void PreviewSink::take_report(const RunReport& report) {
+    write_caption(report);
+    features_.take_report(report);
+}
+
 void PreviewSink::finish() {
-    write_caption();
     taken_(canvas_.shown());
     features_.finish();
 }

@@ -4,8 +4,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "core/context.hpp"
 #include "core/crs.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/feature_sink.hpp"
@@ -28,10 +28,9 @@ class PreviewSink final : public FeatureSink {
     /// Takes a picture. @param image heading and counts below the map
     using Taken = std::function<void(const Image& image)>;
 
-    /// @param features must outlive this, as must the DEM and the context @param crs of the DEM @param taken
+    /// @param features must outlive this, as must the DEM @param crs of the DEM @param taken
     /// called in finish(), before the features' own
-    PreviewSink(FeatureSink& features, DemSource& dem, Crs crs, PreviewLook look, const Context& context,
-                Taken taken);
+    PreviewSink(FeatureSink& features, DemSource& dem, Crs crs, PreviewLook look, Taken taken);
 
     void require_crs(const std::string& wkt, const std::string& name, const Position& place) override {
         features_.require_crs(wkt, name, place);
@@ -42,7 +41,9 @@ class PreviewSink final : public FeatureSink {
     }
     void begin(std::span<const LayerSpec> layers, const Provenance& provenance) override;
     void add(std::size_t layer, const Feature& feature) override;
+    void take_report(const RunReport& report) override;
     void finish() override;
+    [[nodiscard]] std::vector<std::string> take_warnings() override { return features_.take_warnings(); }
     [[nodiscard]] std::int64_t first_id() const override { return features_.first_id(); }
     [[nodiscard]] Layers layers(std::optional<Layers> asked) const override {
         return features_.layers(asked);
@@ -53,13 +54,12 @@ class PreviewSink final : public FeatureSink {
 
   private:
     void draw(const WorldPolygon& polygon, Colour colour);
-    void write_caption();
+    void write_caption(const RunReport& report);
 
     FeatureSink& features_;
     DemSource& dem_;
     Crs crs_;
     PreviewLook look_;
-    const Context& context_;
     Taken taken_;
     MapFrame frame_;
     Canvas canvas_;

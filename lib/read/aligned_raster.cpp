@@ -16,7 +16,7 @@ namespace d2b {
 
 namespace {
 
-DemInfo describe(const OpenRaster& file, const std::string& path, Context& context) {
+DemInfo describe(const OpenRaster& file, const std::string& path, Warnings& warnings) {
     const GdalMessages messages;
     DemInfo info;
     info.name = path;
@@ -27,10 +27,10 @@ DemInfo describe(const OpenRaster& file, const std::string& path, Context& conte
         info.driver = GDALGetDriverShortName(driver);
     if (const char* unit = GDALGetRasterUnitType(file.band))
         info.band_unit = unit;
-    Context own;  // what is said of a missing CRS or georeference is true of the DEM alone
-    read_transform(file.dataset.get(), info, own);
-    read_crs(file.dataset.get(), "", info, own);
-    messages.pass_all(context);
+    Warnings unheard;  // what is said of a missing CRS or georeference is true of the DEM alone
+    read_transform(file.dataset.get(), info, unheard);
+    read_crs(file.dataset.get(), "", info, unheard);
+    messages.pass_all(warnings);
     return info;
 }
 
@@ -51,15 +51,15 @@ std::string percent_text(double share) {
 }  // namespace
 
 AlignedRaster::AlignedRaster(const std::string& role, const std::string& path, const DemInfo& grid,
-                             Resampling resampling, Context& context)
-    : context_(context),
+                             Resampling resampling, Warnings& warnings)
+    : warnings_(warnings),
       name_(role + " '" + path + "'"),
       dem_("'" + grid.name + "'"),
       standard_input_(keep_standard_input(path)),
-      file_(open_first_band(path, standard_input_ ? standard_input_->path() : path, context)),
-      raster_(describe(file_, path, context)),
+      file_(open_first_band(path, standard_input_ ? standard_input_->path() : path, warnings)),
+      raster_(describe(file_, path, warnings)),
       info_(on_grid(grid, raster_)),
-      reader_(file_.band, {}, raster_, context) {
+      reader_(file_.band, {}, raster_, warnings) {
     if (raster_.georeferenced != grid.georeferenced) {
         const std::string is = "The " + name_ + " has " + (raster_.georeferenced ? "a" : "no");
         throw InputError(is + " georeference and " + dem_ + " has " +
@@ -76,15 +76,15 @@ void AlignedRaster::place(const DemInfo& grid, Resampling resampling) {
         refuse_elsewhere();
     covered_ = found.share;
     if (raster_.crs_wkt.empty() && !info_.crs_wkt.empty())
-        context_.warn("The " + name_ + " has no coordinate reference system; its coordinates are taken as " +
+        warnings_.add("The " + name_ + " has no coordinate reference system; its coordinates are taken as " +
                       "those of " + dem_ + ".");
     if (!raster_.crs_wkt.empty() && info_.crs_wkt.empty())
-        context_.warn("The " + name_ + " has a coordinate reference system and " + dem_ +
+        warnings_.add("The " + name_ + " has a coordinate reference system and " + dem_ +
                       " has none; coordinates of both are taken as the same.");
     offset_ = whole_cell_offset(transform, info_);
     if (!offset_)
         warper_ = std::make_unique<ValueWarper>(reader_, raster_, info_, std::move(transform), resampling,
-                                                context_);
+                                                warnings_);
 }
 
 void AlignedRaster::refuse_elsewhere() const {
@@ -103,7 +103,7 @@ void AlignedRaster::refuse_elsewhere() const {
 
 void AlignedRaster::warn_of_gaps(const std::string& consequence) const {
     if (covered_ < 1)
-        context_.warn(percent_text(1 - covered_) + " of " + dem_ + " lies outside of the " + name_ + "; " +
+        warnings_.add(percent_text(1 - covered_) + " of " + dem_ + " lies outside of the " + name_ + "; " +
                       consequence + " there.");
 }
 
@@ -127,7 +127,7 @@ void AlignedRaster::copy(std::int32_t first_row, std::int32_t rows, std::span<do
     if (part.rows <= 0 || part.cols <= 0)
         return;
     part_.resize(static_cast<std::size_t>(part.rows) * static_cast<std::size_t>(part.cols));
-    reader_.read_part(part, part_, context_);
+    reader_.read_part(part, part_, warnings_);
     for (std::int32_t i = 0; i < part.rows; ++i)
         std::copy_n(part_.data() + std::ptrdiff_t{i} * part.cols, part.cols,
                     values.data() + std::ptrdiff_t{part.row - top + i} * w.cols + (part.col - left));

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "core/context.hpp"
+#include "core/warnings.hpp"
 #include "dem2buildings/dem_info.hpp"
 #include "read/band_reader.hpp"
 #include "read/grid_fit.hpp"
@@ -25,7 +25,7 @@ class AlignedRaster {
     /// @throws InputError: cannot be opened, of no use as a raster, nothing in the window, only one of the
     /// two is georeferenced, no operation between the CRSs
     AlignedRaster(const std::string& role, const std::string& path, const DemInfo& grid,
-                  Resampling resampling, Context& context);
+                  Resampling resampling, Warnings& warnings);
 
     /// "terrain 'dtm.tif'"
     [[nodiscard]] const std::string& name() const { return name_; }
@@ -49,7 +49,7 @@ class AlignedRaster {
     [[noreturn]] void refuse_elsewhere() const;
     void copy(std::int32_t first_row, std::int32_t rows, std::span<double> values);
 
-    Context& context_;
+    Warnings& warnings_;
     std::string name_;
     std::string dem_;                                    ///< its name
     std::unique_ptr<KeptStandardInput> standard_input_;  // before the dataset, which must be closed first

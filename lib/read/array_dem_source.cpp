@@ -69,27 +69,27 @@ void require_array_options(const ReadOptions& options, const std::string& name) 
                           "'; leave it out.");
 }
 
-DemInfo describe(const ElevationArray& array, const ReadOptions& options, Context& context) {
+DemInfo describe(const ElevationArray& array, const ReadOptions& options, Warnings& warnings) {
     DemInfo info;
     info.name = array.name;
     info.rows = array.rows;
     info.cols = array.cols;
     info.driver = "array";
     info.bytes = array.type == ValueType::uint8;
-    set_transform(array.transform, "correct it", info, context);
-    set_crs("", options.crs, info, context);
+    set_transform(array.transform, "correct it", info, warnings);
+    set_crs("", options.crs, info, warnings);
     info.window = choose_window(options, info);
     if (const std::string doubt = doubt_of_extent(options, info); !doubt.empty())
-        context.warn(doubt);
+        warnings.add(doubt);
     return info;
 }
 
 class ArrayDemSource final : public DemSource {
   public:
-    ArrayDemSource(const ElevationArray& array, const ReadOptions& options, Context& context)
+    ArrayDemSource(const ElevationArray& array, const ReadOptions& options, Warnings& warnings)
         : array_(array),
-          info_(describe(array, options, context)),
-          cutline_(open_cutline(options, info_, context)) {
+          info_(describe(array, options, warnings)),
+          cutline_(open_cutline(options, info_, warnings)) {
         if (options.nodata)
             nodata_ = array.type == ValueType::float32 ? as_single(*options.nodata) : *options.nodata;
     }
@@ -127,11 +127,12 @@ class ArrayDemSource final : public DemSource {
 }  // namespace
 
 std::unique_ptr<DemSource> open_dem(const ElevationArray& array, const ReadOptions& options,
-                                    Context& context) {
+                                    const Callbacks& callbacks) {
     if (array.rows < 1 || array.cols < 1)
         throw InputError("'" + array.name + "' has no cells; give at least one row and one column.");
     require_array_options(options, array.name);
-    return std::make_unique<ArrayDemSource>(array, options, context);
+    Warnings warnings(callbacks.on_warning);
+    return std::make_unique<ArrayDemSource>(array, options, warnings);
 }
 
 }  // namespace d2b

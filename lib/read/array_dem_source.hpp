@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "core/context.hpp"
+#include "dem2buildings/callbacks.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/options.hpp"
 
@@ -35,10 +35,10 @@ struct ElevationArray {
 
 /// The array as a DEM: nothing of it is copied. NaN and infinite values are not valid. Windows, the cutline,
 /// NoData and the CRS are those of the options.
-/// @param array which must not change as long as the source lives @param context must outlive the source
+/// @param array which must not change as long as the source lives
 /// @throws InputError: no cells, a singular transform, an unusable cutline. @throws OptionError: options of
 /// files, or a window outside of the array
 [[nodiscard]] std::unique_ptr<DemSource> open_dem(const ElevationArray& array, const ReadOptions& options,
-                                                  Context& context);
+                                                  const Callbacks& callbacks = {});
 
 }  // namespace d2b

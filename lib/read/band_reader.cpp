@@ -50,7 +50,7 @@ double as_single(double value) {
     return static_cast<double>(static_cast<float>(value));
 }
 
-BandReader::BandReader(GDALRasterBandH band, const ReadOptions& options, DemInfo info, Context& context)
+BandReader::BandReader(GDALRasterBandH band, const ReadOptions& options, DemInfo info, Warnings& warnings)
     : band_(band), info_(std::move(info)) {
     const GdalMessages messages(path_of(band_), info_.name);
     if (options.nodata && options.ignore_nodata)
@@ -71,7 +71,7 @@ BandReader::BandReader(GDALRasterBandH band, const ReadOptions& options, DemInfo
     single_precision_ = GDALGetRasterDataType(band_) == GDT_Float32;
     if (options.nodata)
         nodata_ = single_precision_ ? as_single(*options.nodata) : *options.nodata;
-    messages.pass_all(context);
+    messages.pass_all(warnings);
 }
 
 std::int32_t BandReader::chunk_rows() const {
@@ -86,7 +86,7 @@ std::int32_t BandReader::chunk_rows() const {
 }
 
 void BandReader::read(std::int32_t first_row, std::int32_t rows, std::span<double> elevations,
-                      Context& context) {
+                      Warnings& warnings) {
     const Window& w = info_.window;
     const auto cols = static_cast<std::size_t>(w.cols);
     require_rows(info_, first_row, rows, elevations.size());
@@ -97,16 +97,16 @@ void BandReader::read(std::int32_t first_row, std::int32_t rows, std::span<doubl
         const std::int32_t next = std::min<std::int32_t>(end - row, step - row % step) + row;
         const std::size_t at = static_cast<std::size_t>(row - first_row) * cols;
         read_part({row, w.col, next - row, w.cols},
-                  elevations.subspan(at, static_cast<std::size_t>(next - row) * cols), context);
+                  elevations.subspan(at, static_cast<std::size_t>(next - row) * cols), warnings);
         row = next;
     }
 }
 
-void BandReader::read_part(const Window& part, std::span<double> elevations, Context& context) {
-    load(band_, GDT_Float64, part, elevations.data(), context);
+void BandReader::read_part(const Window& part, std::span<double> elevations, Warnings& warnings) {
+    load(band_, GDT_Float64, part, elevations.data(), warnings);
     if (masked_) {
         mask_.resize(elevations.size());
-        load(GDALGetMaskBand(band_), GDT_Byte, part, mask_.data(), context);
+        load(GDALGetMaskBand(band_), GDT_Byte, part, mask_.data(), warnings);
     }
     constexpr double invalid = std::numeric_limits<double>::quiet_NaN();
     const bool scaled = scale_ != 1 || offset_ != 0;
@@ -154,7 +154,7 @@ void BandReader::take_out(const Window& part, std::span<double> elevations) {
 }
 
 void BandReader::load(GDALRasterBandH band, GDALDataType type, const Window& part, void* values,
-                      Context& context) const {
+                      Warnings& warnings) const {
     const std::string path = path_of(band_);
     const GdalMessages messages(path, info_.name);
     const NoBigReads no_big_reads;
@@ -164,7 +164,7 @@ void BandReader::load(GDALRasterBandH band, GDALDataType type, const Window& par
         throw InputError("Rows " + std::to_string(part.row) + " to " +
                          std::to_string(part.row + part.rows - 1) + " of '" + info_.name +
                          "' cannot be read: " + messages.reason() + unread_advice(path, info_.driver) + ".");
-    messages.pass_warnings(context);
+    messages.pass_warnings(warnings);
 }
 
 }  // namespace d2b

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "core/context.hpp"
 #include "core/elevation_limits.hpp"
 #include "core/value_counts.hpp"
+#include "core/warnings.hpp"
 #include "dem2buildings/dem_info.hpp"
 #include "dem2buildings/options.hpp"
 #include "read/gdal_handles.hpp"
@@ -33,7 +33,7 @@ class BandReader {
     /// @param band belongs to a dataset that must outlive the reader
     /// @throws OptionError both nodata and ignore_nodata. @throws InputError a scale that is zero or not
     /// finite
-    BandReader(GDALRasterBandH band, const ReadOptions& options, DemInfo info, Context& context);
+    BandReader(GDALRasterBandH band, const ReadOptions& options, DemInfo info, Warnings& warnings);
 
     /// From now on values outside of these are not valid, and are counted.
     void take_only(const ElevationLimits& limits);
@@ -43,17 +43,17 @@ class BandReader {
     [[nodiscard]] double stored(double value) const { return stored_value(value, scale_, offset_); }
 
     /// @param elevations rows * window.cols values @throws InputError with GDAL's reason
-    void read(std::int32_t first_row, std::int32_t rows, std::span<double> elevations, Context& context);
+    void read(std::int32_t first_row, std::int32_t rows, std::span<double> elevations, Warnings& warnings);
     /// Any part of the raster, in one piece. @param elevations part.rows * part.cols values
     /// @throws InputError with GDAL's reason
-    void read_part(const Window& part, std::span<double> elevations, Context& context);
+    void read_part(const Window& part, std::span<double> elevations, Warnings& warnings);
 
   private:
     static constexpr std::int32_t part_cols = 256;  ///< parts begin that far from each other, or are one
     [[nodiscard]] std::size_t columns_of_parts() const;
     void take_out(const Window& part, std::span<double> elevations);
     void load(GDALRasterBandH band, GDALDataType type, const Window& part, void* values,
-              Context& context) const;
+              Warnings& warnings) const;
     [[nodiscard]] std::int32_t chunk_rows() const;
 
     GDALRasterBandH band_;

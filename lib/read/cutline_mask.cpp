@@ -125,13 +125,14 @@ void CutlineMask::apply(std::int32_t first_row, std::int32_t rows, std::span<dou
     }
 }
 
-std::unique_ptr<CutlineMask> open_cutline(const ReadOptions& options, const DemInfo& info, Context& context) {
+std::unique_ptr<CutlineMask> open_cutline(const ReadOptions& options, const DemInfo& info,
+                                          Warnings& warnings) {
     if (options.cutline.empty())
         return nullptr;
     const PolygonPlace place{"cutline", options.cutline, options.cutline_layer};
-    auto mask = std::make_unique<CutlineMask>(read_cutline(place, info, context), info.window);
+    auto mask = std::make_unique<CutlineMask>(read_cutline(place, info, warnings), info.window);
     if (!mask->meets_window())
-        context.warn("The cutline '" + place.path + "' does not meet the part of '" + info.name +
+        warnings.add("The cutline '" + place.path + "' does not meet the part of '" + info.name +
                      "' that is used; no point of it is valid.");
     return mask;
 }

@@ -39,6 +39,6 @@ class CutlineMask {
 /// The cutline that the options name, with a warning where it does not meet the window; null where they name
 /// none. @throws InputError, OptionError as read_cutline()
 [[nodiscard]] std::unique_ptr<CutlineMask> open_cutline(const ReadOptions& options, const DemInfo& info,
-                                                        Context& context);
+                                                        Warnings& warnings);
 
 }  // namespace d2b

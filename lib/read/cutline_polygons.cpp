@@ -17,7 +17,7 @@ namespace d2b {
 namespace {
 
 OGRLayerH layer_of(GDALDatasetH dataset, const PolygonPlace& place, const std::string& name,
-                   Context& context) {
+                   Warnings& warnings) {
     const std::vector<std::string> names = geometry_layers(dataset);
     const std::string all = quoted_names(names);
     if (!place.layer.empty()) {
@@ -30,17 +30,17 @@ OGRLayerH layer_of(GDALDatasetH dataset, const PolygonPlace& place, const std::s
     if (names.empty())
         throw InputError("The " + name + " has no layer with geometries; give a dataset with polygons.");
     if (names.size() > 1)
-        context.warn("The " + name + " has the layers " + all + "; '" + names.front() + "' is taken, and -" +
+        warnings.add("The " + name + " has the layers " + all + "; '" + names.front() + "' is taken, and -" +
                      place.role + "_layer takes another.");
     return GDALDatasetGetLayerByName(dataset, names.front().c_str());
 }
 
 /// From the layer's CRS to the DEM's; nothing where they are the same or the layer has none.
 TransformOwner transform_between(OGRSpatialReferenceH from, const std::string& name, const DemInfo& info,
-                                 Context& context) {
+                                 Warnings& warnings) {
     if (from == nullptr) {
         if (!info.crs_wkt.empty())
-            context.warn("The " + name +
+            warnings.add("The " + name +
                          " has no coordinate reference system; its coordinates are taken as the DEM's.");
         return nullptr;
     }
@@ -94,19 +94,19 @@ void add_polygon(const std::vector<WorldRing>& rings, RingProjector& projector, 
 
 }  // namespace
 
-std::vector<PixelPolygon> read_cutline(const PolygonPlace& place, const DemInfo& info, Context& context) {
+std::vector<PixelPolygon> read_cutline(const PolygonPlace& place, const DemInfo& info, Warnings& warnings) {
     const std::string name = place.role + " '" + place.path + "'";
     const DatasetOwner dataset =
-        open_vector_dataset(place.path, "The " + name + " cannot be opened", context);
-    const OGRLayerH layer = layer_of(dataset.get(), place, name, context);
-    const TransformOwner transform = transform_between(OGR_L_GetSpatialRef(layer), name, info, context);
+        open_vector_dataset(place.path, "The " + name + " cannot be opened", warnings);
+    const OGRLayerH layer = layer_of(dataset.get(), place, name, warnings);
+    const TransformOwner transform = transform_between(OGR_L_GetSpatialRef(layer), name, info, warnings);
     RingProjector projector(transform.get(), info.transform, name);
     Surroundings around;
     if (transform)
         around = surroundings(OGR_L_GetSpatialRef(layer), horizontal_crs(info.crs_wkt).get(), info);
     std::vector<PixelPolygon> polygons;
     bool any = false;
-    for_each_geometry(layer, "The " + name, context, [&](OGRFeatureH, OGRGeometryH geometry) {
+    for_each_geometry(layer, "The " + name, warnings, [&](OGRFeatureH, OGRGeometryH geometry) {
         const GeometryOwner straight(OGR_G_GetLinearGeometry(geometry, 0, nullptr));  // arcs become lines
         if (!straight)
             return;

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/context.hpp"
+#include "core/warnings.hpp"
 #include "dem2buildings/dem_info.hpp"
 #include "dem2buildings/feature_sink.hpp"
 
@@ -28,6 +28,6 @@ struct PolygonPlace {
 /// @throws InputError: cannot be opened or read, no polygons, a CRS where the DEM has none, not transformable
 /// @throws OptionError: no such layer
 [[nodiscard]] std::vector<PixelPolygon> read_cutline(const PolygonPlace& place, const DemInfo& info,
-                                                     Context& context);
+                                                     Warnings& warnings);
 
 }  // namespace d2b

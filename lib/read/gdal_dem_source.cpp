@@ -12,6 +12,7 @@
 #include "read/raster_transform.hpp"
 #include "read/reader_pool.hpp"
 #include "read/standard_input.hpp"
+#include "read/warning_source.hpp"
 #include "read/window.hpp"
 
 namespace d2b {
@@ -36,7 +37,7 @@ bool holds_bytes(GDALRasterBandH band) {
            GDALGetRasterOffset(band, nullptr) == 0;
 }
 
-DemInfo describe(const OpenRaster& raster, const ReadOptions& options, Context& context) {
+DemInfo describe(const OpenRaster& raster, const ReadOptions& options, Warnings& warnings) {
     const GdalMessages messages(GDALGetDescription(raster.dataset.get()), options.source);
     DemInfo info;
     info.name = options.source;
@@ -49,27 +50,30 @@ DemInfo describe(const OpenRaster& raster, const ReadOptions& options, Context& 
     describe_values(raster.band, options, info);
     info.bands = GDALGetRasterCount(raster.dataset.get());
     info.bytes = holds_bytes(raster.band);
-    read_transform(raster.dataset.get(), info, context);
-    read_crs(raster.dataset.get(), options.crs, info, context);
+    read_transform(raster.dataset.get(), info, warnings);
+    read_crs(raster.dataset.get(), options.crs, info, warnings);
     info.window = choose_window(options, info);
     if (const std::string doubt = doubt_of_extent(options, info); !doubt.empty())
-        context.warn(doubt);
+        warnings.add(doubt);
     int block_cols = 0;
     GDALGetBlockSize(raster.band, &block_cols, &info.block_rows);
     info.block_rows = std::clamp(info.block_rows, 1, std::max(info.rows, 1));
-    messages.pass_all(context);
+    messages.pass_all(warnings);
     return info;
 }
 
-class GdalDemSource final : public DemSource {
+class GdalDemSource final : public WarningSource {
   public:
     GdalDemSource(std::unique_ptr<KeptStandardInput> standard_input, OpenRaster raster,
-                  const ReadOptions& options, Context& context)
-        : standard_input_(std::move(standard_input)),
-          info_(describe(raster, options, context)),
+                  const ReadOptions& options, std::unique_ptr<Warnings> own)
+        : WarningSource(std::move(own)),
+          standard_input_(std::move(standard_input)),
+          info_(describe(raster, options, warnings())),
           readers_(std::move(raster), options, standard_input_ ? standard_input_->path() : options.source,
-                   info_, context),
-          cutline_(open_cutline(options, info_, context)) {}
+                   info_, warnings()),
+          cutline_(open_cutline(options, info_, warnings())) {
+        warnings().hold();
+    }
 
     [[nodiscard]] const DemInfo& info() const override { return info_; }
 
@@ -88,11 +92,13 @@ class GdalDemSource final : public DemSource {
 
 }  // namespace
 
-std::unique_ptr<DemSource> open_dem(const ReadOptions& options, Context& context) {
+std::unique_ptr<DemSource> open_dem(const ReadOptions& options, const Callbacks& callbacks) {
+    auto warnings = std::make_unique<Warnings>(callbacks.on_warning);
     std::unique_ptr<KeptStandardInput> standard_input = keep_standard_input(options.source);
     OpenRaster raster =
-        open_raster(options, standard_input ? standard_input->path() : options.source, context);
-    return std::make_unique<GdalDemSource>(std::move(standard_input), std::move(raster), options, context);
+        open_raster(options, standard_input ? standard_input->path() : options.source, *warnings);
+    return std::make_unique<GdalDemSource>(std::move(standard_input), std::move(raster), options,
+                                           std::move(warnings));
 }
 
 }  // namespace d2b

@@ -2,18 +2,18 @@
 
 #include <memory>
 
-#include "core/context.hpp"
+#include "dem2buildings/callbacks.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/options.hpp"
 
 namespace d2b {
 
 /// Opens a band of any raster that GDAL reads as a DEM. /vsistdin/ is kept in a temporary file first.
-/// @param context must outlive the source, which warns while it reads
 /// @throws InputError: cannot be opened, no such band, complex values, a singular transform, GCPs only, an
 /// unusable
 ///         cutline. @throws OptionError: options that do not fit the raster, or a window outside of it
-[[nodiscard]] std::unique_ptr<DemSource> open_dem(const ReadOptions& options, Context& context);
+[[nodiscard]] std::unique_ptr<DemSource> open_dem(const ReadOptions& options,
+                                                  const Callbacks& callbacks = {});
 
 /// Registers GDAL's drivers. Call once, before other threads start.
 void register_formats();

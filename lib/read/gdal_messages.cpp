@@ -12,8 +12,6 @@ namespace {
 
 constexpr std::size_t longest_message = 500;
 constexpr std::size_t most_warnings = 20;  // A damaged file can have one for every block.
-constexpr std::string_view prefix = "GDAL: ";
-constexpr std::string_view no_more = "GDAL: further warnings are left out.";
 
 void CPL_STDCALL collect(CPLErr level, CPLErrorNum, const char* text) {
     auto* messages = static_cast<GdalMessages*>(CPLGetErrorHandlerUserData());
@@ -38,19 +36,9 @@ void remember(std::vector<std::string>& list, const std::string& line) {
         list.push_back(line);
 }
 
-void pass(const std::vector<std::string>& lines, Context& context) {
-    const std::vector<std::string>& said = context.report.warnings;
-    for (const std::string& line : lines) {
-        const std::string text = std::string(prefix) + line + '.';
-        const auto of_gdal = std::count_if(said.begin(), said.end(),
-                                           [](const std::string& w) { return w.starts_with(prefix); });
-        if (static_cast<std::size_t>(of_gdal) > most_warnings)
-            return;
-        if (static_cast<std::size_t>(of_gdal) == most_warnings)
-            context.warn(std::string(no_more));
-        else if (std::find(said.begin(), said.end(), text) == said.end())
-            context.warn(text);
-    }
+void pass(const std::vector<std::string>& lines, Warnings& warnings) {
+    for (const std::string& line : lines)
+        warnings.add_quote("GDAL", line);
 }
 
 }  // namespace
@@ -110,13 +98,13 @@ std::string GdalMessages::reason_for(const std::string& path) const {
     return text.starts_with(name) ? text.substr(name.size()) : text;
 }
 
-void GdalMessages::pass_warnings(Context& context) const {
-    pass(warnings_, context);
+void GdalMessages::pass_warnings(Warnings& warnings) const {
+    pass(warnings_, warnings);
 }
 
-void GdalMessages::pass_all(Context& context) const {
-    pass(warnings_, context);
-    pass(errors_, context);
+void GdalMessages::pass_all(Warnings& warnings) const {
+    pass(warnings_, warnings);
+    pass(errors_, warnings);
 }
 
 }  // namespace d2b

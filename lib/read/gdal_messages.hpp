@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/context.hpp"
+#include "core/warnings.hpp"
 
 namespace d2b {
 
@@ -32,10 +32,10 @@ class GdalMessages {
     /// One line each, without repetitions, in their order.
     [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
-    /// Hands GDAL's warnings to Context::warn, each one once in a run and no more than a score of them.
-    void pass_warnings(Context& context) const;
+    /// Hands GDAL's warnings on, as quotes.
+    void pass_warnings(Warnings& warnings) const;
     /// As pass_warnings(), and errors as well: for calls that have succeeded nevertheless.
-    void pass_all(Context& context) const;
+    void pass_all(Warnings& warnings) const;
 
     /// For the callback: remembers one message.
     void add(bool is_error, const char* text);

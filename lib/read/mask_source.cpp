@@ -6,16 +6,19 @@
 #include "read/cutline_mask.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/side_rasters.hpp"
+#include "read/warning_source.hpp"
 #include "read/window.hpp"
 
 namespace d2b {
 
 namespace {
 
-class RasterMask final : public DemSource {
+class RasterMask final : public WarningSource {
   public:
-    RasterMask(const std::string& path, const DemInfo& grid, Context& context)
-        : raster_("mask", path, grid, Resampling::nearest, context) {}
+    RasterMask(const std::string& path, const DemInfo& grid, std::unique_ptr<Warnings> own)
+        : WarningSource(std::move(own)), raster_("mask", path, grid, Resampling::nearest, warnings()) {
+        warnings().hold();
+    }
 
     [[nodiscard]] const DemInfo& info() const override { return raster_.info(); }
 
@@ -29,14 +32,17 @@ class RasterMask final : public DemSource {
     AlignedRaster raster_;
 };
 
-class PolygonMask final : public DemSource {
+class PolygonMask final : public WarningSource {
   public:
-    PolygonMask(const PolygonPlace& place, const DemInfo& grid, Context& context)
-        : info_(grid), mask_(read_cutline(place, grid, context), grid.window) {
+    PolygonMask(const PolygonPlace& place, const DemInfo& grid, std::unique_ptr<Warnings> own)
+        : WarningSource(std::move(own)),
+          info_(grid),
+          mask_(read_cutline(place, grid, warnings()), grid.window) {
         info_.name = place.path;
         if (!mask_.meets_window())
             throw InputError("The mask '" + place.path + "' has no polygon in the part of '" + grid.name +
                              "' that is used; give one of the same area.");
+        warnings().hold();
     }
 
     [[nodiscard]] const DemInfo& info() const override { return info_; }
@@ -69,13 +75,14 @@ bool is_vector(const std::string& path) {
 }  // namespace
 
 std::unique_ptr<DemSource> open_mask(const std::string& path, const std::string& layer, const DemInfo& grid,
-                                     Context& context) {
+                                     const Callbacks& callbacks) {
+    auto warnings = std::make_unique<Warnings>(callbacks.on_warning);
     // What comes in on the standard input can be opened once; GDAL reads no rasters from there by itself.
     if (!is_standard_input(path) && is_vector(path))
-        return std::make_unique<PolygonMask>(PolygonPlace{"mask", path, layer}, grid, context);
+        return std::make_unique<PolygonMask>(PolygonPlace{"mask", path, layer}, grid, std::move(warnings));
     if (!layer.empty())
         throw OptionError("The mask '" + path + "' is a raster and has no layers; leave out -mask_layer.");
-    return std::make_unique<RasterMask>(path, grid, context);
+    return std::make_unique<RasterMask>(path, grid, std::move(warnings));
 }
 
 }  // namespace d2b

@@ -5,6 +5,7 @@
 #include "dem2buildings/error.hpp"
 #include "read/aligned_raster.hpp"
 #include "read/side_rasters.hpp"
+#include "read/warning_source.hpp"
 
 namespace d2b {
 
@@ -12,14 +13,15 @@ namespace {
 
 constexpr double rounding = 1e-6;  // single precision, and scales such as 1/10000
 
-class NdviSource final : public DemSource {
+class NdviSource final : public WarningSource {
   public:
-    NdviSource(const std::string& path, const DemInfo& grid, Context& context)
-        : raster_("NDVI", path, grid, Resampling::bilinear, context) {
+    NdviSource(const std::string& path, const DemInfo& grid, std::unique_ptr<Warnings> own)
+        : WarningSource(std::move(own)), raster_("NDVI", path, grid, Resampling::bilinear, warnings()) {
         raster_.warn_of_gaps("nothing is known of vegetation");
         // Of another product every row tells, and a run should not fail at its end.
         std::vector<double> row(static_cast<std::size_t>(grid.window.cols));
         read(grid.window.row + grid.window.rows / 2, 1, row);
+        warnings().hold();
     }
 
     [[nodiscard]] const DemInfo& info() const override { return raster_.info(); }
@@ -43,8 +45,9 @@ class NdviSource final : public DemSource {
 
 }  // namespace
 
-std::unique_ptr<DemSource> open_ndvi(const std::string& path, const DemInfo& grid, Context& context) {
-    return std::make_unique<NdviSource>(path, grid, context);
+std::unique_ptr<DemSource> open_ndvi(const std::string& path, const DemInfo& grid,
+                                     const Callbacks& callbacks) {
+    return std::make_unique<NdviSource>(path, grid, std::make_unique<Warnings>(callbacks.on_warning));
 }
 
 }  // namespace d2b

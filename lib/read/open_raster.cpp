@@ -21,7 +21,7 @@ void check_options(const ReadOptions& options) {
             throw OptionError("-oo " + option + " must have the form NAME=VALUE.");
 }
 
-DatasetOwner open_dataset(const ReadOptions& options, const std::string& path, Context& context) {
+DatasetOwner open_dataset(const ReadOptions& options, const std::string& path, Warnings& warnings) {
     const GdalMessages messages(path, options.source);
     const StringList drivers(options.drivers);
     const StringList open_options(options.open_options);
@@ -30,7 +30,7 @@ DatasetOwner open_dataset(const ReadOptions& options, const std::string& path, C
     if (!dataset)
         throw InputError("'" + options.source + "' cannot be opened as a raster: " +
                          messages.reason_for(options.source) + unopened_advice(path) + ".");
-    messages.pass_all(context);
+    messages.pass_all(warnings);
     return dataset;
 }
 
@@ -63,31 +63,31 @@ GDALRasterBandH pick_band(GDALDatasetH dataset, const ReadOptions& options) {
     return GDALGetRasterBand(dataset, options.band);
 }
 
-void check_kind(GDALRasterBandH band, const ReadOptions& options, Context& context) {
+void check_kind(GDALRasterBandH band, const ReadOptions& options, Warnings& warnings) {
     const std::string name = "Band " + std::to_string(options.band) + " of '" + options.source + "'";
     if (GDALDataTypeIsComplex(GDALGetRasterDataType(band)) != FALSE)
         throw InputError(name +
                          " holds complex numbers, which are no elevations; choose another band with -b.");
     if (GDALGetRasterColorInterpretation(band) == GCI_PaletteIndex &&
         GDALGetRasterColorTable(band) != nullptr)
-        context.warn(name + " holds indices into a colour table; they are taken as elevations.");
+        warnings.add(name + " holds indices into a colour table; they are taken as elevations.");
 }
 
 }  // namespace
 
-OpenRaster open_raster(const ReadOptions& options, const std::string& path, Context& context) {
+OpenRaster open_raster(const ReadOptions& options, const std::string& path, Warnings& warnings) {
     check_options(options);
-    OpenRaster raster{open_dataset(options, path, context), nullptr};
+    OpenRaster raster{open_dataset(options, path, warnings), nullptr};
     raster.band = pick_band(raster.dataset.get(), options);
-    check_kind(raster.band, options, context);
+    check_kind(raster.band, options, warnings);
     check_claims(raster, options.source);
     return raster;
 }
 
-OpenRaster open_first_band(const std::string& name, const std::string& path, Context& context) {
+OpenRaster open_first_band(const std::string& name, const std::string& path, Warnings& warnings) {
     ReadOptions options;
     options.source = name;
-    OpenRaster raster{open_dataset(options, path, context), nullptr};
+    OpenRaster raster{open_dataset(options, path, warnings), nullptr};
     raster.band = pick_band(raster.dataset.get(), options);
     if (GDALDataTypeIsComplex(GDALGetRasterDataType(raster.band)) != FALSE)
         throw InputError("Band 1 of '" + name + "' holds complex numbers; give a raster of real numbers.");

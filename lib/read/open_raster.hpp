@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/context.hpp"
+#include "core/warnings.hpp"
 #include "dem2buildings/options.hpp"
 #include "read/gdal_handles.hpp"
 
@@ -18,10 +18,11 @@ struct OpenRaster {
 /// @throws OptionError unknown format, an open option without "=". @throws InputError cannot be opened,
 /// sub-datasets
 ///         only, no such band, complex values, shorter than its header says
-[[nodiscard]] OpenRaster open_raster(const ReadOptions& options, const std::string& path, Context& context);
+[[nodiscard]] OpenRaster open_raster(const ReadOptions& options, const std::string& path, Warnings& warnings);
 
 /// Opens a raster that accompanies the DEM and takes its first band. @param name for messages
 /// @throws InputError as open_raster()
-[[nodiscard]] OpenRaster open_first_band(const std::string& name, const std::string& path, Context& context);
+[[nodiscard]] OpenRaster open_first_band(const std::string& name, const std::string& path,
+                                         Warnings& warnings);
 
 }  // namespace d2b

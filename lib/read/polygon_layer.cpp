@@ -63,33 +63,33 @@ std::optional<double> height_of(OGRFeatureH feature, int field) {
     return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-void warn_of_others(std::size_t others, const PolygonLayer& layer, Context& context) {
+void warn_of_others(std::size_t others, const PolygonLayer& layer, Warnings& warnings) {
     if (others > 0)
-        context.warn(std::to_string(others) + (others == 1 ? " feature" : " features") + " of the layer '" +
+        warnings.add(std::to_string(others) + (others == 1 ? " feature" : " features") + " of the layer '" +
                      layer.name + "' of '" + layer.dataset + "' " + (others == 1 ? "has" : "have") +
                      " no polygon and " + (others == 1 ? "is" : "are") + " left out.");
 }
 
 /// A dataset of polygons.
-DatasetOwner open_polygons(const std::string& path, Context& context) {
-    return open_vector_dataset(path, "'" + path + "' cannot be opened as a vector dataset", context);
+DatasetOwner open_polygons(const std::string& path, Warnings& warnings) {
+    return open_vector_dataset(path, "'" + path + "' cannot be opened as a vector dataset", warnings);
 }
 
 }  // namespace
 
-std::vector<std::string> layer_names(const std::string& dataset, Context& context) {
-    return geometry_layers(open_polygons(dataset, context).get());
+std::vector<std::string> layer_names(const std::string& dataset, Warnings& warnings) {
+    return geometry_layers(open_polygons(dataset, warnings).get());
 }
 
-PolygonLayer read_polygon_layer(const LayerChoice& choice, Context& context) {
-    const DatasetOwner dataset = open_polygons(choice.dataset, context);
+PolygonLayer read_polygon_layer(const LayerChoice& choice, Warnings& warnings) {
+    const DatasetOwner dataset = open_polygons(choice.dataset, warnings);
     const OGRLayerH layer = pick_layer(dataset.get(), choice);
     const int height = pick_height(layer, choice);
     PolygonLayer result{choice.dataset, OGR_L_GetName(layer), wkt_of(OGR_L_GetSpatialRef(layer)), {}, {}};
     if (height >= 0)
         result.height_field = OGR_Fld_GetNameRef(OGR_FD_GetFieldDefn(OGR_L_GetLayerDefn(layer), height));
     std::size_t others = 0;
-    for_each_geometry(layer, "The layer '" + result.name + "' of '" + choice.dataset + "'", context,
+    for_each_geometry(layer, "The layer '" + result.name + "' of '" + choice.dataset + "'", warnings,
                       [&](OGRFeatureH feature, OGRGeometryH geometry) {
                           PolygonFeature found = polygon_feature_of(geometry);
                           found.height = height_of(feature, height);
@@ -98,7 +98,7 @@ PolygonLayer read_polygon_layer(const LayerChoice& choice, Context& context) {
                           else
                               result.features.push_back(std::move(found));
                       });
-    warn_of_others(others, result, context);
+    warn_of_others(others, result, warnings);
     return result;
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/context.hpp"
+#include "core/warnings.hpp"
 #include "dem2buildings/feature_sink.hpp"
 
 namespace d2b {
@@ -35,11 +35,11 @@ struct LayerChoice {
 };
 
 /// Names of the layers that have geometries. @throws InputError: cannot be opened
-[[nodiscard]] std::vector<std::string> layer_names(const std::string& dataset, Context& context);
+[[nodiscard]] std::vector<std::string> layer_names(const std::string& dataset, Warnings& warnings);
 
 /// Reads the polygons of a layer; curves become lines. Features without a geometry are left out, those with
 /// another one than polygons are so with a warning.
 /// @throws InputError: cannot be opened or read, no layer. @throws OptionError: no such layer or field
-[[nodiscard]] PolygonLayer read_polygon_layer(const LayerChoice& choice, Context& context);
+[[nodiscard]] PolygonLayer read_polygon_layer(const LayerChoice& choice, Warnings& warnings);
 
 }  // namespace d2b

@@ -42,24 +42,24 @@ std::string wkt_of(OGRSpatialReferenceH crs) {
     return status == OGRERR_NONE && text != nullptr ? text : "";
 }
 
-void set_crs(const std::string& own_wkt, const std::string& user_crs, DemInfo& info, Context& context) {
+void set_crs(const std::string& own_wkt, const std::string& user_crs, DemInfo& info, Warnings& warnings) {
     info.crs_wkt = user_crs.empty() ? own_wkt : wkt_from_user(user_crs);
     const Crs crs(info.crs_wkt);
     require_plane(crs, user_crs.empty() ? "" : "-a_srs " + one_line(user_crs), info.name);
     if (!info.georeferenced && user_crs.empty() && crs.kind() == Crs::Kind::geographic) {
         info.crs_wkt.clear();
-        context.warn("'" + info.name + "' has a coordinate reference system in degrees, which columns and " +
+        warnings.add("'" + info.name + "' has a coordinate reference system in degrees, which columns and " +
                      "rows are not; it is left out.");
         return;
     }
     if (info.crs_wkt.empty())
-        context.warn("'" + info.name +
+        warnings.add("'" + info.name +
                      "' has no coordinate reference system; lengths are taken as plain units; " +
                      "give it with -a_srs.");
 }
 
-void read_crs(GDALDatasetH dataset, const std::string& user_crs, DemInfo& info, Context& context) {
-    set_crs(user_crs.empty() ? wkt_of(GDALGetSpatialRef(dataset)) : "", user_crs, info, context);
+void read_crs(GDALDatasetH dataset, const std::string& user_crs, DemInfo& info, Warnings& warnings) {
+    set_crs(user_crs.empty() ? wkt_of(GDALGetSpatialRef(dataset)) : "", user_crs, info, warnings);
 }
 
 CrsOwner horizontal_crs(const std::string& wkt) {

@@ -4,7 +4,7 @@
 
 #include <gdal.h>
 
-#include "core/context.hpp"
+#include "core/warnings.hpp"
 #include "dem2buildings/dem_info.hpp"
 #include "read/gdal_handles.hpp"
 
@@ -15,10 +15,10 @@ namespace d2b {
 /// @param own_wkt the raster's own; "" for none
 /// @param user_crs anything that names a CRS without a file or the network being read; "" for the raster's
 /// @throws OptionError where user_crs is no CRS, or has no plane; InputError where the raster's has none
-void set_crs(const std::string& own_wkt, const std::string& user_crs, DemInfo& info, Context& context);
+void set_crs(const std::string& own_wkt, const std::string& user_crs, DemInfo& info, Warnings& warnings);
 
 /// The same from a dataset.
-void read_crs(GDALDatasetH dataset, const std::string& user_crs, DemInfo& info, Context& context);
+void read_crs(GDALDatasetH dataset, const std::string& user_crs, DemInfo& info, Warnings& warnings);
 
 /// As WKT; "" where it is null, empty or cannot be written so.
 [[nodiscard]] std::string wkt_of(OGRSpatialReferenceH crs);

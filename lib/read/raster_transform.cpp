@@ -21,21 +21,21 @@ bool invertible(const AffineTransform& g) {
 }  // namespace
 
 void set_transform(const std::optional<AffineTransform>& transform, const std::string& advice, DemInfo& info,
-                   Context& context) {
+                   Warnings& warnings) {
     info.georeferenced = transform.has_value();
     info.transform = transform.value_or(DemInfo{}.transform);
     if (!transform)
-        context.warn("'" + info.name +
+        warnings.add("'" + info.name +
                      "' has no georeferencing; coordinates are columns and, upwards, rows.");
     else if (!invertible(*transform))
         throw InputError("The transform of '" + info.name + "' (" + numbers_text(*transform, ", ") +
                          ") gives its cells no area; " + advice + ".");
 }
 
-void read_transform(GDALDatasetH dataset, DemInfo& info, Context& context) {
+void read_transform(GDALDatasetH dataset, DemInfo& info, Warnings& warnings) {
     AffineTransform transform{};
     if (GDALGetGeoTransform(dataset, transform.data()) == CE_None)
-        return set_transform(transform, "correct it, for example with gdal_edit.py -a_ullr", info, context);
+        return set_transform(transform, "correct it, for example with gdal_edit.py -a_ullr", info, warnings);
     // GDAL can place these cell by cell; outlines need a grid.
     const auto has = [&](const char* domain) {
         const CSLConstList items = GDALGetMetadata(dataset, domain);
@@ -50,7 +50,7 @@ void read_transform(GDALDatasetH dataset, DemInfo& info, Context& context) {
     if (GDALGetGCPCount(dataset) > 0)
         throw InputError("'" + info.name + "' is placed by ground control points only; " +
                          "turn it into a regular grid with gdalwarp first.");
-    set_transform(std::nullopt, "", info, context);
+    set_transform(std::nullopt, "", info, warnings);
 }
 
 }  // namespace d2b

@@ -5,7 +5,7 @@
 
 #include <gdal.h>
 
-#include "core/context.hpp"
+#include "core/warnings.hpp"
 #include "dem2buildings/dem_info.hpp"
 
 namespace d2b {
@@ -14,10 +14,10 @@ namespace d2b {
 /// pixels, y up, with a warning. @param advice what to do about a transform that is none
 /// @throws InputError singular or not finite
 void set_transform(const std::optional<AffineTransform>& transform, const std::string& advice, DemInfo& info,
-                   Context& context);
+                   Warnings& warnings);
 
 /// The same from a dataset. @throws InputError also where it is placed by ground control points, rational
 /// polynomials or geolocation arrays only
-void read_transform(GDALDatasetH dataset, DemInfo& info, Context& context);
+void read_transform(GDALDatasetH dataset, DemInfo& info, Warnings& warnings);
 
 }  // namespace d2b

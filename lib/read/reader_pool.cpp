@@ -8,20 +8,20 @@
 namespace d2b {
 
 ReaderPool::ReaderPool(OpenRaster raster, const ReadOptions& options, std::string path, const DemInfo& info,
-                       Context& context)
+                       Warnings& warnings)
     : options_(options),
       path_(std::move(path)),
       info_(info),
-      context_(context),
+      warnings_(warnings),
       // Other drivers lock a library, unpack a file, or ask a server once more.
       may_reopen_(info.driver == "GTiff") {
-    idle_.push_back(std::make_unique<Reader>(std::move(raster), options, info, context));
+    idle_.push_back(std::make_unique<Reader>(std::move(raster), options, info, warnings));
 }
 
 ReaderPool::ReaderPtr ReaderPool::reopen() const {
     try {
-        Context own;  // all has been said when it was opened first
-        return std::make_unique<Reader>(open_raster(options_, path_, own), options_, info_, own);
+        Warnings unheard;  // all has been said when it was opened first
+        return std::make_unique<Reader>(open_raster(options_, path_, unheard), options_, info_, unheard);
     } catch (const Error&) {
         return nullptr;
     }
@@ -87,30 +87,11 @@ ReaderPool::ReaderPtr ReaderPool::take(std::int32_t block_row) {
     return reader;
 }
 
-void ReaderPool::pass_on(const std::vector<std::string>& warnings) {
-    const std::lock_guard lock(mutex_);
-    const std::vector<std::string>& said = context_.report.warnings;
-    for (const std::string& text : warnings)
-        if (std::ranges::find(said, text) == said.end())
-            context_.warn(text);
-}
-
 void ReaderPool::read(std::int32_t first_row, std::int32_t rows, std::span<double> elevations) {
     const std::int32_t block_row = (first_row + rows - 1) / info_.block_rows;
-    Context own;
-    {
-        const std::lock_guard lock(mutex_);
-        own.report.warnings = context_.report.warnings;  // which say how many more there may be
-    }
-    try {
-        Turn turn(*this, block_row);
-        turn.reader = take(block_row);
-        turn.reader->bands.read(first_row, rows, elevations, own);
-    } catch (...) {
-        pass_on(own.report.warnings);
-        throw;
-    }
-    pass_on(own.report.warnings);
+    Turn turn(*this, block_row);
+    turn.reader = take(block_row);
+    turn.reader->bands.read(first_row, rows, elevations, warnings_);
 }
 
 }  // namespace d2b

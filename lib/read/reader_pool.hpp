@@ -17,17 +17,17 @@ namespace d2b {
 /// same blocks get the same reader, one after the other, so that no block is decoded twice.
 class ReaderPool {
   public:
-    /// @param path to open it again @param context gets what GDAL warns of; it must outlive the pool
+    /// @param path to open it again @param warnings outlives the pool
     ReaderPool(OpenRaster raster, const ReadOptions& options, std::string path, const DemInfo& info,
-               Context& context);
+               Warnings& warnings);
 
     /// As BandReader::read().
     void read(std::int32_t first_row, std::int32_t rows, std::span<double> elevations);
 
   private:
     struct Reader {
-        Reader(OpenRaster raster, const ReadOptions& options, const DemInfo& info, Context& context)
-            : source(std::move(raster)), bands(source.band, options, info, context) {}
+        Reader(OpenRaster raster, const ReadOptions& options, const DemInfo& info, Warnings& warnings)
+            : source(std::move(raster)), bands(source.band, options, info, warnings) {}
         OpenRaster source;
         BandReader bands;
         std::int32_t block_row = -1;  ///< of blocks, that it has decoded last and holds in its cache
@@ -39,12 +39,11 @@ class ReaderPool {
     [[nodiscard]] ReaderPtr take(std::int32_t block_row);
     [[nodiscard]] ReaderPtr idle_with(std::int32_t block_row);
     [[nodiscard]] ReaderPtr reopen() const;
-    void pass_on(const std::vector<std::string>& warnings);
 
     ReadOptions options_;
     std::string path_;
     DemInfo info_;
-    Context& context_;
+    Warnings& warnings_;
     std::mutex mutex_;
     std::condition_variable returned_;
     bool may_reopen_;

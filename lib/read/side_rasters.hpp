@@ -3,8 +3,8 @@
 #include <memory>
 #include <string>
 
-#include "core/context.hpp"
 #include "core/elevation_limits.hpp"
+#include "dem2buildings/callbacks.hpp"
 #include "dem2buildings/dem_source.hpp"
 
 namespace d2b {
@@ -12,8 +12,7 @@ namespace d2b {
 /// What accompanies a DEM, on its grid: sources with the rows, columns, window, transform and CRS of `grid`,
 /// NaN where they know nothing. Of rasters the first band is taken, brought over by GDAL's warper where the
 /// cells are not the same, a few rows at a time and with one thread; the same cells keep their values bit by
-/// bit. A raster or DEM without a CRS is taken in the coordinates of the other, with a warning. The context
-/// must outlive the sources, which warn while they read.
+/// bit. A raster or DEM without a CRS is taken in the coordinates of the other, with a warning.
 /// @throws InputError (all of them): cannot be opened or read, nothing in the window, a transform that is
 /// singular or missing, no operation between the CRSs
 
@@ -22,13 +21,14 @@ namespace d2b {
 /// datums are not, with a warning. Between centres of cells, values are interpolated linearly; finer terrain
 /// models are averaged. Warns of the share of the window that lies outside.
 /// What lies outside of the limits is not valid, also where it would be resampled; after the last row it is
-/// counted in the report and warned of.
+/// counted (DemSource::cells_outside_range) and warned of.
 /// @param dem_vertical_metres metres in one vertical unit of the DEM
 /// @param limits of elevations, in the DEM's vertical unit
 /// @throws InputError also when reading: more than half of the values are outside of the limits
 [[nodiscard]] std::unique_ptr<DemSource> open_terrain(const std::string& path, const DemInfo& grid,
                                                       double dem_vertical_metres,
-                                                      const ElevationLimits& limits, Context& context);
+                                                      const ElevationLimits& limits,
+                                                      const Callbacks& callbacks = {});
 
 /// Where to look: 1 inside, 0 outside, never NaN. Polygons, the centres of cells inside of any of which are
 /// inside; or a raster, where all that is neither 0 nor invalid is inside, with the value of the cell in
@@ -36,12 +36,12 @@ namespace d2b {
 /// @param layer of the polygons; "" for the first that has geometries @throws OptionError: no such layer, or
 /// a raster, which has none
 [[nodiscard]] std::unique_ptr<DemSource> open_mask(const std::string& path, const std::string& layer,
-                                                   const DemInfo& grid, Context& context);
+                                                   const DemInfo& grid, const Callbacks& callbacks = {});
 
 /// The normalised difference vegetation index, resampled as terrain is. Scaled products (bytes, 16-bit
 /// integers) are understood by scale and offset of the band. A value outside of [-1, 1] is refused when it is
 /// read, and at once where one is in the middle row of the window.
 [[nodiscard]] std::unique_ptr<DemSource> open_ndvi(const std::string& path, const DemInfo& grid,
-                                                   Context& context);
+                                                   const Callbacks& callbacks = {});
 
 }  // namespace d2b

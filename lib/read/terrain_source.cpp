@@ -7,6 +7,7 @@
 #include "dem2buildings/error.hpp"
 #include "read/aligned_raster.hpp"
 #include "read/side_rasters.hpp"
+#include "read/warning_source.hpp"
 
 namespace d2b {
 
@@ -29,11 +30,11 @@ std::string height_reference(const std::string& wkt) {
     return datum == nullptr ? "" : datum;
 }
 
-class TerrainSource final : public DemSource {
+class TerrainSource final : public WarningSource {
   public:
     TerrainSource(const std::string& path, const DemInfo& grid, double dem_metres,
-                  const ElevationLimits& limits, Context& context)
-        : context_(context), raster_("terrain", path, grid, Resampling::bilinear, context) {
+                  const ElevationLimits& limits, std::unique_ptr<Warnings> own)
+        : WarningSource(std::move(own)), raster_("terrain", path, grid, Resampling::bilinear, warnings()) {
         if (const auto unit = vertical_unit(raster_.raster()))
             factor_ = unit->metres / dem_metres;
         limits_ = limits.times(1 / factor_);
@@ -42,9 +43,10 @@ class TerrainSource final : public DemSource {
         const std::string here = height_reference(raster_.raster().crs_wkt);
         const std::string dem = height_reference(grid.crs_wkt);
         if (!here.empty() && !dem.empty() && here != dem)
-            context.warn("Heights of the " + raster_.name() + " are above " + here + " and those of '" +
-                         grid.name + "' above " + dem +
-                         "; they are compared as they are, so convert one of them with gdalwarp first.");
+            warnings().add("Heights of the " + raster_.name() + " are above " + here + " and those of '" +
+                           grid.name + "' above " + dem +
+                           "; they are compared as they are, so convert one of them with gdalwarp first.");
+        warnings().hold();
     }
 
     [[nodiscard]] const DemInfo& info() const override { return raster_.info(); }
@@ -55,23 +57,24 @@ class TerrainSource final : public DemSource {
             for (double& elevation : elevations)
                 elevation *= factor_;
         const Window& window = info().window;
-        if (first_row + rows == window.row + window.rows && !std::exchange(reported_, true))
-            report();
+        if (first_row + rows == window.row + window.rows && !std::exchange(judged_, true))
+            judge_outside();
     }
+    [[nodiscard]] std::int64_t cells_outside_range() const override { return outside_range_; }
 
   private:
-    void report() const;
+    void judge_outside();
 
-    Context& context_;
     AlignedRaster raster_;
     double factor_ = 1;
     ElevationLimits limits_;
-    bool reported_ = false;
+    bool judged_ = false;
+    std::int64_t outside_range_ = 0;
 };
 
-void TerrainSource::report() const {
+void TerrainSource::judge_outside() {
     const auto& [within, outside] = raster_.counts();
-    context_.report.count(Reason::terrain_outside_range, outside.cells());
+    outside_range_ = outside.cells();
     if (outside.cells() == 0)
         return;
     const std::string what = outside.text("the " + raster_.name()) + ", outside of the range from " +
@@ -81,18 +84,19 @@ void TerrainSource::report() const {
                          " and more than half of all; correct its unit with gdal_edit.py -units or its "
                          "NoData value with gdal_edit.py -a_nodata, or give the range with -zrange.");
     const auto most = outside.most();
-    context_.warn(what + ", and " + (outside.cells() == 1 ? "is" : "are") + " taken for no data; declare " +
-                  (most ? "that with gdal_edit.py -a_nodata " + value_text(raster_.stored(most->value))
-                        : "it with gdal_edit.py -a_nodata") +
-                  ", or give the range with -zrange.");
+    warnings().add(what + ", and " + (outside.cells() == 1 ? "is" : "are") + " taken for no data; declare " +
+                   (most ? "that with gdal_edit.py -a_nodata " + value_text(raster_.stored(most->value))
+                         : "it with gdal_edit.py -a_nodata") +
+                   ", or give the range with -zrange.");
 }
 
 }  // namespace
 
 std::unique_ptr<DemSource> open_terrain(const std::string& path, const DemInfo& grid,
                                         double dem_vertical_metres, const ElevationLimits& limits,
-                                        Context& context) {
-    return std::make_unique<TerrainSource>(path, grid, dem_vertical_metres, limits, context);
+                                        const Callbacks& callbacks) {
+    return std::make_unique<TerrainSource>(path, grid, dem_vertical_metres, limits,
+                                           std::make_unique<Warnings>(callbacks.on_warning));
 }
 
 }  // namespace d2b

@@ -4,8 +4,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <gdal_alg.h>
 
@@ -77,23 +80,26 @@ void place(WorldRing& ring, const AffineTransform& g) {
 
 }  // namespace
 
-ValidCells valid_cells(const std::string& path, Context& context) {
+ValidCells valid_cells(const std::string& path, Warnings& warnings) {
     ReadOptions options;
     options.source = path;
-    Context own;  // what is said of a missing CRS gives advice for another tool
-    const std::unique_ptr<DemSource> dem = open_dem(options, own);
+    std::vector<std::string> heard;  // what is said of a missing CRS gives advice for another tool
+    Callbacks callbacks;
+    callbacks.on_warning = [&](const std::string& text) { heard.push_back(text); };
+    const std::unique_ptr<DemSource> dem = open_dem(options, callbacks);
     CellMask mask = mask_of(*dem);
+    std::ranges::copy(dem->take_warnings(), std::back_inserter(heard));
     const auto count = std::ranges::count(mask.valid, std::uint8_t{1});
     if (count == 0)
         throw InputError("No cell of '" + path +
                          "' has data; give the raster that the footprints come from.");
     const DemInfo& info = dem->info();
     if (info.crs_wkt.empty())
-        context.warn("'" + path +
+        warnings.add("'" + path +
                      "' has no coordinate reference system; its coordinates are taken as the reference's.");
     else
-        for (const std::string& text : own.report.warnings)
-            context.warn(text);
+        for (const std::string& text : heard)
+            warnings.add(text);
     const double cols = info.cols;
     const double rows = info.rows;
     ValidCells result{{}, info.crs_wkt};

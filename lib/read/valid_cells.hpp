@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/context.hpp"
+#include "core/warnings.hpp"
 #include "dem2buildings/feature_sink.hpp"
 
 namespace d2b {
@@ -16,6 +16,6 @@ struct ValidCells {
 
 /// The cells of the first band that are not NoData, masked out, transparent, NaN or infinite.
 /// @param path any raster that GDAL opens @throws InputError as open_dem, or no cell is valid
-[[nodiscard]] ValidCells valid_cells(const std::string& path, Context& context);
+[[nodiscard]] ValidCells valid_cells(const std::string& path, Warnings& warnings);
 
 }  // namespace d2b

@@ -50,7 +50,7 @@ class ValueBand final : public GDALRasterBand {
         part.rows = std::min(part.rows, source_.rows - part.row);
         part.cols = std::min(part.cols, source_.cols - part.col);
         values_.resize(static_cast<std::size_t>(part.rows) * static_cast<std::size_t>(part.cols));
-        source_.reader.read_part(part, values_, source_.context);
+        source_.reader.read_part(part, values_, source_.warnings);
         for (std::int32_t i = 0; i < part.rows; ++i)
             std::copy_n(values_.data() + static_cast<std::ptrdiff_t>(i) * part.cols, part.cols,
                         data + static_cast<std::ptrdiff_t>(i) * nBlockXSize);

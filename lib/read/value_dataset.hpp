@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <exception>
 
-#include "core/context.hpp"
+#include "core/warnings.hpp"
 #include "read/band_reader.hpp"
 #include "read/gdal_handles.hpp"
 
@@ -14,7 +14,7 @@ struct ValueSource {
     BandReader& reader;
     std::int32_t rows = 0;
     std::int32_t cols = 0;
-    Context& context;
+    Warnings& warnings;
     std::exception_ptr failure;  ///< why reading has failed last: exceptions do not travel through GDAL
 };
 

@@ -81,14 +81,14 @@ std::int32_t rows_for(const std::array<double, 2>& cell) {
 }  // namespace
 
 ValueWarper::ValueWarper(BandReader& reader, const DemInfo& raster, const DemInfo& grid,
-                         GridTransform transform, Resampling resampling, Context& context)
+                         GridTransform transform, Resampling resampling, Warnings& warnings)
     : window_(grid.window),
       name_(raster.name),
       transform_(std::move(transform)),
       cell_(cell_in_raster(transform_, grid)),
       part_cols_(cols_for(cell_)),
       most_rows_(rows_for(cell_)),
-      source_{reader, raster.rows, raster.cols, context, nullptr},
+      source_{reader, raster.rows, raster.cols, warnings, nullptr},
       dataset_(value_dataset(source_)),
       operation_(make_operation(resampling, tolerance * std::min(cell_[0], cell_[1]))) {}
 
@@ -151,7 +151,7 @@ void ValueWarper::warp(const Window& part) {
     if (status != CE_None)
         throw InputError("'" + name_ + "' cannot be brought onto the grid of the DEM: " + messages.reason() +
                          "; do so with gdalwarp first.");
-    messages.pass_warnings(source_.context);
+    messages.pass_warnings(source_.warnings);
 }
 
 }  // namespace d2b

@@ -8,7 +8,7 @@
 
 #include <gdalwarper.h>
 
-#include "core/context.hpp"
+#include "core/warnings.hpp"
 #include "dem2buildings/dem_info.hpp"
 #include "read/band_reader.hpp"
 #include "read/grid_transform.hpp"
@@ -24,10 +24,10 @@ enum class Resampling {
 /// Brings a band onto the grid of a DEM with GDAL's warper, a part at a time.
 class ValueWarper {
   public:
-    /// @param reader of the band, @param raster where its cells are; the reader and the context must outlive
+    /// @param reader of the band, @param raster where its cells are; the reader and the warnings must outlive
     /// this @throws InputError with GDAL's reason
     ValueWarper(BandReader& reader, const DemInfo& raster, const DemInfo& grid, GridTransform transform,
-                Resampling resampling, Context& context);
+                Resampling resampling, Warnings& warnings);
     ValueWarper(const ValueWarper&) = delete;
     ValueWarper& operator=(const ValueWarper&) = delete;
     ~ValueWarper();

@@ -7,13 +7,13 @@
 
 namespace d2b {
 
-DatasetOwner open_vector_dataset(const std::string& path, const std::string& complaint, Context& context) {
+DatasetOwner open_vector_dataset(const std::string& path, const std::string& complaint, Warnings& warnings) {
     const GdalMessages messages;
     DatasetOwner dataset(GDALOpenEx(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
                                     nullptr, nullptr, nullptr));
     if (!dataset)
         throw InputError(complaint + ": " + messages.reason_for(path) + ".");
-    messages.pass_all(context);
+    messages.pass_all(warnings);
     return dataset;
 }
 
@@ -44,7 +44,7 @@ OGRLayerH pick_layer(GDALDatasetH dataset, const LayerChoice& choice) {
     return GDALDatasetGetLayerByName(dataset, names.front().c_str());
 }
 
-void for_each_geometry(OGRLayerH layer, const std::string& what, Context& context,
+void for_each_geometry(OGRLayerH layer, const std::string& what, Warnings& warnings,
                        const std::function<void(OGRFeatureH, OGRGeometryH)>& visit) {
     const GdalMessages messages;
     OGR_L_ResetReading(layer);
@@ -54,7 +54,7 @@ void for_each_geometry(OGRLayerH layer, const std::string& what, Context& contex
             visit(feature.get(), geometry);
     if (messages.failed())
         throw InputError(what + " cannot be read: " + messages.reason() + ".");
-    messages.pass_warnings(context);
+    messages.pass_warnings(warnings);
 }
 
 std::string quoted_names(std::span<const std::string> names) {

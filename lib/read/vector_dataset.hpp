@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/context.hpp"
+#include "core/warnings.hpp"
 #include "read/gdal_handles.hpp"
 #include "read/polygon_layer.hpp"
 
@@ -13,7 +13,7 @@ namespace d2b {
 
 /// @param complaint "'x' cannot be opened", before GDAL's reason @throws InputError
 [[nodiscard]] DatasetOwner open_vector_dataset(const std::string& path, const std::string& complaint,
-                                               Context& context);
+                                               Warnings& warnings);
 
 /// Names of the layers that have geometries, in their order.
 [[nodiscard]] std::vector<std::string> geometry_layers(GDALDatasetH dataset);
@@ -24,7 +24,7 @@ namespace d2b {
 
 /// Calls visit(feature, geometry) for all features of a layer whose geometry is not empty.
 /// @param what "The layer 'x' of 'y'", for messages @throws InputError it cannot be read to its end
-void for_each_geometry(OGRLayerH layer, const std::string& what, Context& context,
+void for_each_geometry(OGRLayerH layer, const std::string& what, Warnings& warnings,
                        const std::function<void(OGRFeatureH, OGRGeometryH)>& visit);
 
 /// "'a', 'b' and 'c'", or only the first of very many; "" for none.

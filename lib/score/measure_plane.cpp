@@ -25,11 +25,11 @@ void for_each_ring(Polygons& polygons, const std::function<void(WorldRing&)>& vi
 }
 
 /// Whether there is anything to transform; says so where it cannot be told.
-bool differs(const MeasurePlane& plane, const Crs& from, const std::string& name, Context& context) {
+bool differs(const MeasurePlane& plane, const Crs& from, const std::string& name, Warnings& warnings) {
     const bool plane_has = plane.crs.kind() != Crs::Kind::none;
     const bool from_has = from.kind() != Crs::Kind::none;
     if (plane_has != from_has)
-        context.warn("'" + name + "' has " + (from_has ? "a" : "no") +
+        warnings.add("'" + name + "' has " + (from_has ? "a" : "no") +
                      " coordinate reference system and what it is "
                      "compared with has " +
                      (plane_has ? "one" : "none") + "; its coordinates are taken as they are.");
@@ -58,10 +58,10 @@ WorldRing with_more_vertices(const WorldRing& ring, double longest) {
 
 }  // namespace
 
-MeasurePlane measure_plane(const Crs& crs, const Box& box, Context& context) {
+MeasurePlane measure_plane(const Crs& crs, const Box& box, Warnings& warnings) {
     switch (crs.kind()) {
         case Crs::Kind::none:
-            context.warn("Nothing has a coordinate reference system; units are taken for metres.");
+            warnings.add("Nothing has a coordinate reference system; units are taken for metres.");
             return {};
         case Crs::Kind::geographic: {
             std::array<Position, 1> middle{box.centre()};
@@ -81,9 +81,9 @@ MeasurePlane measure_plane(const Crs& crs, const Box& box, Context& context) {
 }
 
 void bring_to(const MeasurePlane& plane, const Crs& from, const std::string& name, std::span<Polygons> areas,
-              LongEdges long_edges, Context& context) {
+              LongEdges long_edges, Warnings& warnings) {
     const Box box = box_of_all(areas);
-    if (box.empty() || !differs(plane, from, name, context))
+    if (box.empty() || !differs(plane, from, name, warnings))
         return;
     const double longest = std::hypot(box.right - box.left, box.high - box.low) / parts_of_box;
     CoordinateTransform transform(from, plane.crs, corners(box));

@@ -3,9 +3,10 @@
 #include <span>
 #include <string>
 
-#include "core/context.hpp"
 #include "core/crs.hpp"
+#include "core/warnings.hpp"
 #include "geometry/box.hpp"
+#include "geometry/box_tree.hpp"
 #include "geometry/overlay.hpp"
 
 namespace d2b {
@@ -20,7 +21,7 @@ struct MeasurePlane {
 /// The CRS itself where it is a projected or a local one; about the middle of `box`, a transverse Mercator
 /// projection in metres where it is geographic. Warns where there is no CRS: its units are taken for metres.
 /// @param box in the CRS @throws InputError where the CRS has no plane coordinates (a geocentric one, say)
-[[nodiscard]] MeasurePlane measure_plane(const Crs& crs, const Box& box, Context& context);
+[[nodiscard]] MeasurePlane measure_plane(const Crs& crs, const Box& box, Warnings& warnings);
 
 /// Whether edges get vertices where they are long, since they bend on the way.
 enum class LongEdges { keep, divide };
@@ -29,7 +30,7 @@ enum class LongEdges { keep, divide };
 /// stay as they are, with a warning. @param name of what is brought, for messages
 /// @throws OptionError, InputError: no operation, or a position without an image
 void bring_to(const MeasurePlane& plane, const Crs& from, const std::string& name, std::span<Polygons> areas,
-              LongEdges long_edges, Context& context);
+              LongEdges long_edges, Warnings& warnings);
 
 [[nodiscard]] Box box_of_all(std::span<const Polygons> areas);
 

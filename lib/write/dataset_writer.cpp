@@ -107,8 +107,7 @@ void DatasetWriter::open_in_turn(const std::string& path, Mode mode) {
         GDALDatasetRollbackTransaction(dataset_.get());
         in_transaction_ = false;
         dataset_.reset();
-        if (target_.context != nullptr && target_.context->stop && target_.context->stop())
-            throw Cancelled();
+        target_.stop.check();
         if (!ours)
             std::this_thread::sleep_for(std::chrono::milliseconds(50));
         if (std::chrono::steady_clock::now() - start > longest_wait)

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/spool.hpp"
+#include "dem2buildings/spool.hpp"
 #include "read/temporary_file.hpp"
 
 namespace d2b {

@@ -23,12 +23,13 @@ namespace {
 
 class GeoTiffSink final : public RasterSink {
   public:
-    GeoTiffSink(RasterPlace place, DemInfo grid, RasterMeta meta, Context& context)
-        : staged_(std::move(place), context), grid_(std::move(grid)), meta_(std::move(meta)) {}
+    GeoTiffSink(RasterPlace place, DemInfo grid, RasterMeta meta)
+        : staged_(std::move(place)), grid_(std::move(grid)), meta_(std::move(meta)) {}
     ~GeoTiffSink() override;
 
     void write(std::int32_t rows, std::span<const float> values) override;
     void finish() override;
+    [[nodiscard]] std::vector<std::string> take_warnings() override { return staged_.take_warnings(); }
 
   private:
     [[nodiscard]] std::size_t cols() const { return static_cast<std::size_t>(grid_.window.cols); }
@@ -99,7 +100,7 @@ void require_crs_kept(const std::string& name, DemInfo grid, const RasterMeta& m
     const ConfigOption no_sidecar("GDAL_PAM_ENABLED", "NO");
     const std::string file =
         "/vsimem/d2b_crs_" + std::to_string(reinterpret_cast<std::uintptr_t>(&grid)) + ".tif";
-    const WriteTarget target{.name = name, .hidden_folder = "", .context = nullptr};
+    const WriteTarget target{.name = name, .hidden_folder = ""};
     GeoTiffFile(target, file, grid, meta).close();
     DatasetOwner dataset(GDALOpen(file.c_str(), GA_ReadOnly));
     const bool kept = dataset && GDALGetSpatialRef(dataset.get()) != nullptr;
@@ -114,10 +115,10 @@ void require_crs_kept(const std::string& name, DemInfo grid, const RasterMeta& m
 }  // namespace
 
 std::unique_ptr<RasterSink> open_geotiff_sink(const RasterTarget& target, const DemInfo& grid,
-                                              const RasterMeta& meta, Context& context) {
+                                              const RasterMeta& meta) {
     RasterPlace place = locate_raster(target);
     require_crs_kept(target.destination, grid, meta);
-    return std::make_unique<GeoTiffSink>(std::move(place), grid, meta, context);
+    return std::make_unique<GeoTiffSink>(std::move(place), grid, meta);
 }
 
 }  // namespace d2b

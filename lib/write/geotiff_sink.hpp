@@ -2,7 +2,6 @@
 
 #include <memory>
 
-#include "core/context.hpp"
 #include "dem2buildings/dem_info.hpp"
 #include "dem2buildings/raster_sink.hpp"
 #include "write/raster_target.hpp"
@@ -13,9 +12,9 @@ namespace d2b {
 /// destination, forced to the disk and renamed. What is in GDAL's virtual file systems is written beside
 /// under another name. NaN and infinite values become NoData. The checks that need no values are made here,
 /// so that a long run does not fail at its end; the file is begun with the first rows.
-/// @param grid whose window, transform and CRS the raster gets @param context must outlive the sink
+/// @param grid whose window, transform and CRS the raster gets
 /// @throws OptionError, OutputError as locate_raster()
 [[nodiscard]] std::unique_ptr<RasterSink> open_geotiff_sink(const RasterTarget& target, const DemInfo& grid,
-                                                            const RasterMeta& meta, Context& context);
+                                                            const RasterMeta& meta);
 
 }  // namespace d2b

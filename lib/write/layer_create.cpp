@@ -101,8 +101,8 @@ OGRLayerH create_layer(GDALDatasetH dataset, const LayerSpec& spec, const LayerS
     call.check(layer != nullptr, "creating layer \"" + spec.name + "\"");
     const bool keeps_none =
         OGR_FD_GetGeomFieldCount(OGR_L_GetLayerDefn(layer)) == 0 || OGR_L_GetGeomType(layer) == wkbNone;
-    if (keeps_none && setting.target.context != nullptr && !options.has("GEOMETRY"))
-        setting.target.context->warn("Layer \"" + spec.name + "\" of \"" + setting.target.name +
+    if (keeps_none && setting.target.warnings != nullptr && !options.has("GEOMETRY"))
+        setting.target.warnings->add("Layer \"" + spec.name + "\" of \"" + setting.target.name +
                                      "\" gets no geometries: " + setting.format.name +
                                      " does not keep them.");
     return layer;

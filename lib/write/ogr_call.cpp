@@ -23,8 +23,8 @@ void OgrCall::check(bool succeeded, const std::string& doing) {
 }
 
 void OgrCall::pass_warnings() {
-    if (target_.context != nullptr)
-        messages_.pass_warnings(*target_.context);
+    if (target_.warnings != nullptr)
+        messages_.pass_warnings(*target_.warnings);
 }
 
 void OgrCall::fail(const std::string& doing) const {

@@ -2,7 +2,8 @@
 
 #include <string>
 
-#include "core/context.hpp"
+#include "core/stop_request.hpp"
+#include "core/warnings.hpp"
 #include "read/gdal_messages.hpp"
 #include "write/ogr_handles.hpp"
 
@@ -13,7 +14,8 @@ struct WriteTarget {
     std::string name;  ///< the destination as the user gave it
     std::string
         hidden_folder;  ///< where it is written meanwhile, with a slash; "" where it is written in place
-    Context* context = nullptr;
+    Warnings* warnings = nullptr;
+    StopRequest stop{};
 };
 
 /// One step that OGR takes for us. An error that OGR reports is a failure even where the call claims success:

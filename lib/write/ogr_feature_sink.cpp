@@ -24,13 +24,15 @@ namespace {
 class OgrFeatureSink final : public FeatureSink {
   public:
     OgrFeatureSink(WriteOptions options, VectorFormat format, Destination destination,
-                   std::optional<ExistingDataset> existing, Context& context)
+                   std::optional<ExistingDataset> existing, StopRequest stop)
         : options_(std::move(options)),
           format_(std::move(format)),
           destination_(std::move(destination)),
           existing_(std::move(existing)),
-          context_(context),
-          writes_virtual_files_(keeps_virtual_files(format_.driver)) {}
+          writes_virtual_files_(keeps_virtual_files(format_.driver)),
+          stop_(std::move(stop)) {
+        warnings_.hold();
+    }
 
     void require_crs(const std::string& wkt, const std::string& name, const Position& place) override;
     void rehearse(std::span<const LayerSpec> layers, const Provenance& provenance,
@@ -41,6 +43,7 @@ class OgrFeatureSink final : public FeatureSink {
         require_written();
     }
     void finish() override;
+    [[nodiscard]] std::vector<std::string> take_warnings() override { return warnings_.take(); }
     [[nodiscard]] std::int64_t first_id() const override { return writer_ ? writer_->first_id() : 1; }
     [[nodiscard]] Layers layers(std::optional<Layers> asked) const override {
         WriteOptions options = options_;
@@ -63,8 +66,9 @@ class OgrFeatureSink final : public FeatureSink {
     VectorFormat format_;
     Destination destination_;
     std::optional<ExistingDataset> existing_;
-    Context& context_;
     bool writes_virtual_files_;
+    StopRequest stop_;
+    Warnings warnings_;
     std::optional<Staging> staging_;
     std::optional<WriteWatch> watch_;
     WriteTarget target_;
@@ -91,7 +95,7 @@ void OgrFeatureSink::require_crs(const std::string& wkt, const std::string& name
         throw OutputError("Cannot write \"" + destination_.name + "\": " + what + " (" + misfit.lost +
                           "); choose another one with -t_srs, or another format.");
     if (!misfit.read_as.empty())
-        context_.warn(what + ": programs will take the coordinates of \"" + destination_.name + "\" for '" +
+        warnings_.add(what + ": programs will take the coordinates of \"" + destination_.name + "\" for '" +
                       misfit.read_as + "'; choose that one with -t_srs, or another format.");
 }
 
@@ -112,7 +116,7 @@ void OgrFeatureSink::rehearse(std::span<const LayerSpec> layers, const Provenanc
 }
 
 void OgrFeatureSink::begin(std::span<const LayerSpec> layers, const Provenance& provenance) {
-    target_ = {.name = destination_.name, .hidden_folder = "", .context = &context_};
+    target_ = {.name = destination_.name, .hidden_folder = "", .warnings = &warnings_, .stop = stop_};
     std::string path = destination_.path;
     if (destination_.local && !in_place()) {
         staging_.emplace(destination_.name, destination_.path);
@@ -171,7 +175,7 @@ void OgrFeatureSink::finish() {
     require_unchanged();
     const std::string doubt = staging_->publish(existing_ ? existing_->files : std::vector<std::string>());
     if (!doubt.empty())
-        context_.warn("\"" + destination_.name +
+        warnings_.add("\"" + destination_.name +
                       "\" is written, but may be gone after a power failure: the disk "
                       "does not confirm its name (" +
                       doubt + ").");
@@ -190,18 +194,18 @@ std::optional<ExistingDataset> existing_at(Destination& destination, VectorForma
 
 }  // namespace
 
-std::unique_ptr<FeatureSink> open_sink(const WriteOptions& options, Context& context) {
+std::unique_ptr<FeatureSink> open_sink(const WriteOptions& options, const Callbacks& callbacks) {
     VectorFormat format = format_for(options);
     const Layers layers = resolve_layers(options, format);
     Destination destination = locate(options, format);
     std::optional<ExistingDataset> existing = existing_at(destination, format, options, layers);
-    if (!options.layers && layers == Layers::buildings)
-        context.warn(
+    if (callbacks.on_warning && !options.layers && layers == Layers::buildings)
+        callbacks.on_warning(
             "\"" + options.destination +
             "\" holds one layer; only the buildings are written; use -layers contours for the stack, or a "
             "GeoPackage for both.");
     return std::make_unique<OgrFeatureSink>(options, std::move(format), std::move(destination),
-                                            std::move(existing), context);
+                                            std::move(existing), StopRequest(callbacks.stop));
 }
 
 }  // namespace d2b

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "core/context.hpp"
+#include "dem2buildings/callbacks.hpp"
 #include "dem2buildings/feature_sink.hpp"
 #include "dem2buildings/options.hpp"
 
@@ -26,6 +26,7 @@ namespace d2b {
 /// @throws OptionError: unknown format or extension, an existing destination without -overwrite or -append or
 /// that is
 ///         something else, layers and files of others that would be lost. @throws OutputError: not writable
-[[nodiscard]] std::unique_ptr<FeatureSink> open_sink(const WriteOptions& options, Context& context);
+[[nodiscard]] std::unique_ptr<FeatureSink> open_sink(const WriteOptions& options,
+                                                     const Callbacks& callbacks = {});
 
 }  // namespace d2b

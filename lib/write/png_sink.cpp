@@ -30,10 +30,11 @@ DatasetOwner in_memory(const Image& image, const WriteTarget& target) {
 
 class PngFile final : public PictureFile {
   public:
-    PngFile(RasterPlace place, Context& context) : staged_(std::move(place), context) {}
+    explicit PngFile(RasterPlace place) : staged_(std::move(place)) {}
 
     void write(const Image& image) override;
     void publish() override { staged_.publish("renaming the finished picture"); }
+    [[nodiscard]] std::vector<std::string> take_warnings() override { return staged_.take_warnings(); }
 
   private:
     StagedRaster staged_;
@@ -52,10 +53,10 @@ void PngFile::write(const Image& image) {
 
 }  // namespace
 
-std::unique_ptr<PictureFile> open_picture(const RasterTarget& target, Context& context) {
+std::unique_ptr<PictureFile> open_picture(const RasterTarget& target) {
     if (GDALGetDriverByName("PNG") == nullptr)
         throw OptionError("This GDAL cannot write PNG; leave the picture out.");
-    return std::make_unique<PngFile>(locate_raster(target), context);
+    return std::make_unique<PngFile>(locate_raster(target));
 }
 
 }  // namespace d2b

@@ -1,8 +1,9 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
-#include "core/context.hpp"
 #include "preview/canvas.hpp"
 #include "write/raster_target.hpp"
 
@@ -20,9 +21,11 @@ class PictureFile {
     virtual void write(const Image& image) = 0;
     /// Makes it visible. @throws OutputError
     virtual void publish() = 0;
+    /// What has been noticed since the last call, a sentence each.
+    [[nodiscard]] virtual std::vector<std::string> take_warnings() = 0;
 };
 
 /// The checks that need no picture are made here. @throws OptionError, OutputError as locate_raster()
-[[nodiscard]] std::unique_ptr<PictureFile> open_picture(const RasterTarget& target, Context& context);
+[[nodiscard]] std::unique_ptr<PictureFile> open_picture(const RasterTarget& target);
 
 }  // namespace d2b

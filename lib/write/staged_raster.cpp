@@ -9,8 +9,10 @@
 
 namespace d2b {
 
-StagedRaster::StagedRaster(RasterPlace place, Context& context)
-    : place_(std::move(place)), target_{.name = place_.name, .hidden_folder = "", .context = &context} {}
+StagedRaster::StagedRaster(RasterPlace place)
+    : place_(std::move(place)), target_{.name = place_.name, .hidden_folder = "", .warnings = &warnings_} {
+    warnings_.hold();
+}
 
 StagedRaster::~StagedRaster() {
     const GdalMessages quiet;

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "write/ogr_call.hpp"
 #include "write/raster_target.hpp"
@@ -13,7 +14,7 @@ namespace d2b {
 /// stays as it was, and nothing is left beside it.
 class StagedRaster {
   public:
-    StagedRaster(RasterPlace place, Context& context);
+    explicit StagedRaster(RasterPlace place);
     StagedRaster(const StagedRaster&) = delete;
     StagedRaster& operator=(const StagedRaster&) = delete;
     ~StagedRaster();
@@ -25,9 +26,11 @@ class StagedRaster {
     [[nodiscard]] std::string begin();
     /// The file is closed. @param renaming for a message, where it has to be renamed @throws OutputError
     void publish(const std::string& renaming);
+    [[nodiscard]] std::vector<std::string> take_warnings() { return warnings_.take(); }
 
   private:
     RasterPlace place_;
+    Warnings warnings_;
     WriteTarget target_;
     std::optional<Staging> staging_;
     std::string beside_;  ///< what is written meanwhile in a virtual file system

@@ -40,7 +40,7 @@ class ContourVector : public ContourSink {
 
 PreparedRun::PreparedRun(const std::string& dem, Preset preset)
     : decided(plan_of(dem, preset)),
-      source(open_dem(decided.asked.read, context)),
+      source(open_dem(decided.asked.read)),
       crs(source->info().crs_wkt),
       georeference(source->info().transform, decided.trace),
       area(make_square_area(georeference, crs,

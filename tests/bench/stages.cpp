@@ -25,7 +25,7 @@ void count_points(State& state, const PreparedRun& run) {
 
 void read(State& state, PreparedRun& run) {
     for ([[maybe_unused]] auto _ : state) {
-        const std::unique_ptr<DemSource> source = open_dem(run.decided.asked.read, run.context);
+        const std::unique_ptr<DemSource> source = open_dem(run.decided.asked.read);
         ElevationReader reader(*source, run.context, {.keep_bytes = 0});
         reader.for_each([](const ElevationBand& band) { benchmark::DoNotOptimize(band.elevations.data()); });
     }
@@ -107,12 +107,12 @@ void attributes(State& state, PreparedRun& run) {
 
 void write(State& state, PreparedRun& run) {
     test::MemorySink made;
-    d2b::run(run.decided.asked, {*run.source}, {made}, run.context);
+    d2b::run(run.decided.asked, {*run.source}, {made});
     WriteOptions options;
     options.destination = (std::filesystem::temp_directory_path() / "stages_bench.gpkg").string();
     options.overwrite = true;
     for ([[maybe_unused]] auto _ : state) {
-        const std::unique_ptr<FeatureSink> sink = open_sink(options, run.context);
+        const std::unique_ptr<FeatureSink> sink = open_sink(options);
         sink->begin(made.layers, made.provenance);
         for (std::size_t layer = 0; layer < made.layers.size(); ++layer) {
             for (const Feature& feature : made.features[layer])

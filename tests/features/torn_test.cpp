@@ -146,8 +146,8 @@ TEST(Pipeline, RepairedOutlinesHaveTheAreasOfTheGround) {
         options.outline.target_crs = "+proj=tmerc +lat_0=0 +lon_0=9 +k=0.9996 +ellps=GRS80 +x_0=1e16";
         Result there;
         run_on(source, options, there);
-        repaired += there.context.report.counted(Reason::polygon_repaired);
-        EXPECT_EQ(there.context.report.counted(Reason::outline_torn), 0);
+        repaired += there.report.counted(Reason::polygon_repaired);
+        EXPECT_EQ(there.report.counted(Reason::outline_torn), 0);
         const auto area_by_id = [](const Result& result) {
             std::map<std::int64_t, double> areas;
             for (std::size_t i = 0; i < result.sink.features[contours].size(); ++i)
@@ -196,11 +196,11 @@ TEST_F(TornWarnings, areLeftOutAndNamed) {
     const std::size_t left = some.sink.features[0].size();
     EXPECT_LT(left, 2500U);
     EXPECT_GT(left, 2450U);
-    EXPECT_EQ(some.context.report.buildings, static_cast<std::int64_t>(left));
-    EXPECT_GE(some.context.report.counted(Reason::outline_torn), static_cast<std::int64_t>(2500 - left));
-    EXPECT_EQ(all.context.report.counted(Reason::outline_torn), 0);
-    ASSERT_FALSE(some.context.report.warnings.empty());
-    const std::string& warning = some.context.report.warnings.back();
+    EXPECT_EQ(some.report.buildings, static_cast<std::int64_t>(left));
+    EXPECT_GE(some.report.counted(Reason::outline_torn), static_cast<std::int64_t>(2500 - left));
+    EXPECT_EQ(all.report.counted(Reason::outline_torn), 0);
+    ASSERT_FALSE(some.report.warnings.empty());
+    const std::string& warning = some.report.warnings.back();
     EXPECT_NE(
         warning.find(" features are left out, which 'WGS 84 / Pseudo-Mercator' tears apart or stretches "
                      "beyond use: "),

@@ -57,8 +57,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     VSIFCloseL(VSIFileFromMemBuffer(options.source.c_str(), reinterpret_cast<GByte*>(text.data()),
                                     text.size(), FALSE));
     try {
-        d2b::Context context;
-        read_some(*d2b::open_dem(options, context));
+        read_some(*d2b::open_dem(options));
     } catch (const d2b::Error& error) {
         const std::string what = error.what();
         demand(!what.empty() && what.find('\n') == std::string::npos, "an error is a sentence");

@@ -248,8 +248,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     Case c = case_of(bytes);
     const d2b::ReadOptions options = options_of(ways, c);
     write(c);
-    d2b::Context context;
-    const auto source = d2b::open_dem(options, context);
+    const auto source = d2b::open_dem(options);
     compare(*source, c, options, ways);
     VSIUnlink(path);
     return 0;

@@ -238,15 +238,14 @@ class Writer {
 void run_into(Writer& writer, const Texts& words) {
     const Request request = parse_command_line(words);
     const Options& options = request.options;
-    Context context;
-    const auto source = open_dem(options.read, context);
-    const SideSources sides = open_side_sources(options, source->info(), context);
+    const auto source = open_dem(options.read);
+    const SideSources sides = open_side_sources(options, source->info());
     MemorySink sink;
     MemoryRaster ground_raster;
     MemoryRaster height;
     MemoryRaster canopy;
     run(options, {*source, sides.terrain.get(), sides.mask.get(), sides.ndvi.get()},
-        {sink, &ground_raster, &height, &canopy}, context);
+        {sink, &ground_raster, &height, &canopy});
     const auto given = sink.provenance.metadata.find("D2B_OPTIONS");
     if (given != sink.provenance.metadata.end())
         writer.outcome.options = given->second;

@@ -53,16 +53,15 @@ class FaultySource final : public DemSource {
 
 class BandFaults : public testing::TestWithParam<std::tuple<Preset, int>> {
   protected:
-    static void run_on(DemSource& source, Context& context, MemorySink& sink) {
-        run(test::of_preset(std::get<0>(GetParam()), std::get<1>(GetParam())), {source}, {sink}, context,
+    static void run_on(DemSource& source, const Callbacks& callbacks, MemorySink& sink) {
+        run(test::of_preset(std::get<0>(GetParam()), std::get<1>(GetParam())), {source}, {sink}, callbacks,
             test::small_bands);
     }
     /// All reads of a run.
     static std::vector<Read> reads() {
         FaultySource source;
-        Context context;
         MemorySink sink;
-        run_on(source, context, sink);
+        run_on(source, {}, sink);
         EXPECT_FALSE(sink.features[0].empty());
         return source.reads;
     }
@@ -75,10 +74,9 @@ TEST_P(BandFaults, AReadThatFailsEndsTheRun) {
         FaultySource source;
         source.at = read;
         source.fault = [] { throw InputError("a bad block"); };
-        Context context;
         MemorySink sink;
         try {
-            run_on(source, context, sink);
+            run_on(source, {}, sink);
             FAIL() << "row " << read.first << ", time " << read.second;
         } catch (const InputError& error) {
             EXPECT_STREQ(error.what(), "a bad block");
@@ -93,9 +91,8 @@ TEST_P(BandFaults, NoMemoryForABandEndsTheRun) {
         FaultySource source;
         source.at = read;
         source.fault = [] { throw std::bad_alloc(); };
-        Context context;
         MemorySink sink;
-        EXPECT_THROW(run_on(source, context, sink), std::bad_alloc);
+        EXPECT_THROW(run_on(source, {}, sink), std::bad_alloc);
         EXPECT_FALSE(sink.finished);
     }
 }
@@ -106,10 +103,10 @@ TEST_P(BandFaults, AStopEndsTheRun) {
         FaultySource source;
         source.at = read;
         source.fault = [&] { stop = true; };
-        Context context;
-        context.stop = [&] { return stop.load(); };
+        Callbacks callbacks;
+        callbacks.stop = [&] { return stop.load(); };
         MemorySink sink;
-        EXPECT_THROW(run_on(source, context, sink), Cancelled) << read.first << " " << read.second;
+        EXPECT_THROW(run_on(source, callbacks, sink), Cancelled) << read.first << " " << read.second;
         EXPECT_FALSE(sink.finished);
     }
 }
@@ -119,12 +116,12 @@ TEST_P(BandFaults, ProgressThatIsRefusedEndsTheRun) {
     int calls = 0;
     for (int at = 1;; ++at) {
         FaultySource source;
-        Context context;
+        Callbacks callbacks;
         MemorySink sink;
         calls = 0;
-        context.on_progress = [&](double) { return ++calls != at; };
+        callbacks.on_progress = [&](double) { return ++calls != at; };
         try {
-            run_on(source, context, sink);
+            run_on(source, callbacks, sink);
             break;
         } catch (const Cancelled&) {
             EXPECT_EQ(calls, at);

@@ -65,8 +65,7 @@ class Bands : public testing::TestWithParam<Case> {
         options.levels.interval = GetParam().interval;
         options.levels.detail = GetParam().detail;
         MemorySink sink;
-        Context context;
-        run(options, {source}, {sink}, context, size);
+        run(options, {source}, {sink}, {}, size);
         return text_of(sink);
     }
 };

@@ -32,7 +32,7 @@ TEST(BuildingGrids, DegreesWithCellsThatAreNotSquare) {
         const std::size_t i = town.at(box, buildings, 0.95);
         EXPECT_NEAR(town.sink.number(buildings, i, "area_m2"), box.area() * cell, 0.04 * box.area() * cell);
     }
-    EXPECT_EQ(town.context.report.units.areas, "geodesic");
+    EXPECT_EQ(town.report.units.areas, "geodesic");
 }
 
 TEST(BuildingGrids, Feet) {
@@ -54,7 +54,7 @@ TEST(BuildingGrids, Feet) {
                     metres.sink.number(buildings, i, "volume_m3"), 1);
     }
     EXPECT_EQ(town.count(contours), metres.count(contours));  // tiers half a metre apart, not half a foot
-    EXPECT_NEAR(town.context.report.stack_rmse_m, metres.context.report.stack_rmse_m, 1e-3);
+    EXPECT_NEAR(town.report.stack_rmse_m, metres.report.stack_rmse_m, 1e-3);
     const std::size_t lawn = MadeTown::index(60, 10);
     EXPECT_NEAR(static_cast<double>(town.ground.values[lawn]), MadeTown::ground(60, 10), 0.1);  // metres
 }

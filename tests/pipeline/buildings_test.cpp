@@ -30,8 +30,8 @@ TEST(Buildings, AreFoundAndTreesAreNot) {
         EXPECT_LE(town.sink.features[buildings][i].parts[0].exterior.size(), 8U);
         EXPECT_LE(town.sink.number(buildings, i, "moved_m"), 1.5);
     }
-    EXPECT_EQ(town.context.report.buildings, 3);
-    EXPECT_TRUE(town.context.report.warnings.empty());
+    EXPECT_EQ(town.report.buildings, 3);
+    EXPECT_TRUE(town.report.warnings.empty());
 }
 
 TEST(Buildings, StandOnTheGroundAndHaveTheirHeights) {
@@ -117,7 +117,7 @@ TEST(Buildings, ContoursHaveNoRoot) {
         EXPECT_EQ(town.sink.value(contours, i, "base"), town.sink.value(buildings, building, "ground"));
     }
     EXPECT_EQ(footprints, 3U);
-    const auto& levels = town.context.report.levels;
+    const auto& levels = town.report.levels;
     EXPECT_EQ(levels[0].contours, 0);
     EXPECT_TRUE(std::isnan(levels[1].threshold));  // each building has its own
     EXPECT_EQ(levels[1].contours, 3);
@@ -129,8 +129,8 @@ TEST(Buildings, FlatRoofsHaveNoTiers) {
     const std::size_t i = town.at(MadeTown::flat);
     EXPECT_EQ(town.sink.whole(buildings, i, "n_parts"), 1);
     EXPECT_EQ(town.sink.whole(buildings, i, "has_parts"), 0);
-    EXPECT_LT(town.context.report.stack_rmse_m, 1.5);
-    EXPECT_GT(town.context.report.stack_rmse_m, 0);
+    EXPECT_LT(town.report.stack_rmse_m, 1.5);
+    EXPECT_GT(town.report.stack_rmse_m, 0);
 }
 
 /// Whether the middle of a cell lies in a feature, or on the left of its borders.
@@ -205,7 +205,7 @@ TEST(Buildings, GlobalLevelsAreOneSetForAll) {
     town.options.levels.source = LevelSource::global;
     town.options.levels.lod = 1;  // the mean of all elevations
     town.run();
-    const double mean = town.context.report.mean;
+    const double mean = town.report.mean;
     for (std::size_t i = 0; i < town.count(contours); ++i)
         if (town.sink.whole(contours, i, "level") > 1) {
             EXPECT_EQ(town.sink.number(contours, i, "threshold"), mean);
@@ -232,7 +232,7 @@ TEST(Buildings, DisjointBandsAddUpToTheFootprints) {
         if (stacked.sink.whole(contours, i, "level") == 1)
             whole += stacked.sink.number(contours, i, "area_m2");
     EXPECT_NEAR(bands, whole, 1e-6 * whole);
-    EXPECT_EQ(town.context.report.counted(Reason::polygon_repaired), 0);
+    EXPECT_EQ(town.report.counted(Reason::polygon_repaired), 0);
 }
 
 TEST(Buildings, SplitWhereTheRoofSteps) {

@@ -48,8 +48,8 @@ TEST(Doubtful, GoToALayerOfTheirOwn) {
         EXPECT_GT(town.sink.number(doubtful, i, "height"), 2);
         EXPECT_GE(town.sink.number(doubtful, i, "area_m2"), 25);
     }
-    EXPECT_EQ(town.context.report.doubtful, static_cast<std::int64_t>(town.count(doubtful)));
-    EXPECT_EQ(town.context.report.counted(Reason::building_doubtful),
+    EXPECT_EQ(town.report.doubtful, static_cast<std::int64_t>(town.count(doubtful)));
+    EXPECT_EQ(town.report.counted(Reason::building_doubtful),
               static_cast<std::int64_t>(town.count(doubtful)));
 }
 
@@ -63,7 +63,7 @@ TEST(Doubtful, HaveNoContours) {
         ids.insert(town.sink.whole(buildings, i, "id"));
     for (std::size_t i = 0; i < town.count(contours); ++i)
         EXPECT_EQ(ids.count(town.sink.whole(contours, i, "bldg_id")), 1U);
-    EXPECT_EQ(town.context.report.contours, static_cast<std::int64_t>(town.count(contours)));
+    EXPECT_EQ(town.report.contours, static_cast<std::int64_t>(town.count(contours)));
 }
 
 TEST(Doubtful, DoNotChangeWhatIsReportedOfBuildings) {
@@ -74,13 +74,13 @@ TEST(Doubtful, DoNotChangeWhatIsReportedOfBuildings) {
         town->options.write.doubtful = town == &with;
         town->run();
     }
-    EXPECT_GT(with.context.report.doubtful, 0);
-    EXPECT_EQ(with.context.report.stack_rmse_m, without.context.report.stack_rmse_m);
-    EXPECT_EQ(with.context.report.buildings, without.context.report.buildings);
-    const auto& levels = without.context.report.levels;
+    EXPECT_GT(with.report.doubtful, 0);
+    EXPECT_EQ(with.report.stack_rmse_m, without.report.stack_rmse_m);
+    EXPECT_EQ(with.report.buildings, without.report.buildings);
+    const auto& levels = without.report.levels;
     for (std::size_t i = 0; i < levels.size(); ++i) {
-        EXPECT_EQ(with.context.report.levels[i].contours, levels[i].contours);
-        EXPECT_EQ(with.context.report.levels[i].points, levels[i].points);
+        EXPECT_EQ(with.report.levels[i].contours, levels[i].contours);
+        EXPECT_EQ(with.report.levels[i].points, levels[i].points);
     }
 }
 
@@ -92,12 +92,12 @@ TEST(Doubtful, AreCountedWhereTheyAreNotWritten) {
     EXPECT_EQ(town.sink.layers.size(), 2U);
     EXPECT_EQ(town.count(), 0U);
     EXPECT_EQ(town.count(contours), 0U);
-    EXPECT_EQ(town.context.report.counted(Reason::building_doubtful), static_cast<std::int64_t>(all.size()));
-    EXPECT_EQ(town.context.report.doubtful, 0);
-    ASSERT_EQ(town.context.report.warnings.size(), 1U);
-    EXPECT_EQ(town.context.report.warnings[0], "No building was found: -min_confidence 1 leaves " +
-                                                   std::to_string(all.size()) +
-                                                   " out; a smaller value may show them.");
+    EXPECT_EQ(town.report.counted(Reason::building_doubtful), static_cast<std::int64_t>(all.size()));
+    EXPECT_EQ(town.report.doubtful, 0);
+    ASSERT_EQ(town.report.warnings.size(), 1U);
+    EXPECT_EQ(town.report.warnings[0], "No building was found: -min_confidence 1 leaves " +
+                                           std::to_string(all.size()) +
+                                           " out; a smaller value may show them.");
 }
 
 TEST(Doubtful, AreNoBuildingsInTheCanopy) {
@@ -110,12 +110,12 @@ TEST(Doubtful, AreNoBuildingsInTheCanopy) {
     EXPECT_EQ(town.canopy.values[roof], town.height.values[roof]);
 }
 
-std::string only_warning(const MemorySink& sink, const Context& context) {
+std::string only_warning(const MemorySink& sink, const RunReport& report) {
     EXPECT_TRUE(sink.finished);
-    EXPECT_EQ(context.report.buildings, 0);
-    EXPECT_EQ(context.report.contours, 0);
-    EXPECT_EQ(context.report.warnings.size(), 1U);
-    return context.report.warnings.empty() ? "" : context.report.warnings[0];
+    EXPECT_EQ(report.buildings, 0);
+    EXPECT_EQ(report.contours, 0);
+    EXPECT_EQ(report.warnings.size(), 1U);
+    return report.warnings.empty() ? "" : report.warnings[0];
 }
 
 TEST(Nothing, ToFindIsAWarning) {
@@ -123,11 +123,10 @@ TEST(Nothing, ToFindIsAWarning) {
         MemorySource dem(rows, cols, z);
         MemorySink sink;
         test::MemoryRaster ground;
-        Context context;
-        run({}, {dem}, {sink, &ground}, context);
+        const RunReport report = run({}, {dem}, {sink, &ground});
         EXPECT_TRUE(ground.finished);
         EXPECT_EQ(ground.values.size(), z.size());
-        return only_warning(sink, context);
+        return only_warning(sink, report);
     };
     const double nan = std::nan("");
     EXPECT_EQ(warning(9, 9, std::vector<double>(81, nan)),

@@ -53,14 +53,14 @@ TEST(SideRasters, GroundHeightAndCanopy) {
 
 TEST(SideRasters, ThatNobodyWantsAreNotNeeded) {
     TownRun town;
-    d2b::run(town.options, {town.dem}, {town.sink}, town.context);
+    d2b::run(town.options, {town.dem}, {town.sink});
     EXPECT_EQ(town.count(), 3U);
     EXPECT_FALSE(town.ground.finished);
 }
 
 TEST(SideRasters, AreNotFinishedWhereTheRunIsCancelled) {
     TownRun town;
-    town.context.on_progress = [](double share) { return share < 0.7; };
+    town.callbacks.on_progress = [](double share) { return share < 0.7; };
     EXPECT_THROW(town.run(), Cancelled);
     EXPECT_FALSE(town.ground.finished);
     EXPECT_FALSE(town.sink.finished);
@@ -71,7 +71,7 @@ TEST(Progress, NeverGoesBack) {
         TownRun town;
         town.options.preset = preset;
         std::vector<double> shares;
-        town.context.on_progress = [&](double share) {
+        town.callbacks.on_progress = [&](double share) {
             shares.push_back(share);
             return true;
         };

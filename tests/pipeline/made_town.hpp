@@ -124,9 +124,12 @@ struct TownRun {
     MemoryRaster ground;
     MemoryRaster height;
     MemoryRaster canopy;
-    Context context;
+    Callbacks callbacks;
+    RunReport report;
 
-    void run() { d2b::run(options, {dem, terrain, mask, ndvi}, {sink, &ground, &height, &canopy}, context); }
+    void run() {
+        report = d2b::run(options, {dem, terrain, mask, ndvi}, {sink, &ground, &height, &canopy}, callbacks);
+    }
     [[nodiscard]] std::size_t count(std::size_t layer = buildings) const {
         return sink.features[layer].size();
     }

@@ -33,7 +33,7 @@ inline Options cells(std::vector<double> thresholds) {
 
 struct Result {
     MemorySink sink;
-    Context context;
+    RunReport report;
 };
 
 inline double area_of(const std::vector<WorldPolygon>& parts) {
@@ -45,7 +45,7 @@ inline double area_of(const std::vector<WorldPolygon>& parts) {
 }
 
 inline void run_on(MemorySource& source, const Options& options, Result& result) {
-    run(options, {source}, {result.sink}, result.context);
+    result.report = run(options, {source}, {result.sink});
 }
 
 }  // namespace d2b::test

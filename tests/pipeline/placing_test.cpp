@@ -36,7 +36,7 @@ TEST(Pipeline, DisjointBandsAddUpToTheWhole) {
         for (const Feature& feature : disjoint.sink.features[contours])
             bands += area_of(feature.parts);
         EXPECT_NEAR(bands, roots, 1e-9) << seed;
-        EXPECT_EQ(disjoint.context.report.counted(Reason::polygon_repaired), 0);
+        EXPECT_EQ(disjoint.report.counted(Reason::polygon_repaired), 0);
     }
 }
 
@@ -62,8 +62,8 @@ TEST(Pipeline, ReprojectedOutlinesStayNested) {
             EXPECT_LT(geos.area_outside(features[i].parts[0], outer.parts[0]), 264e-6);
             ++checked_pairs;
         }
-        EXPECT_EQ(result.context.report.output_crs, "WGS 84 / Pseudo-Mercator");
-        EXPECT_EQ(result.context.report.crs, "ETRS89 / UTM zone 32N");
+        EXPECT_EQ(result.report.output_crs, "WGS 84 / Pseudo-Mercator");
+        EXPECT_EQ(result.report.crs, "ETRS89 / UTM zone 32N");
     }
     EXPECT_GT(checked_pairs, 200U);
 }
@@ -96,7 +96,7 @@ TEST(Pipeline, LongOutlinesStayNestedWhenTheyAreReprojected) {
     options.outline.disjoint = true;
     Result disjoint;
     run_on(source, options, disjoint);
-    EXPECT_EQ(disjoint.context.report.counted(Reason::polygon_repaired), 0);
+    EXPECT_EQ(disjoint.report.counted(Reason::polygon_repaired), 0);
 }
 
 TEST(Pipeline, DisjointContoursReferToWhatIsWritten) {
@@ -109,8 +109,8 @@ TEST(Pipeline, DisjointContoursReferToWhatIsWritten) {
     EXPECT_EQ(result.sink.value(contours, 1, "level"), FieldValue{std::int64_t{2}});
     EXPECT_EQ(result.sink.value(contours, 1, "id"), FieldValue{std::int64_t{3}});
     EXPECT_EQ(result.sink.value(contours, 1, "parent_id"), FieldValue{std::int64_t{1}});
-    EXPECT_EQ(result.context.report.contours, 2);
-    EXPECT_EQ(result.context.report.buildings, 1);
+    EXPECT_EQ(result.report.contours, 2);
+    EXPECT_EQ(result.report.buildings, 1);
 }
 
 TEST(Pipeline, ReprojectingNeedsACrs) {

@@ -79,11 +79,10 @@ class RandomBuildings : public testing::TestWithParam<unsigned> {};
 TEST_P(RandomBuildings, AreValidDisjointAndNested) {
     MemorySource dem = random_blocks(GetParam());
     MemorySink sink;
-    Context context;
-    run(random_options(GetParam()), {dem}, {sink}, context);
+    const RunReport report = run(random_options(GetParam()), {dem}, {sink});
     ASSERT_TRUE(sink.finished);
-    EXPECT_EQ(context.report.counted(Reason::polygon_repaired), 0);
-    EXPECT_EQ(context.report.counted(Reason::polygon_lost), 0);
+    EXPECT_EQ(report.counted(Reason::polygon_repaired), 0);
+    EXPECT_EQ(report.counted(Reason::polygon_lost), 0);
     Geos geos;
     std::vector<Polygons> objects;
     for (const std::size_t layer : {buildings, doubtful})
@@ -117,8 +116,7 @@ TEST(RandomBuildingsTogether, AreMany) {
     for (unsigned seed = 0; seed < 300; seed += 3) {
         MemorySource dem = random_blocks(seed);
         MemorySink sink;
-        Context context;
-        run(random_options(seed), {dem}, {sink}, context);
+        const RunReport report = run(random_options(seed), {dem}, {sink});
         found += sink.features[buildings].size();
         unsure += sink.features[doubtful].size();
         tiers += sink.features[contours].size() - sink.features[buildings].size();

@@ -53,13 +53,12 @@ TEST(Rejected, WhatTheFilterTookIsThereAsItWasTraced) {
     options.filter.noise_factor = 10;
     options.write.rejected = true;
     MemorySink sink;
-    Context context;
-    run(options, {source}, {sink}, context);
+    const RunReport report = run(options, {source}, {sink});
     ASSERT_EQ(sink.layers.size(), 3U);
     EXPECT_EQ(sink.layers[rejected].name, "rejected");
     EXPECT_EQ(sink.layers[rejected].title, "Rejected");
     EXPECT_EQ(reasons(sink), (std::map<std::string, int>{{"contour_short", 2}, {"hole_short", 1}}));
-    expect_all_are_there(sink, context.report);
+    expect_all_are_there(sink, report);
     // In the order of keys: level 1, the hole in the plate before the cell below it; then level 2.
     const std::array<Position, 3> low{Position{3, -4}, {14, -15}, {10, -5}};
     const std::array<std::int64_t, 3> level{1, 1, 2};
@@ -89,8 +88,7 @@ TEST(Rejected, WhatStandsOnNoiseIsThereToo) {
     options.filter.noise_factor = 17;
     options.write.rejected = true;
     MemorySink sink;
-    Context context;
-    run(options, {source}, {sink}, context);
+    const RunReport report = run(options, {source}, {sink});
     EXPECT_EQ(reasons(sink), (std::map<std::string, int>{{"contour_short", 1}, {"contour_on_dropped", 1}}));
     EXPECT_EQ(sink.number(rejected, 0, "area_m2"), 16);
     EXPECT_EQ(sink.number(rejected, 1, "area_m2"), 10);
@@ -103,7 +101,7 @@ TEST(Rejected, OutlinesThatStayAsTracedNameWhatTheyAreOf) {
     town.options.filter.noise_factor = 4;
     town.options.outline.wall_tolerance = 0.2;  // no wall comes so near to a staircase
     town.run();
-    expect_all_are_there(town.sink, town.context.report);
+    expect_all_are_there(town.sink, town.report);
     int kept = 0;
     for (const std::size_t layer : {test::buildings, test::contours})
         for (std::size_t i = 0; i < town.count(layer); ++i) {
@@ -122,7 +120,7 @@ TEST(Rejected, OutlinesThatStayAsTracedNameWhatTheyAreOf) {
             EXPECT_EQ(found, 1U) << field << ' ' << i;
         }
     EXPECT_GT(kept, 0);
-    EXPECT_EQ(town.context.report.counted(Reason::outline_kept_traced), kept);
+    EXPECT_EQ(town.report.counted(Reason::outline_kept_traced), kept);
 }
 
 TEST(Rejected, IsNotThereUnlessItIsAskedFor) {

@@ -25,7 +25,7 @@ std::vector<double> raised(std::vector<double> z, double by) {
 
 /// How each of a run's warnings begins.
 Texts beginnings(const TownRun& town, std::size_t length) {
-    Texts texts = town.context.report.warnings;
+    Texts texts = town.report.warnings;
     for (std::string& text : texts)
         text.resize(std::min(length, text.size()));
     return texts;
@@ -54,14 +54,14 @@ TEST(SearchWarnings, NoneOfAGoodTown) {
     TownRun town;
     town.run();
     EXPECT_EQ(town.count(), 3U);
-    EXPECT_EQ(town.context.report.warnings, Texts{});
+    EXPECT_EQ(town.report.warnings, Texts{});
     WithTerrain good(0.2);
     good.run();
-    EXPECT_EQ(good.context.report.warnings, Texts{});
+    EXPECT_EQ(good.report.warnings, Texts{});
     TownRun heights(MadeTown::heights());
     heights.options.ground.mode = GroundMode::none;
     heights.run();
-    EXPECT_EQ(heights.context.report.warnings, Texts{});
+    EXPECT_EQ(heights.report.warnings, Texts{});
 }
 
 TEST(SearchWarnings, ATerrainModelThatDoesNotFit) {
@@ -160,7 +160,7 @@ TEST(SearchWarnings, WhatOptionsLeaveOutIsCountedAndNamed) {
     area.options.filter.min_area_m2 = 500;
     area.run();
     EXPECT_EQ(area.count(), 1U);  // the podium; the two houses have 252 and 264 m2
-    EXPECT_GE(area.context.report.counted(Reason::building_small), 2);
+    EXPECT_GE(area.report.counted(Reason::building_small), 2);
     TownRun all;
     all.options.filter.min_area_m2 = 1e300;
     expect_warning(all, "No building was found: -min_area ");
@@ -168,11 +168,11 @@ TEST(SearchWarnings, WhatOptionsLeaveOutIsCountedAndNamed) {
     TownRun height;
     height.options.detect.min_height = 50;
     expect_warning(height, "No building was found: -min_height 50 leaves ");
-    EXPECT_GE(height.context.report.counted(Reason::building_low), 3);
+    EXPECT_GE(height.report.counted(Reason::building_low), 3);
     TownRun sure;
     sure.options.detect.min_confidence = 1;
     expect_warning(sure, "No building was found: -min_confidence 1 leaves ");
-    EXPECT_GE(sure.context.report.counted(Reason::building_doubtful), 3);
+    EXPECT_GE(sure.report.counted(Reason::building_doubtful), 3);
     sure.options.write.doubtful = true;  // they are in a layer of their own, but no buildings
     TownRun written;
     written.options = sure.options;
@@ -204,7 +204,7 @@ TEST(SearchWarnings, OutlinesThatStayAsTraced) {
     coarse.dem.edit().crs_wkt = Crs("EPSG:25832").wkt();
     coarse.options.outline.wall_tolerance = 0.01;
     coarse.run();
-    const Texts& warnings = coarse.context.report.warnings;
+    const Texts& warnings = coarse.report.warnings;
     ASSERT_EQ(warnings.size(), 1U);
     EXPECT_NE(
         warnings[0].find(
@@ -215,19 +215,19 @@ TEST(SearchWarnings, OutlinesThatStayAsTraced) {
     double length = 0;
     for (std::size_t i = 0; i < coarse.count(); ++i)
         length += coarse.sink.number(test::buildings, i, "perim_m");
-    EXPECT_NEAR(coarse.context.report.building_outlines.whole(), length, 1e-9 * length);
-    EXPECT_GT(coarse.context.report.building_outlines.traced, 0.05 * length);
+    EXPECT_NEAR(coarse.report.building_outlines.whole(), length, 1e-9 * length);
+    EXPECT_GT(coarse.report.building_outlines.traced, 0.05 * length);
     TownRun off;
     off.dem.edit() = coarse.dem.info();
     off.options.outline.walls = Walls::off;
     off.run();
-    EXPECT_EQ(off.context.report.warnings, Texts{});
-    EXPECT_EQ(off.context.report.building_outlines.fitted, 0);
-    EXPECT_GT(off.context.report.building_outlines.traced, 0);
+    EXPECT_EQ(off.report.warnings, Texts{});
+    EXPECT_EQ(off.report.building_outlines.fitted, 0);
+    EXPECT_GT(off.report.building_outlines.traced, 0);
     length = 0;
     for (std::size_t i = 0; i < off.sink.features[test::contours].size(); ++i)
         length += off.sink.number(test::contours, i, "perim_m");
-    EXPECT_NEAR(off.context.report.contour_outlines.traced, length, 1e-9 * length);
+    EXPECT_NEAR(off.report.contour_outlines.traced, length, 1e-9 * length);
 }
 
 }  // namespace

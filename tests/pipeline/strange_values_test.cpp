@@ -76,16 +76,16 @@ TEST_P(NoElevation, IsAsIfItWereDeclared) {
         TownWith declared({in_flat_roof, in_street}, none);
         Result clean;
         run_on(declared, options, clean);
-        EXPECT_EQ(clean.context.report.warnings, std::vector<std::string>());
+        EXPECT_EQ(clean.report.warnings, std::vector<std::string>());
         for (const bool ignoring : {false, true}) {
             options.read.ignore_nodata = ignoring;
             TownWith undeclared({in_flat_roof, in_street}, GetParam());
             Result result;
             run_on(undeclared, options, result);
             expect_same_features(result, clean);
-            const RunReport& report = result.context.report;
+            const RunReport& report = result.report;
             EXPECT_EQ(report.counted(Reason::elevation_outside_range), 2);
-            EXPECT_EQ(report.valid_points, clean.context.report.valid_points);
+            EXPECT_EQ(report.valid_points, clean.report.valid_points);
             ASSERT_EQ(report.warnings.size(), 1U);
             const std::string value = value_text(GetParam());
             EXPECT_EQ(report.warnings[0],
@@ -102,7 +102,7 @@ TEST(StrangeValues, TheRangeIsInTheUnitOfTheElevations) {
         TownWith town({in_flat_roof}, value, metres);
         Result result;
         run_on(town, in_unit(unit), result);
-        return result.context.report.counted(Reason::elevation_outside_range);
+        return result.report.counted(Reason::elevation_outside_range);
     };
     EXPECT_EQ(counted(-1700, "ft", 0.3048), 1);
     EXPECT_EQ(counted(-1600, "ft", 0.3048), 0);
@@ -117,19 +117,18 @@ TEST(StrangeValues, AGivenRangeTakesThePlaceOfWhatIsOnLand) {
     TownWith town({in_flat_roof}, -1);
     Result result;
     run_on(town, options, result);
-    EXPECT_EQ(result.context.report.counted(Reason::elevation_outside_range), 1 + MadeTown::tower.area());
-    EXPECT_LE(result.context.report.maximum, 120);
-    ASSERT_GE(result.context.report.warnings.size(), 1U);
-    EXPECT_NE(result.context.report.warnings[0].find(
-                  "which is outside of -zrange 0 120, and are taken for no data; "
-                  "give the range of elevations with -zrange."),
+    EXPECT_EQ(result.report.counted(Reason::elevation_outside_range), 1 + MadeTown::tower.area());
+    EXPECT_LE(result.report.maximum, 120);
+    ASSERT_GE(result.report.warnings.size(), 1U);
+    EXPECT_NE(result.report.warnings[0].find("which is outside of -zrange 0 120, and are taken for no data; "
+                                             "give the range of elevations with -zrange."),
               std::string::npos)
-        << result.context.report.warnings[0];
+        << result.report.warnings[0];
     options.read.elevation_range = {{-20000, 20000}};
     TownWith deep({in_street}, -9999);
     Result all;
     run_on(deep, options, all);
-    EXPECT_EQ(all.context.report.minimum, -9999);
+    EXPECT_EQ(all.report.minimum, -9999);
 }
 
 TEST(StrangeValues, WhereMostAreNoElevationsTheRunIsRefused) {
@@ -149,7 +148,7 @@ TEST(StrangeValues, WhereMostAreNoElevationsTheRunIsRefused) {
     }
     Result in_millimetres;
     run_on(town, in_unit("0.001"), in_millimetres);
-    EXPECT_EQ(in_millimetres.context.report.warnings, std::vector<std::string>());
+    EXPECT_EQ(in_millimetres.report.warnings, std::vector<std::string>());
 }
 
 TEST(StrangeValues, WhatManyCellsShareFarFromAllOthersIsWarnedOf) {
@@ -164,12 +163,12 @@ TEST(StrangeValues, WhatManyCellsShareFarFromAllOthersIsWarnedOf) {
         town.edit().offset = -100;
         Result result;
         run_on(town, options, result);
-        ASSERT_GE(result.context.report.warnings.size(), 1U);
+        ASSERT_GE(result.report.warnings.size(), 1U);
         EXPECT_EQ(
-            result.context.report.warnings[0],
+            result.report.warnings[0],
             "30 cells of 'town.tif' have the elevation 0, more than 50 m from any other; if 0 stands for no "
             "data, give -snodata 200.");
-        EXPECT_EQ(result.context.report.valid_points, MadeTown::rows * MadeTown::cols);
+        EXPECT_EQ(result.report.valid_points, MadeTown::rows * MadeTown::cols);
     }
 }
 
@@ -180,8 +179,8 @@ TEST(StrangeValues, ADeclaredValueThatComesBackIsSaidSo) {
     options.read.nodata = -1;
     Result result;
     run_on(town, options, result);
-    ASSERT_EQ(result.context.report.warnings.size(), 1U);
-    EXPECT_EQ(result.context.report.warnings[0],
+    ASSERT_EQ(result.report.warnings.size(), 1U);
+    EXPECT_EQ(result.report.warnings[0],
               "1 cell of 'town.tif' has the elevation 99, the NoData value that the file declares and that "
               "-snodata "
               "takes the place of; if it stands for no data, leave out -snodata.");
@@ -195,9 +194,9 @@ TEST(StrangeValues, ADeclaredValueThatNoLandHasIsNamedAsSuch) {
         options.read.ignore_nodata = ignoring;
         Result result;
         run_on(town, options, result);
-        ASSERT_EQ(result.context.report.warnings.size(), 1U);
+        ASSERT_EQ(result.report.warnings.size(), 1U);
         EXPECT_EQ(
-            result.context.report.warnings[0],
+            result.report.warnings[0],
             std::string(
                 "1 cell of 'town.tif' has the elevation -9999, which is not on land, between -500 and 9000 "
                 "m, and is taken for no data; it is the NoData value that the file declares, so leave out ") +
@@ -217,18 +216,18 @@ TEST(StrangeValues, ASpikeIsNoElevationOrNoRoof) {
     Result no_elevation;
     run_on(high, {}, no_elevation);
     expect_same_features(no_elevation, hole);
-    EXPECT_EQ(no_elevation.context.report.counted(Reason::elevation_above_neighbours), 1);
-    ASSERT_EQ(no_elevation.context.report.warnings.size(), 1U);
-    EXPECT_NE(no_elevation.context.report.warnings[0].find(
+    EXPECT_EQ(no_elevation.report.counted(Reason::elevation_above_neighbours), 1);
+    ASSERT_EQ(no_elevation.report.warnings.size(), 1U);
+    EXPECT_NE(no_elevation.report.warnings[0].find(
                   ", more than 100 m above all cells around, and is taken for no data; if "),
               std::string::npos);
 
     TownWith mast({in_flat_roof}, roof + 50);
     Result no_roof;
     run_on(mast, {}, no_roof);
-    EXPECT_EQ(no_roof.context.report.counted(Reason::elevation_not_roof), 1);
-    EXPECT_EQ(no_roof.context.report.valid_points, clean.context.report.valid_points);
-    EXPECT_EQ(no_roof.context.report.warnings, std::vector<std::string>());
+    EXPECT_EQ(no_roof.report.counted(Reason::elevation_not_roof), 1);
+    EXPECT_EQ(no_roof.report.valid_points, clean.report.valid_points);
+    EXPECT_EQ(no_roof.report.warnings, std::vector<std::string>());
     for (const char* field : {"height", "roof", "p95", "p50"}) {
         const std::vector<double> expected = numbers(clean, field);
         const std::vector<double> got = numbers(no_roof, field);
@@ -247,8 +246,8 @@ TEST(StrangeValues, ASpikeIsNoElevationOrNoRoof) {
     thesis.preset = Preset::thesis;
     Result taken;
     run_on(high, thesis, taken);
-    EXPECT_EQ(taken.context.report.counted(Reason::elevation_above_neighbours), 0);
-    EXPECT_EQ(taken.context.report.maximum, roof + 101);
+    EXPECT_EQ(taken.report.counted(Reason::elevation_above_neighbours), 0);
+    EXPECT_EQ(taken.report.maximum, roof + 101);
 }
 
 /// A block of cells in a roof.
@@ -264,8 +263,8 @@ TEST(StrangeValues, HeightsThatCannotBeAreWarnedOfWithTheElevationThatMakesThem)
     TownWith high(patch(4), 9999, 0.3048);  // 3,048 m is an elevation
     Result result;
     run_on(high, in_unit("ft"), result);
-    ASSERT_EQ(result.context.report.warnings.size(), 1U);
-    const std::string& text = result.context.report.warnings[0];
+    ASSERT_EQ(result.report.warnings.size(), 1U);
+    const std::string& text = result.report.warnings[0];
     EXPECT_NE(text.find(" is more than 1000 m high: building "), std::string::npos) << text;
     EXPECT_NE(
         text.find(" m, has an elevation of 9999; give what stands for no data with -snodata, the range of "
@@ -277,7 +276,7 @@ TEST(StrangeValues, HeightsThatCannotBeAreWarnedOfWithTheElevationThatMakesThem)
     run_on(low, {}, deep);
     for (std::size_t i = 0; i < deep.sink.features[test::buildings].size(); ++i)
         if (deep.sink.number(test::buildings, i, "volume_m3") < 0) {
-            EXPECT_TRUE(std::ranges::any_of(deep.context.report.warnings, [](const std::string& said) {
+            EXPECT_TRUE(std::ranges::any_of(deep.report.warnings, [](const std::string& said) {
                 return said.find("has a negative volume, being lower than the ground on average") !=
                            std::string::npos &&
                        said.find(" has an elevation of -30; ") != std::string::npos;
@@ -300,7 +299,7 @@ TEST(StrangeValues, TheNumberOfThreadsDoesNotMatter) {
             Result several;
             run_on(town, options, several);
             expect_same_features(several, one);
-            EXPECT_EQ(several.context.report.warnings, one.context.report.warnings);
+            EXPECT_EQ(several.report.warnings, one.report.warnings);
         }
     }
 }

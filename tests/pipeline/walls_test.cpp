@@ -47,7 +47,7 @@ TEST(Pipeline, WallsAreDrawnFromEndToEnd) {
     EXPECT_EQ(tower.arcs.size(), 2U);  // a whole circle
     Geos geos;
     EXPECT_EQ(geos.area_outside(tower, result.sink.features[contours][1].parts[0]), 0);
-    EXPECT_EQ(result.context.report.counted(Reason::polygon_repaired), 0);
+    EXPECT_EQ(result.report.counted(Reason::polygon_repaired), 0);
 }
 
 TEST(Pipeline, ArcsAreLeftOutWhereTheyAreNotAskedForOrBend) {

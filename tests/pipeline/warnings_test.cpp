@@ -24,9 +24,9 @@ TEST(Pipeline, ALargeToleranceIsWarnedOf) {
     options.outline.simplify = 1;
     Result result;
     run_on(source, options, result);
-    ASSERT_EQ(result.context.report.warnings.size(), 1U);
+    ASSERT_EQ(result.report.warnings.size(), 1U);
     EXPECT_EQ(
-        result.context.report.warnings[0],
+        result.report.warnings[0],
         "-simplify 1 is 100000 cells wide, which leaves little of a building; it is in units of the input's "
         "CRS.");
 }
@@ -37,7 +37,7 @@ TEST(Pipeline, WhatGeosRefusesIsWarnedOfByItsId) {
     source.edit().crs_wkt = "";
     Result result;
     run_on(source, cells({10}), result);
-    const std::vector<std::string>& warnings = result.context.report.warnings;
+    const std::vector<std::string>& warnings = result.report.warnings;
     for (const char* feature : {"Building 1 ", "Contour 2 "}) {
         const auto is_of = [&](const std::string& text) {
             return text.starts_with(feature + std::string("would not have been a valid polygon (")) &&
@@ -45,8 +45,8 @@ TEST(Pipeline, WhatGeosRefusesIsWarnedOfByItsId) {
         };
         EXPECT_EQ(std::ranges::count_if(warnings, is_of), 1) << feature << warnings.front();
     }
-    EXPECT_EQ(result.context.report.buildings, 0);
-    EXPECT_GE(result.context.report.counted(Reason::polygon_lost), 2);
+    EXPECT_EQ(result.report.buildings, 0);
+    EXPECT_GE(result.report.counted(Reason::polygon_lost), 2);
 }
 
 TEST(Pipeline, CoarseCellsAreWarnedOf) {
@@ -55,8 +55,8 @@ TEST(Pipeline, CoarseCellsAreWarnedOf) {
     source.edit().crs_wkt = Crs("EPSG:25832").wkt();
     Result result;
     run_on(source, cells({10}), result);
-    ASSERT_EQ(result.context.report.warnings.size(), 1U);
-    EXPECT_EQ(result.context.report.warnings[0],
+    ASSERT_EQ(result.report.warnings.size(), 1U);
+    EXPECT_EQ(result.report.warnings[0],
               "The cells are 5.0 m wide, which is too coarse for single buildings; up to 1 m is best, 2.5 m "
               "may do.");
 }
@@ -66,8 +66,8 @@ std::string only_warning(MemorySource& source, const Options& options) {
     run_on(source, options, result);
     EXPECT_TRUE(result.sink.finished);
     EXPECT_EQ(result.sink.features[buildings].size(), 0U);
-    EXPECT_EQ(result.context.report.warnings.size(), 1U);
-    return result.context.report.warnings.empty() ? "" : result.context.report.warnings[0];
+    EXPECT_EQ(result.report.warnings.size(), 1U);
+    return result.report.warnings.empty() ? "" : result.report.warnings[0];
 }
 
 TEST(Pipeline, NothingToFindIsAWarning) {

@@ -40,7 +40,7 @@ class PreviewTest : public ::testing::Test {
     Image draw(const std::vector<LayerSpec>& layers,
                const std::vector<std::pair<std::size_t, Feature>>& features) {
         Image image;
-        PreviewSink sink(inner, dem, Crs(), {.longest = 200, .heading = "", .vertical_metres = 1}, context,
+        PreviewSink sink(inner, dem, Crs(), {.longest = 200, .heading = "", .vertical_metres = 1},
                          [&](const Image& taken) {
                              EXPECT_FALSE(inner.finished);
                              image = taken;
@@ -48,6 +48,7 @@ class PreviewTest : public ::testing::Test {
         sink.begin(layers, {});
         for (const auto& [index, feature] : features)
             sink.add(index, feature);
+        sink.take_report({});
         sink.finish();
         return image;
     }
@@ -56,7 +57,6 @@ class PreviewTest : public ::testing::Test {
 
     MemorySource dem{20, 20, field()};
     MemorySink inner;
-    Context context;
 };
 
 TEST_F(PreviewTest, FeaturesGoOnAndAreDrawnWhereTheyLie) {
@@ -97,9 +97,10 @@ TEST_F(PreviewTest, NorthIsUpWhicheverWayRowsAndColumnsRun) {
         Image image;
         MemorySink sink;
         PreviewSink preview(sink, other, Crs(), {.longest = 200, .heading = "", .vertical_metres = 1},
-                            context, [&](const Image& taken) { image = taken; });
+                            [&](const Image& taken) { image = taken; });
         preview.begin(std::vector{layer("buildings", "")}, {});
         preview.add(0, features[0].second);
+        preview.take_report({});
         preview.finish();
         EXPECT_EQ(image.rgb, expected.rgb);
     };

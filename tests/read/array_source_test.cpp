@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -17,7 +18,10 @@ constexpr double invalid = std::numeric_limits<double>::quiet_NaN();
 /// Elevations in memory.
 class ReadArray : public testing::Test {
   protected:
-    void SetUp() override { options_.crs = "EPSG:32632"; }
+    void SetUp() override {
+        options_.crs = "EPSG:32632";
+        callbacks_.on_warning = [this](const std::string& text) { warnings_.push_back(text); };
+    }
     /// 3 rows and 4 columns, 10 * row + column, one after another.
     template <typename Value>
     ElevationArray array_of(std::vector<Value>& values, ValueType type) {
@@ -35,7 +39,7 @@ class ReadArray : public testing::Test {
     }
     /// All elevations of the window; 99 for NaN.
     std::vector<double> values(const ElevationArray& array) {
-        const auto source = open_dem(array, options_, context_);
+        const auto source = open_dem(array, options_, callbacks_);
         const Window window = source->info().window;
         std::vector<double> read(static_cast<std::size_t>(window.rows) *
                                  static_cast<std::size_t>(window.cols));
@@ -52,7 +56,8 @@ class ReadArray : public testing::Test {
     }
 
     ReadOptions options_;
-    Context context_;
+    std::vector<std::string> warnings_;
+    Callbacks callbacks_;
 };
 
 TEST_F(ReadArray, valuesOfEveryType) {
@@ -107,20 +112,19 @@ TEST_F(ReadArray, aWindow) {
 TEST_F(ReadArray, whatIsKnownOfIt) {
     std::vector<std::uint8_t> cells;
     ElevationArray array = array_of(cells, ValueType::uint8);
-    const DemInfo info = open_dem(array, options_, context_)->info();
+    const DemInfo info = open_dem(array, options_, callbacks_)->info();
     EXPECT_TRUE(info.bytes);
     EXPECT_TRUE(info.georeferenced);
     EXPECT_EQ(info.transform, *array.transform);
     EXPECT_NE(info.crs_wkt.find("32632"), std::string::npos);
-    EXPECT_TRUE(context_.report.warnings.empty());
+    EXPECT_TRUE(warnings_.empty());
     array.transform = {};
     options_.crs = "";
-    EXPECT_EQ(open_dem(array, options_, context_)->info().transform, DemInfo{}.transform);
-    EXPECT_EQ(context_.report.warnings,
-              (std::vector<std::string>{
-                  "'array' has no georeferencing; coordinates are columns and, upwards, rows.",
-                  "'array' has no coordinate reference system; lengths are taken as plain units; "
-                  "give it with -a_srs."}));
+    EXPECT_EQ(open_dem(array, options_, callbacks_)->info().transform, DemInfo{}.transform);
+    EXPECT_EQ(warnings_, (std::vector<std::string>{
+                             "'array' has no georeferencing; coordinates are columns and, upwards, rows.",
+                             "'array' has no coordinate reference system; lengths are taken as plain units; "
+                             "give it with -a_srs."}));
 }
 
 TEST_F(ReadArray, refusals) {
@@ -128,17 +132,17 @@ TEST_F(ReadArray, refusals) {
     const ElevationArray array = array_of(cells, ValueType::float64);
     ElevationArray empty = array;
     empty.cols = 0;
-    EXPECT_THROW(static_cast<void>(open_dem(empty, options_, context_)), InputError);
+    EXPECT_THROW(static_cast<void>(open_dem(empty, options_, callbacks_)), InputError);
     ElevationArray flat = array;
     flat.transform = {{0, 1, 1, 0, 1, 1}};
-    EXPECT_THROW(static_cast<void>(open_dem(flat, options_, context_)), InputError);
+    EXPECT_THROW(static_cast<void>(open_dem(flat, options_, callbacks_)), InputError);
     std::array<ReadOptions, 4> of_files;
     of_files[0].band = 2;
     of_files[1].open_options = {"A=B"};
     of_files[2].drivers = {"GTiff"};
     of_files[3].ignore_nodata = true;
     for (const ReadOptions& options : of_files)
-        EXPECT_THROW(static_cast<void>(open_dem(array, options, context_)), OptionError);
+        EXPECT_THROW(static_cast<void>(open_dem(array, options, callbacks_)), OptionError);
 }
 
 }  // namespace

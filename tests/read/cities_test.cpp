@@ -55,7 +55,7 @@ TEST_P(ReadCity, isReadWhole) {
     EXPECT_EQ(maximum, city.maximum);
     EXPECT_NEAR(sum, city.sum, 1e-9 * city.sum);
     EXPECT_EQ(elevations[static_cast<std::size_t>(100 * city.cols + 100)], city.at_100_100);
-    EXPECT_TRUE(context_.report.warnings.empty());
+    EXPECT_TRUE(warnings_.empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -66,7 +66,7 @@ TEST_F(ReadCutline, theCellsWhoseCentresLieInside) {
     write_cutline({polygon(box("500014", "5538656", "500036", "5538674"))});
     // Centres x 5, 15, 25, 35, ...; y 85, 75, 65, 55: of the cells that the box touches only these.
     expect_values(valid(), {21, 22, 23});
-    EXPECT_TRUE(context_.report.warnings.empty());
+    EXPECT_TRUE(warnings_.empty());
 }
 
 /// GDAL counts cells in 32 bits, and UTM has no image of what is a quarter of the Earth away.
@@ -92,7 +92,7 @@ TEST_F(ReadCutline, whatReachesFarBeyondTheDemHoldsIt) {
     write(path("dem.tif"), spec_);
     write_cutline({polygon(box("-180", "-90", "9", "90"))}, "OGC:1.3:CRS84");
     EXPECT_EQ(valid().size(), 18U);
-    EXPECT_TRUE(context_.report.warnings.empty());
+    EXPECT_TRUE(warnings_.empty());
 }
 
 /// The window lies on both sides of 180 degrees, and the polygons on one or on both.
@@ -108,7 +108,7 @@ TEST_F(ReadCutline, whatReachesFarAcrossTheAntimeridian) {
     EXPECT_LT(west, 36U);
     write_cutline({polygon(box("-180", "-90", "0", "90"))}, "OGC:1.3:CRS84");
     EXPECT_EQ(valid().size(), 36 - west);
-    EXPECT_TRUE(context_.report.warnings.empty());
+    EXPECT_TRUE(warnings_.empty());
 }
 
 TEST_F(ReadCutline, invalidPointsStayInvalid) {
@@ -233,7 +233,7 @@ TEST_F(ReadCutline, arcsBecomeLines) {
     use("cut.csv",
         "id,WKT\n1,\"CURVEPOLYGON(CIRCULARSTRING(500013 5538665,500037 5538665,500013 5538665))\"\n");
     expect_values(valid(), {12, 21, 22, 23, 32});
-    EXPECT_EQ(context_.report.warnings,
+    EXPECT_EQ(warnings_,
               (std::vector<std::string>{
                   "The cutline '" + path("cut.csv") +
                   "' has no coordinate reference system; its coordinates are taken as the DEM's."}));
@@ -242,10 +242,9 @@ TEST_F(ReadCutline, arcsBecomeLines) {
 TEST_F(ReadCutline, outsideOfTheDemNothingIsValid) {
     write_cutline({polygon(box("600000", "5538680", "600010", "5538690"))});
     EXPECT_TRUE(valid().empty());
-    EXPECT_EQ(
-        context_.report.warnings,
-        (std::vector<std::string>{"The cutline '" + path("cut.geojson") + "' does not meet the part of '" +
-                                  path("dem.tif") + "' that is used; no point of it is valid."}));
+    EXPECT_EQ(warnings_, (std::vector<std::string>{"The cutline '" + path("cut.geojson") +
+                                                   "' does not meet the part of '" + path("dem.tif") +
+                                                   "' that is used; no point of it is valid."}));
 }
 
 TEST_F(ReadCutline, cannotBeOpened) {
@@ -297,7 +296,7 @@ TEST_F(ReadCutline, theLayerIsTheOneThatIsNamed) {
     options_.cutline = path("cut.gpkg");
     options_.cutline_layer = "second";
     expect_values(valid(), {12});
-    EXPECT_TRUE(context_.report.warnings.empty());
+    EXPECT_TRUE(warnings_.empty());
     options_.cutline_layer = "third";
     EXPECT_EQ(message<OptionError>("dem.tif"),
               "The cutline '" + path("cut.gpkg") + "' has no layer 'third'; it has 'first' and 'second'.");
@@ -307,7 +306,7 @@ TEST_F(ReadCutline, withoutANameTheFirstWithGeometriesIsTakenAndSaid) {
     write_layers(path("cut.gpkg"));
     options_.cutline = path("cut.gpkg");
     expect_values(valid(), {0});
-    EXPECT_EQ(context_.report.warnings,
+    EXPECT_EQ(warnings_,
               (std::vector<std::string>{"The cutline '" + path("cut.gpkg") +
                                         "' has the layers 'first' and 'second'; 'first' is taken, and "
                                         "-cutline_layer takes another."}));
@@ -336,8 +335,8 @@ TEST_F(ReadCutline, neitherHasACrs) {
     write(path("dem.tif"), spec_);
     use("cut.csv", "id,WKT\n1,\"POLYGON((500000 5538690,500010 5538690,500010 5538680,500000 5538680))\"\n");
     expect_values(valid(), {0});
-    ASSERT_EQ(context_.report.warnings.size(), 1U);
-    expect_has(context_.report.warnings[0], path("dem.tif") + "' has no coordinate reference system");
+    ASSERT_EQ(warnings_.size(), 1U);
+    expect_has(warnings_[0], path("dem.tif") + "' has no coordinate reference system");
 }
 
 TEST_F(ReadCutline, thereIsNoWayBetweenTheSystems) {

@@ -31,7 +31,7 @@ TEST_F(ReadGeoreference, whatIsKnownBeforeReading) {
     EXPECT_TRUE(info.georeferenced);
     EXPECT_EQ(info.driver, "GTiff");
     EXPECT_EQ(info.band_unit, "");
-    EXPECT_TRUE(context_.report.warnings.empty());
+    EXPECT_TRUE(warnings_.empty());
 }
 
 TEST_F(ReadGeoreference, theCrsIsWrittenAsWkt2) {
@@ -56,19 +56,18 @@ TEST_F(ReadGeoreference, withoutTransformTheCoordinatesArePixels) {
     const std::unique_ptr<DemSource> source = open("dem.tif");
     EXPECT_FALSE(source->info().georeferenced);
     EXPECT_EQ(source->info().transform, (AffineTransform{0, 1, 0, 0, 0, -1}));
-    ASSERT_EQ(context_.report.warnings.size(), 1U);
-    EXPECT_EQ(context_.report.warnings[0],
+    ASSERT_EQ(warnings_.size(), 1U);
+    EXPECT_EQ(warnings_[0],
               quoted("dem.tif") + " has no georeferencing; coordinates are columns and, upwards, rows.");
 }
 
 TEST_F(ReadGeoreference, withoutCrsLengthsArePlain) {
     write(path("dem.tif"), {.values = {1}, .crs = ""});
     EXPECT_EQ(open("dem.tif")->info().crs_wkt, "");
-    ASSERT_EQ(context_.report.warnings.size(), 1U);
-    EXPECT_EQ(context_.report.warnings[0],
-              quoted("dem.tif") +
-                  " has no coordinate reference system; lengths are taken as plain "
-                  "units; give it with -a_srs.");
+    ASSERT_EQ(warnings_.size(), 1U);
+    EXPECT_EQ(warnings_[0], quoted("dem.tif") +
+                                " has no coordinate reference system; lengths are taken as plain "
+                                "units; give it with -a_srs.");
 }
 
 TEST_F(ReadGeoreference, theUsersCrsTakesThePlaceOfTheFiles) {
@@ -79,7 +78,7 @@ TEST_F(ReadGeoreference, theUsersCrsTakesThePlaceOfTheFiles) {
     expect_has(open("dem.tif")->info().crs_wkt, "COMPOUNDCRS[");
     options_.crs = "+proj=utm +zone=33 +datum=WGS84";
     expect_has(open("dem.tif")->info().crs_wkt, "zone 33");
-    EXPECT_TRUE(context_.report.warnings.empty());
+    EXPECT_TRUE(warnings_.empty());
 }
 
 TEST_F(ReadGeoreference, whatIsNoCrsIsRefused) {
@@ -186,8 +185,8 @@ TEST_F(ReadGeoreference, aBareNumberIsNoCrs) {
 TEST_F(ReadGeoreference, pixelsAreNoDegrees) {
     write(path("picture.tif"), {.values = {1}, .transform = {}, .crs = "EPSG:4326"});
     EXPECT_EQ(open("picture.tif")->info().crs_wkt, "");
-    ASSERT_EQ(context_.report.warnings.size(), 2U);
-    EXPECT_EQ(context_.report.warnings[1],
+    ASSERT_EQ(warnings_.size(), 2U);
+    EXPECT_EQ(warnings_[1],
               quoted("picture.tif") +
                   " has a coordinate reference system in degrees, which columns and rows are not; it is left "
                   "out.");

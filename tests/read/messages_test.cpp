@@ -56,40 +56,40 @@ TEST(GdalMessages, hiddenNamesAreNotShown) {
     EXPECT_EQ(folder.reason(), "dataset o.gpkg has no option");
 }
 
-TEST(GdalMessages, aWarningIsPassedOnceInARun) {
-    Context context;
+TEST(GdalMessages, aWarningIsPassedOnce) {
     std::vector<std::string> heard;
-    context.on_warning = [&](const std::string& text) { heard.push_back(text); };
+    Warnings warnings([&](const std::string& text) { heard.push_back(text); });
     for (int i = 0; i < 2; ++i) {
         const GdalMessages messages;
         say(CE_Warning, "odd.");
         say(CE_Failure, "an error");
-        messages.pass_warnings(context);
+        messages.pass_warnings(warnings);
     }
     EXPECT_EQ(heard, (std::vector<std::string>{"GDAL: odd."}));
-    EXPECT_EQ(context.report.warnings, heard);
 }
 
 TEST(GdalMessages, errorsOfACallThatSucceededArePassedAsWarnings) {
-    Context context;
+    std::vector<std::string> heard;
+    Warnings warnings([&](const std::string& text) { heard.push_back(text); });
     const GdalMessages messages;
     say(CE_Failure, "an error");
     say(CE_Warning, "odd");
-    messages.pass_all(context);
-    EXPECT_EQ(context.report.warnings, (std::vector<std::string>{"GDAL: odd.", "GDAL: an error."}));
+    messages.pass_all(warnings);
+    EXPECT_EQ(heard, (std::vector<std::string>{"GDAL: odd.", "GDAL: an error."}));
 }
 
 TEST(GdalMessages, aFloodOfWarningsIsCut) {
-    Context context;
+    std::vector<std::string> heard;
+    Warnings warnings([&](const std::string& text) { heard.push_back(text); });
     for (int call = 0; call < 3; ++call) {
         const GdalMessages messages;
         for (int i = 0; i < 15; ++i)
             say(CE_Warning, "block " + std::to_string(100 * call + i));
-        messages.pass_warnings(context);
+        messages.pass_warnings(warnings);
     }
-    ASSERT_EQ(context.report.warnings.size(), 21U);
-    EXPECT_EQ(context.report.warnings[19], "GDAL: block 104.");
-    EXPECT_EQ(context.report.warnings[20], "GDAL: further warnings are left out.");
+    ASSERT_EQ(heard.size(), 21U);
+    EXPECT_EQ(heard[19], "GDAL: block 104.");
+    EXPECT_EQ(heard[20], "GDAL: further warnings are left out.");
 }
 
 TEST(GdalMessages, linesAreCleaned) {

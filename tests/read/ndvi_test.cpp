@@ -65,10 +65,10 @@ TEST_F(Ndvi, otherProductsAreRefused) {
 TEST_F(Ndvi, refusedAtOnceWhereTheMiddleRowTells) {
     dem({.cols = 1, .rows = 3});
     write(path("side.tif"), {.rows = 3, .values = {0, 2, 0}});
-    expect_has(refused<InputError>([this] { (void)open_ndvi(path("side.tif"), grid_, context_); }),
+    expect_has(refused<InputError>([this] { (void)open_ndvi(path("side.tif"), grid_, callbacks_); }),
                "has the value 2,");
     write(path("side.tif"), {.rows = 3, .values = {2, 0, 0}});
-    const auto source = open_ndvi(path("side.tif"), grid_, context_);
+    const auto source = open_ndvi(path("side.tif"), grid_, callbacks_);
     std::vector<double> row(1);
     source->read(2, 1, row);
     EXPECT_EQ(row[0], 0);

@@ -18,7 +18,7 @@ class PolygonLayerTest : public ReadTest {
   protected:
     PolygonLayer read(LayerChoice choice = {}) {
         choice.dataset = path("a.gpkg");
-        return read_polygon_layer(choice, context_);
+        return read_polygon_layer(choice, heard_);
     }
     template <typename E>
     std::string refusal(LayerChoice choice = {}) {
@@ -53,7 +53,7 @@ TEST_F(PolygonLayerTest, readsPolygonsWithHolesAndHeights) {
     EXPECT_EQ(first.height, 7.5);
     EXPECT_FALSE(first.open_ring);
     EXPECT_FALSE(layer.features[1].height);
-    EXPECT_TRUE(context_.report.warnings.empty());
+    EXPECT_TRUE(warnings_.empty());
 }
 
 TEST_F(PolygonLayerTest, makesLinesOfCurves) {
@@ -80,12 +80,12 @@ TEST_F(PolygonLayerTest, leavesOtherGeometriesOutWithAWarning) {
                                   {"LINESTRING(0 0,1 1)"},
                                   {"GEOMETRYCOLLECTION(POINT(0 0),POLYGON((0 0,1 0,1 1,0 0)))"}}});
     EXPECT_EQ(read().features.size(), 2U);
-    ASSERT_EQ(context_.report.warnings.size(), 1U);
-    EXPECT_EQ(context_.report.warnings[0],
+    ASSERT_EQ(warnings_.size(), 1U);
+    EXPECT_EQ(warnings_[0],
               "2 features of the layer 'buildings' of " + file() + " have no polygon and are left out.");
     write_layer(path("a.gpkg"), {"one", {{"POINT(1 1)"}}});
     (void)read({.layer = "one"});
-    EXPECT_EQ(context_.report.warnings.back(),
+    EXPECT_EQ(warnings_.back(),
               "1 feature of the layer 'one' of " + file() + " has no polygon and is left out.");
 }
 
@@ -98,7 +98,7 @@ TEST_F(PolygonLayerTest, picksLayersByDefault) {
     write_layer(path("a.gpkg"), {.name = "blocks"});
     EXPECT_EQ(read({.defaults = {"blocks", "buildings"}}).name, "blocks");
     EXPECT_EQ(read({.layer = "roads", .defaults = {"blocks"}}).name, "roads");
-    EXPECT_EQ(layer_names(path("a.gpkg"), context_),
+    EXPECT_EQ(layer_names(path("a.gpkg"), heard_),
               (std::vector<std::string>{"roads", "buildings", "blocks"}));
 }
 
@@ -130,7 +130,7 @@ TEST_F(PolygonLayerTest, refusesDamagedLayers) {
     LayerChoice choice;
     choice.dataset = path("a.fgb");
     try {
-        (void)read_polygon_layer(choice, context_);
+        (void)read_polygon_layer(choice, heard_);
         FAIL();
     } catch (const InputError& error) {
         expect_has(error.what(), "The layer 'a' of '" + path("a.fgb") + "' cannot be read: ");
@@ -157,7 +157,7 @@ TEST_F(PolygonLayerTest, takesHeightsFromTexts) {
     LayerChoice choice;
     choice.dataset = path("a.csv");
     choice.height_field = "height";
-    const PolygonLayer layer = read_polygon_layer(choice, context_);
+    const PolygonLayer layer = read_polygon_layer(choice, heard_);
     ASSERT_EQ(layer.features.size(), 3U);
     EXPECT_EQ(layer.features[0].height, 12.5);
     EXPECT_FALSE(layer.features[1].height);

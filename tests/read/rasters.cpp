@@ -92,6 +92,7 @@ void ReadTest::SetUpTestSuite() {
 }
 
 void ReadTest::SetUp() {
+    callbacks_.on_warning = [this](const std::string& text) { warnings_.push_back(text); };
     const ::testing::TestInfo* test = ::testing::UnitTest::GetInstance()->current_test_info();
     folder_ = std::string("/vsimem/") + test->test_suite_name() + "_" + test->name() + "/";
     for (char& c : folder_)
@@ -112,11 +113,18 @@ std::string ReadTest::quoted(const std::string& name) const {
 std::unique_ptr<DemSource> ReadTest::open(const std::string& name) {
     if (!name.empty())
         options_.source = path(name);
-    return open_dem(options_, context_);
+    return open_dem(options_, callbacks_);
 }
 
 std::vector<double> ReadTest::values(const std::string& name) {
-    return read_all(*open(name));
+    return all_of(*open(name));
+}
+
+std::vector<double> ReadTest::all_of(DemSource& source) {
+    std::vector<double> elevations = read_all(source);
+    for (std::string& text : source.take_warnings())
+        warnings_.push_back(std::move(text));
+    return elevations;
 }
 
 }  // namespace d2b::test

@@ -8,8 +8,10 @@
 #include <gdal.h>
 #include <gtest/gtest.h>
 
-#include "core/context.hpp"
+#include "core/warnings.hpp"
+#include "dem2buildings/callbacks.hpp"
 #include "dem2buildings/dem_source.hpp"
+#include "dem2buildings/error.hpp"
 #include "dem2buildings/options.hpp"
 
 namespace d2b::test {
@@ -52,7 +54,9 @@ class ReadTest : public ::testing::Test {
     /// Opens the raster that options_ describes; `name` is a file in the folder, or "" for options_.source as
     /// it is.
     std::unique_ptr<DemSource> open(const std::string& name = "");
-    /// All elevations of the window, read at once.
+    /// All elevations of the window, read at once, and the warnings that come of it.
+    std::vector<double> all_of(DemSource& source);
+    /// The same of a file.
     std::vector<double> values(const std::string& name = "");
     /// The message of the exception of type E that opening and reading everything throws.
     template <typename E>
@@ -68,7 +72,9 @@ class ReadTest : public ::testing::Test {
     }
 
     ReadOptions options_;
-    Context context_;
+    std::vector<std::string> warnings_;  ///< told
+    Callbacks callbacks_;                ///< which tell
+    Warnings heard_{[this](const std::string& text) { warnings_.push_back(text); }};
 
   private:
     std::string folder_;

@@ -38,7 +38,7 @@ TEST_P(ReaderPools, GiveEachThreadItsRows) {
             wrong += elevations[i] == static_cast<double>(row * cols) + static_cast<double>(i) ? 0 : 1;
     });
     EXPECT_EQ(wrong, 0);
-    EXPECT_TRUE(context_.report.warnings.empty());
+    EXPECT_TRUE(warnings_.empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(, ReaderPools, testing::Values("GTiff", "ENVI"),

@@ -31,7 +31,7 @@ void transform(const std::string& from, const std::string& to, std::vector<doubl
 void SideTest::dem(RasterSpec spec) {
     write(path("dem.tif"), spec);
     grid_ = open("dem.tif")->info();
-    context_.report.warnings.clear();
+    warnings_.clear();
 }
 
 void SideTest::side(RasterSpec spec, const Surface& surface, const std::string& crs) {
@@ -62,16 +62,19 @@ std::vector<double> SideTest::expected(const Surface& surface) const {
 }
 
 std::vector<double> SideTest::terrain(double dem_vertical_metres) {
-    return read_all(*open_terrain(path("side.tif"), grid_, dem_vertical_metres,
-                                  on_land.times(1 / dem_vertical_metres), context_));
+    const auto source = open_terrain(path("side.tif"), grid_, dem_vertical_metres,
+                                     on_land.times(1 / dem_vertical_metres), callbacks_);
+    std::vector<double> elevations = all_of(*source);
+    outside_range_ = source->cells_outside_range();
+    return elevations;
 }
 
 std::vector<double> SideTest::mask(const std::string& name, const std::string& layer) {
-    return read_all(*open_mask(path(name), layer, grid_, context_));
+    return all_of(*open_mask(path(name), layer, grid_, callbacks_));
 }
 
 std::vector<double> SideTest::ndvi() {
-    return read_all(*open_ndvi(path("side.tif"), grid_, context_));
+    return all_of(*open_ndvi(path("side.tif"), grid_, callbacks_));
 }
 
 void expect_near(const std::vector<double>& got, const std::vector<double>& expected, double tolerance) {

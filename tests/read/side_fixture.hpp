@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -39,9 +40,10 @@ class SideTest : public ReadTest {
         }
         return "no exception";
     }
-    [[nodiscard]] const std::vector<std::string>& warnings() const { return context_.report.warnings; }
+    [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
     DemInfo grid_;
+    std::int64_t outside_range_ = 0;  ///< cells of terrain()
 };
 
 /// Each value within `tolerance` of what is expected, NaN where that is NaN.

@@ -61,7 +61,7 @@ TEST_F(Mask, polygons) {
             "EPSG::25832");
     // The left side passes x = 500000.45 at the centres of the first row and 500000.55 at the second's.
     expect_values(mask("side.geojson"), {1, 1, 0, 0, 0, 1, 1, 0});
-    const auto source = open_mask(path("side.geojson"), "", grid_, context_);
+    const auto source = open_mask(path("side.geojson"), "", grid_, callbacks_);
     EXPECT_EQ(source->info().name, path("side.geojson"));
     EXPECT_EQ(source->info().transform, grid_.transform);
     std::vector<double> row(4);

@@ -66,7 +66,7 @@ TEST_F(SideRefusal, onlyTheWindowCounts) {
 TEST_F(SideRefusal, aSpeckOfARasterIsFound) {
     dem({.cols = 5000, .rows = 5000, .type = GDT_Byte, .transform = {{500000, 1, 0, 5538650, 0, -1}}});
     one_cell(500012, 5538650 - 4321);
-    const auto source = open_terrain(path("side.tif"), grid_, 1, on_land, context_);
+    const auto source = open_terrain(path("side.tif"), grid_, 1, on_land, callbacks_);
     std::vector<double> row(5000);
     source->read(4321, 1, row);
     EXPECT_EQ(row[12], 100);
@@ -88,7 +88,7 @@ TEST_F(SideRefusal, aMissingCrsIsAnAssumption) {
     ASSERT_EQ(warnings().size(), 1U);
     EXPECT_EQ(warnings()[0], "The terrain " + quoted("side.tif") + " has a coordinate reference system and " +
                                  quoted("dem.tif") + " has none; coordinates of both are taken as the same.");
-    context_.report.warnings.clear();
+    warnings_.clear();
     one_cell(500000, 5538650, "");
     EXPECT_EQ(terrain().at(0), 100);
     EXPECT_TRUE(warnings().empty());
@@ -165,7 +165,7 @@ TEST_F(SideRefusal, rowsOutsideOfTheWindow) {
     for (const double x : {500000.0, 499999.7}) {
         write(path("side.tif"),
               {.cols = 6, .rows = 6, .values = counting(36), .transform = {{x, 1, 0, 5538650, 0, -1}}});
-        const auto source = open_terrain(path("side.tif"), grid_, 1, on_land, context_);
+        const auto source = open_terrain(path("side.tif"), grid_, 1, on_land, callbacks_);
         for (const int first : {0, 3, 9})
             EXPECT_EQ(refused<InputError>([&] { source->read(first, 1, row); }),
                       "Rows from " + std::to_string(first) + " on, 1 of them, were asked for outside the " +

@@ -65,8 +65,8 @@ TEST_F(ReadSource, anUnknownOpenOptionIsAWarningOfGdals) {
     write(path("dem.tif"), {.values = {5}});
     options_.open_options = {"NO_SUCH=1"};
     expect_values(values("dem.tif"), {5});
-    ASSERT_EQ(context_.report.warnings.size(), 1U);
-    EXPECT_EQ(context_.report.warnings[0], "GDAL: driver GTiff does not support open option NO_SUCH.");
+    ASSERT_EQ(warnings_.size(), 1U);
+    EXPECT_EQ(warnings_[0], "GDAL: driver GTiff does not support open option NO_SUCH.");
 }
 
 TEST_F(ReadSource, openOptionsHaveAForm) {
@@ -105,10 +105,9 @@ TEST_F(ReadSource, aColourTableIsSaid) {
     GDALDestroyColorTable(colours);
     GDALClose(dataset);
     expect_values(values("dem.tif"), {0, 1});
-    ASSERT_EQ(context_.report.warnings.size(), 1U);
-    EXPECT_EQ(context_.report.warnings[0],
-              "Band 1 of '" + path("dem.tif") +
-                  "' holds indices into a colour table; they are taken as elevations.");
+    ASSERT_EQ(warnings_.size(), 1U);
+    EXPECT_EQ(warnings_[0], "Band 1 of '" + path("dem.tif") +
+                                "' holds indices into a colour table; they are taken as elevations.");
 }
 
 /// Appends the images of GeoTIFF to one file.

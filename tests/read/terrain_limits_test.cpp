@@ -30,7 +30,7 @@ TEST_F(TerrainLimits, whatNoLandHasIsNoElevationAndSaidSo) {
     std::vector<double> expected(400, 100);
     std::fill_n(expected.begin(), 3, std::numeric_limits<double>::quiet_NaN());
     expect_near(terrain(), expected, 0);
-    EXPECT_EQ(context_.report.counted(Reason::terrain_outside_range), 3);
+    EXPECT_EQ(outside_range_, 3);
     ASSERT_EQ(warnings().size(), 1U);
     EXPECT_EQ(warnings()[0],
               "3 cells of the terrain " + quoted("side.tif") +
@@ -43,23 +43,23 @@ TEST_F(TerrainLimits, itIsSoBeforeItIsResampled) {
     terrain_with(45, -3.4028234663852886e38, 0.98, 0.3);
     for (const double z : terrain())
         EXPECT_TRUE(std::isnan(z) || std::abs(z - 100) < 1e-9) << z;
-    EXPECT_EQ(context_.report.counted(Reason::terrain_outside_range), 45);
+    EXPECT_EQ(outside_range_, 45);
     ASSERT_FALSE(warnings().empty());
     EXPECT_NE(warnings().back().find(" have the elevation -3.4028235e+38, outside of "), std::string::npos);
 }
 
 TEST_F(TerrainLimits, everyCellIsCountedOnceHoweverOftenItIsRead) {
     terrain_with(45, 9999, 0.98, 0.3);
-    const auto source = open_terrain(path("side.tif"), grid_, 1, on_land, context_);
+    const auto source = open_terrain(path("side.tif"), grid_, 1, on_land, callbacks_);
     std::vector<double> rows(20 * 12);
     for (const std::int32_t row : {0, 4, 8})
         source->read(row, 12, rows);
-    EXPECT_EQ(context_.report.counted(Reason::terrain_outside_range), 45);
+    EXPECT_EQ(source->cells_outside_range(), 45);
     terrain_with(45, 9999);
-    const auto same_cells = open_terrain(path("side.tif"), grid_, 1, on_land, context_);
+    const auto same_cells = open_terrain(path("side.tif"), grid_, 1, on_land, callbacks_);
     for (const std::int32_t row : {0, 4, 8})
         same_cells->read(row, 12, rows);
-    EXPECT_EQ(context_.report.counted(Reason::terrain_outside_range), 90);
+    EXPECT_EQ(same_cells->cells_outside_range(), 45);
 }
 
 TEST_F(TerrainLimits, theyAreInTheTerrainsOwnUnit) {
@@ -68,7 +68,7 @@ TEST_F(TerrainLimits, theyAreInTheTerrainsOwnUnit) {
     GDALSetRasterUnitType(GDALGetRasterBand(dataset, 1), "ft");
     GDALClose(dataset);
     (void)terrain();
-    EXPECT_EQ(context_.report.counted(Reason::terrain_outside_range), 0);
+    EXPECT_EQ(outside_range_, 0);
 }
 
 TEST_F(TerrainLimits, whereMostAreNoneItIsRefused) {

@@ -39,7 +39,7 @@ TEST_F(Terrain, theGridIsTheDems) {
     options_.source_window = {7, 3, 20, 11};
     dem(city());
     side({.cols = 30, .rows = 30, .transform = {{499990, 2, 0, 5538660, 0, -2}}}, plane);
-    const auto source = open_terrain(path("side.tif"), grid_, 1, on_land, context_);
+    const auto source = open_terrain(path("side.tif"), grid_, 1, on_land, callbacks_);
     EXPECT_EQ(source->info().name, path("side.tif"));
     EXPECT_EQ(source->info().transform, grid_.transform);
     EXPECT_EQ(source->info().window, (Window{3, 7, 11, 20}));
@@ -57,7 +57,7 @@ TEST_F(Terrain, theSameCellsOfAnotherExtent) {
     EXPECT_EQ(warnings(), (std::vector<std::string>{"About 63 % of '" + path("dem.tif") +
                                                     "' lies outside of the terrain " + quoted("side.tif") +
                                                     "; there is no ground there."}));
-    const auto source = open_terrain(path("side.tif"), grid_, 1, on_land, context_);
+    const auto source = open_terrain(path("side.tif"), grid_, 1, on_land, callbacks_);
     std::vector<double> row(4);
     source->read(2, 1, row);
     expect_values(row, {none, none, 4, 5});
@@ -141,7 +141,7 @@ TEST_F(Terrain, bandsAndWindowsGiveTheSameBits) {
     ASSERT_FALSE(std::isnan(all.front() + all.back()));
     options_.source_window = {500, 13, 601, 9};
     dem(wide);
-    const auto source = open_terrain(path("side.tif"), grid_, 1, on_land, context_);
+    const auto source = open_terrain(path("side.tif"), grid_, 1, on_land, callbacks_);
     std::vector<double> row(601);
     for (int i = 13; i < 22; ++i) {
         source->read(i, 1, row);

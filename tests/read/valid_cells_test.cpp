@@ -28,11 +28,11 @@ class ValidCellsTest : public ReadTest {
 
 TEST_F(ValidCellsTest, areTheWholeRasterWhereAllHaveData) {
     write(path("a.tif"), spec());
-    const ValidCells cells = valid_cells(path("a.tif"), context_);
+    const ValidCells cells = valid_cells(path("a.tif"), heard_);
     ASSERT_EQ(cells.polygons.size(), 1U);
     EXPECT_EQ(cells.polygons[0].exterior, (WorldRing{{100, 200}, {112, 200}, {112, 196}, {100, 196}}));
     EXPECT_NE(cells.crs_wkt.find("UTM zone 32N"), std::string::npos);
-    EXPECT_TRUE(context_.report.warnings.empty());
+    EXPECT_TRUE(warnings_.empty());
 }
 
 TEST_F(ValidCellsTest, leaveOutWhatHasNone) {
@@ -42,7 +42,7 @@ TEST_F(ValidCellsTest, leaveOutWhatHasNone) {
     for (int row = 0; row < 4; ++row)  // a cut
         set(holed, row, 3, -9999);
     write(path("a.tif"), holed);
-    const ValidCells cells = valid_cells(path("a.tif"), context_);
+    const ValidCells cells = valid_cells(path("a.tif"), heard_);
     ASSERT_EQ(cells.polygons.size(), 2U);
     EXPECT_DOUBLE_EQ(area_of(cells.polygons), 2 * (24 - 1 - 1 - 4));
     const std::size_t holes = cells.polygons[0].interiors.size() + cells.polygons[1].interiors.size();
@@ -54,16 +54,16 @@ TEST_F(ValidCellsTest, followRotatedGrids) {
     rotated.transform = std::array<double, 6>{0, 3, 4, 0, 4, -3};
     set(rotated, 0, 0, -9999);
     write(path("a.tif"), rotated);
-    EXPECT_DOUBLE_EQ(area_of(valid_cells(path("a.tif"), context_).polygons), 25 * 23.0);
+    EXPECT_DOUBLE_EQ(area_of(valid_cells(path("a.tif"), heard_).polygons), 25 * 23.0);
 }
 
 TEST_F(ValidCellsTest, warnOfAMissingCrs) {
     RasterSpec bare = spec();
     bare.crs = "";
     write(path("a.tif"), bare);
-    EXPECT_EQ(valid_cells(path("a.tif"), context_).crs_wkt, "");
-    ASSERT_EQ(context_.report.warnings.size(), 1U);
-    EXPECT_EQ(context_.report.warnings[0],
+    EXPECT_EQ(valid_cells(path("a.tif"), heard_).crs_wkt, "");
+    ASSERT_EQ(warnings_.size(), 1U);
+    EXPECT_EQ(warnings_[0],
               quoted("a.tif") +
                   " has no coordinate reference system; its coordinates are taken as the reference's.");
 }
@@ -72,9 +72,9 @@ TEST_F(ValidCellsTest, passOtherWarningsOn) {
     RasterSpec indexed = spec();
     indexed.transform.reset();
     write(path("a.tif"), indexed);
-    (void)valid_cells(path("a.tif"), context_);
-    ASSERT_EQ(context_.report.warnings.size(), 1U);
-    expect_has(context_.report.warnings[0], "has no georeferencing");
+    (void)valid_cells(path("a.tif"), heard_);
+    ASSERT_EQ(warnings_.size(), 1U);
+    expect_has(warnings_[0], "has no georeferencing");
 }
 
 TEST_F(ValidCellsTest, refuseARasterWithoutData) {
@@ -82,7 +82,7 @@ TEST_F(ValidCellsTest, refuseARasterWithoutData) {
     empty.values.assign(24, -9999);
     write(path("a.tif"), empty);
     try {
-        (void)valid_cells(path("a.tif"), context_);
+        (void)valid_cells(path("a.tif"), heard_);
         FAIL();
     } catch (const InputError& error) {
         EXPECT_EQ(error.what(), "No cell of " + quoted("a.tif") +
@@ -91,7 +91,7 @@ TEST_F(ValidCellsTest, refuseARasterWithoutData) {
 }
 
 TEST_F(ValidCellsTest, refuseWhatIsNoRaster) {
-    EXPECT_THROW((void)valid_cells(path("none.tif"), context_), InputError);
+    EXPECT_THROW((void)valid_cells(path("none.tif"), heard_), InputError);
 }
 
 }  // namespace

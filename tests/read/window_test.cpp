@@ -127,12 +127,12 @@ TEST_F(ReadWindow, anotherOrderIsTold) {
     options_.extent = {488, 102, 494, 106};
     expect_has(message<OptionError>("dem.tif"),
                "from 488 to 500 in y; x comes before y, so write -te 102 488 106 494.");
-    EXPECT_TRUE(context_.report.warnings.empty());
+    EXPECT_TRUE(warnings_.empty());
     options_.extent = {102, 106, 488, 494};
     EXPECT_EQ(open("dem.tif")->info().window, (Window{2, 1, 2, 4}));
-    ASSERT_EQ(context_.report.warnings.size(), 1U);
+    ASSERT_EQ(warnings_.size(), 1U);
     EXPECT_EQ(
-        context_.report.warnings[0],
+        warnings_[0],
         "-te 102 106 488 494 (xmin ymin xmax ymax) reaches beyond the raster; if it is xmin xmax ymin ymax, "
         "as QGIS has it, write -te 102 488 106 494.");
 }

@@ -12,27 +12,29 @@ namespace d2b::test {
 namespace {
 
 TEST(MeasurePlane, isAProjectedCrsWithItsUnit) {
-    Context context;
-    const MeasurePlane metres = measure_plane(Crs("EPSG:25832"), {0, 0, 1, 1}, context);
+    std::vector<std::string> heard;
+    Warnings warnings([&](const std::string& text) { heard.push_back(text); });
+    const MeasurePlane metres = measure_plane(Crs("EPSG:25832"), {0, 0, 1, 1}, warnings);
     EXPECT_EQ(metres.metres, 1);
     EXPECT_EQ(metres.crs.name(), "ETRS89 / UTM zone 32N");
     EXPECT_FALSE(metres.local);
-    EXPECT_EQ(measure_plane(Crs("EPSG:2253"), {0, 0, 1, 1}, context).metres, 0.3048);
-    EXPECT_TRUE(context.report.warnings.empty());
+    EXPECT_EQ(measure_plane(Crs("EPSG:2253"), {0, 0, 1, 1}, warnings).metres, 0.3048);
+    EXPECT_TRUE(heard.empty());
 }
 
 TEST(MeasurePlane, takesPlainUnitsForMetres) {
-    Context context;
-    EXPECT_EQ(measure_plane(Crs(), {0, 0, 1, 1}, context).metres, 1);
-    ASSERT_EQ(context.report.warnings.size(), 1U);
-    EXPECT_EQ(context.report.warnings[0],
-              "Nothing has a coordinate reference system; units are taken for metres.");
+    std::vector<std::string> heard;
+    Warnings warnings([&](const std::string& text) { heard.push_back(text); });
+    EXPECT_EQ(measure_plane(Crs(), {0, 0, 1, 1}, warnings).metres, 1);
+    ASSERT_EQ(heard.size(), 1U);
+    EXPECT_EQ(heard[0], "Nothing has a coordinate reference system; units are taken for metres.");
 }
 
 TEST(MeasurePlane, refusesGeocentricCoordinates) {
-    Context context;
+    std::vector<std::string> heard;
+    Warnings warnings([&](const std::string& text) { heard.push_back(text); });
     try {
-        (void)measure_plane(Crs("EPSG:4978"), {0, 0, 1, 1}, context);
+        (void)measure_plane(Crs("EPSG:4978"), {0, 0, 1, 1}, warnings);
         FAIL();
     } catch (const InputError& error) {
         EXPECT_STREQ(error.what(),
@@ -41,28 +43,30 @@ TEST(MeasurePlane, refusesGeocentricCoordinates) {
 }
 
 TEST(MeasurePlane, isLocalAboutDegrees) {
-    Context context;
+    std::vector<std::string> heard;
+    Warnings warnings([&](const std::string& text) { heard.push_back(text); });
     const Crs degrees("EPSG:4326");
-    const MeasurePlane plane = measure_plane(degrees, {8.99, 49.99, 9.01, 50.01}, context);
+    const MeasurePlane plane = measure_plane(degrees, {8.99, 49.99, 9.01, 50.01}, warnings);
     EXPECT_TRUE(plane.local);
     EXPECT_EQ(plane.metres, 1);
     // At 50 degrees north a second of latitude is 30.8970 m and one of longitude 19.9155 m on WGS 84.
     const double second = 1.0 / 3600;
     std::vector<Polygons> areas{{box(9, 50, 9 + second, 50 + second)}};
-    bring_to(plane, degrees, "a", areas, LongEdges::keep, context);
+    bring_to(plane, degrees, "a", areas, LongEdges::keep, warnings);
     EXPECT_NEAR(area_of(areas[0]), 30.8970 * 19.9155, 0.005);
     const Position corner = areas[0][0].exterior[0];
     EXPECT_NEAR(std::hypot(corner.x, corner.y), 0, 1e-6);
 }
 
 TEST(BringTo, dividesLongEdges) {
-    Context context;
+    std::vector<std::string> heard;
+    Warnings warnings([&](const std::string& text) { heard.push_back(text); });
     const Crs degrees("EPSG:4326");
-    const MeasurePlane plane = measure_plane(degrees, {8.9, 49.9, 9.1, 50.1}, context);
+    const MeasurePlane plane = measure_plane(degrees, {8.9, 49.9, 9.1, 50.1}, warnings);
     std::vector<Polygons> kept{{box(8.9, 49.9, 9.1, 50.1)}};
     std::vector<Polygons> divided = kept;
-    bring_to(plane, degrees, "a", kept, LongEdges::keep, context);
-    bring_to(plane, degrees, "a", divided, LongEdges::divide, context);
+    bring_to(plane, degrees, "a", kept, LongEdges::keep, warnings);
+    bring_to(plane, degrees, "a", divided, LongEdges::divide, warnings);
     EXPECT_EQ(vertex_count(kept[0], false), 4U);
     EXPECT_GT(vertex_count(divided[0], false), 150U);
     // The parallel through the lower corners runs below their chord: 14.4 km long, R = 6381 km on it, its
@@ -75,36 +79,40 @@ TEST(BringTo, dividesLongEdges) {
 }
 
 TEST(BringTo, leavesTheSameCrsAlone) {
-    Context context;
-    const MeasurePlane plane = measure_plane(Crs("EPSG:25832"), {}, context);
+    std::vector<std::string> heard;
+    Warnings warnings([&](const std::string& text) { heard.push_back(text); });
+    const MeasurePlane plane = measure_plane(Crs("EPSG:25832"), {}, warnings);
     std::vector<Polygons> areas{{box(500000.1, 5800000.2, 500010.3, 5800010.4)}};
-    bring_to(plane, Crs("EPSG:25832"), "a", areas, LongEdges::divide, context);
+    bring_to(plane, Crs("EPSG:25832"), "a", areas, LongEdges::divide, warnings);
     EXPECT_EQ(areas[0][0].exterior, box(500000.1, 5800000.2, 500010.3, 5800010.4).exterior);
-    EXPECT_TRUE(context.report.warnings.empty());
+    EXPECT_TRUE(heard.empty());
 }
 
 TEST(BringTo, warnsWhereOneSideHasNoCrs) {
-    Context context;
+    std::vector<std::string> heard;
+    Warnings warnings([&](const std::string& text) { heard.push_back(text); });
     std::vector<Polygons> areas{{box(0, 0, 1, 1)}};
-    bring_to(measure_plane(Crs("EPSG:25832"), {}, context), Crs(), "a.shp", areas, LongEdges::keep, context);
-    bring_to({}, Crs("EPSG:25832"), "b.shp", areas, LongEdges::keep, context);
+    bring_to(measure_plane(Crs("EPSG:25832"), {}, warnings), Crs(), "a.shp", areas, LongEdges::keep,
+             warnings);
+    bring_to({}, Crs("EPSG:25832"), "b.shp", areas, LongEdges::keep, warnings);
     EXPECT_EQ(areas[0][0].exterior, box(0, 0, 1, 1).exterior);
-    ASSERT_EQ(context.report.warnings.size(), 2U);
+    ASSERT_EQ(heard.size(), 2U);
     EXPECT_EQ(
-        context.report.warnings[0],
+        heard[0],
         "'a.shp' has no coordinate reference system and what it is compared with has one; its coordinates "
         "are taken as they are.");
     EXPECT_EQ(
-        context.report.warnings[1],
+        heard[1],
         "'b.shp' has a coordinate reference system and what it is compared with has none; its coordinates "
         "are taken as they are.");
 }
 
 TEST(BringTo, takesNoAreas) {
-    Context context;
+    std::vector<std::string> heard;
+    Warnings warnings([&](const std::string& text) { heard.push_back(text); });
     std::vector<Polygons> areas{{}};
-    bring_to(measure_plane(Crs("EPSG:25832"), {}, context), Crs("EPSG:4326"), "a", areas, LongEdges::keep,
-             context);
+    bring_to(measure_plane(Crs("EPSG:25832"), {}, warnings), Crs("EPSG:4326"), "a", areas, LongEdges::keep,
+             warnings);
     EXPECT_TRUE(areas[0].empty());
 }
 

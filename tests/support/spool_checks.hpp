@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/executor.hpp"
-#include "core/spool.hpp"
+#include "dem2buildings/spool.hpp"
 
 namespace d2b::test {
 

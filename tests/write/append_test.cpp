@@ -20,9 +20,9 @@ class AppendTest : public WriteTest {
     /// What is said to a layer like this, before the work and, should it come to be there meanwhile, after
     /// it.
     std::string refusal(const WriteOptions& options, const LayerSpec& spec, const Provenance& what) {
-        const auto early = open_sink(options, context_);
+        const auto early = open_sink(options, callbacks_);
         const std::string message = thrown<OutputError>([&] { early->rehearse({&spec, 1}, what, {}); });
-        const auto sink = open_sink(options, context_);
+        const auto sink = open_sink(options, callbacks_);
         EXPECT_EQ(thrown<OutputError>([&] { sink->begin({&spec, 1}, what); }), message);
         return message;
     }
@@ -50,14 +50,14 @@ TEST_F(AppendTest, FilesThatAreOneLayer) {
 }
 
 TEST_F(AppendTest, TheLargestNumberOfEitherLayerCounts) {
-    const auto sink = open_sink(to("a.gpkg"), context_);
+    const auto sink = open_sink(to("a.gpkg"), callbacks_);
     const LayerSpec specs[] = {layer_spec("buildings"), layer_spec("contours")};
     sink->begin(specs, provenance());
     sink->add(0, square(4));
     sink->add(1, square(70));
     sink->add(1, square(8));
     sink->finish();
-    const auto second = open_sink(more("a.gpkg"), context_);
+    const auto second = open_sink(more("a.gpkg"), callbacks_);
     second->begin(specs, provenance());
     EXPECT_EQ(second->first_id(), 71);
 }
@@ -65,7 +65,7 @@ TEST_F(AppendTest, TheLargestNumberOfEitherLayerCounts) {
 TEST_F(AppendTest, NumbersAreTakenWhenWritingBegins) {
     for (const char* name : {"a.gpkg", "a.sqlite"}) {
         write(to(name), 2);
-        const auto slow = open_sink(more(name), context_);
+        const auto slow = open_sink(more(name), callbacks_);
         EXPECT_EQ(write(more(name), 3), 3) << name;
         const LayerSpec spec = layer_spec("buildings");
         slow->begin({&spec, 1}, provenance());
@@ -90,7 +90,7 @@ TEST_F(AppendTest, WaitsForAnotherWhoWrites) {
     ASSERT_EQ(::pipe(ready.data()), 0);
     const pid_t child = ::fork();
     if (child == 0) {
-        const auto sink = open_sink(more("a.gpkg"), context_);
+        const auto sink = open_sink(more("a.gpkg"), callbacks_);
         sink->begin({&spec, 1}, provenance());
         sink->add(0, square(sink->first_id()));
         static_cast<void>(!::write(ready[1], "x", 1));
@@ -100,7 +100,7 @@ TEST_F(AppendTest, WaitsForAnotherWhoWrites) {
     }
     char byte = 0;
     ASSERT_EQ(::read(ready[0], &byte, 1), 1);
-    const auto sink = open_sink(more("a.gpkg"), context_);
+    const auto sink = open_sink(more("a.gpkg"), callbacks_);
     sink->begin({&spec, 1}, provenance());
     EXPECT_EQ(sink->first_id(), 4);
     sink->add(0, square(sink->first_id()));
@@ -117,16 +117,15 @@ TEST_F(AppendTest, WaitsForAnotherWhoWrites) {
 TEST_F(AppendTest, WhoNeverEndsIsNotWaitedForForEver) {
     write(to("a.gpkg"), 2);
     const LayerSpec spec = layer_spec("buildings");
-    const auto sink = open_sink(more("a.gpkg"), context_);
+    callbacks_.stop = [] { return true; };
+    const auto sink = open_sink(more("a.gpkg"), callbacks_);
     const Dataset other = open_dataset(path("a.gpkg"), true);
     ASSERT_EQ(GDALDatasetStartTransaction(other.get(), FALSE), OGRERR_NONE);
     GDALDatasetReleaseResultSet(
         other.get(),
         GDALDatasetExecuteSQL(other.get(), "DELETE FROM buildings WHERE id = 1", nullptr, nullptr));
     // Whoever is asked to stop meanwhile stops.
-    context_.stop = [] { return true; };
     EXPECT_THROW(sink->begin({&spec, 1}, provenance()), Cancelled);
-    context_.stop = {};
     GDALDatasetRollbackTransaction(other.get());
 }
 
@@ -137,7 +136,7 @@ TEST_F(AppendTest, TheFirstFieldIsTheNumberWhateverItsName) {
         for (const std::int64_t expected : {1, 8}) {
             WriteOptions options = expected == 1 ? to(name) : more(name);
             options.layers = Layers::buildings;
-            const auto sink = open_sink(options, context_);
+            const auto sink = open_sink(options, callbacks_);
             spec.name = sink->layer_name(LayerRole::buildings, Layers::buildings);
             sink->begin({&spec, 1}, provenance());
             EXPECT_EQ(sink->first_id(), expected) << name;
@@ -218,7 +217,7 @@ TEST_F(AppendTest, AbandonedAppendLeavesTheOldContent) {
         const auto before = entries();
         const std::string layer = buildings_layer(to(name));
         {
-            const auto sink = open_sink(more(name), context_);
+            const auto sink = open_sink(more(name), callbacks_);
             const LayerSpec spec = layer_spec(layer);
             sink->begin({&spec, 1}, provenance());
             sink->add(0, square(3));

@@ -60,7 +60,7 @@ TEST_F(CreateTest, GeoPackageHasItsIndexAndOptions) {
 
 TEST_F(CreateTest, ZAndNoCrs) {
     WriteOptions options = to("a.gpkg");
-    const auto sink = open_sink(options, context_);
+    const auto sink = open_sink(options, callbacks_);
     const LayerSpec spec = layer_spec("buildings", true);
     sink->begin({&spec, 1}, {});
     sink->add(0, square(1));
@@ -102,8 +102,6 @@ TEST_F(CreateTest, FilesThatAreOneLayer) {
     for (const char* name :
          {"city.geojson", "city.shp", "city.fgb", "city.geojsonl", "city.csv", "city.tab"}) {
         warnings_.clear();
-        context_ = Context{
-            .report = {}, .told = {}, .on_warning = context_.on_warning, .on_progress = {}, .stop = {}};
         write(to(name), 4);
         EXPECT_EQ(ids(path(name), "city"), (std::vector<std::int64_t>{1, 2, 3, 4})) << name;
         EXPECT_EQ(warnings_,
@@ -226,7 +224,7 @@ TEST_F(CreateTest, AbandonedSinkLeavesNothing) {
                                                           {"a.geojson", ""},
                                                           {"a.kml", "KML"}}) {
         {
-            const auto sink = open_sink(to(name, format), context_);
+            const auto sink = open_sink(to(name, format), callbacks_);
             const LayerSpec spec = layer_spec("buildings");
             sink->begin({&spec, 1}, provenance());
             sink->add(0, square(1));

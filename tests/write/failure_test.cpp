@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 class FailureTest : public WriteTest {
   protected:
     std::string refused(const WriteOptions& options) {
-        return thrown<OutputError>([&] { static_cast<void>(open_sink(options, context_)); });
+        return thrown<OutputError>([&] { static_cast<void>(open_sink(options, callbacks_)); });
     }
     /// Writes 20,000 features in a process that may not write files of more than `limit` bytes: as on a full
     /// disk.
@@ -73,7 +73,7 @@ TEST_F(FailureTest, AFolderWhereAFileIsMeant) {
     for (const char* name : {"a.gpkg", "a.geojson", "a.shp"}) {
         fs::create_directory(path(name));
         EXPECT_EQ(thrown<OptionError>([&] {
-                      static_cast<void>(open_sink(to(name), context_));
+                      static_cast<void>(open_sink(to(name), callbacks_));
                   }).find(quote + path(name) + "\" is a folder, and "),
                   0u);
     }
@@ -124,7 +124,7 @@ TEST_F(FailureTest, AFullDiskLeavesTheOldContent) {
 
 TEST_F(FailureTest, GdalsReasonIsGiven) {
     WriteOptions options = to("a.gpkg");
-    const auto sink = open_sink(options, context_);
+    const auto sink = open_sink(options, callbacks_);
     LayerSpec spec = layer_spec("buildings");
     spec.fields.push_back({"id", "", FieldType::real, "", ""});
     const std::string message = thrown<OutputError>([&] {
@@ -153,7 +153,7 @@ TEST_F(FailureTest, AFeatureThatIsRefusedIsNamed) {
 }
 
 TEST_F(FailureTest, ABrokenCrsIsAnError) {
-    const auto sink = open_sink(to("a.gpkg"), context_);
+    const auto sink = open_sink(to("a.gpkg"), callbacks_);
     const LayerSpec spec = layer_spec("buildings");
     Provenance broken = provenance();
     broken.crs_wkt = "PROJCRS[nonsense";
@@ -163,7 +163,7 @@ TEST_F(FailureTest, ABrokenCrsIsAnError) {
 }
 
 TEST_F(FailureTest, FeaturesThatDoNotFitTheirLayer) {
-    const auto sink = open_sink(to("a.gpkg"), context_);
+    const auto sink = open_sink(to("a.gpkg"), callbacks_);
     const LayerSpec spec = layer_spec("buildings");
     sink->begin({&spec, 1}, provenance());
     Feature feature = square(1);

@@ -128,7 +128,7 @@ TEST_F(GeoPackageTest, LayersAreAddedToRasters) {
     GDALSetGeoTransform(memory.get(), transform.data());
     const auto make = [&] {
         const DatasetOwner raster(GDALCreateCopy(GDALGetDriverByName("GPKG"), path("r.gpkg").c_str(),
-                                                  memory.get(), FALSE, nullptr, nullptr, nullptr));
+                                                 memory.get(), FALSE, nullptr, nullptr, nullptr));
         ASSERT_TRUE(raster);
     };
     for (const bool append : {true, false}) {
@@ -149,7 +149,7 @@ TEST_F(GeoPackageTest, LayersAreAddedToRasters) {
 
 TEST_F(GeoPackageTest, TitlesStayDifferent) {
     const auto titled = [&](const std::string& layer) {
-        const auto sink = open_sink(layer == "old" ? to("a.gpkg") : over("a.gpkg"), context_);
+        const auto sink = open_sink(layer == "old" ? to("a.gpkg") : over("a.gpkg"), callbacks_);
         LayerSpec spec = layer_spec(layer);
         spec.title = "Buildings";
         sink->begin({&spec, 1}, provenance());
@@ -167,7 +167,7 @@ TEST_F(GeoPackageTest, AnAbandonedRunChangesNothing) {
     ASSERT_NE(before.find("rtree_buildings_geom"), std::string::npos);
     for (const int n : {0, 1, 500, 20000}) {
         {
-            const auto sink = open_sink(over("a.gpkg"), context_);
+            const auto sink = open_sink(over("a.gpkg"), callbacks_);
             add_many(*sink, n);
         }
         EXPECT_EQ(describe(path("a.gpkg")), before) << n;
@@ -185,7 +185,7 @@ TEST_F(GeoPackageTest, AKilledRunChangesNothing) {
                 WriteOptions options = over("a.gpkg");
                 options.overwrite = !append;
                 options.append = append;
-                const auto sink = open_sink(options, context_);
+                const auto sink = open_sink(options, callbacks_);
                 add_many(*sink, n);
                 ::raise(SIGKILL);
             });
@@ -205,7 +205,7 @@ TEST_F(GeoPackageTest, AKilledRunIsNoHindranceInSqliteEither) {
     write(to("a.sqlite"), 5);
     EXPECT_EQ(entries(), Names{"a.sqlite"});
     const int status = in_child([&] {
-        const auto sink = open_sink(over("a.sqlite"), context_);
+        const auto sink = open_sink(over("a.sqlite"), callbacks_);
         add_many(*sink, 30000);
         ::raise(SIGKILL);
     });
@@ -218,7 +218,7 @@ TEST_F(GeoPackageTest, AKilledRunIsNoHindranceInSqliteEither) {
 
 TEST_F(GeoPackageTest, AKilledRunLeavesNoNewFile) {
     const int status = in_child([&] {
-        const auto sink = open_sink(to("a.gpkg"), context_);
+        const auto sink = open_sink(to("a.gpkg"), callbacks_);
         add_many(*sink, 1000);
         ::_exit(7);
     });
@@ -293,14 +293,14 @@ TEST_F(GeoPackageTest, AnotherProcessMayHaveItOpenInWalMode) {
         const Reader reader(path("a.gpkg"));
         EXPECT_EQ(reader.look(), (std::array<int, 2>{3, 5}));
         {
-            const auto sink = open_sink(over("a.gpkg"), context_);
+            const auto sink = open_sink(over("a.gpkg"), callbacks_);
             add_many(*sink, 20000);
             EXPECT_EQ(reader.look(), (std::array<int, 2>{3, 5}));
             sink->finish();
         }
         EXPECT_EQ(reader.look(), (std::array<int, 2>{3, 20000}));
         {
-            const auto sink = open_sink(over("a.gpkg"), context_);
+            const auto sink = open_sink(over("a.gpkg"), callbacks_);
             add_many(*sink, 20000);
         }
         EXPECT_EQ(reader.look(), (std::array<int, 2>{3, 20000}));
@@ -312,7 +312,7 @@ TEST_F(GeoPackageTest, AnotherProcessMayHaveItOpenInWalMode) {
 TEST_F(GeoPackageTest, TwoRunsGiveTheSameBytes) {
     CPLSetConfigOption("OGR_CURRENT_DATE", "2020-01-02T03:04:05.678Z");
     for (const char* name : {"a.gpkg", "b.gpkg"}) {
-        const auto sink = open_sink(to(name), context_);
+        const auto sink = open_sink(to(name), callbacks_);
         add_many(*sink, 5000);
         sink->finish();
     }

@@ -38,7 +38,7 @@ class GeoTiffTest : public WriteTest {
         meta_.metadata = {{"source", "dem.tif"}};
     }
     std::unique_ptr<RasterSink> sink(const std::string& name, bool overwrite = false, Names in_use = {}) {
-        return open_geotiff_sink({path(name), overwrite, std::move(in_use)}, grid_, meta_, context_);
+        return open_geotiff_sink({path(name), overwrite, std::move(in_use)}, grid_, meta_);
     }
     [[nodiscard]] std::size_t size(int rows) const {
         return static_cast<std::size_t>(rows) * static_cast<std::size_t>(grid_.window.cols);
@@ -284,7 +284,7 @@ TEST_F(GeoTiffTest, FoldersThatTakeNoFiles) {
                                                       path("file") +
                                                       "\" is not a folder; choose another destination.");
     const std::string text = thrown<OutputError>([&] {
-        static_cast<void>(open_geotiff_sink({"/proc/d2b.tif", false, {}}, grid_, meta_, context_));
+        static_cast<void>(open_geotiff_sink({"/proc/d2b.tif", false, {}}, grid_, meta_));
     });
     EXPECT_EQ(text.find("Cannot write \"/proc/d2b.tif\": the folder \"/proc\" takes no new files ("), 0u)
         << text;
@@ -292,9 +292,7 @@ TEST_F(GeoTiffTest, FoldersThatTakeNoFiles) {
 
 TEST_F(GeoTiffTest, InVirtualFileSystems) {
     const std::string name = "/vsimem/geotiff_sink/a.tif";
-    const auto to = [&](bool overwrite) {
-        return open_geotiff_sink({name, overwrite, {}}, grid_, meta_, context_);
-    };
+    const auto to = [&](bool overwrite) { return open_geotiff_sink({name, overwrite, {}}, grid_, meta_); };
     to(false)->write(600, values());
     EXPECT_EQ(VSIReadDir("/vsimem/geotiff_sink"), nullptr);
     write_all(*to(false));

@@ -116,7 +116,7 @@ TEST_F(OverwriteTest, WhatIsNoDatasetOfTheFormatStays) {
 
 TEST_F(OverwriteTest, ChangesInTheMeantimeAreKept) {
     write(to("a.geojson"), 2);
-    const auto sink = open_sink(over("a.geojson"), context_);
+    const auto sink = open_sink(over("a.geojson"), callbacks_);
     const LayerSpec spec = layer_spec("a");
     sink->begin({&spec, 1}, provenance());
     sink->add(0, square(1));
@@ -128,7 +128,7 @@ TEST_F(OverwriteTest, ChangesInTheMeantimeAreKept) {
 }
 
 TEST_F(OverwriteTest, AFileThatTurnsUpIsKept) {
-    const auto sink = open_sink(to("a.geojson"), context_);
+    const auto sink = open_sink(to("a.geojson"), callbacks_);
     const LayerSpec spec = layer_spec("a");
     sink->begin({&spec, 1}, provenance());
     sink->add(0, square(1));

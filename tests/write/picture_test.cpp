@@ -19,7 +19,7 @@ class PictureTest : public WriteTest {
 };
 
 TEST_F(PictureTest, IsThereWhenItIsPublishedAndNotBefore) {
-    const auto file = open_picture(png("a.png"), context_);
+    const auto file = open_picture(png("a.png"));
     EXPECT_EQ(entries(), Names{});
     file->write(two_pixels());
     EXPECT_FALSE(std::filesystem::exists(path("a.png")));
@@ -35,27 +35,24 @@ TEST_F(PictureTest, IsThereWhenItIsPublishedAndNotBefore) {
 }
 
 TEST_F(PictureTest, AnAbandonedOneLeavesNothing) {
-    open_picture(png("a.png"), context_)->write(two_pixels());
+    open_picture(png("a.png"))->write(two_pixels());
     EXPECT_EQ(entries(), Names{});
 }
 
 TEST_F(PictureTest, AnotherFileIsNotReplaced) {
     put("a.png", "text");
-    EXPECT_NE(
-        thrown<OptionError>([&] { std::ignore = open_picture(png("a.png"), context_); }).find("-overwrite"),
-        std::string::npos);
-    EXPECT_NE(thrown<OptionError>([&] {
-                  std::ignore = open_picture(png("a.png", true), context_);
-              }).find("format PNG"),
+    EXPECT_NE(thrown<OptionError>([&] { std::ignore = open_picture(png("a.png")); }).find("-overwrite"),
               std::string::npos);
-    EXPECT_NE(thrown<OptionError>([&] { std::ignore = open_picture(png("a.tif"), context_); }).find(".png"),
+    EXPECT_NE(thrown<OptionError>([&] { std::ignore = open_picture(png("a.png", true)); }).find("format PNG"),
+              std::string::npos);
+    EXPECT_NE(thrown<OptionError>([&] { std::ignore = open_picture(png("a.tif")); }).find(".png"),
               std::string::npos);
     EXPECT_EQ(bytes("a.png"), "text");
 }
 
 TEST_F(PictureTest, AnOldPictureIsReplaced) {
     for (int i = 0; i < 2; ++i) {
-        const auto file = open_picture(png("a.png", true), context_);
+        const auto file = open_picture(png("a.png", true));
         file->write(i == 0 ? two_pixels() : Image{1, 1, {9, 9, 9}});
         file->publish();
     }

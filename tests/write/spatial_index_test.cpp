@@ -63,7 +63,7 @@ class SpatialIndexTest : public WriteTest {
     /// Squares anywhere, far from zero, where single precision has to be rounded outwards.
     void write_squares(const std::string& name, int n, const WriteOptions& options) {
         std::mt19937 random(5);
-        const auto sink = open_sink(options, context_);
+        const auto sink = open_sink(options, callbacks_);
         const LayerSpec spec = layer_spec("buildings");
         sink->begin({&spec, 1}, provenance());
         for (int i = 0; i < n; ++i) {
@@ -131,7 +131,7 @@ TEST_F(SpatialIndexTest, IsLeftOutOnRequest) {
 TEST_F(SpatialIndexTest, TakesAnyNameOfALayer) {
     WriteOptions options = to("a.gpkg");
     options.layer_name = "it's \"so\"";
-    const auto sink = open_sink(options, context_);
+    const auto sink = open_sink(options, callbacks_);
     const LayerSpec spec = layer_spec(options.layer_name);
     sink->begin({&spec, 1}, provenance());
     sink->add(0, square(1));

@@ -94,7 +94,7 @@ TEST_F(StagingTest, PlacesAreExchanged) {
 
 TEST_F(StagingTest, MissingFeaturesAreNoticed) {
     write(to("a.gpkg"), 3);
-    const WriteTarget target{.name = "name", .hidden_folder = "", .context = nullptr};
+    const WriteTarget target{.name = "name", .hidden_folder = ""};
     const VectorFormat format = format_for(to("a.gpkg"));
     EXPECT_NO_THROW(verify_counts(target, format, path("a.gpkg"), {{"buildings", 3}, {"contours", 3}}));
     EXPECT_EQ(thrown<OutputError>([&] {

@@ -132,7 +132,7 @@ TEST_F(StyleTest, OurStyleOfAShapefileIsReplacedAndAUsersIsNot) {
 TEST_F(StyleTest, ColumnsOfTheLayerAreNamedNotThoseOfTheSpec) {
     LayerSpec spec = layer_spec("buildings");
     spec.fields[1].name = spec.style.colour = spec.style.label = "ROOF_HEIGHT";
-    const auto sink = open_sink(to("a.shp"), context_);
+    const auto sink = open_sink(to("a.shp"), callbacks_);
     sink->begin({&spec, 1}, provenance());
     sink->finish();
     EXPECT_NE(bytes("a.qml").find("attr=\"&quot;ROOF_HEIGH&quot;\""), std::string::npos);

@@ -58,7 +58,7 @@ TEST_F(UsersObjects, AViewStays) {
 TEST_F(UsersObjects, AViewOnAFieldThatIsGoneIsNamed) {
     write(to("a.gpkg"), 2);
     make_view(true);
-    const auto sink = open_sink(over(), context_);
+    const auto sink = open_sink(over(), callbacks_);
     LayerSpec spec = layer_spec("buildings");
     spec.fields[1].name = "tallness";
     sink->begin({&spec, 1}, provenance());
@@ -150,7 +150,7 @@ TEST_F(UsersObjects, ATriggerOnAFieldThatIsGoneIsNamed) {
     write(to("a.gpkg"), 2);
     run("CREATE TABLE journal (what TEXT)");
     run("CREATE TRIGGER noted AFTER UPDATE ON buildings BEGIN INSERT INTO journal VALUES (NEW.height); END");
-    const auto sink = open_sink(over(), context_);
+    const auto sink = open_sink(over(), callbacks_);
     LayerSpec spec = layer_spec("buildings");
     spec.fields[1].name = "tallness";
     sink->begin({&spec, 1}, provenance());
@@ -162,7 +162,7 @@ TEST_F(UsersObjects, ATriggerOnAFieldThatIsGoneIsNamed) {
 TEST_F(UsersObjects, RelationsAndForeignKeysAreRefused) {
     write(to("a.gpkg"), 2);
     const auto refusal = [&] {
-        return thrown<OptionError>([&] { static_cast<void>(open_sink(over(), context_)); });
+        return thrown<OptionError>([&] { static_cast<void>(open_sink(over(), callbacks_)); });
     };
     const std::string end =
         "\" on layer \"buildings\", which -overwrite would break; remove it first, or write to another "

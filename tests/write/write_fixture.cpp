@@ -22,7 +22,7 @@ void WriteTest::SetUp() {
     std::string pattern = (fs::temp_directory_path() / "d2b_write.XXXXXX").string();
     ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
     folder_ = pattern;
-    context_.on_warning = [this](const std::string& text) { warnings_.push_back(text); };
+    callbacks_.on_warning = [this](const std::string& text) { warnings_.push_back(text); };
 }
 
 void WriteTest::TearDown() {
@@ -62,7 +62,7 @@ std::string WriteTest::buildings_layer(const WriteOptions& options) {
 
 std::int64_t WriteTest::write(const WriteOptions& options, int n) {
     const Layers layers = layers_for(options);
-    const auto sink = open_sink(options, context_);
+    const auto sink = open_sink(options, callbacks_);
     std::vector<LayerSpec> specs;
     if (layers != Layers::contours)
         specs.push_back(layer_spec(sink->layer_name(LayerRole::buildings, layers), options.with_z));
@@ -74,6 +74,8 @@ std::int64_t WriteTest::write(const WriteOptions& options, int n) {
         for (std::size_t layer = 0; layer < specs.size(); ++layer)
             sink->add(layer, square(sink->first_id() + i));
     sink->finish();
+    for (std::string& text : sink->take_warnings())
+        warnings_.push_back(std::move(text));
     return sink->first_id();
 }
 

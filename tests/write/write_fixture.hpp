@@ -12,7 +12,7 @@
 #include <ogr_api.h>
 #include <ogr_srs_api.h>
 
-#include "core/context.hpp"
+#include "dem2buildings/callbacks.hpp"
 #include "dem2buildings/feature_sink.hpp"
 #include "dem2buildings/options.hpp"
 
@@ -60,7 +60,7 @@ class WriteTest : public ::testing::Test {
     [[nodiscard]] static std::string buildings_layer(const WriteOptions& options);
 
     std::filesystem::path folder_;
-    Context context_;
+    Callbacks callbacks_;
     std::vector<std::string> warnings_;
 };
 

@@ -1,5 +1,8 @@
 #include "dem2buildings/extract_file.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/preview.hpp"
 #include "read/gdal_dem_source.hpp"
@@ -10,9 +13,9 @@ namespace d2b {
 namespace {
 
 /// Who gives the file names in the wrong order reads nothing of the raster that he gave.
-std::unique_ptr<DemSource> open_source(const Options& options, Context& context) {
+std::unique_ptr<DemSource> open_source(const Options& options, const Callbacks& callbacks) {
     try {
-        return open_dem(options.read, context);
+        return open_dem(options.read, callbacks);
     } catch (const InputError&) {
         if (!are_swapped(options.read.source, options.write.destination))
             throw;
@@ -23,22 +26,38 @@ std::unique_ptr<DemSource> open_source(const Options& options, Context& context)
 
 }  // namespace
 
-Inputs open_inputs(const Options& options, Context& context) {
+Inputs open_inputs(const Options& options, const Callbacks& callbacks) {
     Inputs inputs;
-    inputs.dem = open_source(options, context);
-    inputs.side = open_side_sources(options, inputs.dem->info(), context);
+    inputs.dem = open_source(options, callbacks);
+    inputs.side = open_side_sources(options, inputs.dem->info(), callbacks);
     return inputs;
 }
 
-Layers extract_file(const Options& options, Context& context) {
-    const Inputs inputs = open_inputs(options, context);
-    const auto sink = open_sink(options.write, context);
-    const SideSinks side = open_side_sinks(options, inputs.dem->info(), context);
-    Preview preview(options, *sink, *inputs.dem, context);
-    run(options, inputs.sources(),
-        {preview.features(), side.ground.get(), side.height.get(), side.canopy.get()}, context);
-    preview.publish();
-    return sink->layers(options.write.layers);
+Callbacks remembering(const Callbacks& callbacks, std::vector<std::string>& heard) {
+    Callbacks all = callbacks;
+    all.on_warning = [&heard, tell = callbacks.on_warning](const std::string& text) {
+        if (std::ranges::find(heard, text) != heard.end())
+            return;
+        heard.push_back(text);
+        if (tell)
+            tell(text);
+    };
+    return all;
+}
+
+RunReport extract_file(const Options& options, const Callbacks& callbacks) {
+    std::vector<std::string> warnings;
+    const Callbacks heard = remembering(callbacks, warnings);
+    const Inputs inputs = open_inputs(options, heard);
+    const auto sink = open_sink(options.write, heard);
+    const SideSinks side = open_side_sinks(options, inputs.dem->info());
+    Preview preview(options, *sink, *inputs.dem);
+    RunReport report =
+        run(options, inputs.sources(),
+            {preview.features(), side.ground.get(), side.height.get(), side.canopy.get()}, heard);
+    preview.publish(heard);
+    report.warnings = std::move(warnings);
+    return report;
 }
 
 }  // namespace d2b

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "dem2buildings/side_rasters.hpp"
 #include "pipeline/pipeline.hpp"
@@ -18,11 +20,15 @@ struct Inputs {
 };
 
 /// @throws InputError, OptionError also where source and destination were given in the wrong order
-[[nodiscard]] Inputs open_inputs(const Options& options, Context& context);
+[[nodiscard]] Inputs open_inputs(const Options& options, const Callbacks& callbacks);
+
+/// The same callbacks, told of each warning once, which is then in `heard` as well. @param heard must outlive
+/// them
+[[nodiscard]] Callbacks remembering(const Callbacks& callbacks, std::vector<std::string>& heard);
 
 /// The whole job on files: reads what the options name and writes the destination, and the rasters and the
-/// picture that they name beside it. The report is in the context.
-/// @param options as check_options() takes them @return the layers that were written @throws Error
-Layers extract_file(const Options& options, Context& context);
+/// picture that they name beside it. @param options as check_options() takes them
+/// @return the report of the run, with all that was warned of from opening the source on @throws Error
+RunReport extract_file(const Options& options, const Callbacks& callbacks = {});
 
 }  // namespace d2b

@@ -9,7 +9,6 @@
 #include "common/exit_codes.hpp"
 #include "common/own_stdout.hpp"
 #include "common/run_guarded.hpp"
-#include "core/context.hpp"
 #include "core/crs.hpp"
 #include "core/version.hpp"
 #include "dem2buildings/command_line.hpp"
@@ -33,36 +32,36 @@ void process(const Request& request) {
     const Options& options = request.options;
     const bool quiet = request.tool.quiet;
     TerminalProgress progress(std::cout);
-    Context context;
+    Callbacks callbacks;
     const bool terminal = ::isatty(STDOUT_FILENO) != 0 && ::isatty(STDERR_FILENO) != 0;
-    context.on_warning = [&progress, terminal](const std::string& text) {
+    callbacks.on_warning = [&progress, terminal](const std::string& text) {
         progress.interrupt(terminal, [&] { print_line("Warning: ", text); });
     };
-    context.on_progress = [&progress, quiet](double share) {
+    callbacks.on_progress = [&progress, quiet](double share) {
         if (!quiet)
             progress.update(share);
         return !interrupted();
     };
-    context.make_spool = [] { return std::make_unique<FileSpool>(); };
-    context.stop = interrupted;
+    callbacks.make_spool = [] { return std::make_unique<FileSpool>(); };
+    callbacks.stop = interrupted;
     start_gdal();
     if (!request.tool.sweep.empty()) {
-        const Inputs inputs = open_inputs(options, context);
+        const Inputs inputs = open_inputs(options, callbacks);
         const std::vector<Trial> trials =
-            run_sweep(options, inputs.sources(), request.tool.sweep_plan, context);
+            run_sweep(options, inputs.sources(), request.tool.sweep_plan, callbacks);
         if (!quiet)
             progress.update(1);
         std::cout << (request.tool.json ? sweep_json(trials) : sweep_table(trials));
         own_stdout.finish();
         return;
     }
-    const Layers layers = extract_file(options, context);
+    const RunReport report = extract_file(options, callbacks);
     if (!quiet) {
         progress.update(1);
-        std::cout << summary(context.report, layers, options.write.destination);
+        std::cout << summary(report, report.layers, options.write.destination);
     }
     if (request.tool.json)
-        std::cout << json_report(context.report);
+        std::cout << json_report(report);
     own_stdout.finish();
 }
 

@@ -1,5 +1,6 @@
 #include "dem2buildings/preview.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -32,22 +33,24 @@ RasterTarget picture_target(const Options& options) {
     return target;
 }
 
-Preview::Preview(const Options& options, FeatureSink& features, DemSource& dem, Context& context)
-    : features_(features) {
+Preview::Preview(const Options& options, FeatureSink& features, DemSource& dem) : features_(features) {
     if (options.write.preview.empty())
         return;
-    file_ = open_picture(picture_target(options), context);
+    file_ = open_picture(picture_target(options));
     std::string heading = "lod " + std::to_string(options.levels.lod);
     if (!options.levels.fixed.empty() || options.levels.interval)
         heading = "given levels";
     heading += " nf " + std::to_string(options.filter.noise_factor);
-    sink_.emplace(features, dem, crs_of(options, dem.info()), look_of(options, dem.info(), heading), context,
+    sink_.emplace(features, dem, crs_of(options, dem.info()), look_of(options, dem.info(), heading),
                   [this](const Image& image) { file_->write(image); });
 }
 
-void Preview::publish() {
-    if (file_)
-        file_->publish();
+void Preview::publish(const Callbacks& callbacks) {
+    if (!file_)
+        return;
+    file_->publish();
+    if (callbacks.on_warning)
+        std::ranges::for_each(file_->take_warnings(), callbacks.on_warning);
 }
 
 }  // namespace d2b

@@ -3,7 +3,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/context.hpp"
+#include "dem2buildings/callbacks.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/options.hpp"
 #include "preview/preview_sink.hpp"
@@ -14,14 +14,14 @@ namespace d2b {
 /// The picture of -preview, on the way of the features to their sink.
 class Preview {
   public:
-    /// @param features, dem, context must outlive this @throws OptionError, OutputError where the picture
+    /// @param features and dem must outlive this @throws OptionError, OutputError where the picture
     /// cannot be written
-    Preview(const Options& options, FeatureSink& features, DemSource& dem, Context& context);
+    Preview(const Options& options, FeatureSink& features, DemSource& dem);
 
     /// Where the run's features are to go: through the picture, if there is one.
     [[nodiscard]] FeatureSink& features() { return sink_ ? *sink_ : features_; }
     /// After the run. @throws OutputError
-    void publish();
+    void publish(const Callbacks& callbacks);
 
   private:
     FeatureSink& features_;

@@ -23,22 +23,22 @@ DemInfo in_its_crs(DemInfo dem, const Options& options) {
 
 }  // namespace
 
-SideSources open_side_sources(const Options& options, const DemInfo& dem, Context& context) {
+SideSources open_side_sources(const Options& options, const DemInfo& dem, const Callbacks& callbacks) {
     const DemInfo grid = in_its_crs(dem, options);
     SideSources sources;
     if (options.ground.mode == GroundMode::given) {
         const UnitReport units = resolve_units(grid, Crs(grid.crs_wkt), options.read.vertical_unit);
         sources.terrain = open_terrain(options.ground.terrain, grid, units.vertical_metres,
-                                       elevation_limits(options.read, units.vertical_metres), context);
+                                       elevation_limits(options.read, units.vertical_metres), callbacks);
     }
     if (!options.detect.mask.empty())
-        sources.mask = open_mask(options.detect.mask, options.detect.mask_layer, grid, context);
+        sources.mask = open_mask(options.detect.mask, options.detect.mask_layer, grid, callbacks);
     if (!options.detect.ndvi.empty())
-        sources.ndvi = open_ndvi(options.detect.ndvi, grid, context);
+        sources.ndvi = open_ndvi(options.detect.ndvi, grid, callbacks);
     return sources;
 }
 
-SideSinks open_side_sinks(const Options& options, const DemInfo& dem, Context& context) {
+SideSinks open_side_sinks(const Options& options, const DemInfo& dem) {
     const DemInfo grid = in_its_crs(dem, options);
     const WriteOptions& write = options.write;
     std::vector<std::string> in_use{options.read.source, write.destination};
@@ -52,7 +52,7 @@ SideSinks open_side_sinks(const Options& options, const DemInfo& dem, Context& c
         meta.description = what;
         meta.elevations = elevations;
         meta.metadata = {{"D2B_VERSION", std::string(version)}, {"D2B_SOURCE", dem.name}};
-        auto sink = open_geotiff_sink({destination, write.overwrite, in_use}, grid, meta, context);
+        auto sink = open_geotiff_sink({destination, write.overwrite, in_use}, grid, meta);
         in_use.push_back(destination);
         return sink;
     };

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "core/context.hpp"
+#include "dem2buildings/callbacks.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/options.hpp"
 #include "dem2buildings/raster_sink.hpp"
@@ -22,8 +22,9 @@ struct SideSinks {
 };
 
 /// @param dem the grid that they are brought to @throws InputError
-[[nodiscard]] SideSources open_side_sources(const Options& options, const DemInfo& dem, Context& context);
+[[nodiscard]] SideSources open_side_sources(const Options& options, const DemInfo& dem,
+                                            const Callbacks& callbacks = {});
 /// @throws OptionError, OutputError
-[[nodiscard]] SideSinks open_side_sinks(const Options& options, const DemInfo& dem, Context& context);
+[[nodiscard]] SideSinks open_side_sinks(const Options& options, const DemInfo& dem);
 
 }  // namespace d2b

@@ -61,30 +61,32 @@ std::string sweep_json(const std::vector<Trial>& trials) {
 }
 
 std::vector<Trial> run_sweep(const Options& options, const Sources& sources, const SweepPlan& plan,
-                             Context& context) {
+                             const Callbacks& callbacks) {
     if (options.write.preview.empty())
-        return run_trials(options, sources, plan, {}, context);
+        return run_trials(options, sources, plan, {}, callbacks);
     constexpr int sheet_width = 2400;
     constexpr int least = 160;
     constexpr int most = 800;
-    const std::unique_ptr<PictureFile> file = open_picture(picture_target(options), context);
+    const std::unique_ptr<PictureFile> file = open_picture(picture_target(options));
     const int columns = static_cast<int>(std::max<std::size_t>(plan.noise_factors.size(), 1));
     std::vector<Image> pictures;
     std::vector<Trial> trials = run_trials(
         options, sources, plan,
-        [&](FeatureSink& nothing, DemSource& dem, const Context& of_trial, const TrialValues& values) {
+        [&](FeatureSink& nothing, DemSource& dem, const TrialValues& values) {
             std::string heading =
                 "lod " + std::to_string(values.lod) + " nf " + std::to_string(values.noise_factor);
             if (!plan.details.empty())
                 heading += " detail " + number_text(values.detail);
             PreviewLook look = look_of(options, dem.info(), heading);
             look.longest = std::clamp(sheet_width / columns, least, most);
-            return std::make_unique<PreviewSink>(nothing, dem, crs_of(options, dem.info()), look, of_trial,
+            return std::make_unique<PreviewSink>(nothing, dem, crs_of(options, dem.info()), look,
                                                  [&](const Image& image) { pictures.push_back(image); });
         },
-        context);
+        callbacks);
     file->write(contact_sheet(pictures, columns));
     file->publish();
+    if (callbacks.on_warning)
+        std::ranges::for_each(file->take_warnings(), callbacks.on_warning);
     return trials;
 }
 

@@ -14,6 +14,6 @@ namespace d2b {
 
 /// Runs the trials of -sweep, with -preview a contact sheet of them. @throws Error
 [[nodiscard]] std::vector<Trial> run_sweep(const Options& options, const Sources& sources,
-                                           const SweepPlan& plan, Context& context);
+                                           const SweepPlan& plan, const Callbacks& callbacks);
 
 }  // namespace d2b

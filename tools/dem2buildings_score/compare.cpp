@@ -33,10 +33,10 @@ Polygons all_polygons(std::vector<PolygonFeature> footprints) {
     return polygons;
 }
 
-std::optional<Limit> area_of_interest(const ScoreRequest& request, Context& context) {
+std::optional<Limit> area_of_interest(const ScoreRequest& request, Warnings& warnings) {
     LayerChoice choice{request.reference, "aoi", {}, {}, {}};
     const std::vector<std::string> layers =
-        request.reference.empty() ? std::vector<std::string>() : layer_names(request.reference, context);
+        request.reference.empty() ? std::vector<std::string>() : layer_names(request.reference, warnings);
     const auto has = [&](const std::string& name) { return std::ranges::find(layers, name) != layers.end(); };
     if (!request.area_of_interest.empty()) {
         choice.layer = request.area_of_interest;
@@ -45,17 +45,17 @@ std::optional<Limit> area_of_interest(const ScoreRequest& request, Context& cont
     } else if (!has("aoi")) {
         return std::nullopt;
     }
-    PolygonLayer layer = read_polygon_layer(choice, context);
+    PolygonLayer layer = read_polygon_layer(choice, warnings);
     const std::string what = "the area of interest, layer '" + layer.name + "' of '" + layer.dataset + "',";
     if (layer.features.empty())
         throw InputError("The" + what.substr(3) + " has no polygons; give another one with -aoi.");
     return Limit{layer.dataset, what, Crs(layer.crs_wkt), all_polygons(std::move(layer.features))};
 }
 
-std::optional<Limit> raster_with_data(const ScoreRequest& request, Context& context) {
+std::optional<Limit> raster_with_data(const ScoreRequest& request, Warnings& warnings) {
     if (request.dem.empty())
         return std::nullopt;
-    ValidCells cells = valid_cells(request.dem, context);
+    ValidCells cells = valid_cells(request.dem, warnings);
     return Limit{request.dem, "the part of '" + request.dem + "' that has data", Crs(cells.crs_wkt),
                  std::move(cells.polygons)};
 }
@@ -67,9 +67,9 @@ struct Side {
     ScoreSide score;
 };
 
-Side side_of(const PolygonLayer& layer, Overlay& overlay, Context& context) {
+Side side_of(const PolygonLayer& layer, Overlay& overlay, Warnings& warnings) {
     if (layer.features.empty())
-        context.warn("The layer '" + layer.name + "' of '" + layer.dataset + "' has no polygons.");
+        warnings.add("The layer '" + layer.name + "' of '" + layer.dataset + "' has no polygons.");
     return {layer.dataset, Crs(layer.crs_wkt), score_side(layer.features, overlay)};
 }
 
@@ -88,10 +88,10 @@ void check_meets(const std::string& a, const Box& box_a, const std::string& b, c
 
 /// The area that lies in all limits.
 std::optional<Polygons> region_of(std::vector<Limit>& limits, const MeasurePlane& plane, const Side& found,
-                                  const Side& reference, Overlay& overlay, Context& context) {
+                                  const Side& reference, Overlay& overlay, Warnings& warnings) {
     std::optional<Polygons> region;
     for (Limit& limit : limits) {
-        bring_to(plane, limit.crs, limit.name, std::span(&limit.area, 1), LongEdges::divide, context);
+        bring_to(plane, limit.crs, limit.name, std::span(&limit.area, 1), LongEdges::divide, warnings);
         for (const Side* side : {&found, &reference})
             check_meets("'" + side->name + "'", box_of_all(side->score.areas), limit.what,
                         box_of(limit.area));
@@ -118,34 +118,35 @@ LayerChoice reference_choice(const ScoreRequest& request) {
             {"height", "Height", "roof_h"}};
 }
 
-ScoreRun compare_datasets(const ScoreRequest& request, Context& context) {
-    const PolygonLayer found = read_polygon_layer(found_choice(request), context);
-    return compare_layers(request, found, read_polygon_layer(reference_choice(request), context), context);
+ScoreRun compare_datasets(const ScoreRequest& request, const Callbacks& callbacks) {
+    Warnings warnings(callbacks.on_warning);
+    const PolygonLayer found = read_polygon_layer(found_choice(request), warnings);
+    return compare_layers(request, found, read_polygon_layer(reference_choice(request), warnings), warnings);
 }
 
 ScoreRun compare_layers(const ScoreRequest& request, const PolygonLayer& found_layer,
-                        const PolygonLayer& reference_layer, Context& context) {
+                        const PolygonLayer& reference_layer, Warnings& warnings) {
     Overlay overlay;
     std::vector<Limit> limits;
-    for (auto& limit : {area_of_interest(request, context), raster_with_data(request, context)})
+    for (auto& limit : {area_of_interest(request, warnings), raster_with_data(request, warnings)})
         if (limit)
             limits.push_back(*limit);
-    Side found = side_of(found_layer, overlay, context);
-    Side reference = side_of(reference_layer, overlay, context);
+    Side found = side_of(found_layer, overlay, warnings);
+    Side reference = side_of(reference_layer, overlay, warnings);
 
     const bool by_raster = !request.dem.empty() && limits.back().crs.kind() != Crs::Kind::none;
     const bool by_found = reference.crs.kind() == Crs::Kind::none && !by_raster;
     const Crs& crs = by_raster ? limits.back().crs : by_found ? found.crs : reference.crs;
     const Box box = by_raster ? box_of(limits.back().area)
                               : box_of_all(by_found ? found.score.areas : reference.score.areas);
-    const MeasurePlane plane = measure_plane(crs, box, context);
+    const MeasurePlane plane = measure_plane(crs, box, warnings);
     for (Side* side : {&found, &reference})
-        bring_to(plane, side->crs, side->name, side->score.areas, LongEdges::keep, context);
+        bring_to(plane, side->crs, side->name, side->score.areas, LongEdges::keep, warnings);
     check_meets("'" + found.name + "'", box_of_all(found.score.areas), "'" + reference.name + "'",
                 box_of_all(reference.score.areas));
 
     ScoreOptions options;
-    options.region = region_of(limits, plane, found, reference, overlay, context);
+    options.region = region_of(limits, plane, found, reference, overlay, warnings);
     options.metres = plane.metres;
     options.min_object_m2 = request.min_object_m2;
     ScoreRun run{found_layer.name,

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/context.hpp"
+#include "dem2buildings/callbacks.hpp"
 #include "dem2buildings_score/command_line.hpp"
 #include "read/polygon_layer.hpp"
 #include "score/score.hpp"
@@ -27,10 +27,10 @@ struct ScoreRun {
 /// Brings both sides to one CRS and measures. Warns where a side is empty.
 /// @throws InputError: the area of interest or the raster cannot be read, or the sides do not meet
 [[nodiscard]] ScoreRun compare_layers(const ScoreRequest& request, const PolygonLayer& found,
-                                      const PolygonLayer& reference, Context& context);
+                                      const PolygonLayer& reference, Warnings& warnings);
 
 /// The same of two datasets. @throws InputError: also where one cannot be read. @throws OptionError: no such
 /// layer or field
-[[nodiscard]] ScoreRun compare_datasets(const ScoreRequest& request, Context& context);
+[[nodiscard]] ScoreRun compare_datasets(const ScoreRequest& request, const Callbacks& callbacks = {});
 
 }  // namespace d2b

@@ -6,7 +6,6 @@
 #include "common/exit_codes.hpp"
 #include "common/own_stdout.hpp"
 #include "common/run_guarded.hpp"
-#include "core/context.hpp"
 #include "core/crs.hpp"
 #include "core/version.hpp"
 #include "dem2buildings_score/command_line.hpp"
@@ -22,11 +21,16 @@ namespace {
 
 void measure(const ScoreRequest& request) {
     OwnStdout own_stdout;
-    Context context;
-    context.on_warning = [](const std::string& text) { print_line("Warning: ", text); };
+    std::vector<std::string> warnings;
+    Callbacks callbacks;
+    callbacks.on_warning = [&](const std::string& text) {
+        warnings.push_back(text);
+        print_line("Warning: ", text);
+    };
     start_gdal();
-    const ScoreRun run = compare_datasets(request, context);
-    std::cout << (request.json ? score_json(request, run, context) : score_text(request, run, request.quiet));
+    const ScoreRun run = compare_datasets(request, callbacks);
+    std::cout << (request.json ? score_json(request, run, warnings)
+                               : score_text(request, run, request.quiet));
     own_stdout.finish();
 }
 

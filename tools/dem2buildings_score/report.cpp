@@ -120,7 +120,8 @@ std::string score_text(const ScoreRequest& request, const ScoreRun& run, bool qu
     return lines.text();
 }
 
-std::string score_json(const ScoreRequest& request, const ScoreRun& run, const Context& context) {
+std::string score_json(const ScoreRequest& request, const ScoreRun& run,
+                       const std::vector<std::string>& warnings) {
     const Score& score = run.score;
     Json json{{"version", version},
               {"found", json_of(score.found, request.found, run.found_layer)},
@@ -146,7 +147,7 @@ std::string score_json(const ScoreRequest& request, const ScoreRun& run, const C
               {"height_field",
                run.reference_height_field.empty() ? Json(nullptr) : Json(run.reference_height_field)},
               {"height_error", json_of(score.heights)},
-              {"warnings", context.report.warnings}};
+              {"warnings", warnings}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "dem2buildings_score/compare.hpp"
 
@@ -11,6 +12,6 @@ namespace d2b {
 
 /// A JSON object with a line feed at its end; keys always in the same order, null for what cannot be told.
 [[nodiscard]] std::string score_json(const ScoreRequest& request, const ScoreRun& run,
-                                     const Context& context);
+                                     const std::vector<std::string>& warnings);
 
 }  // namespace d2b

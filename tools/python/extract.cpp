@@ -7,8 +7,9 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 #include <string>
+#include <utility>
+#include <vector>
 
-#include "core/context.hpp"
 #include "dem2buildings/command_line.hpp"
 #include "dem2buildings/extract_file.hpp"
 #include "dem2buildings/json_report.hpp"
@@ -26,7 +27,7 @@ namespace d2b {
 namespace {
 
 namespace py = pybind11;
-using Opener = std::function<std::unique_ptr<DemSource>(const ReadOptions&, Context&)>;
+using Opener = std::function<std::unique_ptr<DemSource>(const ReadOptions&, const Callbacks&)>;
 
 /// What extract() gives back, before it has the names that Python users see.
 struct Extraction {
@@ -35,22 +36,20 @@ struct Extraction {
     std::string report;  ///< as JSON
 };
 
-Context context_of(const PythonEars& ears) {
-    Context context;
-    context.on_warning = ears.warn;
-    context.on_progress = ears.progress;
-    context.stop = ears.stop;
-    context.make_spool = [] { return std::make_unique<FileSpool>(); };
-    return context;
+Callbacks callbacks_of(const PythonEars& ears) {
+    return {ears.warn, ears.progress, ears.stop, [] { return std::make_unique<FileSpool>(); }};
 }
 
 Extraction extract(const Options& options, const Opener& open, const PythonEars& ears) {
-    Context context = context_of(ears);
-    const auto source = open(options.read, context);
-    const SideSources side = open_side_sources(options, source->info(), context);
+    std::vector<std::string> warnings;
+    const Callbacks callbacks = remembering(callbacks_of(ears), warnings);
+    const auto source = open(options.read, callbacks);
+    const SideSources side = open_side_sources(options, source->info(), callbacks);
     CollectingSink sink;
-    run(options, {*source, side.terrain.get(), side.mask.get(), side.ndvi.get()}, {sink}, context);
-    return {sink.collected(), sink.provenance(), json_report(context.report)};
+    RunReport report =
+        run(options, {*source, side.terrain.get(), side.mask.get(), side.ndvi.get()}, {sink}, callbacks);
+    report.warnings = std::move(warnings);
+    return {sink.collected(), sink.provenance(), json_report(report)};
 }
 
 py::tuple extract_listening(const GivenOptions& given, const py::object& listener, const Opener& open,
@@ -66,7 +65,8 @@ py::tuple extract_listening(const GivenOptions& given, const py::object& listene
 py::tuple extract_path(const std::string& path, const GivenOptions& given, const py::object& listener) {
     return extract_listening(
         given, listener,
-        [](const ReadOptions& options, Context& context) { return open_dem(options, context); }, path);
+        [](const ReadOptions& options, const Callbacks& callbacks) { return open_dem(options, callbacks); },
+        path);
 }
 
 py::tuple extract_array(const py::array& values, const std::optional<py::array>& mask,
@@ -75,7 +75,9 @@ py::tuple extract_array(const py::array& values, const std::optional<py::array>&
     const ElevationArray array = elevation_array("array", values, mask, transform);
     return extract_listening(
         given, listener,
-        [&](const ReadOptions& options, Context& context) { return open_dem(array, options, context); },
+        [&](const ReadOptions& options, const Callbacks& callbacks) {
+            return open_dem(array, options, callbacks);
+        },
         array.name);
 }
 
@@ -88,9 +90,7 @@ std::string extract_to_file(const std::string& source, const std::string& destin
     options.write.destination = destination;
     std::string report;
     run_listening(listener, [&](const PythonEars& ears) {
-        Context context = context_of(ears);
-        extract_file(options, context);
-        report = json_report(context.report);
+        report = json_report(extract_file(options, callbacks_of(ears)));
     });
     return report;
 }

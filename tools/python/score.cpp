@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/context.hpp"
+#include "core/warnings.hpp"
 #include "dem2buildings/error.hpp"
 #include "dem2buildings_score/compare.hpp"
 #include "dem2buildings_score/help.hpp"
@@ -76,12 +76,12 @@ PolygonLayer polygons_of(const CollectedLayer& layer, const LayerChoice& choice)
     return polygons;
 }
 
-PolygonLayer footprints_of(const Footprints& footprints, LayerChoice choice, Context& context) {
+PolygonLayer footprints_of(const Footprints& footprints, LayerChoice choice, Warnings& warnings) {
     if (const auto* const layer = std::get_if<LayerPtr>(&footprints)) {
         choice.dataset = "result";
         return polygons_of(**layer, choice);
     }
-    return read_polygon_layer(choice, context);
+    return read_polygon_layer(choice, warnings);
 }
 
 std::string dataset_of(const Footprints& footprints) {
@@ -91,14 +91,17 @@ std::string dataset_of(const Footprints& footprints) {
 
 std::string measure(ScoreRequest request, const Footprints& found, const Footprints& reference,
                     const PythonEars& ears) {
-    Context context;
-    context.on_warning = ears.warn;
-    const PolygonLayer found_layer = footprints_of(found, found_choice(request), context);
-    const PolygonLayer reference_layer = footprints_of(reference, reference_choice(request), context);
-    const ScoreRun run = compare_layers(request, found_layer, reference_layer, context);
+    std::vector<std::string> heard;
+    Warnings warnings([&](const std::string& text) {
+        heard.push_back(text);
+        ears.warn(text);
+    });
+    const PolygonLayer found_layer = footprints_of(found, found_choice(request), warnings);
+    const PolygonLayer reference_layer = footprints_of(reference, reference_choice(request), warnings);
+    const ScoreRun run = compare_layers(request, found_layer, reference_layer, warnings);
     request.found = found_layer.dataset;
     request.reference = reference_layer.dataset;
-    return score_json(request, run, context);
+    return score_json(request, run, heard);
 }
 
 std::string score_listening(const Footprints& found, const Footprints& reference, const GivenOptions& given,

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "dem2buildings/dem_info.hpp"
 
@@ -25,6 +27,13 @@ class DemSource {
     /// @param elevations rows * window.cols values
     /// @throws InputError
     virtual void read(std::int32_t first_row, std::int32_t rows, std::span<double> elevations) = 0;
+
+    /// What reading it has shown since the last call, a sentence each, for the run to warn of. Called from
+    /// the thread that called run(), while others may read.
+    [[nodiscard]] virtual std::vector<std::string> take_warnings() { return {}; }
+    /// Of a terrain model, cells that are not valid because no elevation can be what they hold; known when
+    /// the last row has been read.
+    [[nodiscard]] virtual std::int64_t cells_outside_range() const { return 0; }
 };
 
 }  // namespace d2b

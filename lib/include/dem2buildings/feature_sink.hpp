@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "dem2buildings/options.hpp"
+#include "dem2buildings/records.hpp"
+#include "dem2buildings/report.hpp"
 #include "dem2buildings/world_polygon.hpp"
 
 namespace d2b {
@@ -61,6 +63,7 @@ struct Feature {
     std::vector<FieldValue> values;   ///< one a field, in their order
     std::vector<WorldPolygon> parts;  ///< at least one; written as a MultiPolygon (with arcs a MultiSurface)
     double z = 0;
+    FeatureRecord record = {};  ///< what it is
 };
 
 /// What a dataset says of itself.
@@ -73,7 +76,8 @@ struct Provenance {
 
 /// Where features go: a file (write/), or a list in tests and in other programs.
 /// May be asked whether it takes a CRS; then begin, then add in the order in which features are to stand in
-/// their layers, then finish. A sink that is destroyed without finish() leaves the destination as it was.
+/// their layers, then finish; all of it from the thread that called run(). A sink that is destroyed without
+/// finish() leaves the destination as it was.
 class FeatureSink {
   public:
     FeatureSink() = default;
@@ -95,6 +99,8 @@ class FeatureSink {
     virtual void begin(std::span<const LayerSpec> layers, const Provenance& provenance) = 0;
     /// @param layer index into the layers that begin() got @throws OutputError
     virtual void add(std::size_t layer, const Feature& feature) = 0;
+    /// Told before finish() what the run has done.
+    virtual void take_report(const RunReport& /*report*/) {}
     /// Makes the result visible, all of it or nothing. @throws OutputError
     virtual void finish() = 0;
 
@@ -107,6 +113,9 @@ class FeatureSink {
     [[nodiscard]] virtual Layers layers(std::optional<Layers> asked) const {
         return asked.value_or(Layers::both);
     }
+
+    /// What it has noticed since the last call, a sentence each, for the run to warn of.
+    [[nodiscard]] virtual std::vector<std::string> take_warnings() { return {}; }
 
     /// What the destination calls a layer. @param layers what is written
     [[nodiscard]] virtual std::string layer_name(LayerRole role, Layers /*layers*/) const {

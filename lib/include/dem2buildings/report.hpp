@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "dem2buildings/options.hpp"
+
 namespace d2b {
 
 /// The stages, in the order in which they run.
@@ -112,6 +114,7 @@ struct RunReport : Tally {
     std::string output;
     std::string crs;
     std::string output_crs;
+    Layers layers = Layers::both;  ///< that were written
     UnitReport units;
     std::int64_t rows = 0;
     std::int64_t cols = 0;

@@ -9,7 +9,7 @@
 
 #include "core/executor.hpp"
 #include "core/lattice.hpp"
-#include "core/spool.hpp"
+#include "dem2buildings/spool.hpp"
 #include "outline/noding.hpp"
 #include "outline/walls/fit_walls.hpp"
 #include "outline/walls/wall_clusters.hpp"

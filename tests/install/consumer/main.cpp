@@ -66,8 +66,7 @@ int main() {
     options.levels.fixed = {7};
     Block source;
     Counter sink;
-    d2b::Context context;
-    d2b::run(options, {source}, {sink}, context);
+    d2b::run(options, {source}, {sink});
     // The contours are the root, which every valid point belongs to, and the block.
     std::cout << "dem2buildings " << d2b::version << ": " << sink.count("buildings") << " building, "
               << sink.count("contours") << " contours\n";

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "dem2buildings/spool.hpp"
+
+namespace d2b {
+
+/// What a program gives the library beside its data: ears for warnings and progress, a way to stop, and room
+/// for what has to wait; none has to be given. Nothing of a run is kept in it, so it serves any number of
+/// runs, also at the same time if its functions do. What a function throws ends the call that it was called
+/// from.
+struct Callbacks {
+    /// Told of what the result is doubtful for, or what was decided in the caller's place: a sentence. Called
+    /// from the thread that called run(), open_dem() and so on, before these return.
+    std::function<void(const std::string& text)> on_warning;
+    /// Told of the share that is done, from 0 to 1, never less than before; false asks to stop, with a
+    /// Cancelled. Called from the thread that called run().
+    std::function<bool(double share)> on_progress;
+    /// Whether to stop, with a Cancelled: true, then true forever. Called from any thread, from several at a
+    /// time, and often: it should look at an atomic and no more. It must not throw.
+    std::function<bool()> stop;
+    /// Where what is finished waits for its turn: in memory, or say in a FileSpool
+    /// (dem2buildings/file_spool.hpp). Called from the thread that called run(); spools are used from any.
+    std::function<std::unique_ptr<Spool>()> make_spool = [] { return std::make_unique<MemorySpool>(); };
+};
+
+}  // namespace d2b
