@@ -8,16 +8,9 @@ install(TARGETS dem2buildings EXPORT dem2buildingsTargets
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(EXPORT dem2buildingsTargets NAMESPACE dem2buildings:: DESTINATION ${config_dir})
 
-get_property(headers GLOBAL PROPERTY D2B_HEADERS)
-foreach(header IN LISTS headers)
-  cmake_path(GET header PARENT_PATH folder)
-  set(place ${PROJECT_SOURCE_DIR}/lib/include/${header})
-  if(NOT EXISTS ${place})
-    set(place ${PROJECT_SOURCE_DIR}/lib/${header})
-  endif()
-  install(FILES ${place} DESTINATION ${include_dir}/${folder})
-endforeach()
-install(FILES ${PROJECT_BINARY_DIR}/lib/core/version.hpp DESTINATION ${include_dir}/core)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/lib/include/dem2buildings DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+  FILES_MATCHING PATTERN "*.hpp")
+install(FILES ${PROJECT_BINARY_DIR}/lib/dem2buildings/version.hpp DESTINATION ${include_dir})
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/dem2buildingsConfig.cmake.in
   ${PROJECT_BINARY_DIR}/dem2buildingsConfig.cmake INSTALL_DESTINATION ${config_dir})

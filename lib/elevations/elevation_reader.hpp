@@ -10,9 +10,9 @@
 
 #include "core/band.hpp"
 #include "core/context.hpp"
+#include "dem2buildings/band_size.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "elevations/band_cells.hpp"
-#include "elevations/band_size.hpp"
 #include "elevations/sift.hpp"
 #include "elevations/statistics.hpp"
 

@@ -7,7 +7,7 @@
 #include "core/band.hpp"
 #include "core/int128.hpp"
 #include "core/point_stats.hpp"
-#include "core/spool.hpp"
+#include "dem2buildings/spool.hpp"
 #include "dem2buildings/window.hpp"
 #include "features/row_spans.hpp"
 

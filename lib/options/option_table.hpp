@@ -28,6 +28,8 @@ struct ToolOptions {
     bool options_json = false;      ///< the table of options to stdout, for dialogs that are made of it
     bool bash_completion = false;   ///< a script for Bash to stdout
 
+    friend bool operator==(const ToolOptions&, const ToolOptions&) = default;
+
     /// Whether a text was asked for in place of a run.
     [[nodiscard]] bool prints_text() const {
         return help || version || man_page || options_markdown || options_json || bash_completion;

@@ -12,6 +12,8 @@ struct SweepPlan {
     std::vector<int> noise_factors;
     std::vector<double> details;  ///< m
 
+    friend bool operator==(const SweepPlan&, const SweepPlan&) = default;
+
     [[nodiscard]] bool empty() const { return lods.empty() && noise_factors.empty() && details.empty(); }
 };
 

@@ -4,6 +4,7 @@
 
 #include "attributes/records.hpp"
 #include "core/grid.hpp"
+#include "dem2buildings/run.hpp"
 #include "detect/label_rows.hpp"
 #include "detect/strips.hpp"
 #include "diagnose/ground_fit.hpp"
@@ -11,7 +12,6 @@
 #include "diagnose/side_doubt.hpp"
 #include "elevations/elevation_reader.hpp"
 #include "options/run_plan.hpp"
-#include "pipeline/pipeline.hpp"
 
 namespace d2b {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/number_text.hpp"
-#include "core/version.hpp"
+#include "dem2buildings/version.hpp"
 #include "options/given_words.hpp"
 #include "options/option_checks.hpp"
 #include "options/option_table.hpp"

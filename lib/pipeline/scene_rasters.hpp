@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/row_bands.hpp"
+#include "dem2buildings/run.hpp"
 #include "detect/detection.hpp"
 #include "detect/scene.hpp"
-#include "pipeline/pipeline.hpp"
 
 namespace d2b {
 

@@ -97,8 +97,8 @@ std::vector<Trial> run_trials(const Options& options, const Sources& sources, co
                 callbacks.on_warning(text);
         };
         of_trial.on_progress = [&, done = trials.size()](double share) {
-            return !callbacks.on_progress ||
-                   callbacks.on_progress((static_cast<double>(done) + share) / static_cast<double>(all.size()));
+            return !callbacks.on_progress || callbacks.on_progress((static_cast<double>(done) + share) /
+                                                                   static_cast<double>(all.size()));
         };
         NoFeatures nothing;
         const std::unique_ptr<FeatureSink> seen = view ? view(nothing, dem, values) : nullptr;

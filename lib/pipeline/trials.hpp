@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
+#include "dem2buildings/run.hpp"
 #include "options/sweep_plan.hpp"
-#include "pipeline/pipeline.hpp"
 
 namespace d2b {
 
@@ -24,8 +24,8 @@ struct Trial {
 };
 
 /// What a trial's features go through, such as a picture of them. @param nothing takes them in the end
-using TrialView = std::function<std::unique_ptr<FeatureSink>(
-    FeatureSink& nothing, DemSource& dem, const TrialValues& values)>;
+using TrialView = std::function<std::unique_ptr<FeatureSink>(FeatureSink& nothing, DemSource& dem,
+                                                             const TrialValues& values)>;
 
 /// Runs the whole job for every combination of the plan: the noise factors of one detail after the other, and
 /// the details of one lod. Each source is read once and kept, 8 bytes a point.

@@ -1,10 +1,9 @@
-#include "read/gdal_dem_source.hpp"
-
 #include <algorithm>
 #include <string>
 #include <utility>
 
 #include "dem2buildings/error.hpp"
+#include "dem2buildings/open_dem.hpp"
 #include "read/cutline_mask.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/open_raster.hpp"
@@ -12,6 +11,7 @@
 #include "read/raster_transform.hpp"
 #include "read/reader_pool.hpp"
 #include "read/standard_input.hpp"
+#include "read/start_gdal.hpp"
 #include "read/warning_source.hpp"
 #include "read/window.hpp"
 
@@ -93,6 +93,7 @@ class GdalDemSource final : public WarningSource {
 }  // namespace
 
 std::unique_ptr<DemSource> open_dem(const ReadOptions& options, const Callbacks& callbacks) {
+    register_formats();
     auto warnings = std::make_unique<Warnings>(callbacks.on_warning);
     std::unique_ptr<KeptStandardInput> standard_input = keep_standard_input(options.source);
     OpenRaster raster =

@@ -1,13 +1,14 @@
+#include "read/start_gdal.hpp"
+
 #include <cpl_conv.h>
 #include <cpl_error.h>
 #include <gdal.h>
 
-#include "read/gdal_dem_source.hpp"
-
 namespace d2b {
 
 void register_formats() {
-    GDALAllRegister();
+    if (GDALGetDriverCount() == 0)
+        GDALAllRegister();
 }
 
 void start_gdal() {

@@ -13,7 +13,7 @@
 #include <gdal_alg.h>
 
 #include "dem2buildings/error.hpp"
-#include "read/gdal_dem_source.hpp"
+#include "dem2buildings/open_dem.hpp"
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/polygon_geometry.hpp"

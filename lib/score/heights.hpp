@@ -5,17 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "dem2buildings/score.hpp"
 #include "geometry/overlay.hpp"
 
 namespace d2b {
-
-/// Found less reference.
-struct HeightErrors {
-    std::size_t pairs = 0;
-    double mean = 0;
-    double rms = 0;
-    double median_absolute = 0;
-};
 
 /// @return nothing where there is no error
 [[nodiscard]] std::optional<HeightErrors> height_errors(std::span<const double> errors);

@@ -4,6 +4,7 @@
 #include <span>
 #include <utility>
 
+#include "score/heights.hpp"
 #include "score/measure.hpp"
 #include "score/objects.hpp"
 #include "score/outline_distance.hpp"

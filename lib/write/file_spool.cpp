@@ -1,12 +1,20 @@
-#include "write/file_spool.hpp"
+#include "dem2buildings/file_spool.hpp"
 
 #include <algorithm>
 #include <utility>
+
+#include "read/temporary_file.hpp"
 
 namespace d2b {
 
 FileSpool::FileSpool(std::string folder, std::size_t in_memory)
     : folder_(std::move(folder)), most_in_memory_(in_memory) {}
+
+FileSpool::~FileSpool() = default;
+
+std::uint64_t FileSpool::in_file() const {
+    return file_ ? file_->size() : 0;
+}
 
 std::uint64_t FileSpool::append(std::span<const std::byte> bytes) {
     const std::scoped_lock lock(mutex_);
@@ -19,7 +27,7 @@ std::uint64_t FileSpool::append(std::span<const std::byte> bytes) {
 
 void FileSpool::flush() {
     if (!file_)
-        file_.emplace(folder_, "What is waiting to be written", FileName::none);
+        file_ = std::make_unique<TemporaryFile>(folder_, "What is waiting to be written", FileName::none);
     file_->append(memory_);
     memory_ = {};
     memory_.reserve(bytes_a_write);

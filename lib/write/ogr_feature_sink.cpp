@@ -1,5 +1,3 @@
-#include "write/ogr_feature_sink.hpp"
-
 #include <filesystem>
 #include <optional>
 #include <system_error>
@@ -7,6 +5,8 @@
 #include <vector>
 
 #include "dem2buildings/error.hpp"
+#include "dem2buildings/open_sink.hpp"
+#include "read/start_gdal.hpp"
 #include "write/config_option.hpp"
 #include "write/crs_misfit.hpp"
 #include "write/dataset_writer.hpp"
@@ -195,6 +195,7 @@ std::optional<ExistingDataset> existing_at(Destination& destination, VectorForma
 }  // namespace
 
 std::unique_ptr<FeatureSink> open_sink(const WriteOptions& options, const Callbacks& callbacks) {
+    register_formats();
     VectorFormat format = format_for(options);
     const Layers layers = resolve_layers(options, format);
     Destination destination = locate(options, format);

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/crs.hpp"
-#include "pipeline/pipeline.hpp"
+#include "dem2buildings/run.hpp"
 #include "support/memory_io.hpp"
 
 namespace d2b::test {
@@ -151,7 +151,7 @@ class Tiers : public ::testing::Test {
         Options options;
         if (change)
             change(options);
-        d2b::run(options, {source}, {sink_}, context_);
+        d2b::run(options, {source}, {sink_});
     }
     /// From low to high; that of level 1 has the threshold 0.
     [[nodiscard]] std::vector<Tier> tiers_of(const Shape& shape) const {
@@ -193,7 +193,6 @@ class Tiers : public ::testing::Test {
     }
 
     MemorySink sink_;
-    Context context_;
 };
 
 TEST_F(Tiers, AreWhatLiesAboveTheirThresholds) {

@@ -4,13 +4,13 @@
 #include <utility>
 
 #include "core/square_area.hpp"
+#include "dem2buildings/open_dem.hpp"
+#include "dem2buildings/run.hpp"
 #include "detect/one_label.hpp"
 #include "elevations/elevation_reader.hpp"
 #include "features/target_frame.hpp"
 #include "levels/building_levels.hpp"
 #include "levels/quantise.hpp"
-#include "pipeline/pipeline.hpp"
-#include "read/gdal_dem_source.hpp"
 #include "support/memory_io.hpp"
 
 namespace d2b::bench {

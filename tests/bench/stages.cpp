@@ -5,14 +5,14 @@
 #include <utility>
 
 #include "attributes/records.hpp"
+#include "dem2buildings/open_dem.hpp"
+#include "dem2buildings/open_sink.hpp"
+#include "dem2buildings/run.hpp"
 #include "detect/detection.hpp"
 #include "features/polygon_maker.hpp"
 #include "ground/ground.hpp"
-#include "pipeline/pipeline.hpp"
 #include "prepared_run.hpp"
-#include "read/gdal_dem_source.hpp"
 #include "support/memory_io.hpp"
-#include "write/ogr_feature_sink.hpp"
 
 namespace d2b::bench {
 namespace {

@@ -5,7 +5,8 @@
 #include <iostream>
 
 #include "city_file.hpp"
-#include "read/gdal_dem_source.hpp"
+#include "dem2buildings/open_dem.hpp"
+#include "read/start_gdal.hpp"
 #include "stages.hpp"
 
 namespace d2b::bench {

@@ -14,8 +14,9 @@
 #include <gdal.h>
 
 #include "dem2buildings/error.hpp"
+#include "dem2buildings/open_dem.hpp"
 #include "fuzz/bytes.hpp"
-#include "read/gdal_dem_source.hpp"
+#include "read/start_gdal.hpp"
 
 namespace d2b::test {
 namespace {

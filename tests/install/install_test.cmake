@@ -1,5 +1,5 @@
 # Installs the build into a folder of its own, compares the files with installed_files.txt, and builds and runs the
-# consumer against them. `-D update=ON` writes the list again.
+# consumer and the examples of the documentation against them. `-D update=ON` writes the list again.
 cmake_minimum_required(VERSION 3.22)
 set(prefix ${work}/prefix)
 file(REMOVE_RECURSE ${work})
@@ -64,6 +64,45 @@ run(${work}/consumer/consumer)
 if(NOT output STREQUAL "dem2buildings ${version}: 1 building, 2 contours\n")
   message(FATAL_ERROR "the consumer says: ${output}")
 endif()
+
+# So do the examples of the documentation, with warnings as errors.
+run(${CMAKE_COMMAND} -S ${source}/docs/examples -B ${work}/examples -G ${generator}
+    -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_CXX_COMPILER_LAUNCHER=${launcher}
+    -D CMAKE_BUILD_TYPE=Debug "-D CMAKE_CXX_FLAGS=-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror")
+run(${CMAKE_COMMAND} --build ${work}/examples)
+set(town ${source}/sample_dems/town.tif)
+set(results ${work}/results)
+file(MAKE_DIRECTORY ${results})
+run(${work}/examples/grid_to_polygons)
+if(NOT output MATCHES "^1 building in ETRS89 / UTM zone 32N\nbuilding 1, 1(7[89]|8[01])[.0-9]* m2, roof at 209 m: [0-9 ]+\n$")
+  message(SEND_ERROR "grid_to_polygons says ${output}")
+endif()
+run(${work}/examples/dem_to_geopackage ${town} ${results}/town.gpkg)
+if(NOT output MATCHES "^[1-9][0-9]* buildings, [1-9][0-9]* contours in '${results}/town.gpkg'\n$"
+   OR NOT EXISTS ${results}/town.gpkg)
+  message(SEND_ERROR "dem_to_geopackage says ${output}")
+endif()
+run(${work}/examples/solids ${town} ${results}/town.city.json)
+if(NOT output MATCHES "^([1-9][0-9]*) tiers\n$")
+  message(SEND_ERROR "solids says ${output}")
+endif()
+set(tiers ${CMAKE_MATCH_1})
+file(READ ${results}/town.city.json model)
+string(JSON type GET "${model}" type)
+string(JSON objects LENGTH "${model}" CityObjects)
+if(NOT type STREQUAL CityJSON OR NOT objects EQUAL tiers)
+  message(SEND_ERROR "town.city.json is a ${type} of ${objects} objects, not of ${tiers}")
+endif()
+run(${work}/examples/progress_and_stop ${town} ${results}/whole.gpkg)
+if(NOT output MATCHES "^[1-9][0-9]* buildings\n$" OR NOT EXISTS ${results}/whole.gpkg)
+  message(SEND_ERROR "progress_and_stop says ${output}")
+endif()
+run(${work}/examples/progress_and_stop ${town} ${results}/stopped.gpkg 0)
+file(GLOB left ${results}/*stopped*)
+if(NOT output STREQUAL "Cancelled; nothing was written.\n" OR left)
+  message(SEND_ERROR "progress_and_stop says ${output}, and ${left} is there")
+endif()
+
 run(${prefix}/bin/dem2buildings --version)
 if(NOT output MATCHES "${version}")
   message(FATAL_ERROR "the installed tool says: ${output}")

@@ -13,10 +13,11 @@
 #include "core/number_text.hpp"
 #include "dem2buildings/command_line.hpp"
 #include "dem2buildings/error.hpp"
+#include "dem2buildings/open_dem.hpp"
+#include "dem2buildings/run.hpp"
 #include "dem2buildings/side_rasters.hpp"
-#include "pipeline/pipeline.hpp"
-#include "read/gdal_dem_source.hpp"
 #include "read/rasters.hpp"
+#include "read/start_gdal.hpp"
 #include "support/memory_io.hpp"
 
 namespace d2b::test {

@@ -179,7 +179,7 @@ TEST(Buildings, TheStackIsMeasuredAsItIsWritten) {
     const std::vector<double> z = MadeTown::surface();
     TownRun town(z);
     town.run();
-    EXPECT_NEAR(town.context.report.stack_rmse_m, rmse_as_written(town, z), 1e-6);
+    EXPECT_NEAR(town.report.stack_rmse_m, rmse_as_written(town, z), 1e-6);
     for (const auto& change :
          std::vector<std::function<void(Options&)>>{[](Options& o) { o.outline.walls = Walls::off; },
                                                     [](Options& o) {
@@ -190,14 +190,13 @@ TEST(Buildings, TheStackIsMeasuredAsItIsWritten) {
         TownRun other(z);
         change(other.options);
         other.run();
-        EXPECT_NEAR(other.context.report.stack_rmse_m, rmse_as_written(other, z), 1e-6);
+        EXPECT_NEAR(other.report.stack_rmse_m, rmse_as_written(other, z), 1e-6);
     }
     TownRun alone(z);
     alone.options.write.layers = Layers::contours;
     alone.options.run.threads = 3;
     alone.run();
-    EXPECT_NEAR(alone.context.report.stack_rmse_m, town.context.report.stack_rmse_m,
-                0.1 * town.context.report.stack_rmse_m);
+    EXPECT_NEAR(alone.report.stack_rmse_m, town.report.stack_rmse_m, 0.1 * town.report.stack_rmse_m);
 }
 
 TEST(Buildings, GlobalLevelsAreOneSetForAll) {

@@ -56,7 +56,7 @@ class TalkingSink final : public test::MemorySink {
 };
 
 TEST(Callbacks, AreCalledFromTheCallersThread) {
-    for (const char* preset : {"buildings", "thesis"}) {
+    for (const Preset preset : {Preset::buildings, Preset::thesis}) {
         TalkingSource dem;
         TalkingSink sink;
         Options options;

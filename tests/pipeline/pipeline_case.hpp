@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/crs.hpp"
-#include "pipeline/pipeline.hpp"
+#include "dem2buildings/run.hpp"
 #include "support/memory_io.hpp"
 
 namespace d2b::test {

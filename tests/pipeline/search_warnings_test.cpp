@@ -189,7 +189,7 @@ TEST(SearchWarnings, ABarePlaneHasNoBuilding) {
             TownRun plane(z);
             plane.run();
             EXPECT_EQ(plane.count(), 0U) << slope << " " << turn;
-            const Texts& warnings = plane.context.report.warnings;
+            const Texts& warnings = plane.report.warnings;
             ASSERT_EQ(warnings.size(), 1U);
             EXPECT_TRUE(
                 warnings[0].find(" of the cells of 'memory' rise by more than 2 m") != std::string::npos ||

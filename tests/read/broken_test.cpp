@@ -1,6 +1,6 @@
 #include <cpl_vsi.h>
 
-#include "read/gdal_dem_source.hpp"
+#include "dem2buildings/open_dem.hpp"
 #include "read/rasters.hpp"
 
 namespace d2b::test {

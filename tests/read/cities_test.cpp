@@ -1,7 +1,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "read/gdal_dem_source.hpp"
+#include "dem2buildings/open_dem.hpp"
 #include "read/rasters.hpp"
 #include "support/test_name.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <ogr_srs_api.h>
 
-#include "read/gdal_dem_source.hpp"
+#include "dem2buildings/open_dem.hpp"
 #include "read/rasters.hpp"
 
 namespace d2b::test {

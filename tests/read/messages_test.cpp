@@ -3,8 +3,9 @@
 #include <cpl_error.h>
 #include <gtest/gtest.h>
 
-#include "read/gdal_dem_source.hpp"
+#include "dem2buildings/open_dem.hpp"
 #include "read/gdal_messages.hpp"
+#include "read/start_gdal.hpp"
 
 namespace d2b {
 namespace {

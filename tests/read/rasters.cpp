@@ -8,7 +8,8 @@
 #include <cpl_vsi.h>
 #include <ogr_srs_api.h>
 
-#include "read/gdal_dem_source.hpp"
+#include "dem2buildings/open_dem.hpp"
+#include "read/start_gdal.hpp"
 
 namespace d2b::test {
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/executor.hpp"
-#include "read/gdal_dem_source.hpp"
+#include "dem2buildings/open_dem.hpp"
 #include "read/rasters.hpp"
 
 namespace d2b {

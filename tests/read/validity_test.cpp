@@ -2,7 +2,7 @@
 
 #include <cpl_conv.h>
 
-#include "read/gdal_dem_source.hpp"
+#include "dem2buildings/open_dem.hpp"
 #include "read/rasters.hpp"
 
 namespace d2b::test {

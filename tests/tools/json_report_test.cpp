@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/version.hpp"
+#include "dem2buildings/version.hpp"
 
 namespace d2b::test {
 namespace {

@@ -22,7 +22,7 @@ std::string refusal(const Arguments& arguments) {
 }
 
 TEST(ScoreCommandLine, readsOptionsAnywhere) {
-    const ScoreRequest request = parse_score_command_line(
+    const ScoreCommand request = parse_score_command_line(
         {"-layer", "a", "found.gpkg", "--reference_layer=b", "-aoi", "area.gpkg", "reference.gpkg", "-dem",
          "d.tif", "-min_object", "12.5", "-height_field=roof", "-json", "-q"});
     EXPECT_EQ(request.found, "found.gpkg");
@@ -43,14 +43,14 @@ TEST(ScoreCommandLine, refusesAnOptionWithoutAName) {
 }
 
 TEST(ScoreCommandLine, hasDefaults) {
-    const ScoreRequest request = parse_score_command_line({"a", "b"});
+    const ScoreCommand request = parse_score_command_line({"a", "b"});
     EXPECT_EQ(request.min_object_m2, 50);
     EXPECT_EQ(request.layer + request.reference_layer + request.area_of_interest + request.dem, "");
     EXPECT_FALSE(request.json || request.quiet || request.help || request.version || request.man_page);
 }
 
 TEST(ScoreCommandLine, takesFileNamesBehindTwoDashes) {
-    const ScoreRequest request = parse_score_command_line({"-q", "--", "-a", "--b"});
+    const ScoreCommand request = parse_score_command_line({"-q", "--", "-a", "--b"});
     EXPECT_EQ(request.found, "-a");
     EXPECT_EQ(request.reference, "--b");
 }
@@ -104,7 +104,7 @@ TEST(ScoreHelp, namesEveryOptionAndFitsALine) {
 }
 
 TEST(ScoreText, writesFigures) {
-    ScoreRequest request;
+    ScoreCommand request;
     request.found = "f.gpkg";
     request.reference = "r.gpkg";
     ScoreRun run;

@@ -1,6 +1,6 @@
 #include <sys/stat.h>
 
-#include "write/ogr_feature_sink.hpp"
+#include "dem2buildings/open_sink.hpp"
 #include "write/write_fixture.hpp"
 
 namespace d2b::test {

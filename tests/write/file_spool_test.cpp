@@ -1,4 +1,4 @@
-#include "write/file_spool.hpp"
+#include "dem2buildings/file_spool.hpp"
 
 #include <csignal>
 #include <cstdlib>

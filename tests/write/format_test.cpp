@@ -1,5 +1,5 @@
+#include "dem2buildings/open_sink.hpp"
 #include "write/layer_choice.hpp"
-#include "write/ogr_feature_sink.hpp"
 #include "write/vector_format.hpp"
 #include "write/write_fixture.hpp"
 

@@ -6,7 +6,7 @@
 
 #include <cpl_conv.h>
 
-#include "write/ogr_feature_sink.hpp"
+#include "dem2buildings/open_sink.hpp"
 #include "write/ogr_handles.hpp"
 #include "write/write_fixture.hpp"
 

@@ -1,4 +1,4 @@
-#include "write/ogr_feature_sink.hpp"
+#include "dem2buildings/open_sink.hpp"
 #include "write/write_fixture.hpp"
 
 namespace d2b::test {

@@ -2,7 +2,7 @@
 #include <map>
 #include <random>
 
-#include "write/ogr_feature_sink.hpp"
+#include "dem2buildings/open_sink.hpp"
 #include "write/packed_rtree.hpp"
 #include "write/write_fixture.hpp"
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "core/height_classes.hpp"
+#include "dem2buildings/open_sink.hpp"
 #include "write/layer_metadata.hpp"
-#include "write/ogr_feature_sink.hpp"
 #include "write/qml_style.hpp"
 #include "write/write_fixture.hpp"
 

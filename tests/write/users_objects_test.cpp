@@ -1,5 +1,5 @@
 #include "dem2buildings/error.hpp"
-#include "write/ogr_feature_sink.hpp"
+#include "dem2buildings/open_sink.hpp"
 #include "write/write_fixture.hpp"
 
 namespace d2b::test {
@@ -22,7 +22,7 @@ class UsersObjects : public WriteTest {
         const std::string before = bytes("a.gpkg");
         LayerSpec spec = layer_spec("buildings");
         spec.fields[1].name = "tallness";
-        const auto sink = open_sink(over(), context_);
+        const auto sink = open_sink(over(), callbacks_);
         const std::string message = thrown<OutputError>([&] {
             sink->rehearse({&spec, 1}, provenance(), {});
         });
@@ -107,7 +107,7 @@ TEST_F(UsersObjects, AViewOnAnotherLayerIsNoReason) {
     run("CREATE VIEW high AS SELECT height FROM contours");
     LayerSpec spec = layer_spec("buildings");
     spec.fields[1].name = "tallness";
-    const auto sink = open_sink(over(), context_);
+    const auto sink = open_sink(over(), callbacks_);
     sink->rehearse({&spec, 1}, provenance(), {});
 }
 
@@ -117,7 +117,7 @@ TEST_F(UsersObjects, LayerOptionsCount) {
     const LayerSpec spec = layer_spec("buildings");
     WriteOptions options = over();
     options.layer_options = {"GEOMETRY_NAME=shape"};
-    const auto sink = open_sink(options, context_);
+    const auto sink = open_sink(options, callbacks_);
     const std::string message = thrown<OutputError>([&] { sink->rehearse({&spec, 1}, provenance(), {}); });
     EXPECT_NE(message.find("its view \"tall\" does not fit the new layers ("), std::string::npos) << message;
 }

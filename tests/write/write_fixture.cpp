@@ -8,8 +8,8 @@
 #include <cpl_error.h>
 #include <cpl_string.h>
 
+#include "dem2buildings/open_sink.hpp"
 #include "write/layer_choice.hpp"
-#include "write/ogr_feature_sink.hpp"
 #include "write/vector_format.hpp"
 
 namespace d2b::test {

@@ -1,9 +1,9 @@
 #include "dem2buildings/command_line.hpp"
 
 #include "dem2buildings/error.hpp"
-#include "dem2buildings/side_files.hpp"
 #include "dem2buildings/tokens.hpp"
 #include "options/option_checks.hpp"
+#include "options/side_files.hpp"
 
 namespace d2b {
 namespace {

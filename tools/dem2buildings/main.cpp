@@ -9,20 +9,19 @@
 #include "common/exit_codes.hpp"
 #include "common/own_stdout.hpp"
 #include "common/run_guarded.hpp"
-#include "core/crs.hpp"
-#include "core/version.hpp"
 #include "dem2buildings/command_line.hpp"
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/extract_file.hpp"
+#include "dem2buildings/file_spool.hpp"
 #include "dem2buildings/help.hpp"
 #include "dem2buildings/interrupt.hpp"
 #include "dem2buildings/json_report.hpp"
+#include "dem2buildings/open_dem.hpp"
 #include "dem2buildings/progress.hpp"
 #include "dem2buildings/sweep.hpp"
-#include "geometry/geos.hpp"
+#include "dem2buildings/version.hpp"
 #include "read/gdal_command_line.hpp"
-#include "read/gdal_dem_source.hpp"
-#include "write/file_spool.hpp"
+#include "read/start_gdal.hpp"
 
 namespace d2b {
 namespace {
@@ -91,8 +90,7 @@ int run_tool(const std::vector<std::string>& arguments) {
     if (request.tool.help)
         std::cout << full_help();
     else if (request.tool.version)
-        std::cout << "dem2buildings " << version << ", GDAL " << gdal_version() << ", GEOS " << geos_version()
-                  << ", PROJ " << proj_version() << ", GeographicLib " << geographiclib_version() << '\n';
+        std::cout << "dem2buildings " << version << ", " << library_versions() << '\n';
     else if (request.tool.man_page)
         std::cout << man_page();
     else if (request.tool.options_markdown)
@@ -111,5 +109,6 @@ int run_tool(const std::vector<std::string>& arguments) {
 
 int main(int argc, char* argv[]) {
     return d2b::run_guarded({argv + std::min(argc, 1), argv + argc},
-                            "use a part of the input (-srcwin, -projwin or -te) or fewer -threads", d2b::run_tool);
+                            "use a part of the input (-srcwin, -projwin or -te) or fewer -threads",
+                            d2b::run_tool);
 }

@@ -1,6 +1,6 @@
 #include "common/roff.hpp"
-#include "core/version.hpp"
 #include "dem2buildings/help.hpp"
+#include "dem2buildings/version.hpp"
 #include "options/contour_options.hpp"
 
 namespace d2b {

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/version.hpp"
 #include "dem2buildings/help.hpp"
+#include "dem2buildings/version.hpp"
 
 namespace d2b {
 namespace {

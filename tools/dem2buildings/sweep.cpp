@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/number_text.hpp"
-#include "dem2buildings/preview.hpp"
+#include "pipeline/preview.hpp"
 #include "preview/contact_sheet.hpp"
 
 namespace d2b {

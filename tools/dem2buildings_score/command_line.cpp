@@ -82,7 +82,7 @@ bool looks_like_option(const std::string& token) {
     return token.size() > 1 && token[0] == '-' && !looks_like_number(token);
 }
 
-void apply(const po::option& parsed, std::set<std::string>& given, ScoreRequest& request) {
+void apply(const po::option& parsed, std::set<std::string>& given, ScoreCommand& request) {
     const ScoreOption& option = *find(parsed.string_key);
     if (option.value.empty())
         return option.apply(request, {});
@@ -95,7 +95,7 @@ void apply(const po::option& parsed, std::set<std::string>& given, ScoreRequest&
     option.apply(request, parsed.value.front());
 }
 
-void take_file_names(const std::vector<std::string>& names, ScoreRequest& request) {
+void take_file_names(const std::vector<std::string>& names, ScoreCommand& request) {
     if (names.empty())
         throw OptionError("The found and the reference footprints are missing; " + std::string(usage) + ".");
     if (names.size() == 1)
@@ -117,47 +117,47 @@ const std::vector<ScoreOption>& score_options() {
     static const std::vector<ScoreOption> options{
         {"layer", "<name>", "text",
          "Layer of the found footprints. Default: buildings where there is one, else the first.",
-         [](ScoreRequest& r, Text value) { r.layer = value; }},
+         [](ScoreCommand& r, Text value) { r.layer = value; }},
         {"reference_layer", "<name>", "text",
          "Layer of the reference. Default: blocks_dissolved, else buildings, else the first.",
-         [](ScoreRequest& r, Text value) { r.reference_layer = value; }},
+         [](ScoreCommand& r, Text value) { r.reference_layer = value; }},
         {"height_field", "<name>", "text",
          "Field of the reference with heights above ground in m. Default: height, else Height, else roof_h.",
-         [](ScoreRequest& r, Text value) { r.height_field = value; }},
+         [](ScoreCommand& r, Text value) { r.height_field = value; }},
         {"aoi", "<dataset or layer>", "dataset",
          "Polygons in which the reference is complete: a layer of the reference, or else a dataset, of which "
          "the first layer counts. Default: the layer aoi of the reference where there is one, else no limit.",
-         [](ScoreRequest& r, Text value) { r.area_of_interest = value; }},
+         [](ScoreCommand& r, Text value) { r.area_of_interest = value; }},
         {"dem", "<raster>", "raster",
          "The raster that the footprints were found in: what is beyond it or has no data is left out, and "
          "all is measured in its CRS. Default: no limit, and the CRS of the reference.",
-         [](ScoreRequest& r, Text value) { r.dem = value; }},
+         [](ScoreCommand& r, Text value) { r.dem = value; }},
         {"min_object", "<m2>", "number",
          "The smallest object that is counted. At least 0. Unit: m2. Default: 50.",
-         [](ScoreRequest& r, Text value) {
+         [](ScoreCommand& r, Text value) {
              NumberRange range;
              range.lowest = 0;
              r.min_object_m2 = parse_number("min_object", range, value);
          }},
-        {"json", "", "switch", "Print the result as JSON.", [](ScoreRequest& r, Text) { r.json = true; }},
+        {"json", "", "switch", "Print the result as JSON.", [](ScoreCommand& r, Text) { r.json = true; }},
         {"q", "", "switch", "Print the figures alone, without names of files and numbers behind them.",
-         [](ScoreRequest& r, Text) { r.quiet = true; }},
-        {"help", "", "switch", "Print this help.", [](ScoreRequest& r, Text) { r.help = true; }},
+         [](ScoreCommand& r, Text) { r.quiet = true; }},
+        {"help", "", "switch", "Print this help.", [](ScoreCommand& r, Text) { r.help = true; }},
         {"version", "", "switch", "Print the versions of the program and of its libraries.",
-         [](ScoreRequest& r, Text) { r.version = true; }},
+         [](ScoreCommand& r, Text) { r.version = true; }},
         {"man", "", "switch", "Print the man page as roff.",
-         [](ScoreRequest& r, Text) { r.man_page = true; }},
+         [](ScoreCommand& r, Text) { r.man_page = true; }},
     };
     return options;
 }
 
-ScoreRequest parse_score_command_line(const std::vector<std::string>& arguments) {
+ScoreCommand parse_score_command_line(const std::vector<std::string>& arguments) {
     const auto end = std::ranges::find(arguments, "--");
     const std::vector<std::string> before(arguments.begin(), end);
     std::vector<std::string> names;
     std::optional<std::string> unknown;
     std::set<std::string> given;
-    ScoreRequest request;
+    ScoreCommand request;
     for (const po::option& parsed : parse(before)) {
         const std::string& token = parsed.original_tokens.front();
         if (parsed.unregistered || (parsed.string_key.empty() && token.size() > 1 && token[0] == '-'))

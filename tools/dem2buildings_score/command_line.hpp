@@ -4,18 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "dem2buildings/score.hpp"
+
 namespace d2b {
 
 /// All that the command line can set.
-struct ScoreRequest {
-    std::string found;
-    std::string reference;  ///< "" where it is no dataset
-    std::string layer;      ///< of found; "" for the default, as below
-    std::string reference_layer;
-    std::string height_field;      ///< of the reference
-    std::string area_of_interest;  ///< a layer of the reference, or a dataset
-    std::string dem;
-    double min_object_m2 = 50;
+struct ScoreCommand : ScoreRequest {
     bool json = false;
     bool quiet = false;
     bool help = false;
@@ -29,7 +23,7 @@ struct ScoreOption {
     std::string value;  ///< "<name>"; "" for a switch
     std::string kind;   ///< as option_kind() of the tool dem2buildings has them
     std::string help;
-    std::function<void(ScoreRequest&, const std::string&)> apply;  ///< @throws OptionError
+    std::function<void(ScoreCommand&, const std::string&)> apply;  ///< @throws OptionError
 };
 
 /// In the order in which help lists them.
@@ -39,6 +33,6 @@ struct ScoreOption {
 /// a blank or an equals sign; "--" ends the options. Where help, the version or the man page is asked for,
 /// file names are not looked at.
 /// @param arguments without the program's name and without GDAL's own switches @throws OptionError
-[[nodiscard]] ScoreRequest parse_score_command_line(const std::vector<std::string>& arguments);
+[[nodiscard]] ScoreCommand parse_score_command_line(const std::vector<std::string>& arguments);
 
 }  // namespace d2b

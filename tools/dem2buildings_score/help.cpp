@@ -4,7 +4,7 @@
 
 #include "common/help_text.hpp"
 #include "common/roff.hpp"
-#include "core/version.hpp"
+#include "dem2buildings/version.hpp"
 #include "dem2buildings_score/command_line.hpp"
 
 namespace d2b {

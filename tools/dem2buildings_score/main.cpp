@@ -7,19 +7,19 @@
 #include "common/own_stdout.hpp"
 #include "common/run_guarded.hpp"
 #include "core/crs.hpp"
-#include "core/version.hpp"
+#include "dem2buildings/open_dem.hpp"
+#include "dem2buildings/version.hpp"
 #include "dem2buildings_score/command_line.hpp"
-#include "dem2buildings_score/compare.hpp"
 #include "dem2buildings_score/help.hpp"
 #include "dem2buildings_score/report.hpp"
 #include "geometry/geos.hpp"
 #include "read/gdal_command_line.hpp"
-#include "read/gdal_dem_source.hpp"
+#include "read/start_gdal.hpp"
 
 namespace d2b {
 namespace {
 
-void measure(const ScoreRequest& request) {
+void measure(const ScoreCommand& request) {
     OwnStdout own_stdout;
     std::vector<std::string> warnings;
     Callbacks callbacks;
@@ -42,7 +42,7 @@ int run_tool(const std::vector<std::string>& arguments) {
     const auto left = apply_gdal_switches(arguments);
     if (!left)
         return exit_code::done;
-    const ScoreRequest request = parse_score_command_line(*left);
+    const ScoreCommand request = parse_score_command_line(*left);
     if (request.help)
         std::cout << score_help();
     else if (request.version)

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "dem2buildings_score/compare.hpp"
+#include "dem2buildings/score.hpp"
 
 namespace d2b {
 

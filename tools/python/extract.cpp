@@ -12,16 +12,16 @@
 
 #include "dem2buildings/command_line.hpp"
 #include "dem2buildings/extract_file.hpp"
+#include "dem2buildings/file_spool.hpp"
 #include "dem2buildings/json_report.hpp"
+#include "dem2buildings/open_dem.hpp"
+#include "dem2buildings/run.hpp"
 #include "dem2buildings/side_rasters.hpp"
-#include "pipeline/pipeline.hpp"
 #include "python/array_argument.hpp"
 #include "python/collecting_sink.hpp"
 #include "python/given_options.hpp"
 #include "python/listening_run.hpp"
 #include "read/array_dem_source.hpp"
-#include "read/gdal_dem_source.hpp"
-#include "write/file_spool.hpp"
 
 namespace d2b {
 namespace {

@@ -1,12 +1,13 @@
 #include <pybind11/pybind11.h>
 
-#include "core/version.hpp"
 #include "dem2buildings/help.hpp"
+#include "dem2buildings/open_dem.hpp"
+#include "dem2buildings/version.hpp"
 #include "python/errors.hpp"
 #include "python/extract.hpp"
 #include "python/layer.hpp"
 #include "python/score.hpp"
-#include "read/gdal_dem_source.hpp"
+#include "read/start_gdal.hpp"
 
 /// What the package dem2buildings is made on; users import that.
 PYBIND11_MODULE(_core, module) {

@@ -12,12 +12,13 @@
 
 #include "core/warnings.hpp"
 #include "dem2buildings/error.hpp"
-#include "dem2buildings_score/compare.hpp"
+#include "dem2buildings_score/command_line.hpp"
 #include "dem2buildings_score/help.hpp"
 #include "dem2buildings_score/report.hpp"
 #include "python/collecting_sink.hpp"
 #include "python/given_options.hpp"
 #include "python/listening_run.hpp"
+#include "score/compare.hpp"
 
 namespace d2b {
 namespace {
@@ -27,8 +28,8 @@ using LayerPtr = std::shared_ptr<CollectedLayer>;
 /// The name of a dataset, or a layer in memory.
 using Footprints = std::variant<std::string, LayerPtr>;
 
-ScoreRequest request_of_score(const GivenOptions& given) {
-    ScoreRequest request;
+ScoreCommand request_of_score(const GivenOptions& given) {
+    ScoreCommand request;
     for (const auto& [name, values] : given) {
         const auto option = std::ranges::find(score_options(), name, &ScoreOption::name);
         if (values.front().empty())

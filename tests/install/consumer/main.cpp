@@ -1,9 +1,8 @@
 #include <algorithm>
-#include <core/version.hpp>
 #include <cstddef>
 #include <cstdint>
+#include <dem2buildings/dem2buildings.hpp>
 #include <iostream>
-#include <pipeline/pipeline.hpp>
 #include <span>
 #include <string>
 #include <vector>

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "dem2buildings/run.hpp"
 #include "dem2buildings/side_rasters.hpp"
-#include "pipeline/pipeline.hpp"
 
 namespace d2b {
 
@@ -19,15 +19,15 @@ struct Inputs {
     }
 };
 
-/// @throws InputError, OptionError also where source and destination were given in the wrong order
-[[nodiscard]] Inputs open_inputs(const Options& options, const Callbacks& callbacks);
+/// @throws InputError; OptionError, also where source and destination were given in the wrong order
+[[nodiscard]] Inputs open_inputs(const Options& options, const Callbacks& callbacks = {});
 
 /// The same callbacks, told of each warning once, which is then in `heard` as well. @param heard must outlive
 /// them
 [[nodiscard]] Callbacks remembering(const Callbacks& callbacks, std::vector<std::string>& heard);
 
 /// The whole job on files: reads what the options name and writes the destination, and the rasters and the
-/// picture that they name beside it. @param options as check_options() takes them
+/// picture that they name beside it.
 /// @return the report of the run, with all that was warned of from opening the source on @throws Error
 RunReport extract_file(const Options& options, const Callbacks& callbacks = {});
 

@@ -6,9 +6,10 @@
 
 #include "core/crs.hpp"
 #include "core/units.hpp"
-#include "core/version.hpp"
+#include "dem2buildings/version.hpp"
 #include "elevations/sift_rules.hpp"
 #include "read/side_rasters.hpp"
+#include "read/start_gdal.hpp"
 #include "write/geotiff_sink.hpp"
 
 namespace d2b {
@@ -24,6 +25,7 @@ DemInfo in_its_crs(DemInfo dem, const Options& options) {
 }  // namespace
 
 SideSources open_side_sources(const Options& options, const DemInfo& dem, const Callbacks& callbacks) {
+    register_formats();
     const DemInfo grid = in_its_crs(dem, options);
     SideSources sources;
     if (options.ground.mode == GroundMode::given) {
@@ -39,6 +41,7 @@ SideSources open_side_sources(const Options& options, const DemInfo& dem, const 
 }
 
 SideSinks open_side_sinks(const Options& options, const DemInfo& dem) {
+    register_formats();
     const DemInfo grid = in_its_crs(dem, options);
     const WriteOptions& write = options.write;
     std::vector<std::string> in_use{options.read.source, write.destination};

@@ -1,11 +1,11 @@
-#include "dem2buildings/preview.hpp"
+#include "pipeline/preview.hpp"
 
 #include <algorithm>
 #include <string>
 #include <utility>
 
 #include "core/units.hpp"
-#include "dem2buildings/side_files.hpp"
+#include "options/side_files.hpp"
 
 namespace d2b {
 

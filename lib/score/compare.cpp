@@ -1,4 +1,4 @@
-#include "dem2buildings_score/compare.hpp"
+#include "score/compare.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -12,8 +12,10 @@
 #include "dem2buildings/error.hpp"
 #include "geometry/box.hpp"
 #include "read/polygon_layer.hpp"
+#include "read/start_gdal.hpp"
 #include "read/valid_cells.hpp"
 #include "score/measure_plane.hpp"
+#include "score/score.hpp"
 
 namespace d2b {
 namespace {
@@ -119,6 +121,7 @@ LayerChoice reference_choice(const ScoreRequest& request) {
 }
 
 ScoreRun compare_datasets(const ScoreRequest& request, const Callbacks& callbacks) {
+    register_formats();
     Warnings warnings(callbacks.on_warning);
     const PolygonLayer found = read_polygon_layer(found_choice(request), warnings);
     return compare_layers(request, found, read_polygon_layer(reference_choice(request), warnings), warnings);

@@ -1,12 +1,12 @@
 #pragma once
 
+#include "dem2buildings/band_size.hpp"
 #include "dem2buildings/callbacks.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/feature_sink.hpp"
 #include "dem2buildings/options.hpp"
 #include "dem2buildings/raster_sink.hpp"
 #include "dem2buildings/report.hpp"
-#include "elevations/band_size.hpp"
 
 namespace d2b {
 
@@ -29,7 +29,7 @@ struct Sinks {
 /// The whole job: read -> ground -> detect -> levels -> trace -> filter -> outline -> attributes -> write.
 /// Reads the DEM twice (statistics, then contours), or once where it fits in memory. What sources and sinks
 /// notice meanwhile is warned of with the rest; what they warned of when they were opened is not told again.
-/// @param options  checked by check_options(), whoever made them
+/// @param options  are checked first: what contradicts itself, or has no effect, is an OptionError
 /// @param size     of bands; the result does not depend on it
 /// @return what was done, found, dropped and repaired, and all that was warned of
 /// @throws Error: nothing is visible at the sinks then, but where finishing one fails after another is

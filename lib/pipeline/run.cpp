@@ -1,4 +1,4 @@
-#include "pipeline/pipeline.hpp"
+#include "dem2buildings/run.hpp"
 
 #include <algorithm>
 #include <array>

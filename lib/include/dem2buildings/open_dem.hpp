@@ -10,16 +10,8 @@ namespace d2b {
 
 /// Opens a band of any raster that GDAL reads as a DEM. /vsistdin/ is kept in a temporary file first.
 /// @throws InputError: cannot be opened, no such band, complex values, a singular transform, GCPs only, an
-/// unusable
-///         cutline. @throws OptionError: options that do not fit the raster, or a window outside of it
+/// unusable cutline. @throws OptionError: options that do not fit the raster, or a window outside of it
 [[nodiscard]] std::unique_ptr<DemSource> open_dem(const ReadOptions& options,
                                                   const Callbacks& callbacks = {});
-
-/// Registers GDAL's drivers. Call once, before other threads start.
-void register_formats();
-
-/// Registers GDAL's drivers and sets the process up for the tools: no message of GDAL's reaches stderr by
-/// itself. Call once, before other threads start.
-void start_gdal();
 
 }  // namespace d2b

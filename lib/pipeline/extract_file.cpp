@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "dem2buildings/error.hpp"
-#include "dem2buildings/preview.hpp"
-#include "read/gdal_dem_source.hpp"
+#include "dem2buildings/open_dem.hpp"
+#include "dem2buildings/open_sink.hpp"
+#include "pipeline/preview.hpp"
 #include "read/source_advice.hpp"
-#include "write/ogr_feature_sink.hpp"
 
 namespace d2b {
 namespace {

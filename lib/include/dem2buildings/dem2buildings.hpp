@@ -1,0 +1,21 @@
+#pragma once
+
+// All that programs see of the library.
+#include "dem2buildings/callbacks.hpp"
+#include "dem2buildings/dem_source.hpp"
+#include "dem2buildings/error.hpp"
+#include "dem2buildings/extract_file.hpp"
+#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/file_spool.hpp"
+#include "dem2buildings/open_dem.hpp"
+#include "dem2buildings/open_sink.hpp"
+#include "dem2buildings/options.hpp"
+#include "dem2buildings/raster_sink.hpp"
+#include "dem2buildings/records.hpp"
+#include "dem2buildings/report.hpp"
+#include "dem2buildings/run.hpp"
+#include "dem2buildings/score.hpp"
+#include "dem2buildings/set_option.hpp"
+#include "dem2buildings/side_rasters.hpp"
+#include "dem2buildings/spool.hpp"
+#include "dem2buildings/version.hpp"
