@@ -1,5 +1,3 @@
-#include "score/compare.hpp"
-
 #include <algorithm>
 #include <iterator>
 #include <optional>
@@ -9,7 +7,9 @@
 
 #include "core/crs.hpp"
 #include "core/number_text.hpp"
+#include "core/warnings.hpp"
 #include "dem2buildings/error.hpp"
+#include "dem2buildings/score.hpp"
 #include "geometry/box.hpp"
 #include "read/polygon_layer.hpp"
 #include "read/start_gdal.hpp"
@@ -106,8 +106,6 @@ std::optional<Polygons> region_of(std::vector<Limit>& limits, const MeasurePlane
     return region;
 }
 
-}  // namespace
-
 LayerChoice found_choice(const ScoreRequest& request) {
     return {request.found, request.layer, {"buildings"}, {}, {"height"}};
 }
@@ -120,15 +118,8 @@ LayerChoice reference_choice(const ScoreRequest& request) {
             {"height", "Height", "roof_h"}};
 }
 
-ScoreRun compare_datasets(const ScoreRequest& request, const Callbacks& callbacks) {
-    register_formats();
-    Warnings warnings(callbacks.on_warning);
-    const PolygonLayer found = read_polygon_layer(found_choice(request), warnings);
-    return compare_layers(request, found, read_polygon_layer(reference_choice(request), warnings), warnings);
-}
-
-ScoreRun compare_layers(const ScoreRequest& request, const PolygonLayer& found_layer,
-                        const PolygonLayer& reference_layer, Warnings& warnings) {
+ScoreRun compare(const ScoreRequest& request, const PolygonLayer& found_layer,
+                 const PolygonLayer& reference_layer, Warnings& warnings) {
     Overlay overlay;
     std::vector<Limit> limits;
     for (auto& limit : {area_of_interest(request, warnings), raster_with_data(request, warnings)})
@@ -161,6 +152,29 @@ ScoreRun compare_layers(const ScoreRequest& request, const PolygonLayer& found_l
                  {}};
     run.score = score(std::move(found.score), std::move(reference.score), options);
     return run;
+}
+
+}  // namespace
+
+ScoreRun compare_layers(const ScoreRequest& request, const PolygonLayer* found, const PolygonLayer* reference,
+                        const Callbacks& callbacks) {
+    register_formats();
+    Warnings warnings(callbacks.on_warning);
+    ScoreRequest with_limits = request;
+    PolygonLayer read_found;
+    if (found == nullptr)
+        read_found = read_polygon_layer(found_choice(request), warnings);
+    PolygonLayer read_reference;
+    if (reference == nullptr)
+        read_reference = read_polygon_layer(reference_choice(request), warnings);
+    else
+        with_limits.reference.clear();  // what is in memory has no area of interest beside it
+    return compare(with_limits, found != nullptr ? *found : read_found,
+                   reference != nullptr ? *reference : read_reference, warnings);
+}
+
+ScoreRun compare_datasets(const ScoreRequest& request, const Callbacks& callbacks) {
+    return compare_layers(request, nullptr, nullptr, callbacks);
 }
 
 }  // namespace d2b

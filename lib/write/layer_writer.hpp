@@ -7,11 +7,11 @@
 
 #include "dem2buildings/feature_sink.hpp"
 #include "dem2buildings/options.hpp"
+#include "dem2buildings/wkb.hpp"
 #include "write/ogr_call.hpp"
 #include "write/ogr_handles.hpp"
 #include "write/spatial_index.hpp"
 #include "write/vector_format.hpp"
-#include "write/wkb.hpp"
 
 namespace d2b {
 

@@ -1,4 +1,4 @@
-#include "write/wkb.hpp"
+#include "dem2buildings/wkb.hpp"
 
 #include <string>
 

@@ -5,7 +5,7 @@
 #include <pybind11/numpy.h>
 #include <string>
 
-#include "read/array_dem_source.hpp"
+#include "dem2buildings/elevation_array.hpp"
 
 namespace d2b {
 

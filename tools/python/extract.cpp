@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "dem2buildings/command_line.hpp"
+#include "dem2buildings/elevation_array.hpp"
 #include "dem2buildings/extract_file.hpp"
 #include "dem2buildings/file_spool.hpp"
 #include "dem2buildings/json_report.hpp"
@@ -21,7 +22,6 @@
 #include "python/collecting_sink.hpp"
 #include "python/given_options.hpp"
 #include "python/listening_run.hpp"
-#include "read/array_dem_source.hpp"
 
 namespace d2b {
 namespace {
@@ -54,7 +54,7 @@ Extraction extract(const Options& options, const Opener& open, const PythonEars&
 
 py::tuple extract_listening(const GivenOptions& given, const py::object& listener, const Opener& open,
                             const std::string& source) {
-    Options options = request_of(given).options;
+    Options options = options_of(given);
     options.read.source = source;
     Extraction result;
     run_listening(listener, [&](const PythonEars& ears) { result = extract(options, open, ears); });
@@ -85,7 +85,7 @@ py::tuple extract_array(const py::array& values, const std::optional<py::array>&
 std::string extract_to_file(const std::string& source, const std::string& destination,
                             const GivenOptions& given, const py::object& listener) {
     require_other_file(source, destination);
-    Options options = request_of(given).options;
+    Options options = options_of(given);
     options.read.source = source;
     options.write.destination = destination;
     std::string report;

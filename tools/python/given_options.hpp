@@ -4,14 +4,14 @@
 #include <utility>
 #include <vector>
 
-#include "options/option_table.hpp"
+#include "dem2buildings/options.hpp"
 
 namespace d2b {
 
 /// Options by the names of the table, each with its values as texts.
 using GivenOptions = std::vector<std::pair<std::string, std::vector<std::string>>>;
 
-/// What the options stand for, checked by the table and its rules. @throws OptionError
-[[nodiscard]] Request request_of(const GivenOptions& given);
+/// What the options stand for, each checked by the table. @throws OptionError
+[[nodiscard]] Options options_of(const GivenOptions& given);
 
 }  // namespace d2b

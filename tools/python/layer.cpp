@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-#include "write/wkb.hpp"
+#include "dem2buildings/wkb.hpp"
 
 namespace d2b {
 namespace {

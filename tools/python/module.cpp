@@ -1,18 +1,15 @@
 #include <pybind11/pybind11.h>
 
 #include "dem2buildings/help.hpp"
-#include "dem2buildings/open_dem.hpp"
 #include "dem2buildings/version.hpp"
 #include "python/errors.hpp"
 #include "python/extract.hpp"
 #include "python/layer.hpp"
 #include "python/score.hpp"
-#include "read/start_gdal.hpp"
 
 /// What the package dem2buildings is made on; users import that.
 PYBIND11_MODULE(_core, module) {
     d2b::translate_errors();
-    d2b::register_formats();
     module.attr("version") = d2b::version;
     module.def("options_json", &d2b::options_json);
     d2b::define_layer(module);

@@ -10,15 +10,14 @@
 #include <variant>
 #include <vector>
 
-#include "core/warnings.hpp"
 #include "dem2buildings/error.hpp"
+#include "dem2buildings/score.hpp"
 #include "dem2buildings_score/command_line.hpp"
 #include "dem2buildings_score/help.hpp"
 #include "dem2buildings_score/report.hpp"
 #include "python/collecting_sink.hpp"
 #include "python/given_options.hpp"
 #include "python/listening_run.hpp"
-#include "score/compare.hpp"
 
 namespace d2b {
 namespace {
@@ -28,29 +27,30 @@ using LayerPtr = std::shared_ptr<CollectedLayer>;
 /// The name of a dataset, or a layer in memory.
 using Footprints = std::variant<std::string, LayerPtr>;
 
-ScoreCommand request_of_score(const GivenOptions& given) {
-    ScoreCommand request;
+ScoreRequest request_of_score(const GivenOptions& given) {
+    ScoreCommand command;
     for (const auto& [name, values] : given) {
         const auto option = std::ranges::find(score_options(), name, &ScoreOption::name);
         if (values.front().empty())
             throw OptionError("-" + name + " needs a value: -" + name + " " + option->value + ".");
-        option->apply(request, values.front());
+        option->apply(command, values.front());
     }
+    const ScoreRequest& request = command;
     return request;
 }
 
-/// The column of heights that the choice names, the first of its defaults, or none.
-std::optional<std::size_t> height_column(const CollectedLayer& layer, const LayerChoice& choice) {
-    std::vector<std::string> names = choice.default_heights;
-    if (!choice.height_field.empty())
-        names = {choice.height_field};
+/// The column of heights of that name; of the usual names where it is "". None where there is none.
+std::optional<std::size_t> height_column(const CollectedLayer& layer, const std::string& asked) {
+    std::vector<std::string> names{"height", "Height", "roof_h"};
+    if (!asked.empty())
+        names = {asked};
     for (const std::string& name : names) {
         const auto field = std::ranges::find(layer.spec.fields, name, &FieldSpec::name);
         if (field != layer.spec.fields.end() && field->type != FieldType::text)
             return static_cast<std::size_t>(field - layer.spec.fields.begin());
     }
-    if (!choice.height_field.empty())
-        throw OptionError("The result has no heights in a column '" + choice.height_field +
+    if (!asked.empty())
+        throw OptionError("The result has no heights in a column '" + asked +
                           "'; its columns of numbers can be given.");
     return std::nullopt;
 }
@@ -63,12 +63,14 @@ std::optional<double> height_of(const FieldColumn& column, std::size_t i) {
     return std::get<std::vector<double>>(column.values)[i];
 }
 
-PolygonLayer polygons_of(const CollectedLayer& layer, const LayerChoice& choice) {
-    if (!choice.layer.empty())
-        throw OptionError("'" + choice.layer + "' cannot be chosen from a result, whose buildings count; " +
-                          "leave it out.");
-    const std::optional<std::size_t> height = height_column(layer, choice);
-    PolygonLayer polygons{choice.dataset, layer.spec.name, layer.crs_wkt, {}, {}};
+/// @param layer_name, height_field as they were asked for
+PolygonLayer polygons_of(const CollectedLayer& layer, const std::string& layer_name,
+                         const std::string& height_field) {
+    if (!layer_name.empty())
+        throw OptionError("'" + layer_name +
+                          "' cannot be chosen from a result, whose buildings count; leave it out.");
+    const std::optional<std::size_t> height = height_column(layer, height_field);
+    PolygonLayer polygons{"result", layer.spec.name, layer.crs_wkt, {}, {}};
     if (height)
         polygons.height_field = layer.spec.fields[*height].name;
     for (std::size_t i = 0; i < layer.features.size(); ++i)
@@ -77,39 +79,37 @@ PolygonLayer polygons_of(const CollectedLayer& layer, const LayerChoice& choice)
     return polygons;
 }
 
-PolygonLayer footprints_of(const Footprints& footprints, LayerChoice choice, Warnings& warnings) {
-    if (const auto* const layer = std::get_if<LayerPtr>(&footprints)) {
-        choice.dataset = "result";
-        return polygons_of(**layer, choice);
+/// A side in memory, and its name in the request; nothing of a dataset, which has the name that it has.
+std::optional<PolygonLayer> in_memory(const Footprints& footprints, const std::string& layer_name,
+                                      const std::string& height_field, std::string& dataset) {
+    if (const auto* const path = std::get_if<std::string>(&footprints)) {
+        dataset = *path;
+        return std::nullopt;
     }
-    return read_polygon_layer(choice, warnings);
-}
-
-std::string dataset_of(const Footprints& footprints) {
-    const auto* const path = std::get_if<std::string>(&footprints);
-    return path != nullptr ? *path : "";
+    PolygonLayer layer = polygons_of(*std::get<LayerPtr>(footprints), layer_name, height_field);
+    dataset = layer.dataset;
+    return layer;
 }
 
 std::string measure(ScoreRequest request, const Footprints& found, const Footprints& reference,
                     const PythonEars& ears) {
     std::vector<std::string> heard;
-    Warnings warnings([&](const std::string& text) {
+    Callbacks callbacks;
+    callbacks.on_warning = [&](const std::string& text) {
         heard.push_back(text);
         ears.warn(text);
-    });
-    const PolygonLayer found_layer = footprints_of(found, found_choice(request), warnings);
-    const PolygonLayer reference_layer = footprints_of(reference, reference_choice(request), warnings);
-    const ScoreRun run = compare_layers(request, found_layer, reference_layer, warnings);
-    request.found = found_layer.dataset;
-    request.reference = reference_layer.dataset;
+    };
+    const auto found_layer = in_memory(found, request.layer, "", request.found);
+    const auto reference_layer =
+        in_memory(reference, request.reference_layer, request.height_field, request.reference);
+    const ScoreRun run = compare_layers(request, found_layer ? &*found_layer : nullptr,
+                                        reference_layer ? &*reference_layer : nullptr, callbacks);
     return score_json(request, run, heard);
 }
 
 std::string score_listening(const Footprints& found, const Footprints& reference, const GivenOptions& given,
                             const py::object& listener) {
-    ScoreRequest request = request_of_score(given);
-    request.found = dataset_of(found);
-    request.reference = dataset_of(reference);
+    const ScoreRequest request = request_of_score(given);
     std::string result;
     run_listening(listener,
                   [&](const PythonEars& ears) { result = measure(request, found, reference, ears); });

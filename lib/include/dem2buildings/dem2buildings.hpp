@@ -3,6 +3,7 @@
 // All that programs see of the library.
 #include "dem2buildings/callbacks.hpp"
 #include "dem2buildings/dem_source.hpp"
+#include "dem2buildings/elevation_array.hpp"
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/extract_file.hpp"
 #include "dem2buildings/feature_sink.hpp"
@@ -10,6 +11,7 @@
 #include "dem2buildings/open_dem.hpp"
 #include "dem2buildings/open_sink.hpp"
 #include "dem2buildings/options.hpp"
+#include "dem2buildings/polygon_layer.hpp"
 #include "dem2buildings/raster_sink.hpp"
 #include "dem2buildings/records.hpp"
 #include "dem2buildings/report.hpp"
@@ -19,3 +21,4 @@
 #include "dem2buildings/side_rasters.hpp"
 #include "dem2buildings/spool.hpp"
 #include "dem2buildings/version.hpp"
+#include "dem2buildings/wkb.hpp"

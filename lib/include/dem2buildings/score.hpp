@@ -5,6 +5,7 @@
 #include <string>
 
 #include "dem2buildings/callbacks.hpp"
+#include "dem2buildings/polygon_layer.hpp"
 
 namespace d2b {
 
@@ -68,6 +69,12 @@ struct ScoreRun {
     bool limited = false;                ///< by an area of interest or a raster
     Score score;
 };
+
+/// Brings two layers of footprints to one CRS and measures. Warns where a side is empty.
+/// @param found, reference in memory; null: the request's, which else are not looked at
+/// @throws InputError: one cannot be read, or they do not meet. @throws OptionError: no such layer or field
+[[nodiscard]] ScoreRun compare_layers(const ScoreRequest& request, const PolygonLayer* found,
+                                      const PolygonLayer* reference, const Callbacks& callbacks = {});
 
 /// Reads two layers of footprints, brings them to one CRS and measures. Warns where a side is empty.
 /// @throws InputError: one cannot be read, or they do not meet. @throws OptionError: no such layer or field

@@ -1,4 +1,4 @@
-#include "read/array_dem_source.hpp"
+#include "dem2buildings/elevation_array.hpp"
 
 #include <cmath>
 #include <cstring>
@@ -12,6 +12,7 @@
 #include "read/cutline_mask.hpp"
 #include "read/raster_crs.hpp"
 #include "read/raster_transform.hpp"
+#include "read/start_gdal.hpp"
 #include "read/window.hpp"
 
 namespace d2b {
@@ -130,6 +131,7 @@ std::unique_ptr<DemSource> open_dem(const ElevationArray& array, const ReadOptio
                                     const Callbacks& callbacks) {
     if (array.rows < 1 || array.cols < 1)
         throw InputError("'" + array.name + "' has no cells; give at least one row and one column.");
+    register_formats();
     require_array_options(options, array.name);
     Warnings warnings(callbacks.on_warning);
     return std::make_unique<ArrayDemSource>(array, options, warnings);

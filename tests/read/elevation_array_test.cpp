@@ -1,3 +1,5 @@
+#include "dem2buildings/elevation_array.hpp"
+
 #include <array>
 #include <cmath>
 #include <limits>
@@ -8,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include "dem2buildings/error.hpp"
-#include "read/array_dem_source.hpp"
 
 namespace d2b::test {
 namespace {
