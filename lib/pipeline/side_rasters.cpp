@@ -8,6 +8,7 @@
 #include "core/units.hpp"
 #include "dem2buildings/version.hpp"
 #include "elevations/sift_rules.hpp"
+#include "options/given_words.hpp"
 #include "read/side_rasters.hpp"
 #include "read/start_gdal.hpp"
 #include "write/geotiff_sink.hpp"
@@ -55,6 +56,8 @@ SideSinks open_side_sinks(const Options& options, const DemInfo& dem) {
         meta.description = what;
         meta.elevations = elevations;
         meta.metadata = {{"D2B_VERSION", std::string(version)}, {"D2B_SOURCE", dem.name}};
+        if (const std::string words = given_words(options); !words.empty())
+            meta.metadata.emplace("D2B_OPTIONS", words);
         auto sink = open_geotiff_sink({destination, write.overwrite, in_use}, grid, meta);
         in_use.push_back(destination);
         return sink;

@@ -208,14 +208,6 @@ void DatasetWriter::open_layer(const LayerSpec& spec) {
 void DatasetWriter::describe(GDALMajorObjectH object) {
     // Formats without a place for metadata say so, or nothing; either way the result is whole.
     const GdalMessages quiet;
-    // What an earlier run said of layers that are replaced.
-    std::vector<std::string> earlier;
-    for (char** item = GDALGetMetadata(object, nullptr); item != nullptr && *item != nullptr; ++item)
-        if (const std::string text = *item; text.starts_with("D2B_"))
-            earlier.push_back(text.substr(0, text.find('=')));
-    for (const std::string& name : earlier)
-        if (!provenance_.metadata.contains(name))
-            GDALSetMetadataItem(object, name.c_str(), nullptr, nullptr);
     for (const auto& [name, value] : provenance_.metadata)
         GDALSetMetadataItem(object, name.c_str(), value.c_str(), nullptr);
 }

@@ -36,6 +36,14 @@ bool is_a_sentence(const std::string& text) {
     return std::regex_match(text, std::regex("-[a-z_0-9]+ [^\n]*[^.]\\."));
 }
 
+/// Without a value in option_cases.cpp an option would be tried with nothing.
+TEST(OptionRules, knowACaseOfEveryOption) {
+    for (const OptionRow& row : option_table())
+        if (!row.hidden && row.name != "help" && row.name != "version") {
+            EXPECT_FALSE(cases_of({row.name}).empty()) << row.name;
+        }
+}
+
 TEST(OptionRules, nameOptionsThatThereAre) {
     for (const OptionRule& rule : option_rules()) {
         EXPECT_FALSE(cases_of(rule.one).empty()) << rule.one.name;

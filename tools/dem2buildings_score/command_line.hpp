@@ -21,7 +21,7 @@ struct ScoreCommand : ScoreRequest {
 struct ScoreOption {
     std::string name;   ///< without dash
     std::string value;  ///< "<name>"; "" for a switch
-    std::string kind;   ///< as option_kind() of the tool dem2buildings has them
+    std::string kind;   ///< one of option_kind_names
     std::string help;
     std::function<void(ScoreCommand&, const std::string&)> apply;  ///< @throws OptionError
 };
