@@ -17,7 +17,7 @@ using nlohmann::json;
 TEST_F(OptionEffect, q) {
     EXPECT_EQ(trace({}),
               "0...10...20...30...40...50...60...70...80...90...100 - done.\n"
-              "2 buildings and 4 contours in out.gpkg\n");
+              "2 buildings and 4 contours in out.gpkg (left out: 1 below -nf)\n");
     EXPECT_EQ(trace({"-q", "-overwrite"}), "");
     EXPECT_EQ(trace({"-quiet", "-overwrite"}), "");
     EXPECT_EQ(trace({"--quiet", "--overwrite"}), "");
