@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <dem2buildings/dem2buildings.hpp>
 #include <exception>
+#include <iomanip>
 #include <iostream>
 #include <span>
 #include <variant>
@@ -65,14 +66,14 @@ int main() {
         d2b::Options options;
         options.write.layers = d2b::Layers::buildings;  // not the contours that they are made of
         const d2b::RunReport report = d2b::run(options, {dem}, {buildings});
-        std::cout << report.buildings << " building in " << report.crs << '\n';
+        std::cout << std::fixed << std::setprecision(1) << report.buildings << " building in " << report.crs
+                  << '\n';
         for (const d2b::Feature& feature : buildings.features) {
             const auto& building = std::get<d2b::BuildingRecord>(feature.record);
             std::cout << "building " << building.id << ", " << building.area_m2 << " m2, roof at "
                       << building.roof << " m:";
             for (const d2b::Position& corner : feature.parts.front().exterior)
-                std::cout << ' ' << static_cast<std::int64_t>(corner.x) << ' '
-                          << static_cast<std::int64_t>(corner.y);
+                std::cout << ' ' << corner.x << ' ' << corner.y;
             std::cout << '\n';
         }
     } catch (const std::exception& error) {  // a d2b::Error says what is wrong and what to do about it
