@@ -11,7 +11,8 @@ namespace {
 
 bool is_plain(char letter) {
     constexpr std::string_view plain = "_-+=./:,@%";
-    return std::isalnum(static_cast<unsigned char>(letter)) != 0 || plain.find(letter) != plain.npos;
+    return std::isalnum(static_cast<unsigned char>(letter)) != 0 ||
+           plain.find(letter) != std::string_view::npos;
 }
 
 /// A word of a shell.
@@ -31,7 +32,7 @@ std::string with_value(const std::string& option, const std::string& value) {
 }
 
 std::string words_of(const OptionRow& row, const Request& request) {
-    const std::string option = "-" + row.name;
+    std::string option = "-" + row.name;
     const std::vector<std::string> texts = row.texts(request);
     switch (row.arity) {
         case Arity::none:
