@@ -56,7 +56,7 @@ WorldPolygon Georeference::polygon(const FinePolygon& polygon) const {
         result.interiors.push_back(ring(interior));
     result.arcs = polygon.arcs;
     if (mirrored_)
-        for (ArcSpan& arc : result.arcs) {
+        for (CircularArc& arc : result.arcs) {
             // Turned over about its first vertex, a ring's vertex i is n - i, and an arc begins at its end.
             const std::size_t n =
                 arc.ring == 0 ? polygon.exterior.size() : polygon.interiors[arc.ring - 1].size();

@@ -48,7 +48,7 @@ using FineRing = std::vector<FinePoint>;
 struct FinePolygon {
     FineRing exterior;
     std::vector<FineRing> interiors;
-    std::vector<ArcSpan> arcs = {};
+    std::vector<CircularArc> arcs = {};
 };
 
 [[nodiscard]] inline FinePoint fine(LatticePoint point) {

@@ -56,7 +56,7 @@ void save(const FinePolygon& polygon, ByteWriter& bytes) {
     for (const FineRing& ring : polygon.interiors)
         put(ring);
     writer.put(static_cast<std::int64_t>(polygon.arcs.size()));
-    for (const ArcSpan& span : polygon.arcs) {
+    for (const CircularArc& span : polygon.arcs) {
         writer.put(span.ring);
         writer.put(span.first);
         writer.put(span.edges);
@@ -81,7 +81,7 @@ FinePolygon load_outline(const Spool& spool, SpoolEntry entry) {
     for (FineRing& ring : polygon.interiors)
         take(ring);
     polygon.arcs.resize(reader.take_small());
-    for (ArcSpan& span : polygon.arcs)
+    for (CircularArc& span : polygon.arcs)
         span = {reader.take_small(), reader.take_small(), reader.take_small()};
     return polygon;
 }

@@ -55,16 +55,16 @@ void MultiPolygonWkb::ring(const WorldRing& positions, double z) {
 }
 
 /// @param arcs of this ring; they do not overlap, and have an even number of edges each
-void MultiPolygonWkb::curve_ring(const WorldRing& positions, std::vector<ArcSpan> arcs, double z) {
+void MultiPolygonWkb::curve_ring(const WorldRing& positions, std::vector<CircularArc> arcs, double z) {
     if (arcs.empty()) {
         head(line_string_type, positions.size() + 1);
         points(positions, 0, 1, positions.size() + 1, z);
         return;
     }
-    std::ranges::sort(arcs, {}, &ArcSpan::first);
+    std::ranges::sort(arcs, {}, &CircularArc::first);
     // What lies between the end of an arc and the beginning of the next one.
     const auto gap = [&](std::size_t i) {
-        const ArcSpan& next = arcs[(i + 1) % arcs.size()];
+        const CircularArc& next = arcs[(i + 1) % arcs.size()];
         const std::size_t round = i + 1 < arcs.size() ? 0 : positions.size();
         return next.first + round - (arcs[i].first + arcs[i].edges);
     };
@@ -86,8 +86,8 @@ void MultiPolygonWkb::curve_polygon(const WorldPolygon& polygon, double z) {
     head(curve_polygon_type, 1 + polygon.interiors.size());
     for (std::size_t r = 0; r <= polygon.interiors.size(); ++r) {
         const WorldRing& positions = r == 0 ? polygon.exterior : polygon.interiors[r - 1];
-        std::vector<ArcSpan> arcs = polygon.arcs;
-        std::erase_if(arcs, [&](const ArcSpan& arc) { return arc.ring != r; });
+        std::vector<CircularArc> arcs = polygon.arcs;
+        std::erase_if(arcs, [&](const CircularArc& arc) { return arc.ring != r; });
         curve_ring(positions, std::move(arcs), z);
     }
 }

@@ -23,7 +23,7 @@ class MultiPolygonWkb {
     void head(std::uint32_t flat_type, std::size_t count);
     void ring(const WorldRing& positions, double z);
     void points(const WorldRing& positions, std::size_t first, std::size_t step, std::size_t count, double z);
-    void curve_ring(const WorldRing& positions, std::vector<ArcSpan> arcs, double z);
+    void curve_ring(const WorldRing& positions, std::vector<CircularArc> arcs, double z);
     void curve_polygon(const WorldPolygon& polygon, double z);
     template <typename T>
     void put(T value);

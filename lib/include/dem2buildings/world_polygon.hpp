@@ -8,7 +8,7 @@
 namespace d2b {
 
 /// Vertices of a ring that lie on one circular arc.
-struct ArcSpan {
+struct CircularArc {
     std::uint32_t ring = 0;   ///< 0: the exterior, then the interiors
     std::uint32_t first = 0;  ///< vertex at which it begins
     std::uint32_t edges = 0;  ///< to its end, at least two; round the ring's end where need be
@@ -21,7 +21,7 @@ using WorldRing = std::vector<Position>;
 struct WorldPolygon {
     WorldRing exterior;
     std::vector<WorldRing> interiors;
-    std::vector<ArcSpan> arcs = {};  ///< runs of vertices that stand for circular arcs
+    std::vector<CircularArc> arcs = {};  ///< runs of vertices that stand for circular arcs
 };
 
 }  // namespace d2b

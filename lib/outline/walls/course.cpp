@@ -200,13 +200,13 @@ void Course::match(DrawnChain& arc, std::size_t first, std::size_t last, std::si
 void Course::add_circles(const Standing& from, DrawnChain& arc) const {
     const std::size_t count = drawn_.vertices.size();
     const std::vector<FinePoint>& points = arc.vertices;
-    const auto own = std::ranges::lower_bound(drawn_.arcs, from.edge, {}, &ArcSpan::first);
+    const auto own = std::ranges::lower_bound(drawn_.arcs, from.edge, {}, &CircularArc::first);
     const auto begin = static_cast<std::size_t>(own - drawn_.arcs.begin());
     std::size_t before_the_end = 0;
     auto at = points.begin();
     for (std::size_t i = 0; i < drawn_.arcs.size(); ++i) {
         const bool round = begin + i >= drawn_.arcs.size();
-        const ArcSpan& span = drawn_.arcs[begin + i - (round ? drawn_.arcs.size() : 0)];
+        const CircularArc& span = drawn_.arcs[begin + i - (round ? drawn_.arcs.size() : 0)];
         const auto first = std::find(at, points.end(), drawn_.vertices[span.first]);
         if (first == points.end() && span.first == from.edge)
             continue;  // it begins before the node

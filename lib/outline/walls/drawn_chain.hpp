@@ -12,7 +12,7 @@ namespace d2b {
 struct DrawnChain {
     std::vector<FinePoint> vertices;  ///< an open chain's with both ends, a closed one's without repetition
     std::vector<std::size_t> steps;   ///< the step of the trace that each vertex stands for, ascending
-    std::vector<ArcSpan> arcs;    ///< ring 0
+    std::vector<CircularArc> arcs;    ///< ring 0
     double deviation = 0;             ///< cells: at least the Frechet distance, so both Hausdorff distances
 };
 

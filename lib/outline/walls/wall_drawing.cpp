@@ -202,7 +202,7 @@ void WallDrawing::arc(std::uint32_t arc, DrawnChain& drawn) const {
         return;
     const auto last = static_cast<std::uint32_t>(drawn.vertices.size() - 1);
     std::reverse(drawn.vertices.begin(), drawn.vertices.end());
-    for (ArcSpan& span : drawn.arcs)
+    for (CircularArc& span : drawn.arcs)
         span.first = last - span.first - span.edges;
 }
 

@@ -106,11 +106,11 @@ void WallRounds::trace_part(std::uint32_t part) {
 }
 
 void WallRounds::append(FineRing& to, const ArcUse& use, std::uint32_t number,
-                        std::vector<ArcSpan>& ring_spans) const {
+                        std::vector<CircularArc>& ring_spans) const {
     const std::vector<FinePoint>& points = arcs_[use.arc];
     const auto begin = static_cast<std::uint32_t>(to.size());
     const auto last = static_cast<std::uint32_t>(points.size() - 1);
-    for (const ArcSpan& span : spans_[use.arc])
+    for (const CircularArc& span : spans_[use.arc])
         ring_spans.push_back(
             {number, begin + (use.reversed ? last - span.first - span.edges : span.first), span.edges});
     if (use.reversed)

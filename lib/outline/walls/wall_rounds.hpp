@@ -33,7 +33,7 @@ class WallRounds {
     void simplify(std::uint32_t chain);
     [[nodiscard]] double arc_length(std::uint32_t arc) const;
     void append(FineRing& to, const ArcUse& use, std::uint32_t number,
-                std::vector<ArcSpan>& ring_spans) const;
+                std::vector<CircularArc>& ring_spans) const;
 
     const WallCluster& cluster_;
     WallOptions options_;
@@ -41,7 +41,7 @@ class WallRounds {
     WallGraph graph_;
     WallDrawing drawing_;
     SegmentGrid::Arcs arcs_;
-    std::vector<std::vector<ArcSpan>> spans_;  // of an arc; `ring` is not used
+    std::vector<std::vector<CircularArc>> spans_;  // of an arc; `ring` is not used
     std::vector<double> deviations_;               // of an arc
     std::vector<bool> in_conflict_;                // parts, this round
     DrawnChain drawn_;
