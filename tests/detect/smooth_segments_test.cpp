@@ -1,8 +1,9 @@
+#include "detect/smooth_segments.hpp"
+
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "detect/smooth_segments.hpp"
 #include "detect/smoothness.hpp"
 #include "detect_case.hpp"
 #include "support/test_threads.hpp"
