@@ -250,8 +250,8 @@ void FeatureWriter::warn_of_traced() {
 
 void FeatureWriter::finish() {
     invalid_.finish();
-    for (std::string& warning : odd_heights_.warnings())
-        context_.warn(std::move(warning));
+    for (const std::string& warning : odd_heights_.warnings())
+        context_.warn(warning);
     warn_of_traced();
     torn_.finish(spoken_name(input_.target_crs, input_.plan.asked.outline.target_crs), context_);
     if (rejected_)
