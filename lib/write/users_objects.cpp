@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <regex>
 #include <utility>
 
 #include "dem2buildings/error.hpp"
@@ -45,6 +46,25 @@ std::string view_query(const std::string& view) {
     return "SELECT * FROM " + sql_name(view) + " LIMIT 0";
 }
 
+/// A name as a user may have written it: bare, or quoted in SQLite's four ways.
+std::string any_spelling(const std::string& name) {
+    static const std::regex special(R"([.^$|()\[\]{}*+?\\])");
+    const auto literal = [&](const std::string& text) { return std::regex_replace(text, special, R"(\$&)"); };
+    return "(?:" + literal(sql_name(name)) + "|" + literal("[" + name + "]") + "|" +
+           literal("`" + name + "`") + "|" + literal(sql_text(name)) + "|\\b" + literal(name) + "\\b)";
+}
+
+/// Without the name of the database before those of layers.
+std::string without_database(std::string sql, const std::vector<std::string>& layers) {
+    for (const std::string& layer : layers)
+        sql =
+            std::regex_replace(sql,
+                               std::regex(any_spelling("main") + "\\s*\\.\\s*(?=" + any_spelling(layer) + ")",
+                                          std::regex::icase),
+                               "");
+    return sql;
+}
+
 /// A statement of SQLite's own list, which begins as here whatever the user wrote, as one that makes the same
 /// in the temporary database. Names mean what is there first.
 std::string temporary(const std::string& type, const std::string& sql) {
@@ -85,9 +105,11 @@ void UsersObjects::rehearse(const WriteTarget& target, const std::vector<std::st
     for (const std::string& table : tables)
         require(target, temporary("table", table), "layer");
     for (const Object& view : views_)
-        require(target, temporary("view", view.sql), view.type + " \"" + view.name + "\"");
+        require(target, without_database(temporary("view", view.sql), layers_),
+                view.type + " \"" + view.name + "\"");
     for (const Object& object : gone_with_tables_)
-        require(target, temporary(object.type, object.sql), object.type + " \"" + object.name + "\"");
+        require(target, without_database(temporary(object.type, object.sql), layers_),
+                object.type + " \"" + object.name + "\"");
     require_fit(target);
 }
 

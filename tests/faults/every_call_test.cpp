@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <fstream>
+#include <ostream>
 #include <unistd.h>
 
 #include "faults/old_or_new.hpp"
@@ -17,6 +18,8 @@ struct Destination {
     const char* format;
     const char* layers;
     const char* mode;  ///< "new", "-overwrite" or "-append"
+
+    friend void PrintTo(const Destination& destination, std::ostream* out) { *out << destination.what; }
 };
 
 /// Every call that changes a file or a folder fails in turn: what is there afterwards is what was there

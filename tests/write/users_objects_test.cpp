@@ -75,6 +75,8 @@ TEST_F(UsersObjects, WhatNeedsAFieldThatIsGoneIsNamedBeforeTheWork) {
     const std::string end = "); remove it first, or write to another destination.";
     for (const auto& [what, statement] : std::vector<std::pair<std::string, std::string>>{
              {"view \"tall\"", "CREATE VIEW tall AS SELECT fid, height FROM buildings"},
+             {"view \"tall\"", "CREATE VIEW tall AS SELECT fid, height FROM main.buildings"},
+             {"view \"tall\"", "CREATE VIEW tall AS SELECT fid, height FROM \"Main\" . [Buildings]"},
              {"view \"upper\"",
               "CREATE VIEW upper (h) AS SELECT b.height FROM buildings b JOIN contours c ON "
               "b.id = c.id"},

@@ -12,8 +12,7 @@ constexpr int patient_rounds = 24;  // in which forms become simpler step by ste
 }  // namespace
 
 WallRounds::WallRounds(const WallCluster& cluster, const WallOptions& options, const StopRequest& stop)
-    : cluster_(cluster),
-      options_(options),
+    : options_(options),
       stop_(stop),
       graph_(build_wall_graph(cluster, stop)),
       drawing_(graph_, cluster, options, stop),

@@ -35,7 +35,6 @@ class WallRounds {
     void append(FineRing& to, const ArcUse& use, std::uint32_t number,
                 std::vector<CircularArc>& ring_spans) const;
 
-    const WallCluster& cluster_;
     WallOptions options_;
     const StopRequest& stop_;
     WallGraph graph_;
