@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <regex>
 #include <utility>
 
 #include "dem2buildings/error.hpp"
 #include "write/sql.hpp"
+#include "write/without_database.hpp"
 
 namespace d2b {
 
@@ -44,25 +44,6 @@ bool is_there(GDALDatasetH dataset, const std::string& type, const std::string& 
 
 std::string view_query(const std::string& view) {
     return "SELECT * FROM " + sql_name(view) + " LIMIT 0";
-}
-
-/// A name as a user may have written it: bare, or quoted in SQLite's four ways.
-std::string any_spelling(const std::string& name) {
-    static const std::regex special(R"([.^$|()\[\]{}*+?\\])");
-    const auto literal = [&](const std::string& text) { return std::regex_replace(text, special, R"(\$&)"); };
-    return "(?:" + literal(sql_name(name)) + "|" + literal("[" + name + "]") + "|" +
-           literal("`" + name + "`") + "|" + literal(sql_text(name)) + "|\\b" + literal(name) + "\\b)";
-}
-
-/// Without the name of the database before those of layers.
-std::string without_database(std::string sql, const std::vector<std::string>& layers) {
-    for (const std::string& layer : layers)
-        sql =
-            std::regex_replace(sql,
-                               std::regex(any_spelling("main") + "\\s*\\.\\s*(?=" + any_spelling(layer) + ")",
-                                          std::regex::icase),
-                               "");
-    return sql;
 }
 
 /// A statement of SQLite's own list, which begins as here whatever the user wrote, as one that makes the same

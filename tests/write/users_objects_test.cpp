@@ -1,5 +1,6 @@
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/open_sink.hpp"
+#include "write/without_database.hpp"
 #include "write/write_fixture.hpp"
 
 namespace d2b::test {
@@ -95,6 +96,19 @@ TEST_F(UsersObjects, WhatNeedsAFieldThatIsGoneIsNamedBeforeTheWork) {
         EXPECT_NE(message.find("height"), std::string::npos) << message;
         EXPECT_TRUE(message.ends_with(end)) << message;
     }
+}
+
+TEST(WithoutDatabase, TakesItOffTheNamesOfTablesAlone) {
+    const std::vector<std::string> tables{"buildings", "a b"};
+    for (const auto& [sql, bare] : std::vector<std::pair<std::string, std::string>>{
+             {"SELECT x FROM main.buildings", "SELECT x FROM buildings"},
+             {"SELECT x FROM \"Main\" . [Buildings], `main`.'a b'", "SELECT x FROM [Buildings], 'a b'"},
+             {"SELECT main.x FROM main.buildings main", "SELECT main.x FROM buildings main"},
+             {"SELECT 'main.buildings', domain.buildings, main.buildings2 FROM main",
+              "SELECT 'main.buildings', domain.buildings, main.buildings2 FROM main"},
+             {"SELECT 'it''s main.buildings', \"a", "SELECT 'it''s main.buildings', \"a"},
+             {"main.", "main."}})
+        EXPECT_EQ(without_database(sql, tables), bare);
 }
 
 TEST_F(UsersObjects, AViewOnAViewIsLookedAtToo) {
