@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "attributes/field_names.hpp"
+#include "core/hundredths.hpp"
 
 namespace d2b {
 namespace {
@@ -15,6 +16,10 @@ constexpr double storey_m = 3.0;
 FieldValue number(double value) {
     return std::isfinite(value) ? FieldValue{value} : FieldValue{};
 }
+/// Of what is measured in metres: written no finer than the data can carry.
+FieldValue measure(double value) {
+    return number(to_hundredths(value));
+}
 FieldValue reference(std::int64_t id) {
     return id > 0 ? FieldValue{id} : FieldValue{};
 }
@@ -24,8 +29,7 @@ FieldValue nodata_share(const BuildingRecord& record) {
     return 1 - static_cast<double>(record.points) / static_cast<double>(record.cells);
 }
 FieldValue doubt(const BuildingRecord& record) {
-    constexpr double sure = 0.9;
-    if (record.doubt.empty() || !(record.confidence < sure))
+    if (record.doubt.empty() || !(record.confidence < sure_confidence))
         return {};
     return std::string(record.doubt);
 }
@@ -47,23 +51,24 @@ constexpr std::array building_table{
     Attribute<BuildingRecord>{"roof", "Roof", FieldType::real, Unit::vertical,
                               "elevation of the highest point",
                               [](const BuildingRecord& r) { return number(r.roof); }},
-    Attribute<BuildingRecord>{"height", "Height", FieldType::real, Unit::metre, "roof above ground",
-                              [](const BuildingRecord& r) { return number(r.height_m); }},
+    Attribute<BuildingRecord>{"height", "Highest point", FieldType::real, Unit::metre,
+                              "highest point above ground",
+                              [](const BuildingRecord& r) { return measure(r.height_m); }},
     Attribute<BuildingRecord>{"min_height", "Lowest part", FieldType::real, Unit::metre,
                               "height above ground at which the building begins",
                               [](const BuildingRecord&) -> FieldValue { return 0.0; }},
     Attribute<BuildingRecord>{"p50", "Median height", FieldType::real, Unit::metre,
                               "height above ground that half of the points do not exceed",
-                              [](const BuildingRecord& r) { return number(r.heights_m[0]); }},
+                              [](const BuildingRecord& r) { return measure(r.heights_m[0]); }},
     Attribute<BuildingRecord>{"p70", "70 % height", FieldType::real, Unit::metre,
                               "height above ground that 70 % of the points do not exceed",
-                              [](const BuildingRecord& r) { return number(r.heights_m[1]); }},
+                              [](const BuildingRecord& r) { return measure(r.heights_m[1]); }},
     Attribute<BuildingRecord>{"p90", "90 % height", FieldType::real, Unit::metre,
                               "height above ground that 90 % of the points do not exceed",
-                              [](const BuildingRecord& r) { return number(r.heights_m[2]); }},
+                              [](const BuildingRecord& r) { return measure(r.heights_m[2]); }},
     Attribute<BuildingRecord>{"p95", "95 % height", FieldType::real, Unit::metre,
                               "height above ground that 95 % of the points do not exceed",
-                              [](const BuildingRecord& r) { return number(r.heights_m[3]); }},
+                              [](const BuildingRecord& r) { return measure(r.heights_m[3]); }},
     Attribute<BuildingRecord>{"num_floors", "Floors", FieldType::integer, Unit::none,
                               "estimate: p95 in storeys of 3 m, at least 1",
                               [](const BuildingRecord& r) { return floors(r.heights_m[3]); }},
@@ -83,9 +88,10 @@ constexpr std::array building_table{
     Attribute<BuildingRecord>{"nodata", "Not valid", FieldType::real, Unit::none,
                               "share of its cells without a valid point; NULL with -trace points",
                               [](const BuildingRecord& r) { return nodata_share(r); }},
-    Attribute<BuildingRecord>{"confidence", "Confidence", FieldType::real, Unit::none,
-                              "how sure it is that this is a building, 0 to 1; NULL in the thesis preset",
-                              [](const BuildingRecord& r) { return number(r.confidence); }},
+    Attribute<BuildingRecord>{
+        "confidence", "Confidence", FieldType::real, Unit::none,
+        "how certain it is that this is a building, 0 to 1; NULL in the thesis preset",
+        [](const BuildingRecord& r) { return number(down_to_hundredths(r.confidence)); }},
     Attribute<BuildingRecord>{"doubt", "Doubt", FieldType::text, Unit::none,
                               "what speaks most against it being a building, where confidence is below 0.9",
                               [](const BuildingRecord& r) { return doubt(r); }},
@@ -96,20 +102,24 @@ constexpr std::array building_table{
     Attribute<BuildingRecord>{
         "area_m2", "Area", FieldType::real, Unit::square_metre,
         "area of the footprint less its courtyards, on the ellipsoid where the CRS has one",
-        [](const BuildingRecord& r) { return number(r.area_m2); }},
+        [](const BuildingRecord& r) { return measure(r.area_m2); }},
     Attribute<BuildingRecord>{"volume_m3", "Volume", FieldType::real, Unit::cubic_metre,
                               "between its surface and the level of the ground",
-                              [](const BuildingRecord& r) { return number(r.area_m2 * r.mean_m); }},
+                              [](const BuildingRecord& r) { return measure(r.area_m2 * r.mean_m); }},
     Attribute<BuildingRecord>{"perim_m", "Perimeter", FieldType::real, Unit::metre,
                               "length of all rings, on the ellipsoid where the CRS has one",
-                              [](const BuildingRecord& r) { return number(r.perimeter_m); }},
+                              [](const BuildingRecord& r) { return measure(r.perimeter_m); }},
     Attribute<BuildingRecord>{
         "status", "Outline", FieldType::text, Unit::none,
-        "traced, simplified, regularized, kept_traced (anything else would have broken it) or repaired",
+        "the least form that more than a twentieth of the outline has: regularized, simplified (lines "
+        "through the "
+        "middles of the cells' borders, or -simplify), traced, kept_traced (as traced: another form would "
+        "have "
+        "broken it), or repaired",
         [](const BuildingRecord& r) -> FieldValue { return std::string(status_name(r.status)); }},
     Attribute<BuildingRecord>{"moved_m", "Moved", FieldType::real, Unit::metre,
                               "largest distance between the regularized outline and its trace",
-                              [](const BuildingRecord& r) { return number(r.deviation_m); }},
+                              [](const BuildingRecord& r) { return measure(r.deviation_m); }},
     Attribute<BuildingRecord>{"area_chg", "Area change", FieldType::real, Unit::none,
                               "by regularizing the outline, share of the traced area",
                               [](const BuildingRecord& r) { return number(r.area_change); }},
@@ -160,6 +170,9 @@ constexpr std::array contour_table{
     Attribute<ContourRecord>{"elev_max", "Highest", FieldType::real, Unit::vertical,
                              "highest elevation of its points",
                              [](const ContourRecord& r) { return number(r.highest); }},
+    Attribute<ContourRecord>{"confidence", "Confidence", FieldType::real, Unit::none,
+                             "how certain it is that its building is one, 0 to 1; NULL in the thesis preset",
+                             [](const ContourRecord& r) { return number(down_to_hundredths(r.confidence)); }},
     Attribute<ContourRecord>{"area_m2", "Area", FieldType::real, Unit::square_metre,
                              "area less holes, on the ellipsoid where the CRS has one",
                              [](const ContourRecord& r) { return number(r.area_m2); }},
@@ -168,7 +181,11 @@ constexpr std::array contour_table{
                              [](const ContourRecord& r) { return number(r.perimeter_m); }},
     Attribute<ContourRecord>{
         "status", "Outline", FieldType::text, Unit::none,
-        "traced, simplified, regularized, kept_traced (anything else would have broken it) or repaired",
+        "the least form that more than a twentieth of the outline has: regularized, simplified (lines "
+        "through the "
+        "middles of the cells' borders, or -simplify), traced, kept_traced (as traced: another form would "
+        "have "
+        "broken it), or repaired",
         [](const ContourRecord& r) -> FieldValue { return std::string(status_name(r.status)); }},
 };
 

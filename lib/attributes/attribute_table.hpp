@@ -5,10 +5,13 @@
 #include <string_view>
 
 #include "attributes/records.hpp"
-#include "dem2buildings/feature_sink.hpp"
 #include "dem2buildings/options.hpp"
+#include "dem2buildings/sinks.hpp"
 
 namespace d2b {
+
+/// What is as sure as this is not doubted.
+inline constexpr double sure_confidence = 0.9;
 
 enum class AttributeUnit { none, vertical, metre, square_metre, cubic_metre };
 

@@ -11,11 +11,12 @@ struct Translation {
     std::string_view other;
 };
 
-// URock takes the height of a building from ROOF_HEIGHT unless told otherwise. City4CFD names its attributes
-// in its configuration; these are the names of its own examples. OSM: tags of Simple 3D Buildings.
+// URock takes the height of a building from ROOF_HEIGHT unless told otherwise, and makes a block of it: the
+// highest point would make one of a spire. City4CFD names its attributes in its configuration; these are the
+// names of its own examples. OSM: tags of Simple 3D Buildings.
 constexpr std::array translations{
     Translation{FieldNames::urock, "id", "ID_BUILD"},
-    Translation{FieldNames::urock, "height", "ROOF_HEIGHT"},
+    Translation{FieldNames::urock, "p90", "ROOF_HEIGHT"},
     Translation{FieldNames::city4cfd, "id", "unique_id"},
     Translation{FieldNames::city4cfd, "num_floors", "floors"},
     Translation{FieldNames::city4cfd, "min_height", "base_height"},

@@ -85,6 +85,7 @@ ContourRecord RecordMaker::contour(std::size_t i, const Contour& contour) const 
     record.lowest = total.n > 0 ? total.lowest : unknown;
     record.mean = total.n > 0 ? context_.fixed.mean(total.sum, total.n) : unknown;
     record.highest = total.n > 0 ? total.highest : unknown;
+    record.confidence = context_.footprints.empty() ? unknown : context_.footprints[head.label].confidence;
     return record;
 }
 
@@ -97,9 +98,7 @@ BuildingRecord RecordMaker::building(std::size_t i, const Contour& contour, cons
     building.ground = ground_of(head.label, head.lowest_outside);
     building.roof = roof.highest;
     building.height_m = (building.roof - building.ground) * context_.metres;
-    for (std::size_t k = 0; k < percentile_shares.size(); ++k)
-        building.heights_m[k] =
-            (std::min(roof.percentiles[k], roof.highest) - building.ground) * context_.metres;
+    building.heights_m = heights_above(building.ground, roof, context_.metres);
     building.parts = stack.parts;
     building.levels = stack.levels;
     building.points = record.points;

@@ -17,7 +17,8 @@ constexpr std::array rejected_table{
                               [](const RejectedRecord& r) -> FieldValue { return r.id; }},
     Attribute<RejectedRecord>{
         "reason", "Reason", FieldType::text, Unit::none,
-        "contour_short, contour_small, contour_on_dropped: dropped; hole_short, hole_small: filled; "
+        "contour_short, contour_small, contour_on_dropped, building_not_tall: dropped; hole_short, "
+        "hole_small: filled; "
         "outline_kept_traced, polygon_repaired, polygon_lost: written in another form, or not at all",
         [](const RejectedRecord& r) -> FieldValue { return std::string(r.reason); }},
     Attribute<RejectedRecord>{"building", "Building", FieldType::integer, Unit::none,

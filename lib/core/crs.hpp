@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "core/stop_request.hpp"
-#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/sinks.hpp"
 
 namespace d2b {
 

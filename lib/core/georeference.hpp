@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/lattice.hpp"
-#include "dem2buildings/dem_info.hpp"
-#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/options.hpp"
+#include "dem2buildings/sinks.hpp"
 
 namespace d2b {
 

@@ -1,5 +1,7 @@
 #include "core/height_classes.hpp"
 
+#include <algorithm>
+
 #include "core/number_text.hpp"
 
 namespace d2b {
@@ -28,6 +30,12 @@ std::size_t height_class_of(double height_m) {
     while (found + 1 < classes.size() && height_m >= classes[found + 1].from)
         ++found;
     return found;
+}
+
+double opacity_of_veil(double certainty, double certain) {
+    constexpr Veil veil;
+    const double share = std::clamp((certainty - veil.low) / (certain - veil.low), 0.0, 1.0);
+    return (veil.most + (veil.least - veil.most) * share) / 255;
 }
 
 std::string class_label(std::size_t index) {

@@ -31,6 +31,10 @@ class FixedPoint {
 
     /// Some 30 binary digits of an elevation, whose squares can be summed.
     [[nodiscard]] static std::int64_t coarse(std::int64_t fixed) { return fixed >> coarse_shift; }
+    /// A sum of squares of coarse values, as squares of elevations.
+    [[nodiscard]] double squares(double coarse_squares) const {
+        return std::ldexp(coarse_squares, 2 * (coarse_shift - shift_));
+    }
     /// Sum of the squared distances of points from their mean.
     template <typename Stats>
     [[nodiscard]] double scatter(const Stats& stats) const {
@@ -39,12 +43,12 @@ class FixedPoint {
         // n * sum(x^2) - sum(x)^2 may need more than 128 bits; so x is taken from the whole mean.
         const Int128 middle = stats.coarse_sum / stats.n;
         const Int128 rest = stats.coarse_sum - middle * stats.n;  // less than n
-        const Int128 squares =
+        const Int128 about_middle =
             stats.coarse_squares - 2 * middle * stats.coarse_sum + middle * middle * stats.n;
         const double scatter =
-            static_cast<double>(squares) -
+            static_cast<double>(about_middle) -
             static_cast<double>(rest) * (static_cast<double>(rest) / static_cast<double>(stats.n));
-        return std::max(0.0, std::ldexp(scatter, 2 * (coarse_shift - shift_)));
+        return std::max(0.0, squares(scatter));
     }
     /// Sample standard deviation. @pre stats.n > 1
     template <typename Stats>

@@ -5,6 +5,13 @@
 
 namespace d2b {
 
+Percentiles heights_above(double ground, const RoofElevations& roof, double metres) {
+    Percentiles heights{};
+    for (std::size_t k = 0; k < heights.size(); ++k)
+        heights[k] = (std::min(roof.percentiles[k], roof.highest) - ground) * metres;
+    return heights;
+}
+
 RoofElevations take_roof(const ElevationSample& sample, const ElevationRange& range) {
     RoofElevations roof;
     if (sample.size() == 0)

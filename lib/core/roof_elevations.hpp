@@ -17,6 +17,10 @@ struct RoofElevations {
     friend bool operator==(const RoofElevations&, const RoofElevations&) = default;
 };
 
+/// Heights above the ground of a building that its points do not exceed, in metres. @param metres in one
+/// vertical unit
+[[nodiscard]] Percentiles heights_above(double ground, const RoofElevations& roof, double metres);
+
 /// Taken when a building is finished, so that its sample can go.
 [[nodiscard]] RoofElevations take_roof(const ElevationSample& sample, const ElevationRange& range);
 

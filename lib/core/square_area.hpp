@@ -6,7 +6,7 @@
 #include "core/georeference.hpp"
 #include "core/grid.hpp"
 #include "core/lattice.hpp"
-#include "dem2buildings/dem_info.hpp"
+#include "dem2buildings/dem_source.hpp"
 
 namespace d2b {
 

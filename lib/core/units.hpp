@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "core/crs.hpp"
-#include "dem2buildings/dem_info.hpp"
+#include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/report.hpp"
 
 namespace d2b {

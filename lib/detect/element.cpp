@@ -5,10 +5,20 @@
 
 namespace d2b {
 
+namespace {
+
+// A hair more, since 1.5 m are three cells of 0.5 m.
+constexpr double hair = 1 + 1e-9;
+
+}  // namespace
+
+bool disk_fits(double radius_m, const CellSize& cell) {
+    return radius_m * hair >= std::max(cell.across, cell.down);
+}
+
 Element disk_element(double radius_m, const CellSize& cell) {
-    // A hair more, since 1.5 m are three cells of 0.5 m.
-    const double radius = radius_m * (1 + 1e-9);
-    if (radius < std::max(cell.across, cell.down))
+    const double radius = radius_m * hair;
+    if (!disk_fits(radius_m, cell))
         return {{0, 0, 1}, {1, 0, 1}};
     const auto rows = static_cast<std::int32_t>(radius / cell.down);
     Element element;

@@ -27,7 +27,7 @@ struct Radius {
 };
 
 constexpr double growth_reach_m = 3.5;
-constexpr Shares growth_shares{55, 10};
+constexpr Shares growth_shares{58, 10};
 constexpr int growth_rounds = 2;
 constexpr double border_reach_m = 1;
 constexpr Shares border_shares{50, 50};

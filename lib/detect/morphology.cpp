@@ -136,6 +136,15 @@ void grow_copy(BandCopy<std::uint8_t>& copy, const Mask& within, int steps) {
 
 }  // namespace
 
+Mask eroded(const Mask& mask, double radius_m, const CellSize& cell, Executor& threads) {
+    Mask result = rest_of_erosion(mask, disk_element(radius_m, cell), threads);
+    for_row_bands(threads, result.rows, result.cols, [&](RowBand band) {
+        for (std::size_t i = result.index(band.begin, 0); i < result.index(band.end, 0); ++i)
+            result.values[i] ^= 1;
+    });
+    return result;
+}
+
 Mask opened(const Mask& mask, double radius_m, const CellSize& cell, Executor& threads) {
     const Element element = disk_element(radius_m, cell);
     // Where the element does not fit into what an erosion takes away: a dilation.

@@ -4,6 +4,10 @@
 
 namespace d2b {
 
+/// Cells around which all cells within a radius are set; the border continues outwards. Where the radius is
+/// less than a cell, a block of two by two cells takes the disk's place. Halo: the radius.
+[[nodiscard]] Mask eroded(const Mask& mask, double radius_m, const CellSize& cell, Executor& threads);
+
 /// What a disk of this radius fits into: thin bridges and spikes go. Where the radius is less than a cell, a
 /// block of two by two cells takes the disk's place. The border continues outwards. Halo: twice the
 /// radius.

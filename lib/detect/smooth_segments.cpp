@@ -11,7 +11,7 @@ namespace d2b {
 namespace {
 
 constexpr double least_area_m2 = 12;
-constexpr std::int64_t fewest_cells = 5;
+constexpr std::int64_t fewest_cells = 6;
 
 /// Sums for the plane through a segment, from its first cell: small numbers keep their digits.
 struct PlaneSums {

@@ -14,17 +14,19 @@ namespace {
 constexpr double usual_noise_m = 0.07;
 constexpr double noise_factor = 1.5;
 
-// Metres, and metres a metre of cell. Found on cities of 0.5 to 5 m cells, see docs/accuracy.md.
-struct Thresholds {
-    Thresholds(double side, double noise)
-        : line(static_cast<float>(0.06 + 0.06 * side + more(noise))),
-          any(static_cast<float>(0.10 + 0.08 * side + more(noise))),
-          enough(static_cast<float>(0.13 + 0.12 * side + more(noise))) {}
-    static double more(double noise) { return noise_factor * std::max(0.0, noise - usual_noise_m); }
-    float line;
-    float any;
-    float enough;
-};
+// Where pulses are few, a cell's height is that of a point anywhere in it, or beside it: on a slope it errs
+// by a part of the cell. Some cells that no pulse met there are in any survey; the thresholds have room for
+// them.
+constexpr double usual_filled = 0.02;
+constexpr double sampling_factor = 0.17;
+
+double noise_room(double noise) {
+    return noise_factor * std::max(0.0, noise - usual_noise_m);
+}
+
+double sampling_room(double filled, double side) {
+    return sampling_factor * side * std::sqrt(std::max(0.0, filled - usual_filled));
+}
 
 // A diagonal's step is longer, so the same curvature bends it twice as much and the same noise as much:
 // between.
@@ -40,7 +42,7 @@ int bit_below(float value, float limit, int bit) {
 }
 
 /// Nothing branches, so that several cells are done at once.
-std::uint8_t flags(float row, float column, float falling, float rising, const Thresholds& t) {
+std::uint8_t flags(float row, float column, float falling, float rising, const SmoothLimits& t) {
     const int along =
         bit_below(row, t.line, smooth_along_row) | bit_below(column, t.line, smooth_along_column);
     const int any = bit_below(row, t.any, smooth_any_way) | bit_below(column, t.any, smooth_any_way) |
@@ -50,7 +52,7 @@ std::uint8_t flags(float row, float column, float falling, float rising, const T
     return static_cast<std::uint8_t>(along | any | enough);
 }
 
-void flag_row(const MetreGrid& surface, std::int32_t r, const Thresholds& thresholds,
+void flag_row(const MetreGrid& surface, std::int32_t r, const SmoothLimits& limits,
               std::span<std::uint8_t> out) {
     const std::span<const float> up = surface.row(std::max(r - 1, 0));
     const std::span<const float> here = surface.row(r);
@@ -58,7 +60,7 @@ void flag_row(const MetreGrid& surface, std::int32_t r, const Thresholds& thresh
     const auto at = [&](std::size_t west, std::size_t c, std::size_t east) {
         const float z = here[c];
         out[c] = flags(bend(here[west], z, here[east]), bend(up[c], z, down[c]),
-                       bend(up[west], z, down[east]), bend(down[west], z, up[east]), thresholds);
+                       bend(up[west], z, down[east]), bend(down[west], z, up[east]), limits);
     };
     if (out.empty())
         return;
@@ -72,12 +74,20 @@ void flag_row(const MetreGrid& surface, std::int32_t r, const Thresholds& thresh
 
 }  // namespace
 
-Grid<std::uint8_t> smoothness(const MetreGrid& surface, double side, double noise, Executor& threads) {
-    const Thresholds thresholds(side, noise);
+SmoothLimits smooth_limits(double side, const SurfaceQuality& quality) {
+    const double room = noise_room(quality.noise) + sampling_room(quality.filled, side);
+    // Metres, and metres a metre of cell. Found on cities of 0.5 to 5 m cells, see docs/accuracy.md.
+    const auto limit = [&](double metres, double of_side) {
+        return static_cast<float>(quality.strictness * (metres + of_side * side) + room);
+    };
+    return {limit(0.06, 0.06), limit(0.10, 0.08), limit(0.13, 0.12)};
+}
+
+Grid<std::uint8_t> smoothness(const MetreGrid& surface, const SmoothLimits& limits, Executor& threads) {
     Grid<std::uint8_t> result(surface.rows, surface.cols, 0, threads);
     for_row_bands(threads, surface.rows, surface.cols, [&](RowBand band) {
         for (std::int32_t r = band.begin; r < band.end; ++r)
-            flag_row(surface, r, thresholds, result.row(r));
+            flag_row(surface, r, limits, result.row(r));
     });
     return result;
 }

@@ -16,10 +16,25 @@ enum Smooth : std::uint8_t {
     smooth_enough = 8,        ///< along row or column, with a threshold that suits whole objects
 };
 
+/// What the data themselves say of how smooth a roof may look.
+struct SurfaceQuality {
+    double noise = 0;       ///< standard deviation of the surface's noise, metres
+    double filled = 0;      ///< share of the cells that no pulse met, see filled_share()
+    double strictness = 1;  ///< factor on the limits of clean data, see roof_strictness()
+};
+
+/// Second differences below these are smooth, metres.
+struct SmoothLimits {
+    float line;
+    float any;
+    float enough;
+};
+/// @param side of the cells, metres
+[[nodiscard]] SmoothLimits smooth_limits(double side, const SurfaceQuality& quality);
+
 /// One byte a cell. Halo: one row and column; the border continues outwards. A cell that is not valid is
 /// smooth in no direction, its neighbours in none that meets it.
-/// @param side of the cells, metres @param noise standard deviation of the surface's noise, metres
-[[nodiscard]] Grid<std::uint8_t> smoothness(const MetreGrid& surface, double side, double noise,
+[[nodiscard]] Grid<std::uint8_t> smoothness(const MetreGrid& surface, const SmoothLimits& limits,
                                             Executor& threads);
 
 }  // namespace d2b

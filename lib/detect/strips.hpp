@@ -4,7 +4,7 @@
 
 #include "core/grid.hpp"
 #include "core/row_bands.hpp"
-#include "dem2buildings/dem_info.hpp"
+#include "dem2buildings/dem_source.hpp"
 
 namespace d2b {
 

@@ -18,13 +18,15 @@ struct Sieve {
     std::int64_t objects;
 };
 
-std::array<Sieve, 3> sieves(const Search& search) {
+std::array<Sieve, 4> sieves(const Search& search) {
     const DetectOptions& detect = search.plan.asked.detect;
     const DetectOptions standard;
     const Tally& tally = search.tally;
     return {
         {{"-min_area", search.plan.building_m2, smallest_building_m2, tally.counted(Reason::building_small)},
          {"-min_height", detect.min_height, standard.min_height, tally.counted(Reason::building_low)},
+         {"-min_building_height", detect.min_building_height, standard.min_building_height,
+          tally.counted(Reason::building_not_tall)},
          {"-min_confidence", detect.min_confidence, standard.min_confidence,
           tally.counted(Reason::building_doubtful)}}};
 }

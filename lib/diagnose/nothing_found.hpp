@@ -3,7 +3,7 @@
 #include <string>
 
 #include "core/grid.hpp"
-#include "dem2buildings/dem_info.hpp"
+#include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/report.hpp"
 #include "diagnose/ground_fit.hpp"
 #include "diagnose/ground_slope.hpp"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "dem2buildings/dem_info.hpp"
+#include "dem2buildings/dem_source.hpp"
 
 namespace d2b {
 

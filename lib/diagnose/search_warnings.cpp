@@ -4,17 +4,9 @@
 
 #include "diagnose/ground_doubt.hpp"
 #include "diagnose/place_doubt.hpp"
-#include "diagnose/words.hpp"
+#include "diagnose/warn_of.hpp"
 
 namespace d2b {
-namespace {
-
-void warn_of(const std::string& cause, Context& context) {
-    if (!cause.empty())
-        context.warn(as_sentence(cause));
-}
-
-}  // namespace
 
 void warn_of_search(const Search& search, bool found_any, Context& context) {
     const RunReport& report = context.report;

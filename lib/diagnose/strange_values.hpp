@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "core/context.hpp"
-#include "dem2buildings/dem_info.hpp"
+#include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/options.hpp"
 #include "elevations/sift.hpp"
 

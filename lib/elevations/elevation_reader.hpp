@@ -10,7 +10,6 @@
 
 #include "core/band.hpp"
 #include "core/context.hpp"
-#include "dem2buildings/band_size.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "elevations/band_cells.hpp"
 #include "elevations/sift.hpp"

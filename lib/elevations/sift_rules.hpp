@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/elevation_limits.hpp"
-#include "dem2buildings/dem_info.hpp"
+#include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/options.hpp"
 #include "elevations/sift.hpp"
 

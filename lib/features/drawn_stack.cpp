@@ -48,13 +48,12 @@ class Tiers {
 }  // namespace
 
 double StackError::rms(const FixedPoint& fixed) const {
-    return n == 0 ? 0 : std::sqrt(fixed.scatter(*this) / static_cast<double>(n));
+    return n == 0 ? 0
+                  : std::sqrt(fixed.squares(static_cast<double>(coarse_squares)) / static_cast<double>(n));
 }
 
 DrawnStack::DrawnStack(std::unique_ptr<Spool> spool, const Window& window)
-    : spool_(std::move(spool)),
-      window_(window),
-      slabs_(static_cast<std::size_t>(window.rows / slab_rows + 1)) {}
+    : spool_(std::move(spool)), window_(window), slabs_(window.row, window.rows) {}
 
 void DrawnStack::add_building(const std::vector<RowSpan>& cells) {
     add(cells, no_tier, &Slab::buildings);
@@ -66,7 +65,7 @@ void DrawnStack::add_contour(const std::vector<RowSpan>& cells, double tier) {
 }
 
 void DrawnStack::add(const std::vector<RowSpan>& cells, double tier, std::vector<SpoolEntry> Slab::*entries) {
-    std::map<std::int32_t, ByteWriter> parts;  // by slab
+    std::map<std::size_t, ByteWriter> parts;  // by slab
     for (const RowSpan& cell : cells) {
         const std::int32_t row = cell.row - window_.row;
         // Columns as a band has them.
@@ -74,24 +73,23 @@ void DrawnStack::add(const std::vector<RowSpan>& cells, double tier, std::vector
                           std::min(cell.end - window_.col, window_.cols)};
         if (row < 0 || row >= window_.rows || run.begin >= run.end)
             continue;
-        ByteWriter& part = parts[row / slab_rows];
+        ByteWriter& part = parts[slabs_.index(cell.row)];
         if (part.bytes().empty())
             part.put(tier);
         part.put(run);
     }
     for (const auto& [slab, part] : parts)
-        (slabs_[static_cast<std::size_t>(slab)].*entries).push_back(append(*spool_, part));
+        (slabs_[slab].*entries).push_back(append(*spool_, part));
 }
 
 StackError DrawnStack::error(const ElevationBand& band, const FixedPoint& fixed) const {
     StackError error;
     Tiers tiers(band.shape);
-    const std::int32_t first = (band.shape.first_row - window_.row) / slab_rows;
-    const std::int32_t last = (band.shape.first_row - window_.row + band.shape.rows - 1) / slab_rows;
     const auto for_runs = [&](const std::vector<SpoolEntry> Slab::*entries, const auto& use) {
-        for (std::int32_t slab = first; slab <= last; ++slab)
-            for (const SpoolEntry& entry : slabs_[static_cast<std::size_t>(slab)].*entries)
+        slabs_.for_band(band.shape, [&](const Slab& slab) {
+            for (const SpoolEntry& entry : slab.*entries)
                 tiers.for_runs(*spool_, entry, use);
+        });
     };
     const auto paint = [&](std::size_t begin, std::size_t end, double tier) { tiers.fill(begin, end, tier); };
     for_runs(&Slab::buildings, paint);

@@ -7,8 +7,9 @@
 #include "core/band.hpp"
 #include "core/int128.hpp"
 #include "core/point_stats.hpp"
+#include "core/row_slabs.hpp"
+#include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/spool.hpp"
-#include "dem2buildings/window.hpp"
 #include "features/row_spans.hpp"
 
 namespace d2b {
@@ -16,7 +17,6 @@ namespace d2b {
 /// How far a stacked surface is from elevations. Adds up exactly, in any order.
 struct StackError {
     std::int64_t n = 0;
-    Int128 coarse_sum = 0;  ///< stays 0: what is squared is a distance already
     Int128 coarse_squares = 0;
 
     void add(double distance, const FixedPoint& fixed) {
@@ -47,7 +47,6 @@ class DrawnStack {
     [[nodiscard]] StackError error(const ElevationBand& band, const FixedPoint& fixed) const;
 
   private:
-    static constexpr std::int32_t slab_rows = 64;
     struct Slab {
         std::vector<SpoolEntry> buildings;
         std::vector<SpoolEntry> contours;
@@ -56,7 +55,7 @@ class DrawnStack {
 
     std::unique_ptr<Spool> spool_;
     Window window_;
-    std::vector<Slab> slabs_;
+    RowSlabs<Slab> slabs_;
 };
 
 }  // namespace d2b

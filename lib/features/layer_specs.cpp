@@ -6,18 +6,19 @@
 
 namespace d2b {
 
-LayerSpecs layer_specs(const RunPlan& plan, const LayerTerms& terms, const FeatureSink& sink) {
+LayerSpecs layer_specs(const RunPlan& plan, const std::string& source, const std::string& vertical_unit,
+                       const FeatureSink& sink) {
     const Options& options = plan.asked;
     const WriteOptions& write = options.write;
-    const bool with_arcs = options.outline.arcs && !terms.reprojected;
+    const bool with_arcs = options.outline.arcs;
     LayerSpecs specs;
     const auto add = [&](LayerRole role, const char* title, const std::string& description,
                          std::vector<FieldSpec> fields, bool arcs) {
-        specs.layers.push_back({sink.layer_name(role, plan.layers), title, description + terms.source,
+        specs.layers.push_back({sink.layer_name(role, plan.layers), title, description + source,
                                 std::move(fields), write.with_z, arcs});
         return specs.layers.size() - 1;
     };
-    const auto building_fields = field_specs(building_attributes(), terms.vertical_unit, write.fields);
+    const auto building_fields = field_specs(building_attributes(), vertical_unit, write.fields);
     if (plan.layers != Layers::contours)
         specs.places.buildings = add(LayerRole::buildings, "Buildings", "One polygon a building, from ",
                                      building_fields, with_arcs);
@@ -26,7 +27,7 @@ LayerSpecs layer_specs(const RunPlan& plan, const LayerTerms& terms, const Featu
             add(LayerRole::contours, "Contours",
                 options.outline.disjoint ? "Bands between thresholds that do not overlap, from "
                                          : "Stacked contours, low to high, from ",
-                field_specs(contour_attributes(), terms.vertical_unit), with_arcs);
+                field_specs(contour_attributes(), vertical_unit), with_arcs);
     if (write.doubtful)
         specs.places.doubtful =
             add(LayerRole::doubtful, "Doubtful buildings",
@@ -34,7 +35,7 @@ LayerSpecs layer_specs(const RunPlan& plan, const LayerTerms& terms, const Featu
     if (write.rejected)
         specs.places.rejected = add(LayerRole::rejected, "Rejected",
                                     "What was dropped, filled or kept as traced, with the reason, from ",
-                                    field_specs(rejected_attributes(), terms.vertical_unit), false);
+                                    field_specs(rejected_attributes(), vertical_unit), false);
     return specs;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/sinks.hpp"
 #include "options/run_plan.hpp"
 
 namespace d2b {
@@ -16,6 +16,10 @@ struct LayerPlaces {
     std::optional<std::size_t> contours;
     std::optional<std::size_t> doubtful;
     std::optional<std::size_t> rejected;
+
+    [[nodiscard]] std::optional<std::size_t> of_building(bool is_doubtful) const {
+        return is_doubtful ? doubtful : buildings;
+    }
 };
 
 /// The layers of a run, in the order in which they are written, without their styles.
@@ -24,14 +28,9 @@ struct LayerSpecs {
     LayerPlaces places;
 };
 
-/// What the words and fields of layers depend on.
-struct LayerTerms {
-    std::string source;         ///< name of the DEM
-    std::string vertical_unit;  ///< its name
-    bool reprojected = false;   ///< arcs are none then: a circle of one CRS is none in another
-};
-
-/// @param options layers resolved @param sink knows what the destination calls its layers
-[[nodiscard]] LayerSpecs layer_specs(const RunPlan& plan, const LayerTerms& terms, const FeatureSink& sink);
+/// @param source name of the DEM @param vertical_unit its name
+/// @param sink knows what the destination calls its layers
+[[nodiscard]] LayerSpecs layer_specs(const RunPlan& plan, const std::string& source,
+                                     const std::string& vertical_unit, const FeatureSink& sink);
 
 }  // namespace d2b

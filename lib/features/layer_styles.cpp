@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "attributes/attribute_table.hpp"
 #include "attributes/field_names.hpp"
 
 namespace d2b {
@@ -19,22 +20,31 @@ double map_metres(const FeatureInput& input) {
 
 LayerStyle building_style(FieldNames names) {
     LayerStyle style;
-    style.title = "Height of buildings";
-    style.colour = style.label = style.height = field_name(names, "height");
+    style.title = "Height above ground, 90th percentile, m";
+    // Of the whole building: the highest point of a church is that of its spire.
+    style.colour = style.label = style.height = field_name(names, "p90");
+    style.certainty = "confidence";
+    style.certain = sure_confidence;
     style.label_scale = buildings_scale;
     return style;
 }
 
 LayerStyle contour_style(bool disjoint) {
     LayerStyle style;
-    style.title = "Height of parts";
+    style.title = "Height of the part above ground, m";
     style.colour = style.label = style.height = "height";
+    style.certainty = "confidence";
+    style.certain = sure_confidence;
     style.label_scale = parts_scale;
     style.order = "level";
     style.top = "top";
     // Nothing of another band is below a band: each stands on the ground.
-    if (!disjoint)
-        style.min_height = "min_height";
+    if (disjoint)
+        return style;
+    style.min_height = "min_height";
+    // A part on which others stand is seen beside them at most, and its label would lie upon them. One that
+    // nothing stands on has all of its points to itself.
+    style.labelled = {"elev_mean", "tier_z"};
     return style;
 }
 
@@ -49,13 +59,13 @@ LayerStyle reason_style(const char* title, const char* field, double label_scale
 
 }  // namespace
 
-void give_styles(std::vector<LayerSpec>& layers, const LayerPlaces& places, const FeatureInput& input,
-                 double vertical_metres) {
+void give_styles(std::vector<LayerSpec>& layers, const FeatureInput& input, double vertical_metres) {
+    const LayerPlaces& places = input.layers.places;
     if (places.buildings) {
         LayerStyle& style = layers[*places.buildings].style = building_style(input.plan.asked.write.fields);
         // A block and the stack within it would stand in one place.
         if (!places.contours)
-            style.top = "roof";
+            style.bottom = "ground";
     }
     if (places.contours)
         layers[*places.contours].style = contour_style(input.plan.asked.outline.disjoint);

@@ -2,16 +2,15 @@
 
 #include <vector>
 
-#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/sinks.hpp"
 #include "features/layer_specs.hpp"
 #include "features/write_features.hpp"
 
 namespace d2b {
 
-/// How the layers are shown by default: all by the same classes of height in metres, contours from low to
-/// high, and in 3D the stack, or where it is not written each building as a block.
+/// How the layers of the input are shown by default: all by the same classes of height in metres, contours
+/// from low to high, and in 3D the stack, or where it is not written each building as a block.
 /// @param vertical_metres metres in a vertical unit of the DEM
-void give_styles(std::vector<LayerSpec>& layers, const LayerPlaces& places, const FeatureInput& input,
-                 double vertical_metres);
+void give_styles(std::vector<LayerSpec>& layers, const FeatureInput& input, double vertical_metres);
 
 }  // namespace d2b

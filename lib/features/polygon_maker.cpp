@@ -111,7 +111,6 @@ PolygonMaker::Parts PolygonMaker::in_target_crs(Parts parts) {
         length += length_of(ring);
     };
     for (WorldPolygon& part : parts) {
-        part.arcs.clear();  // a circle of one CRS is none in another
         carry(part.exterior);
         for (WorldRing& ring : part.interiors)
             carry(ring);
@@ -150,6 +149,7 @@ FeaturePolygon PolygonMaker::make(std::size_t contour, Form form) {
         tally_.count(Reason::outline_kept_traced);
     made.deviation = quality.deviation_cells * std::sqrt(terms_.georeference.cell_area());
     made.area_change = quality.area_change;
+    made.simplified = quality.simplified;
     made.kept_traced = quality.kept_traced;
     const bool tier = form == Form::tier;
     Parts parts;
@@ -172,7 +172,7 @@ FeaturePolygon PolygonMaker::make(std::size_t contour, Form form) {
             made.parts = std::move(found.parts);
             made.trouble = std::move(found.trouble);
             if (made.status == OutlineStatus::kept_traced && !made.trouble.empty())
-                made.kept_traced = 1;
+                std::tie(made.simplified, made.kept_traced) = std::pair(0.0, 1.0);
         }
     }
     made.cells = std::exchange(cells_, {});

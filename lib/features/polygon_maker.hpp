@@ -37,6 +37,7 @@ struct FeaturePolygon {
     OutlineStatus status = OutlineStatus::traced;
     double deviation = 0;    ///< of a regularized outline from its trace, in units of the CRS of the DEM (in
                              ///< degrees of latitude where these are degrees)
+    double simplified = 0;   ///< share of its length that is simplified although walls were asked for
     double kept_traced = 0;  ///< share of its length that stays as it was traced although more was asked for
     double area_change = 0;  ///< of a regularized outline, share of the traced area
     std::string trouble;     ///< what GEOS said of it, where it is not written as it was drawn

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/sinks.hpp"
 #include "features/polygon_maker.hpp"
 #include "features/write_features.hpp"
 

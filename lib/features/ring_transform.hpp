@@ -5,7 +5,7 @@
 
 #include "core/crs.hpp"
 #include "core/stop_request.hpp"
-#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/sinks.hpp"
 
 namespace d2b {
 

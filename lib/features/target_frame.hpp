@@ -4,7 +4,7 @@
 
 #include "core/crs.hpp"
 #include "core/lattice.hpp"
-#include "dem2buildings/dem_info.hpp"
+#include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/error.hpp"
 #include "options/run_plan.hpp"
 

@@ -10,11 +10,10 @@
 #include "core/stage_clock.hpp"
 #include "diagnose/odd_heights.hpp"
 #include "diagnose/traced_doubt.hpp"
-#include "diagnose/words.hpp"
+#include "diagnose/warn_of.hpp"
+#include "features/contour_drawer.hpp"
 #include "features/invalid_warnings.hpp"
-#include "features/layer_specs.hpp"
 #include "features/layer_styles.hpp"
-#include "features/polygon_maker.hpp"
 #include "features/rejected_layer.hpp"
 #include "features/target_frame.hpp"
 #include "features/torn_warnings.hpp"
@@ -22,37 +21,22 @@
 namespace d2b {
 namespace {
 
-/// What is known of a contour, and what is drawn of it: nothing where its layer was not asked for.
-struct Drawn {
-    ContourRecord record;
-    PointStats own;
-    BuildingRecord building_record;  ///< of level 1 alone
-    std::optional<FeaturePolygon> building;
-    std::optional<FeaturePolygon> contour;
-};
-
-/// Draws on all threads, and hands features to the layers that were asked for.
+/// Hands what is drawn to the layers that were asked for.
 class FeatureWriter {
   public:
     FeatureWriter(const FeatureInput& input, RecordMaker& records, FeatureSink& sink, Context& context);
 
     void begin();
-    /// @param thread that this runs on
-    [[nodiscard]] Drawn draw(std::size_t contour, std::size_t thread);
-    void add(std::size_t contour, Drawn&& drawn);
+    void add(std::size_t contour, DrawnContour&& drawn);
     void finish();
+    [[nodiscard]] ContourDrawer& drawer() { return drawer_; }
 
   private:
-    [[nodiscard]] std::optional<std::size_t> building_layer(std::size_t contour) const {
-        return is_doubtful(contour) ? doubtful_layer_ : buildings_layer_;
-    }
-    [[nodiscard]] bool is_doubtful(std::size_t contour) const {
-        return input_.contours.head(contour).label > input_.buildings;
-    }
-    void count(std::size_t contour, const Drawn& drawn);
-    void add_building(std::size_t contour, Drawn& drawn);
+    [[nodiscard]] const LayerPlaces& places() const { return input_.layers.places; }
+    void count(std::size_t contour, const DrawnContour& drawn);
+    void add_building(std::size_t contour, DrawnContour& drawn);
     /// @return whether it is in its layer
-    bool add_contour(std::size_t contour, Drawn& drawn);
+    bool add_contour(std::size_t contour, DrawnContour& drawn);
     void warn_of_traced();
     template <typename Record>
     void write(std::size_t layer, std::span<const Attribute<Record>> attributes, Record& record,
@@ -62,15 +46,10 @@ class FeatureWriter {
     RecordMaker& records_;
     FeatureSink& sink_;
     Context& context_;
-    Outliner outliner_;
-    ContourChildren children_;
+    ContourDrawer drawer_;
     StackRmse rmse_;                        // of the contours as they were traced
     std::optional<DrawnStack> stack_;       // where they are drawn otherwise
-    std::vector<PolygonMaker> makers_;      // one a thread
     std::vector<std::int64_t> written_id_;  // what stands on a contour that is not written stands on this
-    std::optional<std::size_t> buildings_layer_;
-    std::optional<std::size_t> contours_layer_;
-    std::optional<std::size_t> doubtful_layer_;
     std::optional<RejectedLayer> rejected_;
     InvalidWarnings invalid_;
     OddHeights odd_heights_;
@@ -81,22 +60,10 @@ class FeatureWriter {
 void add_length(const FeaturePolygon& made, OutlineLength& sum) {
     const double length = made.measure.perimeter_m;
     const double traced = made.status == OutlineStatus::traced ? length : made.kept_traced * length;
-    (made.status == OutlineStatus::simplified ? sum.simplified : sum.fitted) += length - traced;
+    const double simplified = std::min(made.simplified * length, length - traced);
+    sum.fitted += length - traced - simplified;
+    sum.simplified += simplified;
     sum.traced += traced;
-}
-
-/// Whether the stack is measured as it is drawn. The thesis's, which is drawn as it was traced, may be of a
-/// raster of any size, which would have to be read once more.
-bool measures_drawn(const RunPlan& plan) {
-    return plan.detects_buildings() && plan.trace == TraceMode::cells && plan.layers != Layers::buildings;
-}
-
-Outliner timed_outliner(const FeatureInput& input, Context& context) {
-    const StageClock clock(context.report, Stage::outline);
-    const RunPlan& plan = input.plan;
-    const OutlineRules rules{plan.walls, plan.wall_tolerance(input.cell_size_m), plan.asked.outline.simplify,
-                             input.target_crs.kind() != Crs::Kind::none};
-    return make_outliner(input.contours, rules, input.georeference, input.crs, input.window, context);
 }
 
 FeatureWriter::FeatureWriter(const FeatureInput& input, RecordMaker& records, FeatureSink& sink,
@@ -105,63 +72,21 @@ FeatureWriter::FeatureWriter(const FeatureInput& input, RecordMaker& records, Fe
       records_(records),
       sink_(sink),
       context_(context),
-      outliner_(timed_outliner(input, context)),
-      children_(input.plan.asked.outline.disjoint ? ContourChildren(input.contours) : ContourChildren()),
+      drawer_(input, records, context),
       written_id_(input.contours.size(), 0),
       invalid_(context) {
-    PolygonTerms terms{input.plan.asked.outline,
-                       input.georeference,
-                       input.crs,
-                       input.target_crs,
-                       input.window,
-                       outliner_,
-                       children_,
-                       context.threads->stop()};
-    if (measures_drawn(input.plan)) {
+    if (drawer_.gives_cells())
         stack_.emplace(context.make_spool(), input.window);
-        terms.with_cells = true;
-    }
-    for (int thread = 0; thread < context.threads->threads(); ++thread)
-        makers_.emplace_back(terms);
 }
 
 void FeatureWriter::begin() {
-    auto [layers, places] = layer_specs(
-        input_.plan,
-        {context_.report.input, input_.vertical_unit, input_.target_crs.kind() != Crs::Kind::none}, sink_);
-    buildings_layer_ = places.buildings;
-    contours_layer_ = places.contours;
-    doubtful_layer_ = places.doubtful;
-    if (places.rejected)
-        rejected_.emplace(input_, *places.rejected);
-    give_styles(layers, places, input_, context_.report.units.vertical_metres);
+    std::vector<LayerSpec> layers = input_.layers.layers;
+    if (places().rejected)
+        rejected_.emplace(input_, *places().rejected);
+    give_styles(layers, input_, context_.report.units.vertical_metres);
     const StageClock clock(context_.report, Stage::write);
     sink_.begin(layers, input_.provenance);
     records_.number_from(sink_.first_id());
-}
-
-Drawn FeatureWriter::draw(std::size_t contour, std::size_t thread) {
-    PolygonMaker& maker = makers_[thread];
-    Drawn drawn;
-    const bool is_building = input_.contours.head(contour).key.level == 1;
-    {
-        const StageClock clock(maker.tally(), Stage::attributes);
-        const StoredContours::Stored stored = input_.contours.fetch_stored(contour);
-        drawn.record = records_.contour(contour, stored.contour);
-        drawn.own = stored.contour.own;
-        if (is_building)
-            drawn.building_record = records_.building(contour, stored.contour, drawn.record, stored.roof);
-    }
-    if (is_building && building_layer(contour))
-        drawn.building = maker.footprint(contour);
-    if (!contours_layer_ || is_doubtful(contour))
-        return drawn;
-    if (input_.plan.asked.outline.disjoint)
-        drawn.contour = maker.tier(contour);
-    else
-        drawn.contour =
-            drawn.building && !outliner_.has_own_footprints() ? *drawn.building : maker.whole(contour);
-    return drawn;
 }
 
 template <typename Record>
@@ -174,8 +99,8 @@ void FeatureWriter::write(std::size_t layer, std::span<const Attribute<Record>> 
     sink_.add(layer, {field_values(attributes, record), std::move(made.parts), threshold, record});
 }
 
-void FeatureWriter::count(std::size_t contour, const Drawn& drawn) {
-    if (is_doubtful(contour))
+void FeatureWriter::count(std::size_t contour, const DrawnContour& drawn) {
+    if (input_.is_doubtful(contour))
         return;
     LevelReport& level = context_.report.levels[static_cast<std::size_t>(drawn.record.level)];
     ++level.contours;
@@ -184,7 +109,7 @@ void FeatureWriter::count(std::size_t contour, const Drawn& drawn) {
         rmse_.add(drawn.own, input_.fixed);
 }
 
-void FeatureWriter::add_building(std::size_t contour, Drawn& drawn) {
+void FeatureWriter::add_building(std::size_t contour, DrawnContour& drawn) {
     FeaturePolygon& made = *drawn.building;
     invalid_.note("Building", drawn.building_record.id, made);
     torn_.note("building", drawn.building_record.id, made);
@@ -192,22 +117,24 @@ void FeatureWriter::add_building(std::size_t contour, Drawn& drawn) {
         rejected_->note(contour, LayerRole::buildings, drawn.building_record.id, made);
     if (made.parts.empty())
         return;
-    ++(is_doubtful(contour) ? context_.report.doubtful : context_.report.buildings);
-    if (!is_doubtful(contour))
+    const bool doubtful = input_.is_doubtful(contour);
+    ++(doubtful ? context_.report.doubtful : context_.report.buildings);
+    if (!doubtful)
         add_length(made, context_.report.building_outlines);
-    if (!contours_layer_)
+    if (!places().contours)
         context_.report.vertices += vertices_of(made.parts);
-    if (stack_ && !is_doubtful(contour))
+    if (stack_ && !doubtful)
         stack_->add_building(made.cells);
     BuildingRecord& record = drawn.building_record;
     record.deviation_m = made.deviation / std::sqrt(input_.georeference.cell_area()) * input_.cell_size_m;
     record.area_change = made.area_change;
-    if (input_.plan.detects_buildings() && !is_doubtful(contour))
+    if (input_.plan.detects_buildings() && !doubtful)
         odd_heights_.note(record, drawn.record);
-    write(*building_layer(contour), building_attributes(), record, std::move(made), drawn.record.threshold);
+    write(*places().of_building(doubtful), building_attributes(), record, std::move(made),
+          drawn.record.threshold);
 }
 
-bool FeatureWriter::add_contour(std::size_t contour, Drawn& drawn) {
+bool FeatureWriter::add_contour(std::size_t contour, DrawnContour& drawn) {
     invalid_.note("Contour", drawn.record.id, *drawn.contour);
     torn_.note("contour", drawn.record.id, *drawn.contour);
     // A contour that its children cover whole has no band of its own.
@@ -217,17 +144,17 @@ bool FeatureWriter::add_contour(std::size_t contour, Drawn& drawn) {
         return false;
     ++context_.report.contours;
     add_length(*drawn.contour, context_.report.contour_outlines);
-    if (stack_ && !buildings_layer_ && drawn.record.level == 1)
+    if (stack_ && !places().buildings && drawn.record.level == 1)
         stack_->add_building(drawn.contour->cells);
     if (stack_)
         stack_->add_contour(drawn.contour->cells, drawn.record.tier_z);
     context_.report.vertices += vertices_of(drawn.contour->parts);
-    write(*contours_layer_, contour_attributes(), drawn.record, std::move(*drawn.contour),
+    write(*places().contours, contour_attributes(), drawn.record, std::move(*drawn.contour),
           drawn.record.threshold);
     return true;
 }
 
-void FeatureWriter::add(std::size_t contour, Drawn&& drawn) {
+void FeatureWriter::add(std::size_t contour, DrawnContour&& drawn) {
     count(contour, drawn);
     const std::int64_t parent = input_.contours.head(contour).parent;
     drawn.record.parent_id = parent < 0 ? 0 : written_id_[static_cast<std::size_t>(parent)];
@@ -242,10 +169,7 @@ void FeatureWriter::warn_of_traced() {
     if (plan.walls == Walls::off && !(plan.asked.outline.simplify > 0))
         return;  // as it was asked for
     const RunReport& report = context_.report;
-    if (const std::string traced =
-            traced_doubt(report.building_outlines, report.contour_outlines, input_.cell_size_m);
-        !traced.empty())
-        context_.warn(as_sentence(traced));
+    warn_of(traced_doubt(report.building_outlines, report.contour_outlines, input_.cell_size_m), context_);
 }
 
 void FeatureWriter::finish() {
@@ -255,8 +179,8 @@ void FeatureWriter::finish() {
     warn_of_traced();
     torn_.finish(spoken_name(input_.target_crs, input_.plan.asked.outline.target_crs), context_);
     if (rejected_)
-        rejected_->write(makers_, sink_, context_);
-    for (PolygonMaker& maker : makers_)
+        rejected_->write(drawer_.makers(), sink_, context_);
+    for (PolygonMaker& maker : drawer_.makers())
         context_.report.merge(maker.tally());
     const double rmse = stack_ ? input_.compare(*stack_).rms(input_.fixed) : rmse_.value();
     context_.report.stack_rmse_m = rmse * context_.report.units.vertical_metres;
@@ -272,12 +196,12 @@ void write_features(const FeatureInput& input, RecordMaker& records, FeatureSink
     context.threads->in_order(
         (count + piece - 1) / piece,
         [&](std::size_t k, std::size_t thread) {
-            std::vector<Drawn> drawn;
+            std::vector<DrawnContour> drawn;
             for (std::size_t i = k * piece; i < std::min(count, (k + 1) * piece); ++i)
-                drawn.push_back(writer.draw(i, thread));
+                drawn.push_back(writer.drawer().draw(i, thread));
             return drawn;
         },
-        [&](std::size_t k, std::vector<Drawn> drawn) {
+        [&](std::size_t k, std::vector<DrawnContour> drawn) {
             for (std::size_t i = 0; i < drawn.size(); ++i)
                 writer.add(k * piece + i, std::move(drawn[i]));
             context.progress(static_cast<double>(k * piece) / static_cast<double>(count));

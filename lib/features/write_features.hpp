@@ -5,8 +5,9 @@
 #include "attributes/records.hpp"
 #include "core/crs.hpp"
 #include "core/georeference.hpp"
-#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/sinks.hpp"
 #include "features/drawn_stack.hpp"
+#include "features/layer_specs.hpp"
 #include "filter/contour_store.hpp"
 #include "geometry/geos.hpp"
 #include "options/run_plan.hpp"
@@ -20,14 +21,18 @@ struct FeatureInput {
     const Crs& crs;
     const Crs& target_crs;  ///< kind none: the DEM's
     const StoredContours& contours;
+    const LayerSpecs& layers;  ///< without their styles
     Provenance provenance;
-    std::string vertical_unit;
     Window window;
     Label buildings;     ///< labels above are doubtful
     double cell_size_m;  ///< side of a square of a cell's area
     FixedPoint fixed;
     /// Goes through the elevations once more.
     std::function<StackError(const DrawnStack&)> compare;
+
+    [[nodiscard]] bool is_doubtful(std::size_t contour) const {
+        return contours.head(contour).label > buildings;
+    }
 };
 
 /// Draws every outline, places it, has it checked, measures it, and hands it to the sink with its attributes,

@@ -49,7 +49,10 @@ std::int64_t ContourStore::take(FinishedContour&& finished) {
     if (contour.key.level == 0 && !settings_.keep_roots)
         return -1;
     const auto name = static_cast<std::int64_t>(entries_.size());
-    const auto reason = contour_noise(contour, settings_.noise, settings_.square_area);
+    auto reason = contour_noise(contour, settings_.noise, settings_.square_area);
+    const RoofElevations roof = reason ? RoofElevations() : take_roof(finished.sample, settings_.range);
+    if (!reason && contour.key.level == 1 && is_too_low(contour.label, roof, settings_.heights))
+        reason = Reason::building_not_tall;
     for (const std::int64_t standing : finished.standing_on_it)
         entries_[static_cast<std::size_t>(standing)].head.parent = reason ? on_noise : name;
     if (reason) {
@@ -62,7 +65,7 @@ std::int64_t ContourStore::take(FinishedContour&& finished) {
         reject({contour.key, *reason, place});
         return -1;
     }
-    put_aside(contour, take_roof(finished.sample, settings_.range));
+    put_aside(contour, roof);
     return name;
 }
 

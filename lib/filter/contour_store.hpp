@@ -70,6 +70,7 @@ class ContourStore : public ContourSink {
         FixedPoint fixed;
         bool keep_roots = true;      ///< else footprints are the lowest contours
         bool keep_rejected = false;  ///< what is dropped or filled is kept apart
+        HeightRules heights = {};    ///< of buildings, which level 1 is then
     };
     ContourStore(Settings settings, std::unique_ptr<Spool> spool, Context& context);
 

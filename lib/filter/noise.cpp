@@ -1,5 +1,7 @@
 #include "filter/noise.hpp"
 
+#include "core/hundredths.hpp"
+
 namespace d2b {
 namespace {
 
@@ -9,6 +11,13 @@ bool is_small(std::int64_t squares, LatticePoint place, const NoiseRules& rules,
 }
 
 }  // namespace
+
+bool is_too_low(Label label, const RoofElevations& roof, const HeightRules& rules) {
+    if (rules.min_p90_m == 0)
+        return false;
+    const double height = heights_above(rules.ground[label], roof, rules.metres)[p90_share];
+    return !(to_hundredths(height) >= rules.min_p90_m);
+}
 
 std::optional<Reason> contour_noise(const Contour& contour, const NoiseRules& rules,
                                     const SquareArea& square_area) {

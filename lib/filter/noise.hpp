@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/context.hpp"
+#include "core/roof_elevations.hpp"
 #include "core/square_area.hpp"
 #include "dem2buildings/options.hpp"
 #include "trace/contour.hpp"
@@ -19,6 +20,17 @@ struct NoiseRules {
     double min_area_m2 = 0;        ///< smallest area
     bool keep_footprints = false;  ///< contours of level 1 were found by other means: none is noise
 };
+
+/// Which buildings are too low to be kept.
+struct HeightRules {
+    double min_p90_m = 0;            ///< 0: none is
+    std::span<const double> ground;  ///< elevation by label
+    double metres = 1;               ///< in one vertical unit
+};
+
+/// Whether a building's p90, as it is written, is below the smallest height. What has no valid point has no
+/// height.
+[[nodiscard]] bool is_too_low(Label label, const RoofElevations& roof, const HeightRules& rules);
 
 /// Why a contour is noise, if it is: its exterior ring passes fewer grid points than the noise factor
 /// (Chittineni 2003, 4.2), or it is smaller than the smallest area as traced. A root never is, and a

@@ -24,22 +24,37 @@ std::vector<double> slices(const PointStats& stats, const FixedPoint& fixed, int
     return result;
 }
 
-std::vector<double> breaks(const ElevationHistogram& histogram, int lod, double metres) {
+/// @param price in square metres of a point
+std::vector<double> breaks(const ElevationHistogram& histogram, int lod, const BreakPrice& price,
+                           double metres) {
     // More than a building of 100 m has in tenths; what is higher is looked at a little less closely.
     constexpr std::size_t most_bins = 1024;
     const auto [width_m, bins] = histogram.bins(most_bins);
     std::vector<double> result;
     for (const std::int64_t bin :
-         natural_breaks(bins, lod, static_cast<std::int64_t>(std::ceil(least_step_m / width_m))))
+         natural_breaks(bins, lod, static_cast<std::int64_t>(std::ceil(least_step_m / width_m)),
+                        {price.fixed / (width_m * width_m), price.share}))
         result.push_back(static_cast<double>(bin) * width_m / metres);
     return result;
 }
 
+/// Another threshold makes borders about as long as half of what surrounds a square of the building's area,
+/// and has to take off a share of its error: low buildings get thresholds as well, and high ones not a dozen.
+/// @param border_price of a border as long as a cell, in square metres of a point
+BreakPrice price_of(const PointStats& stats, double border_price) {
+    constexpr double least_share = 0.03;
+    if (!(border_price > 0))
+        return {};
+    return {border_price * 2 * std::sqrt(static_cast<double>(stats.n)), least_share};
+}
+
 /// What a building's own elevations say.
 std::vector<double> own_thresholds(const BuildingStatistics& statistics, Label label,
-                                   const LevelOptions& options, LevelSource source, double metres) {
+                                   const LevelOptions& options, LevelSource source, double border_price,
+                                   double metres) {
     return source == LevelSource::natural
-               ? breaks(statistics.histogram(label), options.lod, metres)
+               ? breaks(statistics.histogram(label), options.lod,
+                        price_of(statistics.of(label), border_price * metres * metres), metres)
                : slices(statistics.of(label), statistics.fixed(), options.lod, metres);
 }
 
@@ -59,14 +74,14 @@ void BuildingStatistics::add(const ElevationBand& elevations, const LabelBand& l
 
 LevelPlan plan_building_levels(const BuildingStatistics& statistics, const std::vector<double>& ground,
                                const LevelPlan& global, const LevelOptions& options, LevelSource source,
-                               double metres) {
+                               double metres, double border_price) {
     const bool own = source != LevelSource::global && options.fixed.empty() && !options.interval;
     LevelPlan plan{global.minimum, {{}}, true};
     for (Label label = 1; label <= statistics.labels(); ++label) {
         const PointStats& stats = statistics.of(label);
         std::vector<double> list{ground[label]};
-        for (const double t :
-             own ? own_thresholds(statistics, label, options, source, metres) : global.thresholds[1])
+        for (const double t : own ? own_thresholds(statistics, label, options, source, border_price, metres)
+                                  : global.thresholds[1])
             if (t >= stats.lowest && t < stats.highest && t > list.back())
                 list.push_back(t);
         plan.thresholds.push_back(std::move(list));

@@ -46,9 +46,12 @@ class BuildingStatistics {
 /// @param statistics with histograms where LevelSource::natural is asked for
 /// @param ground elevation of each label's ground, recorded as the threshold of level 1; [0] is not used
 /// @param global of the whole DEM; its minimum is that of level 0
+/// @param border_price of a border as long as a cell between two tiers, in squared vertical units of a point:
+/// natural breaks are as many as are worth their borders; 0: as many as there are
 /// @param metres in a vertical unit
 [[nodiscard]] LevelPlan plan_building_levels(const BuildingStatistics& statistics,
                                              const std::vector<double>& ground, const LevelPlan& global,
-                                             const LevelOptions& options, LevelSource source, double metres);
+                                             const LevelOptions& options, LevelSource source, double metres,
+                                             double border_price = 0);
 
 }  // namespace d2b

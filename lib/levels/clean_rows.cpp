@@ -17,16 +17,14 @@ bool same(double a, double b) {
 }  // namespace
 
 CleanRows::CleanRows(std::unique_ptr<Spool> spool, std::int32_t first_row, std::int32_t rows)
-    : spool_(std::move(spool)),
-      first_row_(first_row),
-      slabs_(static_cast<std::size_t>(rows / slab_rows + 1)) {}
+    : spool_(std::move(spool)), slabs_(first_row, rows) {}
 
 void CleanRows::add(const BuildingCells& cells) {
     std::size_t cell = 0;
     for (std::size_t i = 0; i < cells.runs.size();) {
-        const std::int32_t slab = (cells.runs[i].row - first_row_) / slab_rows;
+        const std::size_t slab = slabs_.index(cells.runs[i].row);
         ByteWriter writer;
-        for (; i < cells.runs.size() && (cells.runs[i].row - first_row_) / slab_rows == slab; ++i) {
+        for (; i < cells.runs.size() && slabs_.index(cells.runs[i].row) == slab; ++i) {
             const BuildingCells::Run& run = cells.runs[i];
             for (std::int32_t begin = run.begin; begin < run.end;) {
                 const double elevation = cells.elevations[cell];
@@ -37,7 +35,7 @@ void CleanRows::add(const BuildingCells& cells) {
                 begin = end;
             }
         }
-        slabs_[static_cast<std::size_t>(slab)].push_back(append(*spool_, writer));
+        slabs_[slab].push_back(append(*spool_, writer));
     }
 }
 
@@ -45,11 +43,8 @@ ElevationBand CleanRows::clean(const ElevationBand& band) const {
     ElevationBand result = band;
     const std::int32_t first = band.shape.first_row;
     const std::int32_t end = first + band.shape.rows;
-    if (first == end)
-        return result;
-    for (std::int32_t slab = (first - first_row_) / slab_rows; slab <= (end - 1 - first_row_) / slab_rows;
-         ++slab)
-        for (const SpoolEntry& entry : slabs_[static_cast<std::size_t>(slab)]) {
+    slabs_.for_band(band.shape, [&](const std::vector<SpoolEntry>& entries) {
+        for (const SpoolEntry& entry : entries) {
             ByteReader reader(*spool_, entry);
             for (std::size_t i = 0; i < entry.size / sizeof(Run); ++i) {
                 const Run run = reader.take<Run>();
@@ -60,6 +55,7 @@ ElevationBand CleanRows::clean(const ElevationBand& band) const {
                 std::fill(row + run.begin, row + run.end, run.elevation);
             }
         }
+    });
     return result;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/band.hpp"
+#include "core/row_slabs.hpp"
 #include "dem2buildings/spool.hpp"
 #include "levels/building_cells.hpp"
 
@@ -23,7 +24,6 @@ class CleanRows {
     [[nodiscard]] ElevationBand clean(const ElevationBand& band) const;
 
   private:
-    static constexpr std::int32_t slab_rows = 64;
     struct Run {
         std::int32_t row;
         std::int32_t begin;
@@ -33,8 +33,7 @@ class CleanRows {
     };
 
     std::unique_ptr<Spool> spool_;
-    std::int32_t first_row_;
-    std::vector<std::vector<SpoolEntry>> slabs_;  ///< of slab_rows rows each: the entries with runs in it
+    RowSlabs<std::vector<SpoolEntry>> slabs_;  ///< the entries with runs in each
 };
 
 }  // namespace d2b

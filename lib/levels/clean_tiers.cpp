@@ -131,8 +131,10 @@ CleanRows clean_tiers(ElevationReader& reader, const LabelRows& labels, Label co
 RegionOptions region_options(double detail, const CellSize& cell, double metres) {
     // What is as narrow as one cell is smeared, whatever it is.
     constexpr int least_width = 2;
+    // Cells: a tier of a handful of cells is worth its vertices where it stands out more than a large one.
+    constexpr double own_border = 12;
     const double height = detail / metres;
-    return {height * height / std::sqrt(cell.across * cell.down), least_width};
+    return {height * height / std::sqrt(cell.across * cell.down), least_width, own_border};
 }
 
 }  // namespace d2b

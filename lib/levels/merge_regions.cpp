@@ -61,8 +61,8 @@ struct Image {
     [[nodiscard]] std::uint32_t region(std::uint32_t cell) { return graph.root(first[cell]); }
 };
 
-Image first_image(const BuildingCells& cells, double price, const StopRequest& stop) {
-    Seeds seeds(cells, price, stop);
+Image first_image(const BuildingCells& cells, const RegionOptions& options, const StopRequest& stop) {
+    Seeds seeds(cells, shares_of_price.front() * options.price, stop);
     std::vector<std::uint32_t> number(cells.elevations.size());
     std::vector<RegionGraph::Region> regions;
     for (std::uint32_t cell = 0; cell < number.size(); ++cell) {
@@ -74,7 +74,7 @@ Image first_image(const BuildingCells& cells, double price, const StopRequest& s
             number[cell] = number[root];
         }
     }
-    Image image{std::move(number), RegionGraph(std::move(regions))};
+    Image image{std::move(number), RegionGraph(std::move(regions), options.own_border)};
     CellNeighbours(cells, stop)
         .for_each([&](std::uint32_t cell, std::uint32_t left, std::uint32_t up, std::uint32_t) {
             for (const std::uint32_t beside : {left, up})
@@ -163,7 +163,7 @@ TierRegions numbered(Image& image) {
 }  // namespace
 
 TierRegions merge_regions(const BuildingCells& cells, const RegionOptions& options, const StopRequest& stop) {
-    Image image = first_image(cells, shares_of_price.front() * options.price, stop);
+    Image image = first_image(cells, options, stop);
     for (const double share : shares_of_price)
         merge_up_to(image.graph, share * options.price, stop);
     merge_narrow(cells, image, options.least_width, stop);

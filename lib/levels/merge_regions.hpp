@@ -22,6 +22,8 @@ struct TierRegions {
 struct RegionOptions {
     double price = 0;     ///< of a border as long as a cell, in squared elevations of a cell
     int least_width = 1;  ///< cells: a region that holds no square of this width belongs to one beside it
+    double own_border =
+        0;  ///< border, in lengths of a cell, that each region is charged with beside what it has
 };
 
 /// A clean image of a building's tiers: regions of constant height that keep the squared error of their

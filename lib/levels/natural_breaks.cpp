@@ -95,7 +95,7 @@ std::vector<std::int64_t> followed_back(const std::vector<Row>& rows, std::size_
 }  // namespace
 
 std::vector<std::int64_t> natural_breaks(std::span<const HistogramBin> bins, int most,
-                                         std::int64_t least_bins) {
+                                         std::int64_t least_bins, const BreakPrice& price) {
     if (bins.size() < 2)
         return {};
     const ClassError error(bins);
@@ -108,15 +108,20 @@ std::vector<std::int64_t> natural_breaks(std::span<const HistogramBin> bins, int
     for (std::size_t end = 1; end <= bins.size(); ++end)
         if (room(0, end))
             rows[0].error[end] = error(0, end);
-    double least_error = rows[0].error.back();
+    double last_error = rows[0].error.back();
+    const double price_of_break = price.fixed + price.share * last_error;
+    double least_cost = last_error;
     std::vector<std::int64_t> breaks;
     for (int k = 1; k <= most; ++k) {
         const Row whole =
             with_one_more(rows.back(), error, bins.size(), [](std::size_t, std::size_t) { return true; });
-        if (!(whole.error.back() < least_error))
+        if (!(whole.error.back() < last_error))
             break;
-        least_error = whole.error.back();
-        breaks = followed_back(rows, whole.before.back(), bins);
+        last_error = whole.error.back();
+        if (const double cost = last_error + k * price_of_break; cost < least_cost) {
+            least_cost = cost;
+            breaks = followed_back(rows, whole.before.back(), bins);
+        }
         rows.push_back(with_one_more(rows.back(), error, 1, room));
         rows[rows.size() - 2].error = {};  // only the way back is needed
     }

@@ -5,8 +5,9 @@
 
 namespace d2b {
 
-RegionGraph::RegionGraph(std::vector<Region> regions)
-    : regions_(std::move(regions)),
+RegionGraph::RegionGraph(std::vector<Region> regions, double own_border)
+    : own_border_(own_border),
+      regions_(std::move(regions)),
       sets_(static_cast<std::uint32_t>(regions_.size())),
       borders_(regions_.size()),
       cheapest_(regions_.size()),
@@ -76,7 +77,7 @@ RegionGraph::Neighbour RegionGraph::cheapest(std::uint32_t root_of) {
     for (const Border& border : borders_[root_of]) {
         const double cost =
             error_of_union(points, mean, regions_[border.region].points, means_[border.region]) /
-            border.length;
+            (border.length + own_border_);
         if (best.region == none || cost < best.cost || (cost == best.cost && border.region < best.region))
             best = {border.region, cost};
     }

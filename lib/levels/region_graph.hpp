@@ -19,7 +19,8 @@ class RegionGraph {
     /// Squared error that merging two adds.
     [[nodiscard]] static double added_error(const Region& one, const Region& other);
 
-    explicit RegionGraph(std::vector<Region> regions);
+    /// @param own_border of each region beside that which it has, in cells
+    explicit RegionGraph(std::vector<Region> regions, double own_border = 0);
 
     /// Also more than once for the same two: lengths add up. @param length in cells
     void add_border(std::uint32_t a, std::uint32_t b, std::uint32_t length);
@@ -31,7 +32,8 @@ class RegionGraph {
 
     struct Neighbour {
         std::uint32_t region = none;
-        double cost = 0;  ///< of merging: squared error that is added a length of the border that goes
+        double cost = 0;  ///< of merging: squared error that is added a length of the border that goes, a
+                          ///< region's own included
     };
     /// The neighbour that is cheapest to merge with; the one with the lowest number where two cost the same.
     /// Found anew only where the region or one beside it has changed since it was asked for last.
@@ -53,6 +55,7 @@ class RegionGraph {
     /// Makes one border of all those with the same neighbour.
     void gather(std::uint32_t root);
 
+    double own_border_;
     std::vector<Region> regions_;
     DisjointSets sets_;
     std::vector<std::vector<Border>> borders_;

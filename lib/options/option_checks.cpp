@@ -9,6 +9,7 @@
 #include "core/number_text.hpp"
 #include "dem2buildings/error.hpp"
 #include "options/option_rules.hpp"
+#include "options/sweep_plan.hpp"
 
 namespace d2b {
 namespace {
@@ -124,6 +125,8 @@ void check_options(const Request& request) {
     for (const OptionNeed& need : option_needs())
         check_need(need, request);
     check_offset(request.options.levels);
+    if (!request.tool.sweep.empty() && !request.options.write.preview.empty())
+        require_legible(request.tool.sweep_plan.trials(), request.options.write.preview_size);
 }
 
 bool has_effect(const OptionRow& row, const Request& request) {

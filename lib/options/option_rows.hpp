@@ -32,6 +32,8 @@ enum class Python { none, extract_file, everywhere };
 
 /// What a row holds beside its name, its values and the field that they set.
 struct Columns {
+    std::string title{};
+    DialogSection section = DialogSection::advanced;
     std::string help{};
     std::string details{};
     std::string unit{};

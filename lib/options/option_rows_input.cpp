@@ -14,7 +14,8 @@ OptionRow vertical_unit() {
     const Texts units{"m", "ft", "us-ft"};
     OptionRow row = described(
         "zunit", OptionKind::text, joined(units, "|") + "|<metres>",
-        {.help = "Unit of the elevations.",
+        {.title = "Unit of the elevations",
+         .help = "Unit of the elevations.",
          .details = "By default the first of these that is known: the unit of the band, of the "
                     "vertical CRS, of the horizontal CRS; the report says which it was. A band whose unit is "
                     "no length is refused without this option. ft is "
@@ -43,7 +44,8 @@ OptionRow elevation_range() {
         "zrange", OptionKind::numbers, "<lowest> <highest>", "two numbers, the lowest below the highest",
         [](const Two& range) { return range[0] < range[1]; },
         [](auto& r) -> auto& { return r.options.read.elevation_range; },
-        {.help = "Elevations that occur; what is outside is no elevation.",
+        {.title = "Elevations that occur",
+         .help = "Range of the elevations; values outside it are not used.",
          .details = "By default from -500 to 9000 m, whatever the unit: no land lies lower or higher. Cells "
                     "outside are "
                     "taken for no data, counted and warned of, those of a terrain model too.",
@@ -72,13 +74,16 @@ std::vector<OptionRow> windows() {
         "four whole numbers, columns and rows above 0",
         [](const Four& w) { return std::ranges::all_of(w, whole) && w[2] > 0 && w[3] > 0; },
         [](auto& r) -> auto& { return r.options.read.source_window; },
-        {.help = "Part of the input to use, in cells from its upper left corner.", .unit = "cells"}));
+        {.title = "Part of the raster, in cells",
+         .help = "Part of the input to use, in cells from its upper left corner.",
+         .unit = "cells"}));
     rows.push_back(several_row<4>(
         "projwin", OptionKind::numbers, "<ulx> <uly> <lrx> <lry>",
         "four numbers, ulx below lrx and uly above lry",
         [](const Four& w) { return w[0] < w[2] && w[1] > w[3]; },
         [](auto& r) -> auto& { return r.options.read.projected_window; },
-        {.help = "Part of the input to use, by its upper left and lower right corner.",
+        {.title = "Part of the raster, by its corners",
+         .help = "Part of the input to use, by its upper left and lower right corner.",
          .unit = "units of the input's CRS"}));
     rows.push_back(several_row<4>(
         "te", OptionKind::extent, "<xmin> <ymin> <xmax> <ymax>",
@@ -88,16 +93,21 @@ std::vector<OptionRow> windows() {
             return w[0] < w[2] && w[1] < w[3];
         },
         [](auto& r) -> auto& { return r.options.read.extent; },
-        {.help = "Part of the input to use, by its extent: the points within it.",
+        {.title = "Extent to look at",
+         .section = DialogSection::basic,
+         .help = "Part of the input to use, by its extent: the points within it.",
          .unit = "units of the input's CRS"}));
     rows.push_back(text_row(
         "cutline", OptionKind::polygons, "<polygons>",
         [](auto& r) -> auto& { return r.options.read.cutline; },
-        {.help = "Vector dataset whose polygons bound the area of interest.",
+        {.title = "Area of interest (polygons)",
+         .section = DialogSection::basic,
+         .help = "Vector dataset whose polygons bound the area of interest.",
          .details = "Any dataset that GDAL reads. Points outside the polygons are taken for no data."}));
     rows.push_back(text_row("cutline_layer", OptionKind::text, "<layer>",
                             [](auto& r) -> auto& { return r.options.read.cutline_layer; },
-                            {.help = "Layer of the cutline; by default the first that has geometries."}));
+                            {.title = "Layer of the area of interest",
+                             .help = "Layer of the cutline; by default the first that has geometries."}));
     return rows;
 }
 
@@ -107,31 +117,35 @@ std::vector<OptionRow> input() {
     std::vector<OptionRow> rows;
     rows.push_back(whole_row("b", "<band>", {.lowest = 1, .highest = 65536},
                              [](auto& r) -> auto& { return r.options.read.band; },
-                             {.help = "Band that holds the elevations."}));
-    rows.push_back(texts_row("oo", "<NAME>=<VALUE>", "NAME=VALUE",
-                             [](auto& r) -> auto& { return r.options.read.open_options; },
-                             {.help = "Open option of the input's format."}));
+                             {.title = "Band of the elevations", .help = "Band that holds the elevations."}));
+    rows.push_back(texts_row(
+        "oo", "<NAME>=<VALUE>", "NAME=VALUE", [](auto& r) -> auto& { return r.options.read.open_options; },
+        {.title = "Open options of the raster's format", .help = "Open option of the input's format."}));
     rows.push_back(texts_row(
         "if", "<format>", "", [](auto& r) -> auto& { return r.options.read.drivers; },
-        {.help = "Format to try on the input.",
+        {.title = "Format of the raster",
+         .help = "Format to try on the input.",
          .details =
              "A short name of GDAL's, as --formats lists them. Without this option every format is tried.",
          .python_name = "input_format"}));
     rows.push_back(text_row("a_srs", OptionKind::crs, "<crs>",
                             [](auto& r) -> auto& { return r.options.read.crs; },
-                            {.help = "CRS of the input, in place of its own.",
+                            {.title = "Coordinate system of the raster",
+                             .help = "CRS of the input, in place of its own.",
                              .details = "An authority code such as EPSG:25832, with a vertical CRS "
                                         "EPSG:25832+7837, or WKT, PROJJSON or a "
                                         "PROJ string. Nothing is reprojected.",
                              .python_name = "crs"}));
     rows.push_back(number_row(
         "snodata", "<value>", {}, [](auto& r) -> auto& { return r.options.read.nodata; },
-        {.help = "Value that stands for no data, in place of the input's own.",
+        {.title = "Value that stands for no data",
+         .help = "Value that stands for no data, in place of the input's own.",
          .details =
              "It is compared with the values as stored, before the band's scale and offset. NaN and infinite "
              "elevations are never valid, with or without this option."}));
     rows.push_back(switch_row("inodata", [](auto& r) -> auto& { return r.options.read.ignore_nodata; },
-                              {.help = "Take the input's NoData value for an elevation like any other."}));
+                              {.title = "Take the NoData value for an elevation",
+                               .help = "Take the input's NoData value for an elevation like any other."}));
     for (OptionRow& row : windows())
         rows.push_back(std::move(row));
     rows.push_back(vertical_unit());

@@ -7,28 +7,34 @@ std::vector<OptionRow> dataset() {
     std::vector<OptionRow> rows;
     rows.push_back(text_row(
         "f", OptionKind::text, "<format>", [](auto& r) -> auto& { return r.options.write.format; },
-        {.help = "Format of the output; by default the one of the file name's extension.",
+        {.title = "Format of the result",
+         .help = "Format of the output; by default the one of the file name's extension.",
          .details = "A short name of GDAL's, as --formats lists them, such as GPKG or \"ESRI Shapefile\".",
          .aliases = {"of", "output_format"},
          .python = Python::extract_file}));
     rows.push_back(texts_row("dsco", "<NAME>=<VALUE>", "NAME=VALUE",
                              [](auto& r) -> auto& { return r.options.write.dataset_options; },
-                             {.help = "Creation option of the output's format.",
+                             {.title = "Creation options of the file",
+                              .help = "Creation option of the output's format.",
                               .aliases = {"co"},
                               .python = Python::extract_file}));
-    rows.push_back(texts_row(
-        "lco", "<NAME>=<VALUE>", "NAME=VALUE", [](auto& r) -> auto& { return r.options.write.layer_options; },
-        {.help = "Creation option of the output's layers.", .python = Python::extract_file}));
+    rows.push_back(texts_row("lco", "<NAME>=<VALUE>", "NAME=VALUE",
+                             [](auto& r) -> auto& { return r.options.write.layer_options; },
+                             {.title = "Creation options of the layers",
+                              .help = "Creation option of the output's layers.",
+                              .python = Python::extract_file}));
     rows.push_back(text_row(
         "nln", OptionKind::text, "<name>", [](auto& r) -> auto& { return r.options.write.layer_name; },
-        {.help = "Name of the output's layer.",
+        {.title = "Name of the layers",
+         .help = "Name of the output's layer.",
          .details = "Where both layers are written it is that of the buildings, and the contours "
                     "go to <name>_contours. By default the layers are buildings and contours, "
-                    "or have the name of the file where the format holds one layer a file.",
+                    "or have the name of the file where the format holds one layer per file.",
          .python = Python::extract_file}));
     rows.push_back(switch_row(
         "overwrite", [](auto& r) -> auto& { return r.options.write.overwrite; },
-        {.help = "Replace layers of the same names in an existing output.",
+        {.title = "Replace layers of the same names",
+         .help = "Replace layers of the same names in an existing output.",
          .details =
              "Other layers of a GeoPackage or SQLite file stay, also the one of ours that -layers leaves "
              "out; other formats are refused where they hold other layers. An existing output is refused "
@@ -36,7 +42,8 @@ std::vector<OptionRow> dataset() {
          .python = Python::extract_file,
          .repeats = false}));
     rows.push_back(switch_row("append", [](auto& r) -> auto& { return r.options.write.append; },
-                              {.help = "Add to layers of the same names in an existing output.",
+                              {.title = "Add to layers of the same names",
+                               .help = "Add to layers of the same names in an existing output.",
                                .python = Python::extract_file,
                                .repeats = false}));
     return rows;
@@ -50,47 +57,70 @@ std::vector<OptionRow> also_written() {
                                     {"osm", FieldNames::osm}};
     std::vector<OptionRow> rows;
     rows.push_back(choice_row("fields", names, [](auto& r) -> auto& { return r.options.write.fields; },
-                              {.help = "Names of the fields of buildings: those that another program reads.",
+                              {.title = "Names of the fields",
+                               .section = DialogSection::output,
+                               .help = "Names of the fields of buildings, as another program reads them.",
                                .details = "Some are longer than a Shapefile can hold, which is refused."}));
-    rows.push_back(
-        switch_row("write_doubtful", [](auto& r) -> auto& { return r.options.write.doubtful; },
-                   {.help = "Also write a layer of what may be a building, with the reason for the doubt.",
-                    .details = "Its name is doubtful, or that of -nln with _doubtful after it.",
-                    .scope = where_buildings_are_found()}));
     rows.push_back(switch_row(
-        "write_rejected", [](auto& r) -> auto& { return r.options.write.rejected; },
-        {.help = "Also write a layer of what was dropped, filled or kept as traced, with the reason.",
-         .details = "Its name is rejected, or that of -nln with _rejected after it."}));
+        "write_doubtful", [](auto& r) -> auto& { return r.options.write.doubtful; },
+        {.title = "Also write what may be a building",
+         .section = DialogSection::trees,
+         .help = "Also write a layer of objects that may be buildings, with the reason for the doubt.",
+         .details = "Its name is doubtful, or that of -nln with _doubtful after it.",
+         .scope = where_buildings_are_found()}));
+    rows.push_back(switch_row("write_rejected", [](auto& r) -> auto& { return r.options.write.rejected; },
+                              {.title = "Also write what was left out",
+                               .help = "Also write a layer of contours and holes that were dropped, filled "
+                                       "or kept as traced, with the reason.",
+                               .details = "Its name is rejected, or that of -nln with _rejected after it."}));
     rows.push_back(text_row("write_ground", OptionKind::geotiff, "<file.tif>",
                             [](auto& r) -> auto& { return r.options.write.ground; },
-                            {.help = "Also write the terrain as a GeoTIFF, in metres.",
+                            {.title = "Terrain as a GeoTIFF",
+                             .section = DialogSection::ground,
+                             .help = "Also write the terrain as a GeoTIFF, in metres.",
                              .scope = where_buildings_are_found(),
                              .python = Python::extract_file,
                              .repeats = false}));
     rows.push_back(text_row("write_height", OptionKind::geotiff, "<file.tif>",
                             [](auto& r) -> auto& { return r.options.write.height; },
-                            {.help = "Also write the heights above the terrain as a GeoTIFF, in metres.",
+                            {.title = "Heights above the terrain as a GeoTIFF",
+                             .section = DialogSection::ground,
+                             .help = "Also write the heights above the terrain as a GeoTIFF, in metres.",
                              .scope = where_buildings_are_found(),
                              .python = Python::extract_file,
                              .repeats = false}));
     rows.push_back(
         text_row("write_canopy", OptionKind::geotiff, "<file.tif>",
                  [](auto& r) -> auto& { return r.options.write.canopy; },
-                 {.help = "Also write the heights of trees as a GeoTIFF, in metres; 0 elsewhere.",
+                 {.title = "Heights of trees as a GeoTIFF",
+                  .section = DialogSection::trees,
+                  .help = "Also write the heights of trees as a GeoTIFF, in metres; 0 elsewhere.",
                   .details = "All that rises above -min_height and is no building, as wind models take it.",
                   .scope = where_buildings_are_found(),
                   .python = Python::extract_file,
                   .repeats = false}));
     rows.push_back(text_row(
-        "preview", OptionKind::picture, "<file.png>",
-        [](auto& r) -> auto& { return r.options.write.preview; },
-        {.help = "Also write a picture of the result over the shaded relief.",
+        "preview", OptionKind::picture, "<file>", [](auto& r) -> auto& { return r.options.write.preview; },
+        {.title = "Picture of the result",
+         .section = DialogSection::output,
+         .help = "Also write a picture of the result over the shaded relief.",
          .details =
-             "Contours, or buildings where no contours are written, in the colours of their heights above "
-             "the ground, with the number of buildings and points and the distance of the stack to the "
-             "input; so -lod and -nf can be judged at a glance.",
+             "A PNG, SVG or PDF, as its name ends: buildings in the colours of their heights above the "
+             "ground, the parts that they are made of as lines, a legend, a scale bar and a north arrow, "
+             "the number of buildings and points and the distance of the stack to the input, so that -lod "
+             "and -nf can be judged at a glance.",
          .python = Python::extract_file,
          .repeats = false}));
+    rows.push_back(whole_row("preview_size", "<pixels>", {.lowest = 300, .highest = 10000},
+                             [](auto& r) -> auto& { return r.options.write.preview_size; },
+                             {.title = "Longer side of the picture",
+                              .section = DialogSection::output,
+                              .help = "Longer side of the picture of -preview.",
+                              .details = "In SVG and PDF a pixel is a 96th of an inch, and lines and letters "
+                                         "stay sharp at any size.",
+                              .unit = "pixels",
+                              .python = Python::extract_file,
+                              .repeats = false}));
     return rows;
 }
 
@@ -113,19 +143,24 @@ std::vector<OptionRow> output() {
     std::vector<OptionRow> rows;
     rows.push_back(choice_row(
         "layers", layers, [](auto& r) -> auto& { return r.options.write.layers; },
-        {.help = "Layers to write.",
-         .details = "buildings: one polygon a building; contours: the stacked polygons of all levels. By "
+        {.title = "Layers to write",
+         .section = DialogSection::output,
+         .help = "Layers to write.",
+         .details = "buildings: one polygon per building; contours: the stacked polygons of all levels. By "
                     "default both, "
-                    "or the buildings alone where the format holds one layer a file."}));
+                    "or the buildings alone where the format holds one layer per file."}));
     rows.push_back(text_row(
         "t_srs", OptionKind::crs, "<crs>", [](auto& r) -> auto& { return r.options.outline.target_crs; },
-        {.help = "CRS of the output; by default the input's.",
+        {.title = "Coordinate system of the result",
+         .section = DialogSection::output,
+         .help = "CRS of the output; by default the input's.",
          .details =
              "Written as for -a_srs. Features that it tears apart (across 180 degrees, over a pole) are left "
              "out with a warning; where it tears the whole area, the run is refused."}));
-    rows.push_back(
-        switch_row("3d", [](auto& r) -> auto& { return r.options.write.with_z; },
-                   {.help = "Write the threshold as the Z of every vertex.", .python_name = "with_z"}));
+    rows.push_back(switch_row("3d", [](auto& r) -> auto& { return r.options.write.with_z; },
+                              {.title = "Elevations in the vertices",
+                               .help = "Write the threshold as the Z of every vertex.",
+                               .python_name = "with_z"}));
     for (OptionRow& row : dataset())
         rows.push_back(std::move(row));
     for (OptionRow& row : also_written())
@@ -139,12 +174,14 @@ namespace {
 OptionRow sweep() {
     OptionRow row = described(
         "sweep", OptionKind::text, "lod=<from>..<to>,nf=<from>..<to>,detail=<from>..<to>",
-        {.help = "Try every level of detail with every noise factor and every -detail, and print a table; "
+        {.title = "Trials",
+         .help = "Try every level of detail with every noise factor and every -detail, and print a table; "
                  "nothing "
                  "else is written.",
          .details = "The destination is left out. For each trial: buildings, contours, points of these, the "
                     "distance of "
-                    "the stack to the input (root mean square), seconds. With -preview a contact sheet. Of "
+                    "the stack to the input (root mean square), seconds. With -preview a contact sheet of as "
+                    "many trials as can be read on it. Of "
                     "more than six "
                     "values six are tried, spread evenly; a third number is the step: nf=5..60..5, "
                     "detail=0..2..0.5. What is not named stays as its option says. The input "
@@ -167,20 +204,24 @@ std::vector<OptionRow> report() {
     rows.push_back(sweep());
     rows.push_back(whole_row("threads", "<n>", {.lowest = 0, .highest = 1024},
                              [](auto& r) -> auto& { return r.options.run.threads; },
-                             {.help = "Threads to work with; 0 takes as many as there are cores.",
+                             {.title = "Threads",
+                              .help = "Threads to work with; 0 takes as many as there are cores.",
                               .details = "Their number changes nothing of the result."}));
-    rows.push_back(switch_row("q", [](auto& r) -> auto& { return r.tool.quiet; },
-                              {.help = "No progress and no summary.", .aliases = {"quiet"}}));
+    rows.push_back(
+        switch_row("q", [](auto& r) -> auto& { return r.tool.quiet; },
+                   {.title = "No progress", .help = "No progress and no summary.", .aliases = {"quiet"}}));
     rows.push_back(switch_row(
         "json", [](auto& r) -> auto& { return r.tool.json; },
-        {.help = "Print a report of the run to stdout as JSON; implies -q.",
+        {.title = "Report as JSON",
+         .help = "Print a report of the run to stdout as JSON; implies -q.",
          .details =
-             "It holds the input, CRS and units with what decided them, thresholds, counts a level, what was "
-             "dropped and why, warnings, and seconds (of all threads together) and peak memory a stage."}));
+             "It holds the input, CRS and units with what decided them, thresholds, counts per level, what "
+             "was "
+             "dropped and why, warnings, and seconds (of all threads together) and peak memory per stage."}));
     rows.push_back(switch_row("help", [](auto& r) -> auto& { return r.tool.help; },
-                              {.help = "Print this help and exit.", .aliases = {"h"}}));
+                              {.title = "Help", .help = "Print this help and exit.", .aliases = {"h"}}));
     rows.push_back(switch_row("version", [](auto& r) -> auto& { return r.tool.version; },
-                              {.help = "Print the version and exit."}));
+                              {.title = "Version", .help = "Print the version and exit."}));
     rows.push_back(switch_row("man", [](auto& r) -> auto& { return r.tool.man_page; },
                               {.help = "Print the man page and exit."}));
     rows.push_back(switch_row("options_md", [](auto& r) -> auto& { return r.tool.options_markdown; },

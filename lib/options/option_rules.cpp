@@ -95,6 +95,7 @@ constexpr std::array rules{
 constexpr std::array needs{
     OptionNeed{"off", "i", "it is the elevation that the intervals count from"},
     OptionNeed{"cutline_layer", "cutline", "it names the layer of its polygons"},
+    OptionNeed{"preview_size", "preview", "it is the size of its picture"},
     OptionNeed{"mask_layer", "mask", "it names the layer of its polygons"},
 };
 

@@ -49,6 +49,8 @@ OptionRow described(std::string name, OptionKind kind, std::string values, Colum
     row.values = std::move(values);
     row.arity = row.values.empty() ? Arity::none : Arity::one;
     row.count = row.values.empty() ? 0 : 1;
+    row.title = std::move(columns.title);
+    row.section = columns.section;
     row.help = std::move(columns.help);
     row.details = std::move(columns.details);
     row.unit = std::move(columns.unit);

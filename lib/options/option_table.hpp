@@ -53,6 +53,11 @@ enum class OptionGroup { input, buildings, levels, contours, output, report };
 inline constexpr std::array<std::string_view, 6> option_group_names{"Input",    "Buildings", "Levels",
                                                                     "Contours", "Output",    "Report"};
 
+/// Where a dialog asks for an option: what is looked at first, what it is about, or behind a fold.
+enum class DialogSection { basic, ground, trees, detail, output, advanced };
+inline constexpr std::array<std::string_view, 6> dialog_section_names{"Basic",  "Ground", "Trees",
+                                                                      "Detail", "Output", "Advanced"};
+
 /// What a value is: the widget of a dialog, what a shell completes.
 enum class OptionKind {
     toggle,    ///< a switch
@@ -67,12 +72,12 @@ enum class OptionKind {
     dataset,   ///< either of them
     terrain,   ///< one of OptionRow::choices, or a raster that is read
     geotiff,   ///< a file that is written
-    picture,   ///< a PNG that is written
+    picture,   ///< a PNG, SVG or PDF that is written
     text
 };
 inline constexpr std::array<std::string_view, 14> option_kind_names{
-    "switch", "choice", "whole",   "number",  "numbers",  "extent",   "crs",
-    "raster", "vector", "dataset", "terrain", "file:tif", "file:png", "text"};
+    "switch", "choice", "whole",   "number",  "numbers",  "extent",           "crs",
+    "raster", "vector", "dataset", "terrain", "file:tif", "file:png,svg,pdf", "text"};
 
 inline constexpr std::array every_preset{Preset::buildings, Preset::thesis};
 [[nodiscard]] constexpr std::string_view preset_name(Preset preset) {
@@ -112,8 +117,10 @@ struct OptionRow {
     std::optional<NumberRange> numbers{};  ///< of an option of one number
     std::string range{};                   ///< ends "-name must be ..."; "" where any text will do
     std::string standard{};  ///< the default as text, from a default-constructed Request; "" for none
-    std::string help{};      ///< a line
-    std::string details{};   ///< more sentences, or ""
+    std::string title{};     ///< what a dialog calls it
+    DialogSection section = DialogSection::advanced;
+    std::string help{};     ///< a line
+    std::string details{};  ///< more sentences, or ""
     PresetScope scope{};
     PythonUse python{};
     bool repeats = true;  ///< a result cannot be made again without it

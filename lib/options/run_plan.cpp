@@ -26,13 +26,16 @@ void refuse_for_layers(const Options& options, Layers layers) {
 double RunPlan::wall_tolerance(double cell_m) const {
     if (asked.outline.wall_tolerance)
         return *asked.outline.wall_tolerance;
-    return cell_m > 0 ? std::min(wall_tolerance_cells, wall_tolerance_m / cell_m) : wall_tolerance_cells;
+    if (!(cell_m > 0))
+        return wall_tolerance_cells;
+    return std::clamp(wall_tolerance_m / cell_m, least_wall_tolerance_cells, wall_tolerance_cells);
 }
 
 Options RunPlan::settled() const {
     Options options = asked;
     options.ground.mode = ground;
     options.levels.source = levels;
+    options.levels.detail = detail;
     options.trace.mode = trace;
     options.outline.walls = walls;
     options.filter.min_area_m2 = detects_buildings() ? building_m2 : contour_m2;
@@ -47,7 +50,8 @@ RunPlan make_run_plan(Options options, Layers layers) {
     RunPlan plan{
         .asked = {},
         .ground = options.ground.mode.value_or(detects ? GroundMode::automatic : GroundMode::none),
-        .levels = options.levels.source.value_or(detects ? LevelSource::building : LevelSource::global),
+        .levels = options.levels.source.value_or(detects ? LevelSource::natural : LevelSource::global),
+        .detail = options.levels.detail.value_or(detects ? usual_detail_m : 0),
         .trace = options.trace.mode.value_or(detects ? TraceMode::cells : TraceMode::points),
         .walls = options.outline.walls.value_or(straightens ? Walls::automatic : Walls::off),
         .building_m2 = options.filter.min_area_m2.value_or(smallest_building_m2),

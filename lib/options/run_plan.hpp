@@ -7,9 +7,14 @@ namespace d2b {
 /// The smallest building where -min_area is not given.
 inline constexpr double smallest_building_m2 = 30;
 
+/// -detail where it is not given: rails, dormers and what trees hang over a roof go, a storey stays.
+inline constexpr double usual_detail_m = 0.5;
+
 /// How far a wall may leave its trace where -regularize_tolerance is not given: so many cells, but no more
-/// metres, since coarse cells would let it come nearer to its neighbours than they are away.
+/// metres, since coarse cells would let it come nearer to its neighbours than they are away; and at least a
+/// cell, without which no slanted wall fits its staircase.
 inline constexpr double wall_tolerance_cells = 1.5;
+inline constexpr double least_wall_tolerance_cells = 1;
 inline constexpr double wall_tolerance_m = 1.25;
 
 /// Whether buildings are looked for: Preset::buildings. Preset::thesis takes everything above its thresholds.
@@ -22,6 +27,7 @@ struct RunPlan {
     Options asked;
     GroundMode ground;
     LevelSource levels;
+    double detail;  ///< m
     TraceMode trace;
     Walls walls;
     double building_m2;  ///< smallest area of what is taken for a building
@@ -39,7 +45,8 @@ struct RunPlan {
 ///
 ///                 buildings                    thesis
 ///   -ground       auto                         none
-///   -levels       building                     global
+///   -levels       natural                      global
+///   -detail       0.5 m                        0
 ///   -trace        cells                        points
 ///   -regularize   auto, off if simplified      off
 ///   -min_area     30 m2, of buildings          0, of all contours

@@ -1,8 +1,7 @@
-#include "dem2buildings/set_option.hpp"
-
 #include <utility>
 
 #include "dem2buildings/error.hpp"
+#include "dem2buildings/options.hpp"
 #include "options/option_table.hpp"
 
 namespace d2b {

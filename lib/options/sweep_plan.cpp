@@ -103,13 +103,24 @@ SweepPlan parse_sweep(const std::string& text) {
             refuse(text);
         values = values_of(part.substr(part.find('=') + 1), *find_option(lod ? "lod" : "nf")->numbers);
     }
-    const std::size_t trials = std::max<std::size_t>(plan.lods.size(), 1) *
-                               std::max<std::size_t>(plan.noise_factors.size(), 1) *
-                               std::max<std::size_t>(plan.details.size(), 1);
+    const std::size_t trials = plan.trials();
     if (trials > most_trials)
         throw OptionError("-sweep names " + std::to_string(trials) + " trials or more; name at most " +
                           std::to_string(most_trials) + ".");
     return plan;
+}
+
+void require_legible(std::size_t trials, int longest) {
+    const auto side = static_cast<std::size_t>(std::max(longest / legible_trial_px, 1));
+    if (trials <= side * side)
+        return;
+    std::size_t needed = side;
+    while (needed * needed < trials)
+        ++needed;
+    throw OptionError("-sweep names " + std::to_string(trials) + " trials, and a picture of " +
+                      std::to_string(longest) + " pixels has room for " + std::to_string(side * side) +
+                      " that can be read; name fewer values, or say -preview_size " +
+                      std::to_string(needed * legible_trial_px) + ".");
 }
 
 }  // namespace d2b

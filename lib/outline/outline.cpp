@@ -39,8 +39,14 @@ struct Outliner::Impl {
 namespace {
 
 OutlineQuality quality_of(const WallQuality& quality) {
-    return {quality.fitted ? OutlineStatus::regularized : OutlineStatus::kept_traced, quality.traced_share,
-            quality.deviation, quality.area_change};
+    // The least form that more than a twentieth of its length has.
+    constexpr double little = 0.05;
+    OutlineStatus status = OutlineStatus::regularized;
+    if (quality.simplified_share + quality.traced_share > little)
+        status = OutlineStatus::simplified;
+    if (quality.traced_share > little)
+        status = OutlineStatus::kept_traced;
+    return {status, quality.simplified_share, quality.traced_share, quality.deviation, quality.area_change};
 }
 
 }  // namespace
@@ -68,7 +74,8 @@ Outliner::~Outliner() = default;
 OutlineQuality Outliner::quality(std::size_t contour) const {
     if (impl_->walls)
         return quality_of(impl_->walls->quality(contour));
-    return {impl_->arcs ? OutlineStatus::simplified : OutlineStatus::traced, 0, 0, 0};
+    return {impl_->arcs ? OutlineStatus::simplified : OutlineStatus::traced, impl_->arcs ? 1.0 : 0.0, 0, 0,
+            0};
 }
 
 OutlineQuality Outliner::footprint_quality(std::size_t contour) const {

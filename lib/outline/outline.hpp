@@ -30,8 +30,9 @@ enum class Drawing {
 /// How an outline differs from its trace.
 struct OutlineQuality {
     OutlineStatus status = OutlineStatus::traced;
+    double simplified = 0;       ///< share of the length that is simplified although walls were asked for
     double kept_traced = 0;      ///< share of the length that runs as it was traced although walls were asked
-                                 ///< for: all or none of a ring's stretch between two others
+                                 ///< for
     double deviation_cells = 0;  ///< outline and trace are nowhere farther apart, either way; a cell is the
                                  ///< square root of its area. Regularized outlines alone: else 0
     double area_change = 0;      ///< share of the traced area. Regularized outlines alone: else 0

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <cstdint>
 #include <vector>
 
@@ -16,6 +17,7 @@ class SegmentGrid {
     struct Edge {
         std::uint32_t arc;
         std::uint32_t index;  ///< of its first vertex
+        friend auto operator<=>(const Edge&, const Edge&) = default;
     };
     using Arcs = std::vector<std::vector<FinePoint>>;
 

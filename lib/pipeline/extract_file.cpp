@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "dem2buildings/error.hpp"
-#include "dem2buildings/open_dem.hpp"
-#include "dem2buildings/open_sink.hpp"
+#include "dem2buildings/open_sinks.hpp"
+#include "dem2buildings/open_sources.hpp"
 #include "pipeline/preview.hpp"
 #include "read/source_advice.hpp"
 
@@ -51,10 +51,11 @@ RunReport extract_file(const Options& options, const Callbacks& callbacks) {
     const Inputs inputs = open_inputs(options, heard);
     const auto sink = open_sink(options.write, heard);
     const SideSinks side = open_side_sinks(options, inputs.dem->info());
-    Preview preview(options, *sink, *inputs.dem);
-    RunReport report =
-        run(options, inputs.sources(),
-            {preview.features(), side.ground.get(), side.height.get(), side.canopy.get()}, heard);
+    Preview preview(options, *sink, inputs.dem->info());
+    RunReport report = run(
+        options, inputs.sources(),
+        {preview.features(), side.ground.get(), side.height.get(), side.canopy.get(), preview.elevations()},
+        heard);
     preview.publish(heard);
     report.warnings = std::move(warnings);
     return report;

@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "core/progress_span.hpp"
@@ -124,7 +125,9 @@ void count_left_out(const LeftOut& left_out, RowBand own, RunReport& report) {
 }
 
 /// @param found gets what is seen of the ground and of what accompanies the DEM
-StripFound find_in_strip(const Job& job, const Strip& strip, FoundBuildings& found) {
+/// @param quality of the surface, known from the first strip with enough roofs on
+StripFound find_in_strip(const Job& job, const Strip& strip, FoundBuildings& found,
+                         std::optional<SurfaceQuality>& quality) {
     const RowBand own{strip.own.begin - strip.seen.begin, strip.own.end - strip.seen.begin};
     MetreGrid surface = surface_of(job, strip.seen);
     MetreGrid terrain = terrain_of(job, strip.seen, surface);
@@ -146,7 +149,7 @@ StripFound find_in_strip(const Job& job, const Strip& strip, FoundBuildings& fou
     }
     Detection detection = [&] {
         const StageClock clock(job.context.report, Stage::detect);
-        return detect_buildings(scene, job.plan.asked.detect, job.plan.building_m2, job.context);
+        return detect_buildings(scene, job.plan.asked.detect, job.plan.building_m2, job.context, quality);
     }();
     count_left_out(detection.left_out, own, job.context.report);
     write_scene_rasters(job.sinks, scene, detection, job.plan.asked.detect.min_height, own);
@@ -215,10 +218,11 @@ FoundBuildings find_buildings(const RunPlan& plan, const Sources& sources, const
     found.sides = {true, sources.mask == nullptr, sources.ndvi == nullptr};
     StripMerger merger;
     SeamRows above;
+    std::optional<SurfaceQuality> quality;
     for (const Strip& strip : strips) {
         const ProgressSpan span(context, static_cast<double>(strip.own.begin) / job.window().rows,
                                 static_cast<double>(strip.own.end) / job.window().rows);
-        StripFound here = find_in_strip(job, strip, found);
+        StripFound here = find_in_strip(job, strip, found, quality);
         const StageClock clock(context.report, Stage::detect);
         add_to_labels(here.labels, merger.add(here.objects), job.threads());
         const SeamRows upper_seam = rows_at(here.labels, strip.own.begin - strip.seen.begin);

@@ -1,29 +1,48 @@
 #include "pipeline/preview.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
-#include "core/units.hpp"
+#include "core/georeference.hpp"
+#include "core/square_area.hpp"
+#include "dem2buildings/error.hpp"
 #include "options/side_files.hpp"
+#include "preview/map_page.hpp"
 
 namespace d2b {
+namespace {
 
-Crs crs_of(const Options& options, const DemInfo& dem) {
-    return Crs(options.read.crs.empty() ? dem.crs_wkt : options.read.crs);
+CellSize cell_of(const DemInfo& dem, const Crs& crs) {
+    try {
+        return cell_steps(dem.window, Georeference(dem.transform, TraceMode::cells), crs);
+    } catch (const InputError&) {
+        // The middle is not on the earth; nor need it be where levels are traced alone.
+        const AffineTransform& g = dem.transform;
+        const double metres = crs.horizontal_unit() ? crs.horizontal_unit()->metres : 1;
+        return {std::hypot(g[1], g[4]) * metres, std::hypot(g[2], g[5]) * metres, 1};
+    }
 }
 
-PreviewLook look_of(const Options& options, const DemInfo& dem, std::string heading) {
-    PreviewLook look;
-    look.heading = std::move(heading);
-    look.vertical_metres =
-        resolve_units(dem, crs_of(options, dem), options.read.vertical_unit).vertical_metres;
-    return look;
+/// The options that shape a stack.
+std::string tried(const Options& options) {
+    std::string text = "lod " + std::to_string(options.levels.lod);
+    if (!options.levels.fixed.empty() || options.levels.interval)
+        text = "given levels";
+    return text + ", nf " + std::to_string(options.filter.noise_factor);
+}
+
+}  // namespace
+
+MapGround ground_of(const Options& options, const DemInfo& dem) {
+    const Crs crs(options.read.crs.empty() ? dem.crs_wkt : options.read.crs);
+    return {dem, crs, cell_of(dem, crs)};
 }
 
 RasterTarget picture_target(const Options& options) {
     const WriteOptions& write = options.write;
-    RasterTarget target{write.preview, write.overwrite, {options.read.source}, RasterFormat::png};
+    RasterTarget target{write.preview, write.overwrite, {options.read.source}, RasterFormat::picture};
     std::vector<std::string> others = side_rasters_of(write);
     others.insert(others.end(),
                   {write.destination, options.ground.terrain, options.detect.mask, options.detect.ndvi});
@@ -33,16 +52,17 @@ RasterTarget picture_target(const Options& options) {
     return target;
 }
 
-Preview::Preview(const Options& options, FeatureSink& features, DemSource& dem) : features_(features) {
+Preview::Preview(const Options& options, FeatureSink& features, const DemInfo& dem) : features_(features) {
     if (options.write.preview.empty())
         return;
     file_ = open_picture(picture_target(options));
-    std::string heading = "lod " + std::to_string(options.levels.lod);
-    if (!options.levels.fixed.empty() || options.levels.interval)
-        heading = "given levels";
-    heading += " nf " + std::to_string(options.filter.noise_factor);
-    sink_.emplace(features, dem, crs_of(options, dem.info()), look_of(options, dem.info(), heading),
-                  [this](const Image& image) { file_->write(image); });
+    const int longest = options.write.preview_size;
+    const MapGround ground = ground_of(options, dem);
+    const PictureFormat format = file_->format();
+    sink_.emplace(features, MapFrame(ground, map_on_page(ground, longest)), format,
+                  [this, format, longest, text = tried(options)](const MapPicture& map) {
+                      file_->write(draw_map_page(map, text, format, longest));
+                  });
 }
 
 void Preview::publish(const Callbacks& callbacks) {

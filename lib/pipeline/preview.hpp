@@ -7,19 +7,20 @@
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/options.hpp"
 #include "preview/preview_sink.hpp"
-#include "write/png_sink.hpp"
+#include "write/picture_file.hpp"
 
 namespace d2b {
 
 /// The picture of -preview, on the way of the features to their sink.
 class Preview {
   public:
-    /// @param features and dem must outlive this @throws OptionError, OutputError where the picture
-    /// cannot be written
-    Preview(const Options& options, FeatureSink& features, DemSource& dem);
+    /// @param features must outlive this @throws OptionError, OutputError where the picture cannot be written
+    Preview(const Options& options, FeatureSink& features, const DemInfo& dem);
 
     /// Where the run's features are to go: through the picture, if there is one.
     [[nodiscard]] FeatureSink& features() { return sink_ ? *sink_ : features_; }
+    /// Where its elevations are to go; nullptr where there is no picture.
+    [[nodiscard]] RasterSink* elevations() { return sink_ ? &sink_->relief() : nullptr; }
     /// After the run. @throws OutputError
     void publish(const Callbacks& callbacks);
 
@@ -31,9 +32,7 @@ class Preview {
 
 /// Where the picture goes.
 [[nodiscard]] RasterTarget picture_target(const Options& options);
-/// What a picture of the DEM needs to know of it. @param heading what was tried, or ""
-[[nodiscard]] PreviewLook look_of(const Options& options, const DemInfo& dem, std::string heading);
-/// The CRS of the DEM, or that of -a_srs.
-[[nodiscard]] Crs crs_of(const Options& options, const DemInfo& dem);
+/// What the picture shows. @throws OptionError
+[[nodiscard]] MapGround ground_of(const Options& options, const DemInfo& dem);
 
 }  // namespace d2b

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/crs.hpp"
-#include "dem2buildings/dem_info.hpp"
-#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/report.hpp"
+#include "dem2buildings/sinks.hpp"
 #include "options/run_plan.hpp"
 
 namespace d2b {

@@ -1,4 +1,4 @@
-#include "dem2buildings/side_rasters.hpp"
+#include "read/side_rasters.hpp"
 
 #include <string>
 #include <utility>
@@ -6,10 +6,11 @@
 
 #include "core/crs.hpp"
 #include "core/units.hpp"
+#include "dem2buildings/open_sinks.hpp"
+#include "dem2buildings/open_sources.hpp"
 #include "dem2buildings/version.hpp"
 #include "elevations/sift_rules.hpp"
 #include "options/given_words.hpp"
-#include "read/side_rasters.hpp"
 #include "read/start_gdal.hpp"
 #include "write/geotiff_sink.hpp"
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -30,9 +31,10 @@ template <typename Count>
 PointRows<Count> point_rows(const std::shared_ptr<const ElevationBand>& elevations, const Tracing& tracing) {
     PointRows<Count> rows;
     rows.labels = labels_of(*elevations, tracing);
-    const CleanRows* clean = tracing.image.clean;
-    rows.levels = quantise<Count>(clean != nullptr ? clean->clean(*elevations) : *elevations, rows.labels,
-                                  tracing.image.plan);
+    std::optional<ElevationBand> clean;
+    if (tracing.image.clean != nullptr)
+        clean = tracing.image.clean->clean(*elevations);
+    rows.levels = quantise<Count>(clean ? *clean : *elevations, rows.labels, tracing.image.plan);
     rows.elevations = elevations;
     return rows;
 }
@@ -71,11 +73,14 @@ void trace_bands(ElevationReader& reader, const Tracing& tracing, ContourSink& s
 
 std::unique_ptr<StoredContours> trace_contours(ElevationReader& reader, const TraceFrame& frame,
                                                const TierImage& image, const RunPlan& plan,
-                                               const SquareArea& area, Context& context) {
+                                               const SquareArea& area, double metres, Context& context) {
     const NoiseRules noise{plan.asked.filter.noise_factor, plan.contour_m2, plan.detects_buildings()};
     // Footprints that were found stand on nothing.
+    HeightRules heights;
+    if (image.found != nullptr)
+        heights = {plan.asked.detect.min_building_height, image.found->ground, metres};
     ContourStore store(
-        {noise, area, frame.range, frame.fixed, image.found == nullptr, plan.asked.write.rejected},
+        {noise, area, frame.range, frame.fixed, image.found == nullptr, plan.asked.write.rejected, heights},
         context.make_spool(), context);
     const Tracing tracing{frame, image, plan.trace};
     if (image.plan.level_count() <= std::numeric_limits<std::uint8_t>::max())

@@ -19,9 +19,11 @@ struct TierImage {
 };
 
 /// Traces and filters the contours of all levels, in one pass over the DEM.
+/// @param metres in one vertical unit
 /// @throws InputError, Cancelled, and what the spool throws
 [[nodiscard]] std::unique_ptr<StoredContours> trace_contours(ElevationReader& reader, const TraceFrame& frame,
                                                              const TierImage& image, const RunPlan& plan,
-                                                             const SquareArea& area, Context& context);
+                                                             const SquareArea& area, double metres,
+                                                             Context& context);
 
 }  // namespace d2b

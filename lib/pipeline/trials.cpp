@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "options/run_plan.hpp"
+
 namespace d2b {
 namespace {
 
@@ -64,8 +66,10 @@ std::vector<T> or_else(const std::vector<T>& values, T standard) {
 
 std::vector<TrialValues> combinations(const SweepPlan& plan, const Options& options) {
     std::vector<TrialValues> all;
+    const double usual_detail =
+        options.levels.detail.value_or(detects_buildings(options) ? usual_detail_m : 0);
     for (const int lod : or_else(plan.lods, options.levels.lod))
-        for (const double detail : or_else(plan.details, options.levels.detail))
+        for (const double detail : or_else(plan.details, usual_detail))
             for (const int noise_factor : or_else(plan.noise_factors, options.filter.noise_factor))
                 all.push_back({lod, noise_factor, detail});
     return all;
@@ -74,7 +78,7 @@ std::vector<TrialValues> combinations(const SweepPlan& plan, const Options& opti
 }  // namespace
 
 std::vector<Trial> run_trials(const Options& options, const Sources& sources, const SweepPlan& plan,
-                              const TrialView& view, const Callbacks& callbacks) {
+                              const MakeView& make_view, const Callbacks& callbacks) {
     KeptSource dem(sources.dem);
     Kept terrain;
     Kept mask;
@@ -101,9 +105,10 @@ std::vector<Trial> run_trials(const Options& options, const Sources& sources, co
                                                                    static_cast<double>(all.size()));
         };
         NoFeatures nothing;
-        const std::unique_ptr<FeatureSink> seen = view ? view(nothing, dem, values) : nullptr;
-        RunReport report =
-            run(tried, {dem, get(terrain), get(mask), get(ndvi)}, {seen ? *seen : nothing}, of_trial);
+        const std::unique_ptr<TrialView> view = make_view ? make_view(nothing, values) : nullptr;
+        Sinks sinks{view ? view->features() : nothing};
+        sinks.elevations = view ? &view->elevations() : nullptr;
+        RunReport report = run(tried, {dem, get(terrain), get(mask), get(ndvi)}, sinks, of_trial);
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
         trials.push_back({values, std::move(report), took.count()});
     }

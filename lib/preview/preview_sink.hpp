@@ -7,30 +7,24 @@
 #include <vector>
 
 #include "core/crs.hpp"
-#include "dem2buildings/dem_source.hpp"
-#include "dem2buildings/feature_sink.hpp"
-#include "preview/canvas.hpp"
-#include "preview/map_frame.hpp"
+#include "dem2buildings/sinks.hpp"
+#include "preview/map_picture.hpp"
 
 namespace d2b {
 
-/// How a preview looks.
-struct PreviewLook {
-    int longest = 1200;          ///< side of the map, in pixels
-    std::string heading;         ///< before the counts; what was tried
-    double vertical_metres = 1;  ///< metres in a unit of elevation
-};
-
-/// Hands features on to another sink and draws them over the shaded relief: the contours from low to high, or
-/// the buildings where no contours are written, in the colours of their heights.
+/// Hands features on to another sink and draws them over the relief: buildings in the colours of their
+/// heights and the parts that they are made of as lines; where no buildings are written the parts in colours,
+/// from low to high.
 class PreviewSink final : public FeatureSink {
   public:
-    /// Takes a picture. @param image heading and counts below the map
-    using Taken = std::function<void(const Image& image)>;
+    /// Takes the map.
+    using Taken = std::function<void(MapPicture map)>;
 
-    /// @param features must outlive this, as must the DEM @param crs of the DEM @param taken
-    /// called in finish(), before the features' own
-    PreviewSink(FeatureSink& features, DemSource& dem, Crs crs, PreviewLook look, Taken taken);
+    /// @param features must outlive this @param taken called in finish(), before the features' own
+    PreviewSink(FeatureSink& features, const MapFrame& frame, PictureFormat format, Taken taken);
+
+    /// Gets the elevations, all of them before finish().
+    [[nodiscard]] RasterSink& relief() { return *relief_; }
 
     void require_crs(const std::string& wkt, const std::string& name, const Position& place) override {
         features_.require_crs(wkt, name, place);
@@ -53,19 +47,24 @@ class PreviewSink final : public FeatureSink {
     }
 
   private:
-    void draw(const WorldPolygon& polygon, Colour colour);
-    void write_caption(const RunReport& report);
+    /// A layer that is drawn.
+    struct Drawn {
+        std::size_t layer = 0;
+        std::size_t height = 0;  ///< its field
+        std::optional<std::size_t> certainty = {};
+        double certain = 1;
+    };
+    /// The colour of a feature; nothing where it has no height.
+    [[nodiscard]] std::optional<Colour> colour_of(const Feature& feature, const Drawn& drawn);
+    void draw(const WorldPolygon& polygon, const Drawn& drawn, Colour colour);
 
     FeatureSink& features_;
-    DemSource& dem_;
-    Crs crs_;
-    PreviewLook look_;
     Taken taken_;
-    MapFrame frame_;
-    Canvas canvas_;
+    std::shared_ptr<Relief> relief_;
+    MapPicture map_;
     std::optional<CoordinateTransform> to_dem_;  ///< where the features are in another CRS
-    std::size_t layer_ = 0;                      ///< that is drawn
-    std::size_t height_ = 0;                     ///< its field of heights
+    std::optional<Drawn> filled_;
+    std::optional<Drawn> traced_;
 };
 
 }  // namespace d2b

@@ -2,102 +2,116 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <limits>
 #include <utility>
-#include <vector>
+
+#include "preview/hillshade.hpp"
+#include "preview/relief_image.hpp"
 
 namespace d2b {
 namespace {
 
-/// The points that are looked at: one a pixel, or each one where pixels are finer.
-class Samples {
-  public:
-    Samples(DemSource& dem, const MapFrame& frame)
-        : dem_(dem),
-          bottom_up_(frame.bottom_up()),
-          right_to_left_(frame.right_to_left()),
-          window_(dem.info().window),
-          cols_(std::min(frame.width(), window_.cols)),
-          rows_(std::min(frame.height(), window_.rows)),
-          buffer_(static_cast<std::size_t>(window_.cols)) {}
+int cells_a_sample(const MapFrame& frame) {
+    const Window& window = frame.ground().dem.window;
+    const double across = static_cast<double>(window.cols) / frame.size().width;
+    const double down = static_cast<double>(window.rows) / frame.size().height;
+    return std::max(1, static_cast<int>(std::lround(std::min(across, down))));
+}
 
-    [[nodiscard]] int cols() const { return cols_; }
-    [[nodiscard]] int rows() const { return rows_; }
-    /// Points from one to the next, at least one.
-    [[nodiscard]] double step() const { return static_cast<double>(window_.cols) / cols_; }
-    /// A row of them; beyond the last it is the last.
-    [[nodiscard]] std::vector<double> row(int number) {
-        number = std::clamp(number, 0, rows_ - 1);
-        const std::int64_t at = middle(bottom_up_ ? rows_ - 1 - number : number, window_.rows, rows_);
-        dem_.read(window_.row + static_cast<std::int32_t>(at), 1, buffer_);
-        std::vector<double> elevations;
-        elevations.reserve(static_cast<std::size_t>(cols_));
-        for (int col = 0; col < cols_; ++col)
-            elevations.push_back(buffer_[static_cast<std::size_t>(
-                middle(right_to_left_ ? cols_ - 1 - col : col, window_.cols, cols_))]);
-        return elevations;
-    }
-
-  private:
-    static std::int64_t middle(int sample, std::int64_t points, int samples) {
-        return (2 * std::int64_t{sample} + 1) * points / (2 * std::int64_t{samples});
-    }
-
-    DemSource& dem_;
-    bool bottom_up_;
-    bool right_to_left_;
-    Window window_;
-    int cols_;
-    int rows_;
-    std::vector<double> buffer_;
-};
+int samples(std::int32_t cells, int step) {
+    return static_cast<int>((std::int64_t{cells} + step - 1) / step);
+}
 
 double rise_between(double from, double to, double here) {
     return (std::isnan(to) ? here : to) - (std::isnan(from) ? here : from);
 }
 
-Colour shade_of(double to_east, double to_south) {
-    // Light from the upper left, 45 degrees high.
-    constexpr double third = 0.57735026918962573;
-    const double light =
-        (1 + to_east + to_south) * third / std::sqrt(1 + to_east * to_east + to_south * to_south);
-    constexpr double dark = 70;
-    constexpr double flat = 205;
-    const double shade = std::clamp(dark + (flat - dark) * light / third, dark, 250.0);
-    const auto grey = static_cast<std::uint8_t>(shade);
-    return {grey, grey, grey};
-}
-
-/// The first pixel of a sample's.
-int pixel(int sample, int pixels, int samples) {
-    return static_cast<int>((std::int64_t{sample} * pixels + samples - 1) / samples);
-}
-
 }  // namespace
 
-void draw_relief(DemSource& dem, const MapFrame& frame, double rise, Canvas& canvas) {
-    constexpr Colour white{255, 255, 255};
-    Samples samples(dem, frame);
-    const double per_step = rise / (2 * samples.step());
-    std::vector<double> above = samples.row(0);
-    std::vector<double> here = above;
-    for (int row = 0; row < samples.rows(); ++row) {
-        std::vector<double> below = samples.row(row + 1);
-        const int top = pixel(row, frame.height(), samples.rows());
-        const int bottom = pixel(row + 1, frame.height(), samples.rows());
-        for (int col = 0; col < samples.cols(); ++col) {
-            const auto i = static_cast<std::size_t>(col);
-            const double west = here[col > 0 ? i - 1 : i];
-            const double east = here[col + 1 < samples.cols() ? i + 1 : i];
-            const int left = pixel(col, frame.width(), samples.cols());
-            canvas.box(left, top, pixel(col + 1, frame.width(), samples.cols()) - left, bottom - top,
-                       std::isnan(here[i]) ? white
-                                           : shade_of(rise_between(west, east, here[i]) * per_step,
-                                                      rise_between(above[i], below[i], here[i]) * per_step));
+Relief::Impl::Impl(const MapFrame& map)
+    : frame(map),
+      step(cells_a_sample(map)),
+      cols(samples(map.ground().dem.window.cols, step)),
+      rows(samples(map.ground().dem.window.rows, step)),
+      sums(static_cast<std::size_t>(cols)),
+      counts(static_cast<std::size_t>(cols)),
+      image(cairo_image_surface_create(CAIRO_FORMAT_RGB24, cols, rows)) {
+    check_drawn(cairo_surface_status(image.get()));
+}
+
+void Relief::Impl::gather(std::span<const float> row) {
+    for (std::size_t i = 0; i < row.size(); ++i)
+        if (!std::isnan(row[i])) {
+            sums[i / static_cast<std::size_t>(step)] += static_cast<double>(row[i]);
+            counts[i / static_cast<std::size_t>(step)] += 1;
         }
-        above = std::move(here);
-        here = std::move(below);
+    ++gathered;
+    if (gathered % step == 0 || gathered == frame.ground().dem.window.rows)
+        end_row();
+}
+
+void Relief::Impl::end_row() {
+    std::vector<double> means(sums.size(), std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t i = 0; i < means.size(); ++i)
+        if (counts[i] > 0)
+            means[i] = sums[i] / counts[i];
+    std::ranges::fill(sums, 0);
+    std::ranges::fill(counts, 0);
+    if (here.empty())
+        above = means;
+    else
+        shade(means);
+    here = std::move(means);
+    if (gathered == frame.ground().dem.window.rows)
+        shade(std::vector(here));
+}
+
+void Relief::Impl::shade(const std::vector<double>& below) {
+    const CellSize& cell = frame.ground().cell;
+    const double per_right = (frame.right_to_left() ? -0.5 : 0.5) / (cell.across * step);
+    const double per_down = (frame.bottom_up() ? -0.5 : 0.5) / (cell.down * step);
+    cairo_surface_flush(image.get());
+    auto* pixels = reinterpret_cast<std::uint32_t*>(cairo_image_surface_get_data(image.get()) +
+                                                    static_cast<std::ptrdiff_t>(shaded) *
+                                                        cairo_image_surface_get_stride(image.get()));
+    for (std::size_t i = 0; i < here.size(); ++i) {
+        const double left = here[i > 0 ? i - 1 : i];
+        const double right = here[i + 1 < here.size() ? i + 1 : i];
+        pixels[i] = std::isnan(here[i]) ? open_ground
+                                        : shade_of(rise_between(left, right, here[i]) * per_right,
+                                                   rise_between(above[i], below[i], here[i]) * per_down);
     }
+    cairo_surface_mark_dirty(image.get());
+    ++shaded;
+    above = here;
+}
+
+Relief::Relief(const MapFrame& frame) : impl_(std::make_unique<Impl>(frame)) {}
+Relief::~Relief() = default;
+
+void Relief::write(std::int32_t rows, std::span<const float> values) {
+    const auto cols = static_cast<std::size_t>(impl_->frame.ground().dem.window.cols);
+    for (std::int32_t row = 0; row < rows; ++row)
+        impl_->gather(values.subspan(static_cast<std::size_t>(row) * cols, cols));
+}
+
+void paint(const Relief& relief, cairo_t* pen) {
+    const Relief::Impl& of = relief.impl();
+    const auto [width, height] = of.frame.size();
+    const Window& window = of.frame.ground().dem.window;
+    cairo_save(pen);
+    cairo_rectangle(pen, 0, 0, width, height);
+    cairo_clip(pen);
+    cairo_translate(pen, of.frame.right_to_left() ? width : 0, of.frame.bottom_up() ? height : 0);
+    cairo_scale(pen, of.frame.right_to_left() ? -1 : 1, of.frame.bottom_up() ? -1 : 1);
+    cairo_scale(pen, static_cast<double>(width) * of.step / window.cols,
+                static_cast<double>(height) * of.step / window.rows);
+    cairo_set_source_surface(pen, of.image.get(), 0, 0);
+    // Elsewhere whoever shows the picture decides how its cells are drawn.
+    if (cairo_surface_get_type(cairo_get_target(pen)) == CAIRO_SURFACE_TYPE_IMAGE)
+        cairo_pattern_set_extend(cairo_get_source(pen), CAIRO_EXTEND_PAD);
+    cairo_paint(pen);
+    cairo_restore(pen);
 }
 
 }  // namespace d2b

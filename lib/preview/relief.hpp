@@ -1,14 +1,31 @@
 #pragma once
 
-#include "dem2buildings/dem_source.hpp"
-#include "preview/canvas.hpp"
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "dem2buildings/sinks.hpp"
 #include "preview/map_frame.hpp"
 
 namespace d2b {
 
-/// Draws the surface as if lit from the north-west of the raster; white where no point is valid. Reads as
-/// many rows as the picture has, whatever the size of the raster.
-/// @param rise height of a unit of elevation, in widths of a cell
-void draw_relief(DemSource& dem, const MapFrame& frame, double rise, Canvas& canvas);
+/// The surface of a DEM as if lit from the upper left of the map. Takes elevations in metres, all rows of the
+/// window, and keeps a shade a pixel. What is NaN stays white.
+class Relief final : public RasterSink {
+  public:
+    explicit Relief(const MapFrame& frame);
+    Relief(const Relief&) = delete;
+    Relief& operator=(const Relief&) = delete;
+    ~Relief() override;
+
+    void write(std::int32_t rows, std::span<const float> values) override;
+    void finish() override {}
+
+    struct Impl;
+    [[nodiscard]] const Impl& impl() const { return *impl_; }
+
+  private:
+    std::unique_ptr<Impl> impl_;
+};
 
 }  // namespace d2b

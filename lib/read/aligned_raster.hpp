@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/warnings.hpp"
-#include "dem2buildings/dem_info.hpp"
+#include "dem2buildings/dem_source.hpp"
 #include "read/band_reader.hpp"
 #include "read/grid_fit.hpp"
 #include "read/open_raster.hpp"

@@ -8,7 +8,7 @@
 #include "core/elevation_limits.hpp"
 #include "core/value_counts.hpp"
 #include "core/warnings.hpp"
-#include "dem2buildings/dem_info.hpp"
+#include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/options.hpp"
 #include "read/gdal_handles.hpp"
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "dem2buildings/dem_info.hpp"
+#include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/options.hpp"
 #include "read/cutline_polygons.hpp"
 #include "read/gdal_handles.hpp"

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/warnings.hpp"
-#include "dem2buildings/dem_info.hpp"
-#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/dem_source.hpp"
+#include "dem2buildings/sinks.hpp"
 
 namespace d2b {
 

@@ -1,5 +1,3 @@
-#include "dem2buildings/elevation_array.hpp"
-
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -8,6 +6,7 @@
 
 #include "core/number_text.hpp"
 #include "dem2buildings/error.hpp"
+#include "dem2buildings/open_sources.hpp"
 #include "read/band_reader.hpp"
 #include "read/cutline_mask.hpp"
 #include "read/raster_crs.hpp"

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "dem2buildings/error.hpp"
-#include "dem2buildings/open_dem.hpp"
+#include "dem2buildings/open_sources.hpp"
 #include "read/cutline_mask.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/open_raster.hpp"

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "dem2buildings/dem_info.hpp"
+#include "dem2buildings/dem_source.hpp"
 #include "read/grid_transform.hpp"
 
 namespace d2b {

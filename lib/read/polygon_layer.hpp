@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/warnings.hpp"
-#include "dem2buildings/polygon_layer.hpp"
+#include "dem2buildings/score.hpp"
 
 namespace d2b {
 

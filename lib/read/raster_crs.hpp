@@ -5,7 +5,7 @@
 #include <gdal.h>
 
 #include "core/warnings.hpp"
-#include "dem2buildings/dem_info.hpp"
+#include "dem2buildings/dem_source.hpp"
 #include "read/gdal_handles.hpp"
 
 namespace d2b {

@@ -6,7 +6,7 @@
 #include <gdal.h>
 
 #include "core/warnings.hpp"
-#include "dem2buildings/dem_info.hpp"
+#include "dem2buildings/dem_source.hpp"
 
 namespace d2b {
 

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "dem2buildings/dem_info.hpp"
-#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/dem_source.hpp"
+#include "dem2buildings/sinks.hpp"
 #include "read/gdal_handles.hpp"
 
 namespace d2b {

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/sinks.hpp"
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <ogr_srs_api.h>
 
-#include "dem2buildings/dem_info.hpp"
+#include "dem2buildings/dem_source.hpp"
 #include "read/ring_clip.hpp"
 
 namespace d2b {

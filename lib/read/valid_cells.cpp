@@ -13,7 +13,7 @@
 #include <gdal_alg.h>
 
 #include "dem2buildings/error.hpp"
-#include "dem2buildings/open_dem.hpp"
+#include "dem2buildings/open_sources.hpp"
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/polygon_geometry.hpp"

@@ -9,7 +9,7 @@
 #include <gdalwarper.h>
 
 #include "core/warnings.hpp"
-#include "dem2buildings/dem_info.hpp"
+#include "dem2buildings/dem_source.hpp"
 #include "read/band_reader.hpp"
 #include "read/grid_transform.hpp"
 #include "read/value_dataset.hpp"

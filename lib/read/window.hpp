@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "dem2buildings/dem_info.hpp"
+#include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/options.hpp"
 
 namespace d2b {

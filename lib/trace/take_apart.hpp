@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "dem2buildings/dem_info.hpp"
+#include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/options.hpp"
 #include "levels/quantise.hpp"
 #include "trace/runs.hpp"

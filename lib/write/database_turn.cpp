@@ -16,7 +16,7 @@ using std::chrono::milliseconds;
 constexpr milliseconds patience(2000);
 
 /// Our layers that are there, in quotes.
-std::vector<std::string> tables(GDALDatasetH database, std::span<const LayerSpec> layers) {
+std::vector<std::string> our_tables(GDALDatasetH database, std::span<const LayerSpec> layers) {
     std::vector<std::string> found;
     for (const LayerSpec& spec : layers)
         if (OGRLayerH layer = GDALDatasetGetLayerByName(database, spec.name.c_str()))
@@ -41,7 +41,7 @@ std::string statement(const VectorFormat& format, const std::vector<std::string>
 
 bool take_turn(const WriteTarget& target, GDALDatasetH database, const VectorFormat& format,
                std::span<const LayerSpec> layers) {
-    const std::vector<std::string> names = tables(database, layers);
+    const std::vector<std::string> names = our_tables(database, layers);
     const bool sqlite = GDALGetInternalHandle(database, "SQLITE_HANDLE") != nullptr;
     if (names.empty() || !(sqlite || format.name == "PostgreSQL"))
         return true;

@@ -13,6 +13,7 @@
 #include "write/layer_create.hpp"
 #include "write/layer_fit.hpp"
 #include "write/layer_ids.hpp"
+#include "write/postgresql_tables.hpp"
 #include "write/style_sidecar.hpp"
 
 namespace d2b {
@@ -252,6 +253,8 @@ void DatasetWriter::furnish() {
                              layers_[i].columns()};
         if (geopackage)
             write_tables(dataset_.get(), layer, provenance_, target_);
+        else if (format_.name == "PostgreSQL")
+            furnish_postgresql_table(dataset_.get(), layer, target_);
         else if (format_.name == "ESRI Shapefile")
             write_style_beside(path_, layer);
     }

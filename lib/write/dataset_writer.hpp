@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "dem2buildings/feature_sink.hpp"
 #include "dem2buildings/options.hpp"
+#include "dem2buildings/sinks.hpp"
 #include "write/commit_guard.hpp"
 #include "write/layer_counts.hpp"
 #include "write/layer_writer.hpp"

@@ -8,6 +8,7 @@
 #include <cpl_vsi.h>
 
 #include "dem2buildings/error.hpp"
+#include "options/spoken_destination.hpp"
 #include "write/local_path.hpp"
 
 namespace d2b {
@@ -67,7 +68,7 @@ void refuse_archive(const std::string& name) {
 Destination locate(const WriteOptions& options, const VectorFormat& format) {
     if (options.overwrite && options.append)
         throw OptionError("-overwrite and -append exclude each other; give one of them.");
-    Destination destination{.name = options.destination, .path = options.destination};
+    Destination destination{.name = spoken_destination(options.destination), .path = options.destination};
     if (is_stream(options.destination) || is_connection(format.driver, options.destination))
         return destination;
     refuse_archive(options.destination);

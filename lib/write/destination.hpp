@@ -10,7 +10,7 @@ namespace d2b {
 
 /// Where the result goes.
 struct Destination {
-    std::string name;     ///< as the user gave it; for messages
+    std::string name;     ///< as the user gave it, without a password; for messages
     std::string path;     ///< without symbolic links and a slash at the end
     bool local = false;   ///< a file or folder of this machine: written beside, then renamed
     bool exists = false;  ///< an empty folder does not count where the format makes a folder

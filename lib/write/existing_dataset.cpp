@@ -12,6 +12,7 @@
 #include "write/existing_refusals.hpp"
 #include "write/ogr_call.hpp"
 #include "write/ogr_handles.hpp"
+#include "write/postgresql_refusals.hpp"
 #include "write/replacing_refusals.hpp"
 #include "write/style_sidecar.hpp"
 
@@ -98,10 +99,14 @@ std::optional<ExistingDataset> inspect_database(const Destination& destination, 
                                                 const std::vector<std::string>& names) {
     const GdalMessages messages;
     const DatasetOwner dataset = open_dataset(format, destination.path, GDAL_OF_UPDATE);
+    if (!dataset && format.name == "PostgreSQL")
+        refuse_unreached_postgresql(destination, messages.reason());
     if (!dataset)
         return std::nullopt;
     format.transactions = GDALDatasetTestCapability(dataset.get(), ODsCTransactions) != FALSE &&
                           GDALDatasetTestCapability(dataset.get(), ODsCEmulatedTransactions) == FALSE;
+    if (format.name == "PostgreSQL")
+        refuse_unfit_postgresql(destination, dataset.get(), options, names);
     ExistingDataset existing;
     for (const std::string& name : names) {
         if (GDALDatasetGetLayerByName(dataset.get(), name.c_str()) == nullptr)

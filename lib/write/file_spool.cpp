@@ -1,8 +1,7 @@
-#include "dem2buildings/file_spool.hpp"
-
 #include <algorithm>
 #include <utility>
 
+#include "dem2buildings/spool.hpp"
 #include "read/temporary_file.hpp"
 
 namespace d2b {

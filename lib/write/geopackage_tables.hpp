@@ -1,21 +1,10 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "dem2buildings/feature_sink.hpp"
+#include "write/new_layer.hpp"
 #include "write/ogr_call.hpp"
 #include "write/ogr_handles.hpp"
 
 namespace d2b {
-
-/// A layer that a run has made.
-struct NewLayer {
-    const LayerSpec& spec;
-    std::string table;                 ///< as the driver calls it
-    std::string geometry;              ///< its column
-    std::vector<std::string> columns;  ///< of each field of the spec
-};
 
 /// Rows beside a layer of a GeoPackage, in the transaction that is open: its default style in QGIS's table
 /// layer_styles, title, abstract and lineage as metadata of QGIS's kind, and names, units and words of its

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "dem2buildings/dem_info.hpp"
+#include "dem2buildings/dem_source.hpp"
 #include "write/ogr_call.hpp"
 #include "write/ogr_handles.hpp"
 #include "write/raster_target.hpp"

@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "dem2buildings/dem_info.hpp"
-#include "dem2buildings/raster_sink.hpp"
+#include "dem2buildings/dem_source.hpp"
+#include "dem2buildings/sinks.hpp"
 #include "write/raster_target.hpp"
 
 namespace d2b {

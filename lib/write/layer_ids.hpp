@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/sinks.hpp"
 #include "write/ogr_call.hpp"
 #include "write/vector_format.hpp"
 

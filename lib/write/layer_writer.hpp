@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "dem2buildings/feature_sink.hpp"
 #include "dem2buildings/options.hpp"
+#include "dem2buildings/sinks.hpp"
 #include "dem2buildings/wkb.hpp"
 #include "write/ogr_call.hpp"
 #include "write/ogr_handles.hpp"

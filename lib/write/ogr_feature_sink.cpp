@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "dem2buildings/error.hpp"
-#include "dem2buildings/open_sink.hpp"
+#include "dem2buildings/open_sinks.hpp"
 #include "read/start_gdal.hpp"
 #include "write/config_option.hpp"
 #include "write/crs_misfit.hpp"

@@ -1,5 +1,5 @@
-#include <algorithm>
-#include <limits>
+#include <utility>
+#include <vector>
 
 #include "core/height_classes.hpp"
 #include "core/number_text.hpp"
@@ -10,13 +10,11 @@ namespace d2b::qml {
 
 namespace {
 
-/// Above every building, for a class without end.
-constexpr double no_end = 1e6;
-
 using Properties = std::vector<std::pair<std::string, std::string>>;
 
 /// As maps of options and, for QGIS before 3.20, as `prop` elements.
-std::string symbol_layer(const std::string& kind, const Properties& properties) {
+std::string symbol_layer(const std::string& kind, const Properties& properties,
+                         const std::string& defined = "") {
     std::string options;
     std::string props;
     for (const auto& [key, value] : properties) {
@@ -25,92 +23,100 @@ std::string symbol_layer(const std::string& kind, const Properties& properties) 
     }
     return "    <layer class=\"" + kind +
            "\" enabled=\"1\" locked=\"0\" pass=\"0\">\n     <Option type=\"Map\">\n" + options +
-           "     </Option>\n" + props + "    </layer>\n";
+           "     </Option>\n" + props + defined + "    </layer>\n";
 }
 
-std::string symbol(std::size_t number, const std::string& layer) {
+/// @param colour "" for nothing but an outline @param width of the outline in millimetres; "" for none
+std::string area(const std::string& colour, const std::string& edge, const std::string& width,
+                 const std::string& defined = "") {
+    return symbol_layer("SimpleFill",
+                        {{"color", colour.empty() ? "0,0,0,0" : colour},
+                         {"style", colour.empty() ? "no" : "solid"},
+                         {"joinstyle", "miter"},
+                         {"outline_color", edge},
+                         {"outline_style", width.empty() ? "no" : "solid"},
+                         {"outline_width", width.empty() ? "0" : width},
+                         {"outline_width_unit", "MM"}},
+                        defined);
+}
+
+std::string symbol(std::size_t number, const std::string& layers) {
     return "   <symbol type=\"fill\" name=\"" + std::to_string(number) +
-           "\" alpha=\"1\" clip_to_extent=\"1\" force_rhr=\"0\">\n" + layer + "   </symbol>\n";
+           "\" alpha=\"1\" clip_to_extent=\"1\" force_rhr=\"0\">\n" + layers + "   </symbol>\n";
 }
 
-std::string filled(std::size_t height_class) {
-    return symbol_layer("SimpleFill", {{"color", colour_text(height_class)},
-                                       {"style", "solid"},
-                                       {"joinstyle", "miter"},
-                                       {"outline_color", "70,45,35,255"},
-                                       {"outline_style", "solid"},
-                                       {"outline_width", "0.12"},
-                                       {"outline_width_unit", "MM"}});
-}
-
+/// Lines in millimetres, which a print shows as a screen does, on a veil that hides the relief.
 std::string hatched() {
-    return symbol_layer("SimpleFill", {{"color", "122,1,119,255"},
-                                       {"style", "b_diagonal"},
-                                       {"joinstyle", "miter"},
-                                       {"outline_color", "122,1,119,255"},
-                                       {"outline_style", "dash"},
-                                       {"outline_width", "0.3"},
-                                       {"outline_width_unit", "MM"}});
+    constexpr const char* magenta = "174,1,126,255";
+    return area("255,255,255,130", magenta, "") +
+           symbol_layer("LinePatternFill", {{"angle", "45"},
+                                            {"color", magenta},
+                                            {"distance", "1.3"},
+                                            {"distance_unit", "MM"},
+                                            {"line_width", "0.35"},
+                                            {"line_width_unit", "MM"}}) +
+           area("", magenta, "0.4");
 }
 
-std::string by_height(const std::string& attribute) {
-    const auto classes = height_classes();
-    std::string ranges;
+/// What lies over a feature that is not certain: the less, the whiter.
+std::string veil(const LayerStyle& style, const std::string& certainty) {
+    constexpr Veil opacity;
+    const std::string colour = "color_rgba(255, 255, 255, scale_linear(" + certainty + ", " +
+                               number_text(opacity.low) + ", " + number_text(style.certain) + ", " +
+                               number_text(opacity.most) + ", " + number_text(opacity.least) + "))";
+    return area("255,255,255,130", "150,135,130,255", "0.12",
+                defined_properties("data_defined_properties", defined_property("fillColor", colour)));
+}
+
+std::string rule(std::size_t number, const std::string& filter, const std::string& label) {
+    const std::string text = std::to_string(number);
+    return "    <rule key=\"{dem2buildings-" + text + "}\" symbol=\"" + text + "\" filter=\"" + filter +
+           "\" label=\"" + xml_text(label) + "\"/>\n";
+}
+
+/// Where many outlines lie close together they are not all that is seen.
+std::string thin_on_small_maps() {
+    return defined_properties(
+        "data_defined_properties",
+        defined_property("outlineWidth", "coalesce(scale_linear(@map_scale, 1000, 5000, 0.16, 0.04), 0.12)"));
+}
+
+/// A rule a class, below one that is but the heading of the legend.
+std::string by_height(const LayerStyle& style, const Columns& columns) {
+    const std::size_t classes = height_classes().size();
+    std::string rules;
     std::string symbols;
-    for (std::size_t i = 0; i < classes.size(); ++i) {
-        const double from = i == 0 ? -no_end : classes[i].from;
-        const double to = i + 1 < classes.size() ? classes[i + 1].from : no_end;
-        ranges += "   <range symbol=\"" + std::to_string(i) + "\" render=\"true\" lower=\"" +
-                  number_text(from) + "\" upper=\"" + number_text(to) + "\" label=\"" +
-                  xml_text(class_label(i)) + "\"/>\n";
-        symbols += symbol(i, filled(i));
+    for (std::size_t i = 0; i < classes; ++i) {
+        rules += rule(i, class_filter(i, columns.colour), class_label(i));
+        symbols += symbol(i, area(colour_text(i), "70,45,35,255", "0.12", thin_on_small_maps()));
     }
-    return attribute + ">\n  <ranges>\n" + ranges + "  </ranges>\n  <symbols>\n" + symbols +
-           "  </symbols>\n  <classificationMethod id=\"Custom\"/>\n";
+    if (!columns.certainty.empty()) {
+        rules += rule(classes,
+                      columns.certainty + " &lt; " + number_text(style.certain) + " AND " + columns.colour +
+                          " IS NOT NULL",
+                      "paler: less certain");
+        symbols += symbol(classes, veil(style, columns.certainty));
+    }
+    return "  <rules key=\"{dem2buildings}\">\n   <rule key=\"{dem2buildings-heading}\" label=\"" +
+           xml_text(style.title) + "\">\n" + rules + "   </rule>\n  </rules>\n  <symbols>\n" + symbols +
+           "  </symbols>\n";
 }
 
 }  // namespace
 
-std::string colour_text(std::size_t height_class) {
-    const auto& [red, green, blue] = height_classes()[height_class].colour;
-    return std::to_string(red) + "," + std::to_string(green) + "," + std::to_string(blue) + ",255";
-}
-
-std::string renderer(const Columns& columns) {
+std::string renderer(const LayerStyle& style, const Columns& columns) {
     const bool ordered = !columns.order.empty();
-    std::string text = " <renderer-v2 forceraster=\"0\" symbollevels=\"0\" enableorderby=\"" +
-                       std::string(ordered ? "1" : "0") + "\" type=\"";
+    const std::string order = ordered ? "1" : "0";
+    std::string text =
+        " <renderer-v2 forceraster=\"0\" symbollevels=\"0\" enableorderby=\"" + order + "\" type=\"";
     if (columns.colour.empty())
         text += "singleSymbol\">\n  <symbols>\n" + symbol(0, hatched()) + "  </symbols>\n";
     else
-        text +=
-            by_height("graduatedSymbol\" graduatedMethod=\"GraduatedColor\" attr=\"" + columns.colour + "\"");
+        text += "RuleRenderer\">\n" + by_height(style, columns);
     if (ordered)
         text += "  <orderby>\n   <orderByClause asc=\"1\" nullsFirst=\"1\">" + columns.order +
                 "</orderByClause>\n  </orderby>\n";
     return text + " </renderer-v2>\n";
-}
-
-std::string labeling(const LayerSpec& spec, const Columns& columns) {
-    const auto field = std::ranges::find(spec.fields, spec.style.label, &FieldSpec::name);
-    const bool text = field->type == FieldType::text;
-    const std::string expression = text ? columns.label : "round(" + columns.label + ") || ' m'";
-    // A halo, so that figures can be read on every colour of the legend.
-    return " <labeling type=\"simple\">\n  <settings calloutType=\"simple\">\n"
-           "   <text-style fieldName=\"" +
-           expression +
-           "\" isExpression=\"1\" fontFamily=\"Sans Serif\" fontSize=\"8\" fontSizeUnit=\"Point\" "
-           "fontWeight=\"50\" textColor=\"30,30,30,255\" textOpacity=\"1\" namedStyle=\"\">\n"
-           "    <text-buffer bufferDraw=\"1\" bufferSize=\"0.6\" bufferSizeUnits=\"MM\" "
-           "bufferColor=\"255,255,255,255\" bufferOpacity=\"0.9\" bufferJoinStyle=\"128\"/>\n"
-           "   </text-style>\n"
-           "   <text-format/>\n"
-           "   <placement placement=\"1\" placementFlags=\"10\" centroidInside=\"1\" centroidWhole=\"1\" "
-           "fitInPolygonOnly=\"0\" quadOffset=\"4\" priority=\"5\" polygonPlacementFlags=\"2\"/>\n"
-           "   <rendering scaleVisibility=\"1\" scaleMin=\"1\" scaleMax=\"" +
-           number_text(spec.style.label_scale) +
-           "\" obstacle=\"0\" drawLabels=\"1\" displayAll=\"0\" labelPerPart=\"0\"/>\n"
-           "  </settings>\n </labeling>\n";
 }
 
 }  // namespace d2b::qml

@@ -6,14 +6,6 @@ namespace d2b::qml {
 
 namespace {
 
-std::string property(const std::string& name, const std::string& expression) {
-    return "        <Option type=\"Map\" name=\"" + name +
-           "\">\n         <Option type=\"bool\" name=\"active\" value=\"true\"/>\n"
-           "         <Option type=\"QString\" name=\"expression\" value=\"" +
-           expression +
-           "\"/>\n         <Option type=\"int\" name=\"type\" value=\"3\"/>\n        </Option>\n";
-}
-
 std::string scaled(const std::string& expression, double scale) {
     return scale == 1 ? expression : expression + " * " + number_text(scale);
 }
@@ -38,22 +30,9 @@ std::string solid(std::size_t height_class, const std::string& altitude, const s
            "extrusion-height=\"0\" culling-mode=\"no-culling\" invert-normals=\"0\" add-back-faces=\"0\" "
            "rendered-facade=\"3\"/>\n" +
            material(height_class) +
-           "     <data-defined-properties>\n      <Option type=\"Map\">\n"
-           "       <Option type=\"QString\" name=\"name\" value=\"\"/>\n"
-           "       <Option type=\"Map\" name=\"properties\">\n" +
-           property("height", altitude) + property("extrusionHeight", extrusion) +
-           "       </Option>\n       <Option type=\"QString\" name=\"type\" value=\"collection\"/>\n"
-           "      </Option>\n     </data-defined-properties>\n"
+           defined_properties("data-defined-properties", defined_property("height", altitude) +
+                                                             defined_property("extrusionHeight", extrusion)) +
            "     <edges enabled=\"0\" width=\"1\" color=\"70,45,35,255\"/>\n    </symbol>\n";
-}
-
-std::string filter(std::size_t height_class, const std::string& height) {
-    const auto classes = height_classes();
-    std::string text = height_class == 0 ? height + " IS NOT NULL"
-                                         : height + " &gt;= " + number_text(classes[height_class].from);
-    if (height_class + 1 < classes.size())
-        text += " AND " + height + " &lt; " + number_text(classes[height_class + 1].from);
-    return text;
 }
 
 }  // namespace
@@ -66,15 +45,17 @@ std::string renderer_3d(const LayerSpec& spec, const Columns& columns) {
         columns.min_height.empty() ? columns.height : "(" + columns.height + " - " + columns.min_height + ")";
     const std::string extrusion = scaled(thickness, style.metre_scale);
     // To an absolute altitude QGIS adds the Z of the vertices, of which all of a feature are the same.
-    const std::string altitude = scaled(columns.top, style.vertical_scale) + " - " + extrusion +
-                                 (spec.with_z ? " - z(point_n($geometry, 1))" : "");
+    const std::string altitude =
+        (columns.top.empty() ? scaled(columns.bottom, style.vertical_scale)
+                             : scaled(columns.top, style.vertical_scale) + " - " + extrusion) +
+        (spec.with_z ? " - z(point_n($geometry, 1))" : "");
     std::string text =
         " <renderer-3d type=\"rulebased\" layer=\"\">\n"
         "  <vector-layer-3d-tiling zoom-levels-count=\"3\" show-bounding-boxes=\"0\"/>\n"
         "  <rules key=\"{dem2buildings}\">\n";
     for (std::size_t i = 0; i < height_classes().size(); ++i)
         text += "   <rule key=\"{dem2buildings-" + std::to_string(i) + "}\" description=\"" + class_label(i) +
-                "\" filter=\"" + filter(i, columns.height) + "\">\n" + solid(i, altitude, extrusion) +
+                "\" filter=\"" + class_filter(i, columns.height) + "\">\n" + solid(i, altitude, extrusion) +
                 "   </rule>\n";
     return text + "  </rules>\n </renderer-3d>\n";
 }

@@ -39,15 +39,22 @@ std::string map_tip(const qml::Columns& columns) {
 std::string qml_style(const LayerSpec& spec, const std::vector<std::string>& columns) {
     const LayerStyle& style = spec.style;
     const auto named = [&](const std::string& name) { return column(spec, columns, name); };
-    const qml::Columns fields{named(style.colour), named(style.label),  named(style.order),
-                              named(style.top),    named(style.height), named(style.min_height)};
+    const qml::Columns fields{.colour = named(style.colour),
+                              .label = named(style.label),
+                              .labelled = {named(style.labelled[0]), named(style.labelled[1])},
+                              .order = named(style.order),
+                              .certainty = named(style.certainty),
+                              .top = named(style.top),
+                              .bottom = named(style.bottom),
+                              .height = named(style.height),
+                              .min_height = named(style.min_height)};
     std::string text = "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n";
     text += style_mark;
     text += "<qgis version=\"3.16.0\" labelsEnabled=\"" + std::string(fields.label.empty() ? "0" : "1") +
             "\" hasScaleBasedVisibilityFlag=\"0\">\n";
-    if (!fields.top.empty() && !fields.height.empty())
+    if (!(fields.top + fields.bottom).empty() && !fields.height.empty())
         text += qml::renderer_3d(spec, fields);
-    text += qml::renderer(fields);
+    text += qml::renderer(style, fields);
     if (!fields.label.empty())
         text += qml::labeling(spec, fields);
     text += aliases(spec, columns) + map_tip(fields);

@@ -9,6 +9,7 @@
 #include <cpl_vsi.h>
 
 #include "dem2buildings/error.hpp"
+#include "preview/picture_format.hpp"
 #include "read/gdal_messages.hpp"
 #include "write/destination.hpp"
 #include "write/existing_dataset.hpp"
@@ -29,11 +30,12 @@ std::string quoted(const std::string& text) {
 }
 
 void require_name(const std::string& name, RasterFormat format) {
+    if (format == RasterFormat::picture && !picture_format_of(name))
+        throw OptionError("Pictures are written as PNG, SVG or PDF; give " + quoted(name) +
+                          " a name that ends in .png, .svg or .pdf.");
     std::string extension = fs::path(name).extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (format == RasterFormat::png && extension != ".png")
-        throw OptionError("Pictures are written as PNG; give " + quoted(name) + " a name that ends in .png.");
     if (format == RasterFormat::geotiff && extension != ".tif" && extension != ".tiff")
         throw OptionError("Rasters are written as GeoTIFF; give " + quoted(name) +
                           " a name that ends in .tif.");
@@ -67,13 +69,21 @@ void refuse_in_use(const RasterTarget& target, const std::string& path, bool exi
                               " is read or written by this run already; choose another name.");
 }
 
-const char* driver_of(RasterFormat format) {
-    return format == RasterFormat::png ? "PNG" : "GTiff";
+std::string beginning_of(const std::string& path) {
+    constexpr std::size_t most = 1024;
+    std::string beginning(most, '\0');
+    VSILFILE* file = VSIFOpenL(path.c_str(), "rb");
+    beginning.resize(file == nullptr ? 0 : VSIFReadL(beginning.data(), 1, most, file));
+    if (file != nullptr)
+        VSIFCloseL(file);
+    return beginning;
 }
 
 bool is_of(RasterFormat format, const std::string& path) {
     const GdalMessages quiet;
-    const std::array<const char*, 2> drivers{driver_of(format), nullptr};
+    if (format == RasterFormat::picture)
+        return begins_a_picture(beginning_of(path));
+    const std::array<const char*, 2> drivers{"GTiff", nullptr};
     return DatasetOwner(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers.data(), nullptr,
                                    nullptr)) != nullptr;
 }
@@ -84,8 +94,8 @@ void check_local(const RasterPlace& place, RasterFormat format) {
     if (fs::exists(status) && !fs::is_regular_file(status))
         throw OptionError(quoted(place.name) + " is " +
                           (fs::is_directory(status) ? "a folder" : "not a regular file") + ", and " +
-                          (format == RasterFormat::png ? "PNG" : "GeoTIFF") +
-                          " writes a file; choose another name.");
+                          (format == RasterFormat::picture ? "a picture is written as" : "GeoTIFF writes") +
+                          " a file; choose another name.");
     check_parent_folder(place.name, place.path);
     if (fs::exists(status))
         return;
@@ -122,8 +132,10 @@ RasterPlace locate_raster(const RasterTarget& target) {
     if (!target.overwrite)
         throw OptionError(quoted(name) + " exists; say -overwrite to replace it.");
     if (!is_of(target.format, place.path))
-        throw OptionError(quoted(name) + " exists and is not a dataset of format " +
-                          driver_of(target.format) + "; remove it first.");
+        throw OptionError(quoted(name) + " exists and is " +
+                          (target.format == RasterFormat::picture ? "no PNG, SVG or PDF"
+                                                                  : "not a dataset of format GTiff") +
+                          "; remove it first.");
     place.old_files = {place.path};
     std::error_code error;
     for (const char* suffix : sidecars)

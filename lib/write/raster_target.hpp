@@ -6,11 +6,11 @@
 
 namespace d2b {
 
-enum class RasterFormat { geotiff, png };
+enum class RasterFormat { geotiff, picture };
 
 /// Where a raster is to go.
 struct RasterTarget {
-    std::string destination;  ///< a file name that ends in .tif or .tiff, or in .png
+    std::string destination;  ///< a file name that ends in .tif or .tiff, or in .png, .svg or .pdf
     bool overwrite = false;
     std::vector<std::string> in_use;  ///< names of what else the run reads and writes
     RasterFormat format = RasterFormat::geotiff;

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/sinks.hpp"
 #include "write/destination.hpp"
 
 namespace d2b {

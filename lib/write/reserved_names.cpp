@@ -14,16 +14,17 @@ namespace d2b {
 namespace {
 
 constexpr std::array beginnings{"sqlite_", "gpkg_", "rtree_"};
-constexpr std::array tables{"layer_styles",    "qgis_projects",       "geometry_columns",
-                            "spatial_ref_sys", "spatial_ref_sys_aux", "views_geometry_columns",
-                            "ogr_empty_table", "spatialite_history",  "vector_layers"};
+constexpr std::array reserved_tables{"layer_styles",    "qgis_projects",       "geometry_columns",
+                                     "spatial_ref_sys", "spatial_ref_sys_aux", "views_geometry_columns",
+                                     "ogr_empty_table", "spatialite_history",  "vector_layers"};
 
 bool is_reserved(const std::string& name) {
     const auto begins = [&](const char* beginning) {
         return EQUALN(name.c_str(), beginning, std::string_view(beginning).size());
     };
     return std::ranges::any_of(beginnings, begins) ||
-           std::ranges::any_of(tables, [&](const char* table) { return EQUAL(name.c_str(), table); });
+           std::ranges::any_of(reserved_tables,
+                               [&](const char* table) { return EQUAL(name.c_str(), table); });
 }
 
 /// FID may be a field of whole numbers, which then counts the features as well.

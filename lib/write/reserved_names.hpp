@@ -2,8 +2,8 @@
 
 #include <span>
 
-#include "dem2buildings/feature_sink.hpp"
 #include "dem2buildings/options.hpp"
+#include "dem2buildings/sinks.hpp"
 #include "write/vector_format.hpp"
 
 namespace d2b {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/sinks.hpp"
 #include "write/ogr_call.hpp"
 #include "write/ogr_handles.hpp"
 #include "write/packed_rtree.hpp"

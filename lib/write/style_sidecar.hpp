@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "write/geopackage_tables.hpp"
+#include "write/new_layer.hpp"
 
 namespace d2b {
 

@@ -7,7 +7,7 @@
 #include <cpl_string.h>
 #include <cpl_vsi.h>
 
-#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/sinks.hpp"
 #include "write/ogr_handles.hpp"
 
 namespace d2b {

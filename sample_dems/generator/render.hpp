@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "dem2buildings/dem_info.hpp"
+#include "dem2buildings/dem_source.hpp"
 #include "scene.hpp"
 
 namespace d2b::sample {

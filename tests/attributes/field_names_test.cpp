@@ -27,7 +27,7 @@ TEST(FieldNames, OwnOnesStay) {
 }
 
 TEST(FieldNames, OtherProgramsFindTheirs) {
-    EXPECT_EQ(renamed(FieldNames::urock), (Names{{"id", "ID_BUILD"}, {"height", "ROOF_HEIGHT"}}));
+    EXPECT_EQ(renamed(FieldNames::urock), (Names{{"id", "ID_BUILD"}, {"p90", "ROOF_HEIGHT"}}));
     EXPECT_EQ(renamed(FieldNames::city4cfd),
               (Names{{"id", "unique_id"}, {"num_floors", "floors"}, {"min_height", "base_height"}}));
     EXPECT_EQ(renamed(FieldNames::osm), (Names{{"num_floors", "building:levels"}, {"ground", "ele"}}));

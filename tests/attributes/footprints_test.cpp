@@ -92,7 +92,7 @@ FieldValue value_of(const BuildingRecord& record, std::string_view name) {
 TEST(FootprintRecords, Fields) {
     BuildingRecord large = footprint_records().buildings[1];
     large.area_m2 = 6;
-    EXPECT_DOUBLE_EQ(std::get<double>(value_of(large, "volume_m3")), 6 * ((16 * 60 + 6 * 70) / 22.0 - 48));
+    EXPECT_EQ(value_of(large, "volume_m3"), FieldValue{88.36});  // 6 * ((16 * 60 + 6 * 70) / 22 - 48)
     EXPECT_DOUBLE_EQ(std::get<double>(value_of(large, "nodata")), 2 / 24.0);
     EXPECT_EQ(value_of(large, "n_cells"), FieldValue{std::int64_t{24}});
     EXPECT_EQ(value_of(large, "n_points"), FieldValue{std::int64_t{22}});
@@ -104,6 +104,31 @@ TEST(FootprintRecords, Fields) {
     EXPECT_EQ(value_of(large, "moved_m"), FieldValue{0.5});
     EXPECT_EQ(value_of(large, "area_chg"), FieldValue{-0.01});
     EXPECT_EQ(value_of(large, "status"), FieldValue{std::string("regularized")});
+}
+
+/// Elevations stay as they were computed.
+TEST(FootprintRecords, AreWrittenAsFineAsTheDataCanCarry) {
+    BuildingRecord record = footprint_records(1200.0 / 3937).buildings[1];
+    EXPECT_EQ(value_of(record, "height"), FieldValue{6.71});  // 22 US survey feet are 6.70561 m
+    EXPECT_EQ(value_of(record, "p50"), FieldValue{3.66});     // 3.65761
+    record.ground = 47.123456;
+    record.area_m2 = 24.23456;
+    record.perimeter_m = 20.019;
+    record.deviation_m = 0.1251;
+    record.confidence = 0.8999;
+    EXPECT_EQ(value_of(record, "ground"), FieldValue{47.123456});
+    EXPECT_EQ(value_of(record, "area_m2"), FieldValue{24.23});
+    EXPECT_EQ(value_of(record, "perim_m"), FieldValue{20.02});
+    EXPECT_EQ(value_of(record, "moved_m"), FieldValue{0.13});
+    EXPECT_EQ(value_of(record, "confidence"), FieldValue{0.89});  // and so it is doubted
+    EXPECT_EQ(value_of(record, "doubt"), FieldValue{std::string("steep")});
+}
+
+TEST(FootprintRecords, PartsKnowHowSureTheirBuildingIs) {
+    const test::Records records = footprint_records();
+    EXPECT_EQ(records.contours[0].confidence, 0.95);
+    EXPECT_EQ(records.contours[1].confidence, 0.75);
+    EXPECT_EQ(records.contours[2].confidence, 0.75);
 }
 
 TEST(FootprintRecords, WhatIsSureIsNotDoubted) {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/square_area.hpp"
-#include "dem2buildings/open_dem.hpp"
+#include "dem2buildings/open_sources.hpp"
 #include "dem2buildings/run.hpp"
 #include "detect/one_label.hpp"
 #include "elevations/elevation_reader.hpp"
@@ -96,10 +96,13 @@ void PreparedRun::make_levels() {
         statistics.add(*band.elevations);
     plan = plan_global_levels(statistics, decided.asked.levels, decided.levels, context);
     if (!found.footprints.empty()) {
-        BuildingStatistics buildings(found.count(), statistics.fixed_point());
+        constexpr double metres = 1;
+        BuildingStatistics buildings(found.count(), statistics.fixed_point(),
+                                     decided.levels == LevelSource::natural ? metres : 0);
         for (const Rows& band : bands)
             buildings.add(*band.elevations, band.labels);
-        plan = plan_building_levels(buildings, found.ground, plan, decided.asked.levels, decided.levels, 1);
+        plan =
+            plan_building_levels(buildings, found.ground, plan, decided.asked.levels, decided.levels, metres);
     }
     frame = {source->info().window, plan.level_count(), statistics.fixed_point(), statistics.range()};
     for (std::vector<Rows>* all : {&bands, &above})

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "attributes/records.hpp"
-#include "dem2buildings/open_dem.hpp"
-#include "dem2buildings/open_sink.hpp"
+#include "dem2buildings/open_sinks.hpp"
+#include "dem2buildings/open_sources.hpp"
 #include "dem2buildings/run.hpp"
 #include "detect/detection.hpp"
 #include "features/polygon_maker.hpp"

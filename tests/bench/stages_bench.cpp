@@ -5,7 +5,7 @@
 #include <iostream>
 
 #include "city_file.hpp"
-#include "dem2buildings/open_dem.hpp"
+#include "dem2buildings/open_sources.hpp"
 #include "read/start_gdal.hpp"
 #include "stages.hpp"
 

@@ -65,7 +65,9 @@ TEST_F(Diagnosis, areasOfShearedCellsAreThoseOnTheGround) {
     spec.transform = std::array<double, 6>{391000, 0.5, 50, 5820000, 0, -0.5};
     write(path("sheared.tif"), spec);
     run_warned({"-q", "sheared.tif", "out.gpkg"}, {"No building was found: -min_area 30 leaves 3 out"});
-    run_well({"-q", "-overwrite", "-min_area", "20", "sheared.tif", "out.gpkg"});
+    // What is that oblique keeps its outlines as they were traced.
+    run_warned({"-q", "-overwrite", "-min_area", "20", "sheared.tif", "out.gpkg"},
+               {"stays as the cells make them"});
     EXPECT_EQ(buildings(), 3U);
 }
 

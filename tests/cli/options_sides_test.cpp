@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 
 #include "cli/option_effect.hpp"
 #include "cli/town_files.hpp"
@@ -60,14 +62,16 @@ TEST_F(OptionEffect, preview) {
     ASSERT_NE(picture, nullptr);
     EXPECT_EQ(GDALGetRasterCount(picture.get()), 3);
     const int width = GDALGetRasterXSize(picture.get());
-    EXPECT_EQ(std::max(width, MadeTown::rows * width / MadeTown::cols), 1200);
-    // The middle of the flat house has the colour of its height, the ground beside it is grey.
-    const double scale = static_cast<double>(width) / MadeTown::cols;
+    EXPECT_EQ(std::max(width, GDALGetRasterYSize(picture.get())), 1600);
+    // The middle of the flat house has the colour of its height, the ground beside it is grey. Around the map
+    // there is some white.
+    const int margin = 20;
+    const double scale = (width - 2.0 * margin) / MadeTown::cols;
     const auto colour = [&](double row, double col) {
         std::array<unsigned char, 3> rgb{};
-        EXPECT_EQ(GDALDatasetRasterIO(picture.get(), GF_Read, static_cast<int>(col * scale),
-                                      static_cast<int>(row * scale), 1, 1, rgb.data(), 1, 1, GDT_Byte, 3,
-                                      nullptr, 3, 3, 1),
+        EXPECT_EQ(GDALDatasetRasterIO(picture.get(), GF_Read, margin + static_cast<int>(col * scale),
+                                      margin + static_cast<int>(row * scale), 1, 1, rgb.data(), 1, 1,
+                                      GDT_Byte, 3, nullptr, 3, 3, 1),
                   CE_None);
         return rgb;
     };
@@ -78,7 +82,23 @@ TEST_F(OptionEffect, preview) {
     EXPECT_EQ(ground[0], ground[2]);
     expect_error(2, "\"map.png\" exists; say -overwrite to replace it.",
                  {"-preview", "map.png", "town.tif", "again.gpkg"});
-    expect_error(2, "a name that ends in .png.", {"-preview", "map.jpg", "town.tif", "again.gpkg"});
+    expect_error(2, "a name that ends in .png, .svg or .pdf.",
+                 {"-preview", "map.jpg", "town.tif", "again.gpkg"});
+}
+
+TEST_F(OptionEffect, preview_size) {
+    find({"-preview", "map.png", "-preview_size", "700"});
+    const OpenDataset picture(GDALOpen(path("map.png").c_str(), GA_ReadOnly));
+    ASSERT_NE(picture, nullptr);
+    EXPECT_EQ(std::max(GDALGetRasterXSize(picture.get()), GDALGetRasterYSize(picture.get())), 700);
+    find({"-overwrite", "-preview", "map.svg", "-preview_size", "900"});
+    std::ifstream svg(path("map.svg"));
+    const std::string text((std::istreambuf_iterator<char>(svg)), std::istreambuf_iterator<char>());
+    EXPECT_NE(text.find("=\"900px\""), std::string::npos);
+    expect_error(2, "-preview_size needs -preview <file>; it is the size of its picture.",
+                 {"-preview_size", "700", "town.tif", "again.gpkg"});
+    expect_error(2, "-preview_size must be",
+                 {"-preview", "a.png", "-preview_size", "299", "town.tif", "a.gpkg"});
 }
 
 TEST_F(OptionEffect, write_ground) {
@@ -123,23 +143,23 @@ TEST_F(OptionEffect, write_canopy) {
 }
 
 TEST_F(OptionEffect, write_doubtful) {
-    find({});
-    double most = 0;
-    for (const Record& record : buildings().records)
-        most = std::max(most, record.number("confidence"));
-    const std::string least = number_text(std::floor(most * 1e6) / 1e6);
-    std::filesystem::remove(path("out.gpkg"));
-    find({"-write_doubtful", "-min_confidence", least});
+    const std::string town = sample("town.tif");
+    run_well({"-preset", "buildings", "-q", "--", town, "all.gpkg"});
+    const std::size_t all = layer("all.gpkg", "buildings").records.size();
+    constexpr double limit = 0.99;
+    run_well({"-preset", "buildings", "-q", "-write_doubtful", "-min_confidence", number_text(limit), "--",
+              town, "out.gpkg"});
     EXPECT_EQ(layer_names(path("out.gpkg")), (Names{"buildings", "contours", "doubtful"}));
-    EXPECT_EQ(buildings().records.size(), 1U);
     const Layer unsure = layer("out.gpkg", "doubtful");
     ASSERT_GE(unsure.records.size(), 2U);
+    EXPECT_EQ(unsure.records.size() + buildings().records.size(), all);
     EXPECT_EQ(unsure.fields, buildings().fields);
     for (const Record& record : unsure.records) {
-        EXPECT_LT(record.number("confidence"), most);
+        EXPECT_LT(record.number("confidence"), limit);
         EXPECT_TRUE(record.valid());
     }
-    find({"-write_doubtful", "-min_confidence", least, "-nln", "roofs", "-layers", "buildings"});
+    run_well({"-preset", "buildings", "-q", "-overwrite", "-write_doubtful", "-min_confidence",
+              number_text(limit), "-nln", "roofs", "-layers", "buildings", "--", town, "out.gpkg"});
     EXPECT_EQ(layer("out.gpkg", "roofs_doubtful").records.size(), unsure.records.size());
 }
 
@@ -161,7 +181,7 @@ TEST_F(OptionEffect, write_rejected) {
 TEST_F(OptionEffect, fields) {
     find({"-fields", "own"});
     const Names own = buildings().fields;
-    const double height = buildings().records[0].number("height");
+    const double height = buildings().records[0].number("p90");
     const auto changed = [&](const char* names) {
         std::filesystem::remove(path("out.gpkg"));
         find({"-fields", names});

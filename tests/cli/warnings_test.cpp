@@ -9,8 +9,9 @@ const std::vector<std::string> building_fields{
     "n_cells", "nodata", "confidence", "doubt",     "at_edge",    "area_m2",  "volume_m3",
     "perim_m", "status", "moved_m",    "area_chg"};
 const std::vector<std::string> contour_fields{
-    "id",     "parent_id", "bldg_id",  "level",     "threshold", "base",    "top",     "height", "min_height",
-    "tier_z", "n_points",  "elev_min", "elev_mean", "elev_max",  "area_m2", "perim_m", "status"};
+    "id",        "parent_id", "bldg_id",    "level",   "threshold", "base",
+    "top",       "height",    "min_height", "tier_z",  "n_points",  "elev_min",
+    "elev_mean", "elev_max",  "confidence", "area_m2", "perim_m",   "status"};
 
 /// Results without a building are whole all the same.
 class Warnings : public CliTest {

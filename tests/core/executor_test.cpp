@@ -143,7 +143,7 @@ void work_in_little_room() {
     room.rlim_cur = room.rlim_max = rlim_t{1} << 30;
     setrlimit(RLIMIT_AS, &room);
     Executor threads(100000);
-    const std::vector<char> room_to_work(std::size_t{1} << 28);
+    const std::vector<char> room_to_work(std::size_t{1} << 27);
     std::vector<int> done(1000);
     if (threads.threads() > 1 && threads.threads() < 100000)
         threads.for_each(done.size(), [&](std::size_t i) { done[i] = 1; });

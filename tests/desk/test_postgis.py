@@ -1,63 +1,32 @@
-"""Several runs that write to one PostGIS, a server of its own on a socket in a temporary folder."""
+"""What is promised of layers in PostGIS."""
 
-import glob
 import os
 import pathlib
-import shutil
+import random
+import re
+import signal
 import subprocess
-import tempfile
 import time
 import unittest
 
-SOURCE = pathlib.Path(__file__).resolve().parent.parent.parent
-TOOL = os.environ.get("D2B_TOOL", str(SOURCE / "build/tools/dem2buildings"))
-TOWN = SOURCE / "sample_dems/town.tif"
+from postgis_case import SOURCE, TOOL, PostGisCase
+
+PAGE = SOURCE / "docs/tasks/postgis.md"
+TIMES = int(os.environ.get("D2B_KILLS", "10"))
 
 
-class PostGis(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.programs = pathlib.Path(sorted(glob.glob("/usr/lib/postgresql/*/bin"))[-1])
-        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="d2b_postgis_"))
-        # A server does not run as root.
-        cls.user = "postgres" if os.geteuid() == 0 else None
-        if cls.user:
-            shutil.chown(cls.folder, cls.user)
-        cls.serve("initdb", "-A", "trust", "-U", "planner", "-D", f"{cls.folder}/data")
-        cls.serve("pg_ctl", "-w", "-D", f"{cls.folder}/data", "-l", f"{cls.folder}/log", "-o",
-                  f"-c listen_addresses='' -c unix_socket_directories={cls.folder} -c fsync=off", "start")
-        cls.sql("CREATE DATABASE city", database="postgres")
-        cls.sql("CREATE EXTENSION postgis")
+class PostGis(PostGisCase):
+    def expect_refused(self, expected, *options, status=1, **where):
+        """One sentence that holds what is expected."""
+        got, said = self.end(self.start(*options, **where))
+        self.assertEqual(got, status, said)
+        self.assertRegex(said, r"\AERROR: [^\n]+\.\n\Z")
+        self.assertIn(expected, said)
+        return said
 
-    @classmethod
-    def tearDownClass(cls):
-        cls.serve("pg_ctl", "-w", "-m", "fast", "-D", f"{cls.folder}/data", "stop")
-        shutil.rmtree(cls.folder)
-
-    @classmethod
-    def serve(cls, program, *arguments):
-        subprocess.run([cls.programs / program, *arguments], check=True, user=cls.user, cwd=cls.folder,
-                       stdout=subprocess.DEVNULL)
-
-    @classmethod
-    def psql(cls, database="city"):
-        return [cls.programs / "psql", "-h", cls.folder, "-U", "planner", "-d", database, "-X", "-q", "-A", "-t",
-                "-v", "ON_ERROR_STOP=1"]
-
-    @classmethod
-    def sql(cls, statement, database="city"):
-        return subprocess.run([*cls.psql(database), "-c", statement], check=True, capture_output=True,
-                              text=True).stdout.strip()
-
-    def start(self, mode):
-        return subprocess.Popen([TOOL, "-q", "-f", "PostgreSQL", mode, str(TOWN),
-                                 f"PG:host={self.folder} user=planner dbname=city"],
-                                stderr=subprocess.PIPE, text=True)
-
-    def end(self, run):
-        """The status and what was said."""
-        said = run.communicate(timeout=120)[1]
-        return run.returncode, said
+    def content(self):
+        return self.sql("SELECT count(*), sum(height) FROM buildings UNION ALL "
+                        "SELECT count(*), sum(height) FROM contours")
 
     def rows_and_ids(self, layer):
         return self.sql(f"SELECT count(*), count(DISTINCT id) FROM {layer}").split("|")
@@ -75,6 +44,13 @@ class PostGis(unittest.TestCase):
             self.assertEqual(self.rows_and_ids(layer), [str(5 * once)] * 2)
         self.assertEqual(self.sql("SELECT count(*) FROM contours WHERE bldg_id NOT IN (SELECT id FROM buildings)"),
                          "0")
+
+    def test_new_layers_at_once_share_the_table_of_styles(self):
+        self.sql("DROP TABLE layer_styles")
+        for status, said in [self.end(run) for run in [self.start("-nln", f"town{i}") for i in range(4)]]:
+            self.assertEqual((status, said), (0, ""))
+        self.assertEqual(self.sql("SELECT count(*), count(DISTINCT f_table_name) FROM layer_styles"), "8|8")
+        self.sql("DROP TABLE " + ", ".join(f"town{i}, town{i}_contours" for i in range(4)))
 
     def test_another_who_writes_is_waited_for(self):
         other = subprocess.Popen([*self.psql(), "-c",
@@ -104,6 +80,101 @@ class PostGis(unittest.TestCase):
                 self.assertEqual(self.end(self.start("-append")), (0, ""))
                 self.sql(drop)
                 self.assertEqual(self.end(self.start("-overwrite")), (0, ""))
+
+    def test_columns_say_what_they_hold_and_have_indices(self):
+        for layer in self.once:
+            silent = self.sql(f"SELECT attname FROM pg_attribute WHERE attrelid = '{layer}'::regclass AND attnum > 0 "
+                              "AND NOT attisdropped AND col_description(attrelid, attnum) IS NULL")
+            self.assertEqual(silent.split(), ["ogc_fid", "wkb_geometry"])
+            indices = self.sql(f"SELECT indexdef FROM pg_indexes WHERE tablename = '{layer}'")
+            self.assertRegex(indices, rf"CREATE UNIQUE INDEX \w+ ON public.{layer} USING btree \(id\)")
+            self.assertIn("USING gist (wkb_geometry)", indices)
+            self.assertEqual("USING btree (bldg_id)" in indices, layer == "contours")
+        self.assertRegex(self.sql("SELECT col_description('buildings'::regclass, attnum) FROM pg_attribute WHERE "
+                                  "attrelid = 'buildings'::regclass AND attname = 'area_m2'"), r"\(m2\): ")
+
+    def test_names_of_other_programs_have_them_too(self):
+        self.assertEqual(self.end(self.start("-overwrite", "-fields", "urock", "-layers", "buildings")), (0, ""))
+        self.assertIn("CREATE UNIQUE INDEX", self.sql("SELECT indexdef FROM pg_indexes WHERE tablename = 'buildings'"))
+
+    def test_what_cannot_be_is_refused_before_the_work(self):
+        for database in ("plain", "closed"):
+            self.sql(f"DROP DATABASE IF EXISTS {database}", database="postgres")
+            self.sql(f"CREATE DATABASE {database}", database="postgres")
+        self.sql("REVOKE CONNECT ON DATABASE closed FROM public", database="postgres")
+        self.sql("DROP OWNED BY guest, guarded; DROP ROLE guest, guarded" if self.sql(
+            "SELECT 1 FROM pg_roles WHERE rolname = 'guest'") else "SELECT 1")
+        self.sql("CREATE ROLE guest LOGIN; CREATE ROLE guarded LOGIN PASSWORD 'right'")
+        before = self.content()
+        city = "dbname=city user="
+        self.expect_refused('has a layer "buildings"; say -overwrite', status=2)
+        self.expect_refused('its database cannot be reached (', words="dbname=nowhere user=planner")
+        self.expect_refused('its database cannot be reached (', words="dbname=city user=planner port=1")
+        self.expect_refused('its database cannot be reached (', words="dbname=closed user=guest")
+        said = self.expect_refused('its database cannot be reached (', words=city + "guarded password=wrong")
+        self.assertIn("password=...", said)
+        self.assertNotIn("wrong", said)
+        self.expect_refused("the database has no PostGIS", words="dbname=plain user=planner")
+        self.expect_refused('there is no schema "nowhere" that its user may use',
+                            words=city + "planner active_schema=nowhere")
+        self.expect_refused("-lco SCHEMA: name the schema in the destination", "-lco", "SCHEMA=plans", status=2)
+        self.expect_refused("-nln plans.mine: name the schema in the destination", "-nln", "plans.mine", status=2)
+        self.expect_refused('its user "guest" may not make tables in schema "public"', "-nln", "mine",
+                            words=city + "guest")
+        self.expect_refused('its user "guest" may not replace layer "buildings"', "-overwrite", words=city + "guest")
+        for granted in ("SELECT", "INSERT"):
+            self.expect_refused('its user "guest" may not add to layer "buildings"', "-append", words=city + "guest")
+            self.sql(f"GRANT {granted} ON buildings, contours TO guest")
+        self.assertEqual(self.content(), before)
+
+    def test_those_who_may_add_do(self):
+        self.sql("DROP ROLE IF EXISTS adder")
+        self.sql("CREATE ROLE adder LOGIN; GRANT SELECT, INSERT, UPDATE ON buildings, contours TO adder; "
+                 "GRANT USAGE ON ALL SEQUENCES IN SCHEMA public TO adder")
+        self.assertEqual(self.end(self.start("-append", words="dbname=city user=adder")), (0, ""))
+        self.assertEqual(self.rows_and_ids("buildings"), [str(2 * self.once["buildings"])] * 2)
+        self.sql("DROP OWNED BY adder; DROP ROLE adder")
+
+    def test_a_lost_connection_changes_nothing(self):
+        before = self.content()
+        run = self.start("-overwrite", "-lod", "6")
+        while self.sql("SELECT count(pg_terminate_backend(pid)) FROM pg_stat_activity WHERE application_name <> 'psql' "
+                       "AND pid <> pg_backend_pid() AND xact_start IS NOT NULL AND usename = 'planner'") == "0":
+            self.assertIsNone(run.poll(), "it ended before it was cut off")
+        status, said = self.end(run)
+        self.assertEqual(status, 1)
+        self.assertRegex(said, r"\AERROR: Cannot write [^\n]+\.\n\Z")
+        self.assertEqual(self.content(), before)
+
+    def test_a_killed_run_leaves_the_old_content_or_the_new(self):
+        old = self.content()
+        start = time.monotonic()
+        self.assertEqual(self.end(self.start("-overwrite", "-lod", "6")), (0, ""))
+        seconds = time.monotonic() - start
+        new = self.content()
+        self.assertNotEqual(old, new)
+        moments = random.Random(7)
+        for i in range(TIMES):
+            self.assertEqual(self.end(self.start("-overwrite")), (0, ""))
+            run = self.start("-overwrite", "-lod", "6")
+            time.sleep(seconds * moments.uniform(0.3, 1.05))
+            run.send_signal(signal.SIGKILL)
+            killed = run.wait() == -signal.SIGKILL
+            run.stderr.close()
+            self.assertIn(self.content(), (old, new) if killed else (new,))
+
+    def test_the_commands_of_the_page(self):
+        commands = re.findall(r"```sh postgis\n(.*?)```", PAGE.read_text(), re.S)
+        self.assertGreater(len(commands), 5)
+        subprocess.run([self.programs / "dropdb", "-h", self.folder, "-U", "planner", "--if-exists", "town"],
+                       check=True)
+        environment = {**os.environ, "PGHOST": str(self.folder), "PGUSER": "planner",
+                       "PATH": f"{pathlib.Path(TOOL).parent}:{self.programs}:{os.environ['PATH']}"}
+        for command in "".join(commands).splitlines():
+            with self.subTest(command):
+                done = subprocess.run(["sh", "-euc", command], cwd=SOURCE, env=environment, capture_output=True,
+                                      text=True)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
 
 
 if __name__ == "__main__":

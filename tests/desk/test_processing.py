@@ -1,5 +1,6 @@
 """The provider of the Processing toolbox: installed from its zip, run through qgis_process and in QGIS."""
 
+import configparser
 import json
 import os
 import pathlib
@@ -23,6 +24,12 @@ from qgis.core import (QgsApplication, QgsCoordinateTransformContext, QgsFeature
                        QgsVectorFileWriter, QgsVectorLayer)
 
 ALGORITHM = "dem2buildings:extractbuildings"
+
+
+def plugin_metadata(path):
+    metadata = configparser.ConfigParser()
+    metadata.read(path)
+    return metadata["general"]
 
 
 class Feedback(QgsProcessingFeedback):
@@ -95,9 +102,38 @@ class Toolbox(DeskCase):
         self.assertGreater(len(wanted), 30)
         lod = shown["lod"]
         self.assertEqual((lod.defaultValue(), lod.minimum(), lod.maximum()), (4, 1, 10000))
+        self.assertEqual(shown["preview"].fileFilter(), "PNG (*.png);;SVG (*.svg);;PDF (*.pdf)")
         self.assertEqual(shown["preset"].options(), ["buildings", "thesis"])
-        self.assertTrue(shown["te"].flags() & QgsProcessingParameterDefinition.FlagAdvanced)
+        self.assertTrue(shown["zrange"].flags() & QgsProcessingParameterDefinition.FlagAdvanced)
         self.assertFalse(shown["lod"].flags() & QgsProcessingParameterDefinition.FlagAdvanced)
+
+    def test_parameters_have_names_for_planners_in_groups(self):
+        algorithm = self.algorithm()
+        shown = [one for one in algorithm.parameterDefinitions() if one.name() not in ("INPUT", "OUTPUT")]
+        advanced = [bool(one.flags() & QgsProcessingParameterDefinition.FlagAdvanced) for one in shown]
+        self.assertEqual(advanced, sorted(advanced))
+        names = [one.description() for one in shown if not one.flags() & QgsProcessingParameterDefinition.FlagAdvanced]
+        groups = [name.split(":")[0] if ":" in name else "Basic" for name in names]
+        self.assertEqual(list(dict.fromkeys(groups)), ["Basic", "Ground", "Trees", "Detail", "Output"])
+        self.assertEqual(groups, sorted(groups, key=["Basic", "Ground", "Trees", "Detail", "Output"].index))
+        for name in ("Lowest building to keep [m]", "Ground: Terrain model (DTM)", "Trees: Vegetation index (NDVI)",
+                     "Detail: Number of levels in a building"):
+            self.assertIn(name, names)
+
+    def test_the_help_speaks_of_parameters_not_of_options(self):
+        algorithm = self.algorithm()
+        texts = [algorithm.shortHelpString(), *(one.help() for one in algorithm.parameterDefinitions())]
+        for text in texts:
+            self.assertNotRegex(text, r"(?<![\w-])--?[a-z][a-z0-9_]+")
+        self.assertIn('in place of those of "Number of levels in a building"', " ".join(texts))
+
+    def test_provider_and_algorithm_have_an_icon(self):
+        algorithm = self.algorithm()
+        for one in (algorithm, algorithm.provider()):
+            self.assertTrue(pathlib.Path(one.svgIconPath()).exists())
+            drawn = one.icon().pixmap(24, 24).toImage()
+            self.assertGreater(len({drawn.pixel(x, y) for x in range(24) for y in range(24)}), 8)
+        self.assertEqual(plugin_metadata(self.plugins / "dem2buildings/metadata.txt")["author"], "The dem2buildings authors")
 
     def test_defaults_are_left_to_the_program(self):
         algorithm = self.algorithm()
@@ -130,7 +166,7 @@ class Toolbox(DeskCase):
             layer = QgsProcessingUtils.mapLayerFromString(place, context)
             self.assertEqual(layer.renderer().type(), "singleSymbol")
             details.postProcessor().postProcessLayer(layer, context, Feedback())
-            self.assertEqual(layer.renderer().type(), "graduatedSymbol")
+            self.assertEqual(layer.renderer().type(), "RuleRenderer")
             self.assertGreater(layer.featureCount(), 300)
 
     def test_every_layer_of_the_run_is_loaded_and_no_other(self):

@@ -86,7 +86,7 @@ class Solids(DeskCase):
         self.assertEqual(len(solids), layer.featureCount())
         for feature, bottom, top in solids.values():
             self.assertAlmostEqual(bottom, feature["ground"], places=4)
-            self.assertAlmostEqual(top, feature["roof"], places=4)
+            self.assertAlmostEqual(top, feature["ground"] + feature["p90"], places=4)
 
     def test_bands_stand_on_the_ground(self):
         layer = self.layer(self.make("bands.gpkg", "-disjoint"), "contours")

@@ -5,13 +5,23 @@ import sqlite3
 import subprocess
 import unittest
 
+from qgis.core import NULL, QgsExpression, QgsExpressionContext, QgsFeature, QgsNullSymbolRenderer, QgsRenderContext
+from qgis.PyQt.QtGui import QColor
+
 from desk_case import DeskCase
 
 BLOCKS = (391317, 5820317, 391557, 5820497)
 PART = (391317, 5820407, 391397, 5820467)
 CLASSES = ["below 3 m", "3 to 6 m", "6 to 10 m", "10 to 15 m", "15 to 20 m", "20 to 30 m", "30 to 50 m",
            "50 to 100 m", "100 m and more"]
+LESS_CERTAIN = "paler: less certain"
 TOLERANCE = 0.03
+
+
+def legend(layer):
+    """The heading and the classes of a layer, as its legend has them."""
+    heading, = layer.renderer().rootRule().children()
+    return heading.label(), [rule.label() for rule in heading.children()]
 
 
 class Styles(DeskCase):
@@ -51,14 +61,44 @@ class Styles(DeskCase):
         self.assertEqual((checked.returncode, checked.stdout), (0, ""), checked.stderr)
 
     def test_colours_are_classes_of_height_in_metres(self):
-        for name in ("buildings", "contours"):
+        for name, field, heading in (("buildings", "p90", "Height above ground, 90th percentile, m"),
+                                     ("contours", "height", "Height of the part above ground, m")):
             layer = self.layer(self.town, name)
-            renderer = layer.renderer()
-            self.assertEqual(renderer.type(), "graduatedSymbol")
-            self.assertEqual(renderer.classAttribute(), '"height"')
-            self.assertEqual([one.label() for one in renderer.ranges()], CLASSES)
+            self.assertEqual(layer.renderer().type(), "RuleRenderer")
+            self.assertEqual(legend(layer), (heading, [*CLASSES, LESS_CERTAIN]))
+            self.assertEqual(layer.renderer().usedAttributes(QgsRenderContext()) - {"level"}, {field, "confidence"})
         layer = self.layer(self.town, "doubtful")
-        self.assertEqual(layer.renderer().symbol().symbolLayer(0).properties()["style"], "b_diagonal")
+        self.assertEqual(layer.renderer().symbol().symbolLayer(1).layerType(), "LinePatternFill")
+
+    def test_what_is_not_certain_is_paler(self):
+        """The same building, drawn as it is, and as if it were hardly one."""
+        layer = self.layer(self.make("pale.gpkg"), "buildings")
+        place = layer.fields().indexOf("confidence")
+        highest = max((one for one in layer.getFeatures() if one["confidence"] > 0.95), key=lambda one: one["p90"])
+        middle = highest.geometry().pointOnSurface().asPoint()
+        box = (middle.x() - 1, middle.y() - 1, middle.x() + 1, middle.y() + 1)
+        layer.setLabelsEnabled(False)
+        shades = []
+        for confidence in (0.9, 0.89, 0.5):
+            layer.startEditing()
+            layer.changeAttributeValue(highest.id(), place, confidence)
+            shades.append(QColor(self.render(layer, box, (8, 8)).pixel(4, 4)).saturation())
+            layer.rollBack()
+        self.assertEqual(sorted(shades, reverse=True), shades)
+        self.assertGreater(shades[0] - shades[1], 40)
+        self.assertGreater(shades[1] - shades[2], 40)
+
+    def test_a_label_agrees_with_its_class(self):
+        layer = self.layer(self.town, "buildings")
+        expression = QgsExpression(layer.labeling().settings().fieldName)
+        feature = QgsFeature(layer.fields())
+        for height, text in ((12.3, "12 m"), (9.4, "9 m"), (9.7, "9.7 m"), (9.98, "9.9 m"), (10, "10 m"), (2.5, "2.5 m"),
+                             (29.5, "29.5 m"), (30.4, "30 m"), (99.99, "99.9 m"), (100.4, "100 m"), (16.5, "17 m")):
+            feature["p90"] = height
+            context = QgsExpressionContext()
+            context.setFeature(feature)
+            context.setFields(layer.fields())
+            self.assertEqual(expression.evaluate(context), text)
 
     def test_contours_are_drawn_from_low_to_high(self):
         layer = self.layer(self.town, "contours")
@@ -75,10 +115,20 @@ class Styles(DeskCase):
             self.assertTrue(settings.scaleVisibility)
             self.assertEqual(settings.minimumScale, scale)
 
+    def test_parts_are_labelled_that_nothing_stands_on(self):
+        layer = self.layer(self.town, "contours")
+        expression = QgsExpression(layer.labeling().settings().fieldName)
+        below = {feature["parent_id"] for feature in layer.getFeatures()}
+        context = QgsExpressionContext()
+        for feature in layer.getFeatures():
+            context.setFeature(feature)
+            text = expression.evaluate(context)
+            self.assertEqual(text is None or text == NULL, feature["id"] in below, feature["id"])
+
     def test_fields_have_names_with_units(self):
         layer = self.layer(self.town, "buildings")
         shown = {field.name(): layer.attributeDisplayName(i) for i, field in enumerate(layer.fields())}
-        self.assertEqual(shown["height"], "Height (m)")
+        self.assertEqual(shown["height"], "Highest point (m)")
         self.assertEqual(shown["roof"], "Roof (metre)")
         self.assertEqual(shown["area_m2"], "Area (m2)")
         nameless = [name for name, alias in shown.items() if alias == name and name != "fid"]
@@ -103,7 +153,7 @@ class Styles(DeskCase):
         bare = self.without_styles()
         for name in ("buildings", "contours"):
             layer = self.layer(bare, name)
-            self.assertNotEqual(layer.renderer().type(), "graduatedSymbol")
+            self.assertNotEqual(layer.renderer().type(), "RuleRenderer")
             self.assertFalse(layer.labelsEnabled())
             self.assertEqual(layer.attributeDisplayName(layer.fields().indexOf("height")), "height")
             drawn = self.render(layer, BLOCKS)
@@ -111,10 +161,10 @@ class Styles(DeskCase):
 
     def test_shapefiles_have_theirs_beside(self):
         folder = self.make("shapes", "-f", "ESRI Shapefile")
-        for name in ("buildings", "contours"):
+        for name, alias in (("buildings", "Highest point (m)"), ("contours", "Height (m)")):
             layer = self.layer(folder / f"{name}.shp")
-            self.assertEqual([one.label() for one in layer.renderer().ranges()], CLASSES)
-            self.assertEqual(layer.attributeDisplayName(layer.fields().indexOf("height")), "Height (m)")
+            self.assertEqual(legend(layer)[1], [*CLASSES, LESS_CERTAIN])
+            self.assertEqual(layer.attributeDisplayName(layer.fields().indexOf("height")), alias)
             self.assertLess(self.difference(self.render(layer, BLOCKS), f"{name}.png"), TOLERANCE)
             (folder / f"{name}.qml").unlink()
             bare = self.layer(folder / f"{name}.shp")
@@ -122,18 +172,18 @@ class Styles(DeskCase):
 
     def test_names_of_other_programs_are_styled_too(self):
         layer = self.layer(self.make("urock.gpkg", "-fields", "urock"), "buildings")
-        self.assertEqual(layer.renderer().classAttribute(), '"ROOF_HEIGHT"')
+        self.assertIn("ROOF_HEIGHT", layer.renderer().usedAttributes(QgsRenderContext()))
         self.assertLess(self.difference(self.render(layer, BLOCKS), "buildings.png"), TOLERANCE)
 
     def test_a_users_style_stays_the_default(self):
         path = self.make("mine.gpkg")
         layer = self.layer(path, "buildings")
-        layer.renderer().deleteAllClasses()
+        layer.setRenderer(QgsNullSymbolRenderer())
         self.assertEqual(layer.saveStyleToDatabase("mine", "", True, ""), "")
         self.make("mine.gpkg", "-overwrite", "-lod", "2")
         buildings, contours = self.layer(path, "buildings"), self.layer(path, "contours")
-        self.assertEqual(buildings.renderer().ranges(), [])
-        self.assertEqual([one.label() for one in contours.renderer().ranges()], CLASSES)
+        self.assertEqual(buildings.renderer().type(), "nullSymbol")
+        self.assertEqual(contours.renderer().type(), "RuleRenderer")
 
 
 if __name__ == "__main__":

@@ -42,7 +42,7 @@ Mask reference(Mask now, const Mask& elevated, std::int32_t up, std::int32_t sid
         const Counts all(elevated);
         for (std::int32_t r = 0; r < now.rows; ++r)
             for (std::int32_t c = 0; c < now.cols; ++c) {
-                const int least = now.at(r, c) != 0 ? 10 : 55;
+                const int least = now.at(r, c) != 0 ? 10 : 58;
                 if (elevated.at(r, c) != 0 &&
                     100 * buildings.around(r, c, up, side) > least * all.around(r, c, up, side))
                     next.at(r, c) = 1;
@@ -88,18 +88,18 @@ TEST(Majority, WindowsOfManyCells) {
 }
 
 TEST(Majority, SharesAreExceededNotReached) {
-    // One row and neighbourhoods of all of its 20 cells: 11 of 20 are 55 %, 2 of 20 are 10 %.
-    const Mask elevated(1, 20, 1);
-    const CellSize cell{0.1, 4};
+    // One row and neighbourhoods of all of its 50 cells: 29 of 50 are 58 %, 5 of 50 are 10 %.
+    const Mask elevated(1, 50, 1);
+    const CellSize cell{0.05, 4};
     const auto first = [](std::int32_t n) {
-        Mask mask(1, 20);
+        Mask mask(1, 50);
         std::fill_n(mask.values.begin(), n, std::uint8_t{1});
         return mask;
     };
-    EXPECT_EQ(drawing(grow_by_majority(first(2), elevated, cell, test::threads())), drawing(first(0)));
-    EXPECT_EQ(drawing(grow_by_majority(first(3), elevated, cell, test::threads())), drawing(first(3)));
-    EXPECT_EQ(drawing(grow_by_majority(first(11), elevated, cell, test::threads())), drawing(first(11)));
-    EXPECT_EQ(drawing(grow_by_majority(first(12), elevated, cell, test::threads())), drawing(elevated));
+    EXPECT_EQ(drawing(grow_by_majority(first(5), elevated, cell, test::threads())), drawing(first(0)));
+    EXPECT_EQ(drawing(grow_by_majority(first(6), elevated, cell, test::threads())), drawing(first(6)));
+    EXPECT_EQ(drawing(grow_by_majority(first(29), elevated, cell, test::threads())), drawing(first(29)));
+    EXPECT_EQ(drawing(grow_by_majority(first(30), elevated, cell, test::threads())), drawing(elevated));
     EXPECT_EQ(grow_by_majority(Mask(), Mask(), cell, test::threads()).size(), 0U);
 }
 

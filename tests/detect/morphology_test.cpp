@@ -47,7 +47,7 @@ Mask opened_by_definition(const Mask& mask, double radius, const CellSize& cell)
     return result;
 }
 
-TEST(Morphology, OpenedByDefinition) {
+TEST(Morphology, OpenedAndErodedByDefinition) {
     std::mt19937 random(5);
     const std::vector<CellSize> sizes{{1, 1}, {0.5, 0.5}, {0.5, 1}, {1, 0.4}, {2, 2}, {1, 1.6}, {0.3, 0.25}};
     for (unsigned i = 0; i < 210; ++i) {
@@ -56,10 +56,14 @@ TEST(Morphology, OpenedByDefinition) {
         const Mask mask = i % 3 == 0 ? test::random_mask(rows, cols, 95, random)
                                      : test::random_blocks(rows, cols, 30, random);
         const CellSize& cell = sizes[i % sizes.size()];
-        for (const double radius : {1.5, 3.0, 1.0})
+        for (const double radius : {1.5, 3.0, 1.0}) {
             ASSERT_EQ(drawing(opened(mask, radius, cell, test::threads())),
                       drawing(opened_by_definition(mask, radius, cell)))
                 << i << " radius " << radius;
+            ASSERT_EQ(drawing(eroded(mask, radius, cell, test::threads())),
+                      drawing(where_all(mask, offsets_within(radius, cell), 1, 1)))
+                << i << " radius " << radius;
+        }
     }
 }
 

@@ -33,9 +33,10 @@ TEST(Segments, TiltIsThatOfThePlane) {
                        ? static_cast<float>(120 + x * c * cell.across + y * r * cell.down)
                        : test::unknown;
         });
-        const SmoothSegments segments = smooth_segments(
-            town.scene(), test::raised(town),
-            smoothness(town.surface, town.scene().side(), 0, test::threads()), test::threads());
+        const SmoothSegments segments =
+            smooth_segments(town.scene(), test::raised(town),
+                            smoothness(town.surface, smooth_limits(town.scene().side(), {}), test::threads()),
+                            test::threads());
         ASSERT_EQ(segments.pieces.size(), 1U);
         EXPECT_EQ(segments.pieces[0].cells, 160);
         EXPECT_EQ(drawing(mask_of(segments.regions, test::threads())), drawing(test::raised(town)));
@@ -49,8 +50,9 @@ TEST(Segments, GableIsOnePieceSinceItsRidgeIsStraight) {
         return r >= 3 && r < 17 && c >= 3 && c < 17 ? 112 - 0.5F * std::abs(static_cast<float>(c) - 9.5F)
                                                     : test::unknown;
     });
-    const SmoothSegments segments = smooth_segments(
-        town.scene(), test::raised(town), smoothness(town.surface, 1, 0, test::threads()), test::threads());
+    const SmoothSegments segments =
+        smooth_segments(town.scene(), test::raised(town),
+                        smoothness(town.surface, smooth_limits(1, {}), test::threads()), test::threads());
     ASSERT_EQ(segments.pieces.size(), 1U);
     EXPECT_EQ(segments.pieces[0].cells, 196);
     EXPECT_NEAR(segments.pieces[0].tilt, 0, 1e-6) << "the best plane through both sides";
@@ -91,10 +93,10 @@ TEST(Segments, SmallPiecesAreDropped) {
     ASSERT_EQ(fine.pieces.size(), 1U);
     EXPECT_EQ(drawing(mask_of(fine.regions, test::threads())),
               drawing(drawn({"............", "............", "############"})));
-    // Five cells at least, however large they are.
-    const SmoothSegments coarse = pieces_of(drawn({"####.", ".....", "#####"}), smooth, {10, 10});
+    // Six cells at least, however large they are.
+    const SmoothSegments coarse = pieces_of(drawn({"#####.", "......", "######"}), smooth, {10, 10});
     ASSERT_EQ(coarse.pieces.size(), 1U);
-    EXPECT_EQ(coarse.pieces[0].cells, 5);
+    EXPECT_EQ(coarse.pieces[0].cells, 6);
     EXPECT_NEAR(coarse.pieces[0].tilt, 0, 1e-12) << "in one line";
     EXPECT_TRUE(pieces_of(Mask(4, 4), smooth, {1, 1}).pieces.empty());
     EXPECT_TRUE(pieces_of(Mask(), smooth, {1, 1}).pieces.empty());

@@ -91,9 +91,12 @@ TEST_F(NothingFound, ATerrainModelUnlessAnOptionHidesMore) {
 TEST_F(NothingFound, WhatOptionsLeaveOut) {
     tally_.count(Reason::building_small, 12);
     tally_.count(Reason::building_low, 3);
+    tally_.count(Reason::building_not_tall, 4);
     tally_.count(Reason::building_doubtful, 5);
+    options_.detect.min_building_height = 0;
     expect(
-        "-min_area 30 leaves 12 out, -min_height 2 leaves 3 out, -min_confidence 0.5 leaves 5 out; a smaller "
+        "-min_area 30 leaves 12 out, -min_height 2 leaves 3 out, -min_building_height 0 leaves 4 out, "
+        "-min_confidence 0.5 leaves 5 out; a smaller "
         "value may show them");
     slope_.add(0.6, 0);
     expect("100 % of the ground of 'dem.tif' is steeper than 40 %");

@@ -1,6 +1,7 @@
 #!/bin/sh
 # Runs every command of README.md, docs/*.md and docs/tasks/*.md that stands in a block marked ```sh, in a scratch folder where
-# sample_dems/ lies beside and the tool is on the PATH.
+# sample_dems/ lies beside and the tool is on the PATH. A block marked ```output holds what the block before it prints;
+# empty lines do not count.
 #   run_commands.sh <source folder> <folder of the tool> <scratch folder> <build folder>
 # What programs are built with is installed in <scratch folder>/installed.
 set -eu
@@ -16,12 +17,26 @@ mkdir "$scratch/docs"
 ln -s "$source_folder/docs/examples" "$scratch/docs/examples"
 cmake --install "$4" --prefix "$scratch/installed" > "$scratch/install.txt"
 count=0
+compared=0
 for page in "$source_folder"/README.md "$source_folder"/docs/*.md "$source_folder"/docs/tasks/*.md; do
-    awk '/^```sh$/ {inside = 1; next} /^```$/ {inside = 0} inside' "$page" > "$scratch/commands.txt"
-    while IFS= read -r command; do
-        [ -n "$command" ] || continue
-        echo "$(basename "$page"): $command"
-        if ! (cd "$scratch" && sh -eu -c "$command") > "$scratch/out.txt" 2> "$scratch/err.txt" < /dev/null; then
+    awk '/^```sh$/ {kind = "C"; print "B"; next} /^```output$/ {kind = "O"; next}
+         /^```$/ {if (kind == "O") print "E"; kind = ""} kind {print kind $0}' "$page" > "$scratch/lines.txt"
+    while IFS= read -r line; do
+        text=${line#?}
+        case $line in
+            B) : > "$scratch/printed.txt"; : > "$scratch/expected.txt"; continue ;;
+            O*) echo "$text" >> "$scratch/expected.txt"; continue ;;
+            E)
+                if ! diff -B "$scratch/expected.txt" "$scratch/printed.txt"; then
+                    echo "$(basename "$page"): the page shows (<) another output than the commands print (>)"
+                    exit 1
+                fi
+                compared=$((compared + 1))
+                continue ;;
+            C) continue ;;
+        esac
+        echo "$(basename "$page"): $text"
+        if ! (cd "$scratch" && sh -eu -c "$text") > "$scratch/out.txt" 2> "$scratch/err.txt" < /dev/null; then
             echo "failed:"
             cat "$scratch/out.txt" "$scratch/err.txt"
             exit 1
@@ -32,8 +47,10 @@ for page in "$source_folder"/README.md "$source_folder"/docs/*.md "$source_folde
             cat "$scratch/err.txt"
             exit 1
         fi
+        cat "$scratch/out.txt" >> "$scratch/printed.txt"
         count=$((count + 1))
-    done < "$scratch/commands.txt"
+    done < "$scratch/lines.txt"
 done
-echo "$count commands of the documentation ran"
+echo "$count commands of the documentation ran, $compared outputs are as shown"
 [ "$count" -ge 60 ]
+[ "$compared" -ge 5 ]

@@ -20,6 +20,7 @@ using test::block;
 using test::cells;
 using test::contours;
 using test::MemorySource;
+using test::place_in_utm;
 using test::Result;
 using test::run_on;
 
@@ -138,8 +139,7 @@ TEST(Pipeline, RepairedOutlinesHaveTheAreasOfTheGround) {
     for (unsigned seed = 0; seed < 6; ++seed) {
         const test::RandomGridCase c = test::random_grid(2 * seed, 24, false);
         MemorySource source(c.grid.rows, c.grid.cols, c.grid.z);
-        source.edit().transform = {600000, 1, 0, 5800000, 0, -1};
-        source.edit().crs_wkt = Crs("EPSG:25832").wkt();
+        place_in_utm(source, 1);
         Options options = cells(c.thresholds);
         Result here;
         run_on(source, options, here);

@@ -84,6 +84,45 @@ TEST(KeptFootprints, HolesAroundTheirCourtyardsStay) {
     EXPECT_EQ(set.contours[2].interiors.size(), 1U);  // short, but the footprint's hole lies in it
 }
 
+/// Points of 10 m but for two in ten of 20, above ground at 2.
+RoofElevations church() {
+    RoofElevations roof;
+    roof.percentiles = {10, 10, 19.9949, 20};
+    roof.highest = 60;
+    return roof;
+}
+
+TEST(LowBuildings, AreJudgedByP90AsItIsWritten) {
+    const std::vector<double> ground{0, 2, 19.9};
+    EXPECT_FALSE(is_too_low(1, church(), {0, ground, 1}));
+    EXPECT_FALSE(is_too_low(1, church(), {17.99, ground, 1}));
+    EXPECT_TRUE(is_too_low(1, church(), {18, ground, 1}));  // 17.9949, not the spire's 58
+    EXPECT_TRUE(is_too_low(2, church(), {0.1, ground, 1}));
+    EXPECT_FALSE(is_too_low(1, church(), {5.48, ground, 0.3048}));  // 5.4848 m
+    EXPECT_TRUE(is_too_low(1, church(), {5.49, ground, 0.3048}));
+    EXPECT_TRUE(is_too_low(1, RoofElevations(), {0.1, ground, 1}));  // no valid point, no height
+}
+
+TEST(LowBuildings, GoWithAllThatStandsOnThem) {
+    TraceGrid grid = court();  // 46 cells of 10 m, seven of them of 20
+    grid.labels[0] = 2;
+    grid.z[0] = 19;
+    const LevelPlan two{0, {{}, {0, 15}, {0}}, true};
+    test::TraceSettings settings{TraceMode::cells};
+    settings.keep_roots = false;
+    settings.ground = {0, 0, 0};
+    settings.min_building_height = 19;
+    Context context;
+    ASSERT_EQ(trace_plan(grid, two, settings, context).buildings.size(), 2U);  // p90 is 20 and 19
+    settings.ground = {0, 2, 0};
+    Context other;
+    const test::ContourSet set = trace_plan(grid, two, settings, other);
+    ASSERT_EQ(set.contours.size(), 1U);
+    EXPECT_EQ(set.contours[0].label, 2U);
+    EXPECT_EQ(other.report.counted(Reason::building_not_tall), 1);
+    EXPECT_EQ(other.report.counted(Reason::contour_on_dropped), 2);
+}
+
 TEST(WithoutRoots, FootprintsAreAtTheBottom) {
     TraceGrid grid = court();
     grid.labels[0] = 2;

@@ -7,7 +7,7 @@
 #include <cpl_vsi.h>
 
 #include "dem2buildings/error.hpp"
-#include "dem2buildings/open_dem.hpp"
+#include "dem2buildings/open_sources.hpp"
 #include "fuzz/bytes.hpp"
 #include "read/start_gdal.hpp"
 

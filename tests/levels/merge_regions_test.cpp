@@ -57,6 +57,19 @@ TEST(MergeRegions, RoofsStayApartAndWhatAWallSmearsJoinsOne) {
     EXPECT_EQ(clean.regions[1].mean, 9.5);
 }
 
+TEST(MergeRegions, ASmallRegionIsChargedWithABorderOfItsOwn) {
+    // Two cells by two that stand out by 2 from sixty: 4 * 60 / 64 * 4 = 15 are added by joining them, for 8
+    // of border and what each region is charged with.
+    Picture picture(8, std::vector<double>(8, 5));
+    for (const std::size_t row : {3U, 4U})
+        for (const std::size_t col : {3U, 4U})
+            picture[row][col] = 7;
+    EXPECT_EQ(merge_regions(cells_of(picture), {1.8, 1}).regions.size(), 2U);
+    EXPECT_EQ(merge_regions(cells_of(picture), {1.9, 1}).regions.size(), 1U);
+    EXPECT_EQ(merge_regions(cells_of(picture), {0.74, 1, 12}).regions.size(), 2U);
+    EXPECT_EQ(merge_regions(cells_of(picture), {0.76, 1, 12}).regions.size(), 1U);
+}
+
 TEST(MergeRegions, AStripStaysWhereItStandsOutByMoreThanThePrice) {
     // Two cells wide and very long beside a wide roof: two cells of d^2 each for a cell of border.
     const auto regions = [](double d) {

@@ -53,6 +53,19 @@ double least_error(const std::vector<HistogramBin>& bins, int most, std::int64_t
     return least;
 }
 
+TEST(NaturalBreaks, AreAsManyAsAreWorthTheirPrice) {
+    // Two bins of ten points each, 10 apart, and two points 2 above the higher one. Without a break the error
+    // is 20 * 25 and more, with one 10 * 2 * 4 * 2 / 12 = 6.67, with two nothing.
+    const std::vector<HistogramBin> bins{{10, 10}, {20, 10}, {22, 2}};
+    EXPECT_EQ(natural_breaks(bins, 4, 1), (Breaks{20, 22}));
+    EXPECT_EQ(natural_breaks(bins, 4, 1, {6.6, 0}), (Breaks{20, 22}));
+    EXPECT_EQ(natural_breaks(bins, 4, 1, {6.7, 0}), (Breaks{20}));
+    EXPECT_EQ(natural_breaks(bins, 4, 1, {1000, 0}), Breaks{});
+    const double whole = error_of(bins, {});
+    EXPECT_EQ(natural_breaks(bins, 4, 1, {0, 6.7 / whole}), (Breaks{20}));
+    EXPECT_EQ(natural_breaks(bins, 4, 1, {0, 6.6 / whole}), (Breaks{20, 22}));
+}
+
 TEST(NaturalBreaks, LieBetweenRoofs) {
     // Roofs at 30, 55 and 120, each a little rough.
     const std::vector<HistogramBin> bins{{29, 40}, {30, 400}, {31, 60},   {54, 20}, {55, 300},

@@ -19,7 +19,7 @@ const std::map<std::string, std::vector<Texts>>& values() {
         {"a_srs", {{"+proj=tmerc +lon_0=15 +k=0.9996 +x_0=500001 +ellps=GRS80 +type=crs"}}},
         {"snodata", {{"16"}}},
         {"srcwin", {{"0", "0", "105", "70"}}},
-        {"projwin", {{"391005", "5820000", "391108", "5819905"}}},
+        {"projwin", {{"391005", "5820000", "391100", "5819905"}}},
         {"te", {{"391000", "5819907", "391098", "5820000"}}},
         {"cutline", {{"/vsimem/scene/areas.gpkg"}}},
         {"cutline_layer", {{"north"}}},
@@ -27,6 +27,7 @@ const std::map<std::string, std::vector<Texts>>& values() {
         {"zrange", {{"0", "9"}}},
         {"max_building_width", {{"5"}}},
         {"min_height", {{"4"}}},
+        {"min_building_height", {{"4.85"}}},
         {"min_confidence", {{"0"}, {"0.97"}}},
         {"mask", {{"/vsimem/scene/masks.gpkg"}}},
         {"mask_layer", {{"middle"}}},
@@ -51,6 +52,7 @@ const std::map<std::string, std::vector<Texts>>& values() {
         {"write_height", {{"h.tif"}}},
         {"write_canopy", {{"c.tif"}}},
         {"preview", {{"p.png"}}},
+        {"preview_size", {{"800"}}},
         {"sweep", {{"lod=1..2"}, {"nf=5..10"}, {"detail=0..2"}}},
         {"threads", {{"1"}}},
     };
@@ -59,6 +61,7 @@ const std::map<std::string, std::vector<Texts>>& values() {
 
 const std::map<std::string, Texts>& needs() {
     static const std::map<std::string, Texts> all{{"cutline_layer", {"-cutline", "/vsimem/scene/areas.gpkg"}},
+                                                  {"preview_size", {"-preview", "p.png"}},
                                                   {"mask_layer", {"-mask", "/vsimem/scene/masks.gpkg"}},
                                                   {"off", {"-i", "2.5"}}};
     return all;
@@ -113,9 +116,9 @@ std::vector<OptionCase> option_cases() {
 }
 
 bool shapes_the_result(const std::string& name) {
-    static const std::set<std::string> others{"oo",    "if",      "f",      "dsco",      "lco",
-                                              "nln",   "q",       "json",   "overwrite", "append",
-                                              "sweep", "threads", "preview"};
+    static const std::set<std::string> others{"oo",    "if",      "f",       "dsco",        "lco",
+                                              "nln",   "q",       "json",    "overwrite",   "append",
+                                              "sweep", "threads", "preview", "preview_size"};
     return !others.contains(name);
 }
 

@@ -31,7 +31,7 @@ bool takes_its_object(const std::string& one, const std::string& other) {
                                                                  {"-nf 50", of_tower},
                                                                  {"-max_building_width 5", high},
                                                                  {"-split_height 3", high},
-                                                                 {"-arcs", high},
+                                                                 {"-arcs", {"-zrange", "-off"}},
                                                                  {"-snodata 16", high},
                                                                  {"-inodata", high}};
     const auto found = of.find(one);
@@ -53,6 +53,16 @@ Texts joined(const Texts& one, const Texts& other) {
     return all;
 }
 
+/// The same with every tier of the scene, which has few that are worth their borders.
+Texts with_all_tiers(const Texts& words) {
+    Texts all = words;
+    for (const Texts& more : {Texts{"-levels", "building"}, Texts{"-detail", "0"}})
+        if (const Texts both = joined(more, all);
+            std::ranges::find(words, more.front()) == words.end() && refusal_of(both).empty())
+            all = both;
+    return all;
+}
+
 class OptionEffects : public OptionScene {
   protected:
     const Outcome& outcome(const Texts& words) {
@@ -60,11 +70,12 @@ class OptionEffects : public OptionScene {
         for (const std::string& word : words)
             key += word + " ";
         const auto known = known_.find(key);
-        return known != known_.end() ? known->second : known_.emplace(key, outcome_of(words)).first->second;
+        return known != known_.end() ? known->second
+                                     : known_.emplace(key, outcome_of(with_all_tiers(words))).first->second;
     }
     /// Whether a case changes what the other words give.
     bool shows(const OptionCase& option, const Texts& others) {
-        const Outcome with = outcome_of(joined(others, option.words()));
+        const Outcome with = outcome_of(with_all_tiers(joined(others, option.words())));
         return with != outcome(joined(others, option.with));
     }
     std::map<std::string, Outcome> known_;

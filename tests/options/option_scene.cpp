@@ -13,9 +13,8 @@
 #include "core/number_text.hpp"
 #include "dem2buildings/command_line.hpp"
 #include "dem2buildings/error.hpp"
-#include "dem2buildings/open_dem.hpp"
+#include "dem2buildings/open_sources.hpp"
 #include "dem2buildings/run.hpp"
-#include "dem2buildings/side_rasters.hpp"
 #include "read/rasters.hpp"
 #include "read/start_gdal.hpp"
 #include "support/memory_io.hpp"
@@ -73,7 +72,7 @@ double roof(int row, int col) {
     if (podium.holds(row, col))
         return 10;
     if (shed.holds(row, col))
-        return 5;
+        return 6;
     return std::nan("");
 }
 

@@ -34,7 +34,8 @@ TEST(RunPlan, BuildingsIsTheDefault) {
 TEST(RunPlan, OfBuildingsDecidesWhatIsNotGiven) {
     const RunPlan plan = plan_of(of(Preset::buildings));
     EXPECT_EQ(plan.ground, GroundMode::automatic);
-    EXPECT_EQ(plan.levels, LevelSource::building);
+    EXPECT_EQ(plan.levels, LevelSource::natural);
+    EXPECT_EQ(plan.detail, 0.5);
     EXPECT_EQ(plan.trace, TraceMode::cells);
     EXPECT_EQ(plan.walls, Walls::automatic);
     EXPECT_EQ(plan.building_m2, 30);
@@ -45,6 +46,7 @@ TEST(RunPlan, OfTheThesisDecidesWhatIsNotGiven) {
     const RunPlan plan = plan_of(of(Preset::thesis));
     EXPECT_EQ(plan.ground, GroundMode::none);
     EXPECT_EQ(plan.levels, LevelSource::global);
+    EXPECT_EQ(plan.detail, 0);
     EXPECT_EQ(plan.trace, TraceMode::points);
     EXPECT_EQ(plan.walls, Walls::off);
     EXPECT_EQ(plan.contour_m2, 0);
@@ -86,7 +88,8 @@ TEST(RunPlan, SimplifiedOutlinesHaveNoStraightWalls) {
 TEST(RunPlan, WallsMayLeaveTheirTraceByCellsOrMetres) {
     Options options;
     EXPECT_EQ(plan_of(options).wall_tolerance(0.5), 1.5);
-    EXPECT_EQ(plan_of(options).wall_tolerance(2.5), 0.5);
+    EXPECT_EQ(plan_of(options).wall_tolerance(1), 1.25);
+    EXPECT_EQ(plan_of(options).wall_tolerance(2.5), 1);  // no slanted wall lies nearer to its staircase
     EXPECT_EQ(plan_of(options).wall_tolerance(0), 1.5);  // nobody knows how large cells are
     options.outline.wall_tolerance = 3;
     EXPECT_EQ(plan_of(options).wall_tolerance(2.5), 3);

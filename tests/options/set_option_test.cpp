@@ -1,5 +1,3 @@
-#include "dem2buildings/set_option.hpp"
-
 #include <array>
 #include <string>
 #include <vector>
@@ -7,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "dem2buildings/error.hpp"
+#include "dem2buildings/options.hpp"
 
 namespace d2b {
 namespace {

@@ -85,7 +85,7 @@ TraceGrid spiral(int side) {
 }
 
 TEST(WallsWork, IsLinearInTheLengthOfASpiral) {
-    EXPECT_LT(work_of(spiral(400), {10}), 5 * work_of(spiral(200), {10}));
+    EXPECT_LT(work_of(spiral(800), {10}), 5 * work_of(spiral(400), {10}));
 }
 
 TEST(WallsWork, EndsSoonAfterItIsAskedTo) {

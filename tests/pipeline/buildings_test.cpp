@@ -76,6 +76,8 @@ struct PodiumMoments {
 
 TEST(Buildings, TiersAreSlicesOfTheirOwnElevations) {
     TownRun town;
+    town.options.levels.source = LevelSource::building;
+    town.options.levels.detail = 0;
     town.run();
     const PodiumMoments m;
     std::vector<double> expected;
@@ -276,7 +278,8 @@ TEST(Buildings, SayHowTheyWereFound) {
     EXPECT_EQ(metadata.at("D2B_MIN_HEIGHT_M"), "2.5");
     EXPECT_EQ(metadata.at("D2B_MIN_AREA_M2"), "30");
     EXPECT_EQ(metadata.at("D2B_MIN_CONFIDENCE"), "0.5");
-    EXPECT_EQ(metadata.at("D2B_LEVELS"), "building");
+    EXPECT_EQ(metadata.at("D2B_LEVELS"), "natural");
+    EXPECT_EQ(metadata.at("D2B_DETAIL_M"), "0.5");
     EXPECT_EQ(metadata.at("D2B_LOD"), "4");
     EXPECT_EQ(metadata.at("D2B_REGULARIZE"), "auto");
     EXPECT_EQ(metadata.at("D2B_TRACE"), "cells");

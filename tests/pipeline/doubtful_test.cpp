@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/hundredths.hpp"
 #include "pipeline/made_town.hpp"
 
 namespace d2b {
@@ -24,7 +25,7 @@ std::vector<double> confidences() {
     town.run();
     std::vector<double> result;
     for (std::size_t i = 0; i < town.count(); ++i)
-        result.push_back(town.sink.number(buildings, i, "confidence"));
+        result.push_back(std::get<BuildingRecord>(town.sink.features[buildings][i].record).confidence);
     std::sort(result.begin(), result.end());
     return result;
 }
@@ -42,7 +43,7 @@ TEST(Doubtful, GoToALayerOfTheirOwn) {
     EXPECT_GE(town.count(), 1U);
     EXPECT_EQ(town.count() + town.count(doubtful), all.size());
     for (std::size_t i = 0; i < town.count(); ++i)
-        EXPECT_EQ(town.sink.number(buildings, i, "confidence"), all.back());
+        EXPECT_EQ(town.sink.number(buildings, i, "confidence"), down_to_hundredths(all.back()));
     for (std::size_t i = 0; i < town.count(doubtful); ++i) {
         EXPECT_LT(town.sink.number(doubtful, i, "confidence"), all.back());
         EXPECT_GT(town.sink.number(doubtful, i, "height"), 2);

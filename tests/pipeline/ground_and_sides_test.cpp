@@ -83,6 +83,39 @@ TEST(Progress, NeverGoesBack) {
     }
 }
 
+TEST(SideRasters, ElevationsAreThoseThatTheRunUses) {
+    std::vector<double> z = MadeTown::surface();
+    const std::size_t no_land = MadeTown::index(3, 3);
+    const std::size_t spike = MadeTown::index(2, MadeTown::cols - 3);
+    z[no_land] = -9999;
+    z[spike] += 400;
+    for (const Preset preset : every_preset) {
+        TownRun town(z);
+        town.options.preset = preset;
+        test::MemoryRaster elevations;
+        Sinks sinks{town.sink};
+        sinks.elevations = &elevations;
+        d2b::run(town.options, {town.dem}, sinks);
+        EXPECT_TRUE(elevations.finished);
+        ASSERT_EQ(elevations.values.size(), z.size());
+        for (std::size_t i = 0; i < z.size(); ++i) {
+            const bool none = i == no_land || (i == spike && preset == Preset::buildings);
+            ASSERT_EQ(std::isnan(elevations.values[i]), none) << i;
+            ASSERT_TRUE(none || elevations.values[i] == static_cast<float>(z[i])) << i;
+        }
+    }
+}
+
+TEST(SideRasters, ElevationsAreInMetres) {
+    TownRun town;
+    town.dem.edit().band_unit = "ft";
+    test::MemoryRaster elevations;
+    Sinks sinks{town.sink};
+    sinks.elevations = &elevations;
+    d2b::run(town.options, {town.dem}, sinks);
+    EXPECT_NEAR(static_cast<double>(elevations.values[0]), MadeTown::surface()[0] * 0.3048, 1e-4);
+}
+
 TEST(SideRasters, HoldWhatIsNotKnown) {
     std::vector<double> z = MadeTown::surface();
     for (int r = 25; r < 28; ++r)

@@ -22,6 +22,12 @@ inline MemorySource block() {
     return {10, 12, z};
 }
 
+/// Puts a raster into UTM zone 32N, north up.
+inline void place_in_utm(MemorySource& source, double cell_m) {
+    source.edit().transform = {600000, cell_m, 0, 5800000, 0, -cell_m};
+    source.edit().crs_wkt = Crs("EPSG:25832").wkt();
+}
+
 inline Options cells(std::vector<double> thresholds) {
     Options options;
     options.preset = Preset::thesis;

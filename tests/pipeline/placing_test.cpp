@@ -13,6 +13,7 @@ using test::block;
 using test::cells;
 using test::contours;
 using test::MemorySource;
+using test::place_in_utm;
 using test::Result;
 using test::run_on;
 
@@ -46,8 +47,7 @@ TEST(Pipeline, ReprojectedOutlinesStayNested) {
     for (unsigned seed = 10; seed < 30; ++seed) {
         const test::RandomGridCase c = test::random_grid(2 * seed, 24, false);
         MemorySource source(c.grid.rows, c.grid.cols, c.grid.z);
-        source.edit().transform = {600000, 10, 0, 5800000, 0, -10};
-        source.edit().crs_wkt = Crs("EPSG:25832").wkt();
+        place_in_utm(source, 10);
         Options options = cells(c.thresholds);
         options.outline.target_crs = "EPSG:3857";
         Result result;

@@ -13,6 +13,7 @@ using test::block;
 using test::buildings;
 using test::cells;
 using test::MemorySource;
+using test::place_in_utm;
 using test::Result;
 using test::run_on;
 
@@ -51,8 +52,7 @@ TEST(Pipeline, WhatGeosRefusesIsWarnedOfByItsId) {
 
 TEST(Pipeline, CoarseCellsAreWarnedOf) {
     MemorySource source = block();
-    source.edit().transform = {600000, 5, 0, 5800000, 0, -5};
-    source.edit().crs_wkt = Crs("EPSG:25832").wkt();
+    place_in_utm(source, 5);
     Result result;
     run_on(source, cells({10}), result);
     ASSERT_EQ(result.report.warnings.size(), 1U);

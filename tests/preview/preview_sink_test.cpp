@@ -1,31 +1,23 @@
 #include "preview/preview_sink.hpp"
 
-#include <algorithm>
-#include <limits>
-
-#include <gtest/gtest.h>
+#include <cmath>
+#include <optional>
 
 #include "core/height_classes.hpp"
+#include "preview/map_page.hpp"
+#include "preview/painted_map.hpp"
+#include "preview/pixels.hpp"
 #include "support/memory_io.hpp"
 
 namespace d2b::test {
 namespace {
 
-/// 20 x 20 cells of 1 m, flat but for a slope to the south-east in the last rows; two points are not valid.
-std::vector<double> field() {
-    std::vector<double> z(400, 5);
-    z[0] = z[1] = std::numeric_limits<double>::quiet_NaN();
-    for (int row = 15; row < 20; ++row)
-        for (int col = 0; col < 20; ++col)
-            z[static_cast<std::size_t>(row * 20 + col)] = 5.0 - (row - 14);
-    return z;
-}
-
 LayerSpec layer(const std::string& name, const std::string& order) {
     LayerSpec spec;
     spec.name = name;
-    spec.fields = {{"id", "", FieldType::integer, "", ""}, {"height", "", FieldType::real, "m", ""}};
-    spec.style.colour = "height";
+    spec.fields = {{"id", "", FieldType::integer, "", ""}, {"p90", "", FieldType::real, "m", ""}};
+    spec.style.title = "Height of " + name;
+    spec.style.colour = "p90";
     spec.style.order = order;
     return spec;
 }
@@ -35,82 +27,155 @@ Feature square(double x, double y, double side, double height) {
         {std::int64_t{1}, height}, {{{{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}}, {}}}, 0};
 }
 
+/// The colour of a class on level ground.
+Colour seen(std::size_t height_class) {
+    Colour colour = height_classes()[height_class].colour;
+    for (std::size_t i = 0; i < colour.size(); ++i)
+        colour[i] = static_cast<std::uint8_t>(
+            std::lround(colour[i] * footprint_opacity + level_ground[i] * (1 - footprint_opacity)));
+    return colour;
+}
+
+/// Level ground of 20 x 20 m, ten pixels a metre.
 class PreviewTest : public ::testing::Test {
   protected:
-    Image draw(const std::vector<LayerSpec>& layers,
-               const std::vector<std::pair<std::size_t, Feature>>& features) {
-        Image image;
-        PreviewSink sink(inner, dem, Crs(), {.longest = 200, .heading = "", .vertical_metres = 1},
-                         [&](const Image& taken) {
-                             EXPECT_FALSE(inner.finished);
-                             image = taken;
-                         });
+    MapPicture picture(const std::vector<LayerSpec>& layers,
+                       const std::vector<std::pair<std::size_t, Feature>>& features,
+                       PictureFormat format = PictureFormat::png) {
+        DemInfo dem;
+        dem.name = "field.tif";
+        dem.rows = dem.cols = 20;
+        dem.window = {0, 0, 20, 20};
+        dem.transform = {0, 1, 0, 20, 0, -1};
+        const MapGround ground{dem, Crs(), {1, 1, 1}};
+        inner.finished = false;
+        std::optional<MapPicture> map;
+        PreviewSink sink(inner, MapFrame(ground, map_on_page(ground, size)), format, [&](MapPicture taken) {
+            EXPECT_FALSE(inner.finished);
+            map = std::move(taken);
+        });
+        sink.relief().write(20, std::vector<float>(400, 5));
         sink.begin(layers, {});
         for (const auto& [index, feature] : features)
             sink.add(index, feature);
-        sink.take_report({});
+        RunReport report;
+        report.buildings = 1;
+        report.vertices = 4;
+        sink.take_report(report);
         sink.finish();
-        return image;
+        return std::move(map).value();
+    }
+    /// The colour at a place of the map.
+    static Colour at(const MapPicture& map, double x, double y) {
+        const Pixels pixels(map.frame.size(), [&](cairo_t* pen) { paint(map, pen, {0, 0}, 10); });
+        const Spot spot = map.frame.spot({x, y});
+        return pixels.at(static_cast<int>(spot.x), static_cast<int>(spot.y));
     }
 
-    void SetUp() override { dem.edit().transform = {0, 1, 0, 20, 0, -1}; }
-
-    MemorySource dem{20, 20, field()};
     MemorySink inner;
+    int size = 600;
 };
 
 TEST_F(PreviewTest, FeaturesGoOnAndAreDrawnWhereTheyLie) {
-    const Image image = draw({layer("buildings", "")}, {{0, square(5, 10, 5, 12)}});
+    const MapPicture map = picture({layer("buildings", "")}, {{0, square(5, 10, 5, 12)}});
     EXPECT_TRUE(inner.finished);
     ASSERT_EQ(inner.features.at(0).size(), 1U);
-    EXPECT_EQ(image.width, 200);
-    EXPECT_GT(image.height, 210);
-    // Ten pixels a cell, and north is up.
-    EXPECT_EQ(image.at(75, 75), height_classes()[3].colour);
-    EXPECT_EQ(image.at(75, 45)[0], image.at(75, 45)[2]);
-    EXPECT_EQ(image.at(75, 105)[0], image.at(75, 105)[2]);
-    EXPECT_EQ(image.at(3, 3), (Colour{255, 255, 255}));     // not valid
-    EXPECT_LT(image.at(75, 175)[0], image.at(75, 130)[0]);  // away from the light
+    EXPECT_EQ(map.legend, "Height of buildings");
+    expect_near(at(map, 7.5, 12.5), seen(3));
+    for (const auto& [x, y] : {std::pair{7.5, 15.5}, {7.5, 9.5}, {4.5, 12.5}, {10.5, 12.5}})
+        EXPECT_EQ(at(map, x, y), level_ground);
 }
 
-TEST_F(PreviewTest, ContoursAreDrawnAndNotTheBuildingsBelow) {
-    const Image image =
-        draw({layer("buildings", ""), layer("contours", "level")},
-             {{0, square(5, 10, 5, 60)}, {1, square(5, 10, 5, 12)}, {1, square(6, 11, 2, 25)}});
-    EXPECT_EQ(image.at(95, 60), height_classes()[3].colour);
-    EXPECT_EQ(image.at(70, 80), height_classes()[5].colour);
+TEST_F(PreviewTest, WhatIsNotCertainIsPaler) {
+    LayerSpec buildings = layer("buildings", "");
+    buildings.fields.push_back({"confidence", "", FieldType::real, "", ""});
+    buildings.style.certainty = "confidence";
+    buildings.style.certain = 0.9;
+    const auto drawn = [&](FieldValue confidence) {
+        Feature house = square(5, 10, 5, 12);
+        house.values.push_back(std::move(confidence));
+        return picture({buildings}, {{0, house}});
+    };
+    const MapPicture sure = drawn(0.9);
+    expect_near(at(sure, 7.5, 12.5), seen(3));
+    EXPECT_FALSE(sure.counts.paler);
+    expect_near(at(drawn(FieldValue()), 7.5, 12.5), seen(3));  // nobody has asked
+    const MapPicture unsure = drawn(0.5);
+    EXPECT_TRUE(unsure.counts.paler);
+    EXPECT_GT(at(unsure, 7.5, 12.5)[2], at(drawn(0.8), 7.5, 12.5)[2] + 20);
+    EXPECT_GT(at(drawn(0.8), 7.5, 12.5)[2], seen(3)[2] + 20);
+}
+
+TEST_F(PreviewTest, BuildingsHaveColoursAndTheirPartsLines) {
+    const MapPicture map =
+        picture({layer("buildings", ""), layer("contours", "level")},
+                {{0, square(5, 10, 6, 60)}, {1, square(5, 10, 6, 12)}, {1, square(6, 11, 2, 25)}});
+    EXPECT_EQ(map.legend, "Height of buildings");
+    expect_near(at(map, 7, 12), seen(7));
+    expect_near(at(map, 10, 15), seen(7));
+    EXPECT_LT(at(map, 8, 12)[0], seen(7)[0] - 20);  // the side of a part
+}
+
+TEST_F(PreviewTest, PartsAloneAreDrawnFromLowToHigh) {
+    for (const PictureFormat format : {PictureFormat::png, PictureFormat::svg}) {
+        const MapPicture map = picture({layer("contours", "level")},
+                                       {{0, square(5, 10, 6, 12)}, {0, square(6, 11, 2, 25)}}, format);
+        EXPECT_EQ(map.legend, "Height of contours");
+        expect_near(at(map, 10, 15), seen(3));
+        expect_near(at(map, 7, 12), seen(5));  // hides what is below
+    }
+}
+
+TEST_F(PreviewTest, CourtyardsStayOpen) {
+    Feature house = square(2, 2, 12, 12);
+    house.parts[0].interiors = {{{6, 6}, {6, 10}, {10, 10}, {10, 6}}};
+    const MapPicture map = picture({layer("buildings", "")}, {{0, house}});
+    EXPECT_EQ(at(map, 8, 8), level_ground);
+    expect_near(at(map, 4, 8), seen(3));
 }
 
 TEST_F(PreviewTest, WhatHasNoHeightIsNotDrawn) {
     Feature root = square(0, 0, 20, 0);
     root.values[1] = FieldValue{};
-    const Image image = draw({layer("contours", "level")}, {{0, root}});
-    EXPECT_EQ(image.at(75, 75)[0], image.at(75, 75)[2]);
+    EXPECT_EQ(at(picture({layer("contours", "level")}, {{0, root}}), 7.5, 7.5), level_ground);
+    // Nor what a layer without heights holds.
+    LayerSpec doubtful = layer("doubtful", "");
+    doubtful.style.colour = "";
+    EXPECT_EQ(at(picture({layer("buildings", ""), doubtful}, {{1, square(5, 10, 5, 12)}}), 7.5, 12.5),
+              level_ground);
 }
 
-TEST_F(PreviewTest, NorthIsUpWhicheverWayRowsAndColumnsRun) {
-    const std::vector<std::pair<std::size_t, Feature>> features{{0, square(5, 10, 5, 12)}};
-    const Image expected = draw({layer("buildings", "")}, features);
-    const auto expect_same = [&](std::vector<double> z, const AffineTransform& transform) {
-        MemorySource other(20, 20, std::move(z));
-        other.edit().transform = transform;
-        Image image;
-        MemorySink sink;
-        PreviewSink preview(sink, other, Crs(), {.longest = 200, .heading = "", .vertical_metres = 1},
-                            [&](const Image& taken) { image = taken; });
-        preview.begin(std::vector{layer("buildings", "")}, {});
-        preview.add(0, features[0].second);
-        preview.take_report({});
-        preview.finish();
-        EXPECT_EQ(image.rgb, expected.rgb);
-    };
-    const std::vector<double> z = field();
-    std::vector<double> mirrored = z;
-    for (auto row = mirrored.begin(); row != mirrored.end(); row += 20)
-        std::reverse(row, row + 20);
-    expect_same(mirrored, {20, -1, 0, 20, 0, -1});
-    expect_same({mirrored.rbegin(), mirrored.rend()}, {0, 1, 0, 0, 0, 1});  // rows from below
-    expect_same({z.rbegin(), z.rend()}, {20, -1, 0, 0, 0, 1});
+TEST_F(PreviewTest, AMapIsAPageInEveryFormat) {
+    for (const PictureFormat format : {PictureFormat::png, PictureFormat::svg, PictureFormat::pdf}) {
+        const auto draw = [&] {
+            return draw_map_page(picture({layer("buildings", "")}, {{0, square(5, 10, 5, 12)}}, format),
+                                 "lod 4", format, size);
+        };
+        EXPECT_EQ(draw(), draw());
+    }
+}
+
+TEST_F(PreviewTest, ThePageIsAsLongAsAskedFor) {
+    for (const int longest : {300, 601, 1600}) {
+        size = longest;
+        const Pixels page(
+            draw_map_page(picture({layer("buildings", "")}, {}), "lod 4", PictureFormat::png, longest));
+        EXPECT_EQ(std::max(page.width(), page.height()), longest);
+    }
+}
+
+TEST(MapPage, FitsMapsOfAnyForm) {
+    for (const auto& [rows, cols] : {std::pair{10, 10}, {10, 1000}, {1000, 10}, {3, 5}, {5, 3}, {1, 1}}) {
+        DemInfo dem;
+        dem.rows = rows;
+        dem.cols = cols;
+        dem.window = {0, 0, rows, cols};
+        const PixelSize map = map_on_page({dem, Crs(), {1, 1, 1}}, 1000);
+        EXPECT_GE(std::min(map.width, map.height), 1);
+        EXPECT_LE(std::max(map.width, map.height), 1000);
+        EXPECT_GT(std::max(map.width, map.height), 500);
+        EXPECT_NEAR(static_cast<double>(map.width) / cols, static_cast<double>(map.height) / rows, 0.6);
+    }
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "dem2buildings/open_dem.hpp"
+#include "dem2buildings/open_sources.hpp"
 #include "read/rasters.hpp"
 #include "support/test_name.hpp"
 

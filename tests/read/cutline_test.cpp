@@ -3,7 +3,7 @@
 
 #include <ogr_api.h>
 
-#include "dem2buildings/open_dem.hpp"
+#include "dem2buildings/open_sources.hpp"
 #include "read/rasters.hpp"
 
 namespace d2b::test {

@@ -1,5 +1,3 @@
-#include "dem2buildings/elevation_array.hpp"
-
 #include <array>
 #include <cmath>
 #include <limits>
@@ -10,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "dem2buildings/error.hpp"
+#include "dem2buildings/open_sources.hpp"
 
 namespace d2b::test {
 namespace {

@@ -3,7 +3,7 @@
 #include <cpl_error.h>
 #include <gtest/gtest.h>
 
-#include "dem2buildings/open_dem.hpp"
+#include "dem2buildings/open_sources.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/start_gdal.hpp"
 

@@ -8,7 +8,7 @@
 #include <cpl_vsi.h>
 #include <ogr_srs_api.h>
 
-#include "dem2buildings/open_dem.hpp"
+#include "dem2buildings/open_sources.hpp"
 #include "read/start_gdal.hpp"
 
 namespace d2b::test {

@@ -5,7 +5,7 @@
 #include <cpl_conv.h>
 #include <gtest/gtest.h>
 
-#include "dem2buildings/open_dem.hpp"
+#include "dem2buildings/open_sources.hpp"
 #include "read/rasters.hpp"
 
 namespace d2b::test {

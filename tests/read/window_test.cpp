@@ -1,4 +1,4 @@
-#include "dem2buildings/open_dem.hpp"
+#include "dem2buildings/open_sources.hpp"
 #include "read/rasters.hpp"
 
 namespace d2b::test {

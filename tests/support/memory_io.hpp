@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "dem2buildings/dem_source.hpp"
-#include "dem2buildings/feature_sink.hpp"
-#include "dem2buildings/raster_sink.hpp"
+#include "dem2buildings/sinks.hpp"
 
 namespace d2b::test {
 

@@ -44,6 +44,8 @@ struct TraceSettings {
     std::int32_t rows_a_band = 1000000;
     LatticePoint origin;  ///< of the window in the whole raster
     bool keep_roots = true;
+    double min_building_height = 0;
+    std::vector<double> ground{};  ///< by label
 };
 
 /// Some rows of a grid, as a band of a raster in which the grid begins at `origin`.
@@ -69,8 +71,13 @@ ContourSet trace_levels(const TraceGrid& grid, const LevelPlan& plan, const Trac
     ElevationStatistics statistics;
     statistics.add({{0, grid.rows, grid.cols}, grid.z});
     const NoiseRules noise{settings.noise_factor, settings.min_area, plan.footprints};
-    ContourStore store({noise, [](LatticePoint) { return 1.0; }, statistics.range(), statistics.fixed_point(),
-                        settings.keep_roots},
+    ContourStore store({noise,
+                        [](LatticePoint) { return 1.0; },
+                        statistics.range(),
+                        statistics.fixed_point(),
+                        settings.keep_roots,
+                        false,
+                        {settings.min_building_height, settings.ground, 1}},
                        context.make_spool(), context);
     const Window window{settings.origin.row, settings.origin.col, grid.rows, grid.cols};
     const TraceFrame frame{window, plan.level_count(), statistics.fixed_point(), statistics.range()};

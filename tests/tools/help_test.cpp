@@ -42,6 +42,13 @@ TEST(Help, holdsEveryOptionThatIsNotHidden) {
         EXPECT_TRUE(holds(help, std::string(gdal.synopsis))) << gdal.synopsis;
 }
 
+TEST(Help, endsWithTwoExamples) {
+    EXPECT_TRUE(full_help().ends_with(
+        "\nExamples:\n"
+        "  dem2buildings city.tif buildings.gpkg\n"
+        "  dem2buildings -ground terrain.tif -preview map.png city.tif buildings.gpkg\n"));
+}
+
 TEST(Help, hasLinesOfAtMost80AsciiCharacters) {
     std::istringstream lines(full_help() + short_usage());
     for (std::string line; std::getline(lines, line);) {

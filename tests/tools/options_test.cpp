@@ -78,6 +78,7 @@ TEST(OptionTable, holdsTheseOptions) {
                                          "ground",
                                          "max_building_width",
                                          "min_height",
+                                         "min_building_height",
                                          "min_confidence",
                                          "mask",
                                          "ndvi",
@@ -94,6 +95,7 @@ TEST(OptionTable, holdsTheseOptions) {
                                          "write_height",
                                          "write_canopy",
                                          "preview",
+                                         "preview_size",
                                          "sweep"};
     EXPECT_EQ(names, expected);
 }
@@ -102,6 +104,7 @@ TEST(OptionTable, saysAllOfEveryOption) {
     for (const OptionRow& row : option_table()) {
         EXPECT_FALSE(row.help.empty()) << row.name;
         EXPECT_EQ(row.help.back(), '.') << row.name;
+        EXPECT_EQ(row.title.empty(), row.hidden) << row.name;
         EXPECT_TRUE(row.details.empty() || row.details.back() == '.') << row.name;
         EXPECT_EQ(row.values.empty(), row.arity == Arity::none) << row.name;
         EXPECT_TRUE(row.apply) << row.name;
@@ -150,8 +153,24 @@ TEST(OptionTable, saysWhatAValueIs) {
                                                                       {"arcs", OptionKind::toggle}})
         EXPECT_EQ(find_option(name)->kind, kind) << name;
     EXPECT_EQ(option_kind_names[static_cast<std::size_t>(OptionKind::toggle)], "switch");
-    EXPECT_EQ(option_kind_names[static_cast<std::size_t>(OptionKind::picture)], "file:png");
+    EXPECT_EQ(option_kind_names[static_cast<std::size_t>(OptionKind::picture)], "file:png,svg,pdf");
     EXPECT_EQ(option_kind_names[static_cast<std::size_t>(OptionKind::text)], "text");
+}
+
+/// What a dialog says in place of the name of an option.
+TEST(OptionTable, hasTitlesThatADialogTellsApart) {
+    std::set<std::string> titles;
+    for (const OptionRow& row : option_table()) {
+        if (row.hidden)
+            continue;
+        EXPECT_TRUE(titles.insert(row.title).second) << row.title;
+        EXPECT_TRUE(std::isupper(row.title.front())) << row.title;
+        EXPECT_EQ(row.title.find_first_of(".-\""), std::string::npos) << row.title;
+    }
+    EXPECT_EQ(find_option("ndvi")->section, DialogSection::trees);
+    EXPECT_EQ(find_option("if")->section, DialogSection::advanced);
+    EXPECT_EQ(dialog_section_names[static_cast<std::size_t>(DialogSection::trees)], "Trees");
+    EXPECT_EQ(dialog_section_names[static_cast<std::size_t>(DialogSection::advanced)], "Advanced");
 }
 
 /// Names of arguments of Python: none is a keyword, or what extract() itself takes.
@@ -209,6 +228,7 @@ TEST(OptionTable, defaultsAreThoseOfTheOptions) {
     EXPECT_EQ(find_option("nf")->standard, std::to_string(standard.filter.noise_factor));
     EXPECT_EQ(find_option("max_building_width")->standard, number_text(standard.ground.max_building_width));
     EXPECT_EQ(find_option("min_height")->standard, number_text(standard.detect.min_height));
+    EXPECT_EQ(find_option("min_building_height")->standard, "0");
     EXPECT_EQ(find_option("min_confidence")->standard, number_text(standard.detect.min_confidence));
     EXPECT_EQ(find_option("regularize_tolerance")->standard, "");
     EXPECT_EQ(find_option("split_height")->standard, "0");
@@ -314,6 +334,7 @@ TEST(Options, ofDetection) {
     EXPECT_EQ(parse({"-preset", "thesis"}).options.preset, Preset::thesis);
     EXPECT_EQ(parse({"-preset", "buildings"}).options.preset, Preset::buildings);
     EXPECT_EQ(detect({"-min_height", "3.5"}).min_height, 3.5);
+    EXPECT_EQ(detect({"-min_building_height", "10"}).min_building_height, 10);
     EXPECT_EQ(detect({"-min_confidence", "1"}).min_confidence, 1);
     EXPECT_EQ(detect({"-min_confidence", "0"}).min_confidence, 0);
     EXPECT_EQ(detect({"-mask", "area.gpkg"}).mask, "area.gpkg");
@@ -330,7 +351,7 @@ TEST(Options, ofLevels) {
     EXPECT_EQ(levels({}).source, std::nullopt);
     EXPECT_EQ(levels({"-lod", "1"}).lod, 1);
     EXPECT_EQ(levels({"-detail", "1.5"}).detail, 1.5);
-    EXPECT_EQ(levels({}).detail, 0);
+    EXPECT_EQ(levels({}).detail, std::nullopt);
     EXPECT_EQ(levels({"-lod", "10000"}).lod, 10000);
     EXPECT_EQ(levels({"-lod", "+7"}).lod, 7);
     EXPECT_EQ(levels({"-fl", "10", "12.5", "-3"}).fixed, (std::vector<double>{10, 12.5, -3}));
@@ -434,6 +455,30 @@ TEST(Options, aSweepIsEveryPairOfItsNumbers) {
         EXPECT_THROW((void)sweep_of(wrong), OptionError) << wrong;
 }
 
+TEST(Sweep, aSheetHoldsWhatCanBeRead) {
+    EXPECT_NO_THROW(require_legible(16, 1600));
+    EXPECT_NO_THROW(require_legible(17, 2000));
+    EXPECT_NO_THROW(require_legible(1, 200));
+    const auto refused = [](const std::vector<std::string>& words) {
+        try {
+            static_cast<void>(parse_command_line(words));
+            return std::string();
+        } catch (const OptionError& error) {
+            return std::string(error.what());
+        }
+    };
+    EXPECT_EQ(refused({"-sweep", "lod=1..6,nf=5..60", "-preview", "p.png", "in.tif"}),
+              "-sweep names 36 trials, and a picture of 1600 pixels has room for 16 that can be read; name "
+              "fewer values, or say -preview_size 2400.");
+    EXPECT_EQ(
+        refused({"-sweep", "lod=1..2", "-preview", "p.png", "-preview_size", "300", "in.tif"}),
+        "-sweep names 2 trials, and a picture of 300 pixels has room for 1 that can be read; name fewer "
+        "values, or say -preview_size 800.");
+    EXPECT_EQ(refused({"-sweep", "lod=1..6,nf=5..60", "in.tif"}), "");
+    EXPECT_EQ(
+        refused({"-sweep", "lod=1..6,nf=5..60", "-preview", "p.png", "-preview_size", "2400", "in.tif"}), "");
+}
+
 TEST(Options, everyOptionChangesWhatItShows) {
     const std::vector<Texts> command_lines{{"-lod", "5"},
                                            {"-fl", "1"},
@@ -442,6 +487,7 @@ TEST(Options, everyOptionChangesWhatItShows) {
                                            {"-trace", "cells"},
                                            {"-nf", "3"},
                                            {"-min_area", "4"},
+                                           {"-min_building_height", "4"},
                                            {"-b", "2"},
                                            {"-oo", "A=B"},
                                            {"-if", "VRT"},
@@ -495,12 +541,14 @@ TEST(Options, everyOptionChangesWhatItShows) {
                                            {"-write_ground", "x"},
                                            {"-write_height", "x"},
                                            {"-preview", "x"},
+                                           {"-preview", "x", "-preview_size", "800"},
                                            {"-sweep", "lod=1..2"},
                                            {"-write_canopy", "x"}};
     std::set<std::string> seen{"p"};  // no effect
     for (const Texts& arguments : command_lines) {
         const bool needs_the_first =
-            arguments.size() == 4 && (arguments[2] == "-off" || arguments[2].ends_with("_layer"));
+            arguments.size() == 4 &&
+            (arguments[2] == "-off" || arguments[2] == "-preview_size" || arguments[2].ends_with("_layer"));
         const OptionRow& row = *find_option(arguments[needs_the_first ? 2 : 0]);
         EXPECT_NE(row.show(parse(arguments)), row.standard) << row.name;
         seen.insert(row.name);

@@ -87,11 +87,12 @@ TEST(Summary, saysWhatOptionsLeftOut) {
     EXPECT_EQ(summary(report, Layers::both, "x"),
               "65 buildings and 200 contours in x (left out: 1,297 below -min_area)\n");
     report.count(Reason::building_low, 3);
+    report.count(Reason::building_not_tall, 12);
     report.count(Reason::building_doubtful, 7);
     EXPECT_EQ(
         summary(report, Layers::both, "x"),
-        "65 buildings and 200 contours in x (left out: 1,297 below -min_area, 3 below -min_height, 7 below "
-        "-min_confidence)\n");
+        "65 buildings and 200 contours in x (left out: 1,297 below -min_area, 3 below -min_height, 12 below "
+        "-min_building_height, 7 below -min_confidence)\n");
     report.doubtful = 7;  // written
     report.dropped = {};
     report.count(Reason::building_doubtful, 7);

@@ -3,7 +3,7 @@
 #include <unistd.h>
 
 #include "dem2buildings/error.hpp"
-#include "dem2buildings/open_sink.hpp"
+#include "dem2buildings/open_sinks.hpp"
 #include "write/write_fixture.hpp"
 
 namespace d2b::test {

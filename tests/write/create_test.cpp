@@ -1,6 +1,6 @@
 #include <sys/stat.h>
 
-#include "dem2buildings/open_sink.hpp"
+#include "dem2buildings/open_sinks.hpp"
 #include "write/write_fixture.hpp"
 
 namespace d2b::test {

@@ -1,5 +1,3 @@
-#include "dem2buildings/file_spool.hpp"
-
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -9,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "dem2buildings/error.hpp"
+#include "dem2buildings/spool.hpp"
 #include "support/spool_checks.hpp"
 
 namespace d2b {

@@ -1,4 +1,4 @@
-#include "dem2buildings/open_sink.hpp"
+#include "dem2buildings/open_sinks.hpp"
 #include "write/layer_choice.hpp"
 #include "write/vector_format.hpp"
 #include "write/write_fixture.hpp"

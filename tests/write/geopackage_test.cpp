@@ -6,7 +6,7 @@
 
 #include <cpl_conv.h>
 
-#include "dem2buildings/open_sink.hpp"
+#include "dem2buildings/open_sinks.hpp"
 #include "write/ogr_handles.hpp"
 #include "write/write_fixture.hpp"
 

@@ -1,4 +1,4 @@
-#include "dem2buildings/open_sink.hpp"
+#include "dem2buildings/open_sinks.hpp"
 #include "write/write_fixture.hpp"
 
 namespace d2b::test {

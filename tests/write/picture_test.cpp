@@ -1,7 +1,11 @@
+#include <csignal>
+#include <sys/resource.h>
+#include <sys/wait.h>
 #include <tuple>
+#include <unistd.h>
 
 #include "dem2buildings/error.hpp"
-#include "write/png_sink.hpp"
+#include "write/picture_file.hpp"
 #include "write/write_fixture.hpp"
 
 namespace d2b::test {
@@ -12,52 +16,75 @@ using Names = std::vector<std::string>;
 
 class PictureTest : public WriteTest {
   protected:
-    [[nodiscard]] RasterTarget png(const std::string& name, bool overwrite = false) const {
-        return {path(name), overwrite, {}, RasterFormat::png};
+    [[nodiscard]] RasterTarget picture(const std::string& name, bool overwrite = false) const {
+        return {path(name), overwrite, {}, RasterFormat::picture};
     }
-    [[nodiscard]] static Image two_pixels() { return {2, 1, {1, 2, 3, 250, 251, 252}}; }
 };
 
 TEST_F(PictureTest, IsThereWhenItIsPublishedAndNotBefore) {
-    const auto file = open_picture(png("a.png"));
+    const auto file = open_picture(picture("a.png"));
     EXPECT_EQ(entries(), Names{});
-    file->write(two_pixels());
+    file->write("bytes");
     EXPECT_FALSE(std::filesystem::exists(path("a.png")));
     file->publish();
     EXPECT_EQ(entries(), Names{"a.png"});
-    const Dataset picture(GDALOpen(path("a.png").c_str(), GA_ReadOnly));
-    ASSERT_TRUE(picture);
-    std::array<unsigned char, 6> rgb{};
-    ASSERT_EQ(GDALDatasetRasterIO(picture.get(), GF_Read, 0, 0, 2, 1, rgb.data(), 2, 1, GDT_Byte, 3, nullptr,
-                                  3, 6, 1),
-              CE_None);
-    EXPECT_EQ(rgb, (std::array<unsigned char, 6>{1, 2, 3, 250, 251, 252}));
+    EXPECT_EQ(bytes("a.png"), "bytes");
+}
+
+TEST_F(PictureTest, ItsNameSaysItsFormat) {
+    EXPECT_EQ(open_picture(picture("a.PNG"))->format(), PictureFormat::png);
+    EXPECT_EQ(open_picture(picture("a.svg"))->format(), PictureFormat::svg);
+    EXPECT_EQ(open_picture(picture("a.b.pdf"))->format(), PictureFormat::pdf);
+    EXPECT_EQ(thrown<OptionError>([&] { std::ignore = open_picture(picture("a.jpg")); }),
+              "Pictures are written as PNG, SVG or PDF; give \"" + path("a.jpg") +
+                  "\" a name that ends in .png, .svg or .pdf.");
 }
 
 TEST_F(PictureTest, AnAbandonedOneLeavesNothing) {
-    open_picture(png("a.png"))->write(two_pixels());
+    open_picture(picture("a.png"))->write("bytes");
+    EXPECT_EQ(entries(), Names{});
+}
+
+TEST_F(PictureTest, AFullDiskLeavesNothingAndSaysWhy) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        ::signal(SIGXFSZ, SIG_IGN);
+        const rlimit room{1000, 1000};
+        ::setrlimit(RLIMIT_FSIZE, &room);
+        std::string message;
+        try {
+            open_picture(picture("a.svg"))->write(std::string(100'000, ' '));
+        } catch (const OutputError& error) {
+            message = error.what();
+        }
+        ::_exit(message == "Cannot write \"" + path("a.svg") + "\": File too large." ? 0 : 1);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
     EXPECT_EQ(entries(), Names{});
 }
 
 TEST_F(PictureTest, AnotherFileIsNotReplaced) {
     put("a.png", "text");
-    EXPECT_NE(thrown<OptionError>([&] { std::ignore = open_picture(png("a.png")); }).find("-overwrite"),
+    EXPECT_NE(thrown<OptionError>([&] { std::ignore = open_picture(picture("a.png")); }).find("-overwrite"),
               std::string::npos);
-    EXPECT_NE(thrown<OptionError>([&] { std::ignore = open_picture(png("a.png", true)); }).find("format PNG"),
+    EXPECT_NE(thrown<OptionError>([&] {
+                  std::ignore = open_picture(picture("a.png", true));
+              }).find("is no PNG, SVG or PDF"),
               std::string::npos);
-    EXPECT_NE(thrown<OptionError>([&] { std::ignore = open_picture(png("a.tif")); }).find(".png"),
+    EXPECT_NE(thrown<OptionError>([&] { std::ignore = open_picture(picture("a.tif")); }).find(".png"),
               std::string::npos);
     EXPECT_EQ(bytes("a.png"), "text");
 }
 
 TEST_F(PictureTest, AnOldPictureIsReplaced) {
     for (int i = 0; i < 2; ++i) {
-        const auto file = open_picture(png("a.png", true));
-        file->write(i == 0 ? two_pixels() : Image{1, 1, {9, 9, 9}});
+        const auto file = open_picture(picture("a.png", true));
+        file->write(i == 0 ? "%PDF-1.5 old" : "<svg>new</svg>");
         file->publish();
     }
-    const Dataset picture(GDALOpen(path("a.png").c_str(), GA_ReadOnly));
-    EXPECT_EQ(GDALGetRasterXSize(picture.get()), 1);
+    EXPECT_EQ(bytes("a.png"), "<svg>new</svg>");
     EXPECT_EQ(entries(), Names{"a.png"});
 }
 

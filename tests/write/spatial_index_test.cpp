@@ -2,7 +2,7 @@
 #include <map>
 #include <random>
 
-#include "dem2buildings/open_sink.hpp"
+#include "dem2buildings/open_sinks.hpp"
 #include "write/packed_rtree.hpp"
 #include "write/write_fixture.hpp"
 

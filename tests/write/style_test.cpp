@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "core/height_classes.hpp"
-#include "dem2buildings/open_sink.hpp"
+#include "dem2buildings/open_sinks.hpp"
 #include "write/layer_metadata.hpp"
 #include "write/qml_style.hpp"
 #include "write/write_fixture.hpp"
@@ -39,7 +39,11 @@ TEST_F(StyleTest, AGeoPackageHasAStyleOfEachLayer) {
     EXPECT_EQ(ask("SELECT f_geometry_column FROM layer_styles"), "geom");
     EXPECT_EQ(ask("SELECT data_type FROM gpkg_contents WHERE table_name = 'layer_styles'"), "attributes");
     const std::string qml = ask("SELECT styleQML FROM layer_styles WHERE f_table_name = 'buildings'");
-    EXPECT_NE(qml.find("attr=\"&quot;height&quot;\""), std::string::npos) << qml;
+    EXPECT_NE(
+        qml.find("filter=\"&quot;height&quot; &gt;= 3 AND &quot;height&quot; &lt; 6\" label=\"3 to 6 m\""),
+        std::string::npos)
+        << qml;
+    EXPECT_NE(qml.find("label=\"Style of buildings\""), std::string::npos);  // heads the legend
     EXPECT_NE(qml.find("field=\"height\" index=\"1\" name=\"height [m]\""), std::string::npos);
     EXPECT_EQ(ask("PRAGMA integrity_check"), "ok");
     EXPECT_EQ(ask("PRAGMA foreign_key_check"), "");
@@ -135,7 +139,7 @@ TEST_F(StyleTest, ColumnsOfTheLayerAreNamedNotThoseOfTheSpec) {
     const auto sink = open_sink(to("a.shp"), callbacks_);
     sink->begin({&spec, 1}, provenance());
     sink->finish();
-    EXPECT_NE(bytes("a.qml").find("attr=\"&quot;ROOF_HEIGH&quot;\""), std::string::npos);
+    EXPECT_NE(bytes("a.qml").find("&quot;ROOF_HEIGH&quot; &lt; 6"), std::string::npos);
 }
 
 TEST(Qml, SolidsStandFromBaseToTopInUnitsOfTheMap) {
@@ -154,6 +158,43 @@ TEST(Qml, SolidsStandFromBaseToTopInUnitsOfTheMap) {
     EXPECT_NE(qml.find("\"(&quot;height&quot; - &quot;low&quot;) * 2\""), std::string::npos) << qml;
     EXPECT_NE(qml.find("\"&quot;top&quot; * 0.25 - (&quot;height&quot; - &quot;low&quot;) * 2\""),
               std::string::npos);
+}
+
+TEST(Qml, OnlyWhatIsLabelledIs) {
+    LayerSpec spec = layer_spec("contours");
+    spec.fields.push_back({"mean", "", FieldType::real, "m", ""});
+    spec.fields.push_back({"tier", "", FieldType::real, "m", ""});
+    const std::vector<std::string> columns{"id", "height", "status", "mean", "tier"};
+    EXPECT_EQ(qml_style(spec, columns).find("THEN CASE"), std::string::npos);
+    spec.style.labelled = {"mean", "tier"};
+    EXPECT_NE(
+        qml_style(spec, columns).find("fieldName=\"CASE WHEN &quot;mean&quot; = &quot;tier&quot; THEN CASE"),
+        std::string::npos);
+}
+
+TEST(Qml, ABlockStandsOnTheGround) {
+    LayerSpec spec = layer_spec("buildings");
+    spec.fields.push_back({"ground", "", FieldType::real, "ft", ""});
+    spec.style = {.title = "t", .colour = "height", .bottom = "ground", .height = "height"};
+    spec.style.vertical_scale = 0.25;
+    const std::string qml = qml_style(spec, {"id", "height", "status", "ground"});
+    EXPECT_NE(qml.find("value=\"&quot;ground&quot; * 0.25\""), std::string::npos) << qml;
+    EXPECT_NE(qml.find("value=\"&quot;height&quot;\""), std::string::npos);
+}
+
+TEST(Qml, WhatIsNotCertainIsPaler) {
+    LayerSpec spec = layer_spec("buildings");
+    EXPECT_EQ(qml_style(spec, {"id", "height", "status"}).find("paler"), std::string::npos);
+    spec.fields.push_back({"sure", "", FieldType::real, "", ""});
+    spec.style.certainty = "sure";
+    spec.style.certain = 0.75;
+    const std::string qml = qml_style(spec, {"id", "height", "status", "sure"});
+    EXPECT_NE(
+        qml.find("filter=\"&quot;sure&quot; &lt; 0.75 AND &quot;height&quot; IS NOT NULL\" label=\"paler: "
+                 "less certain\""),
+        std::string::npos)
+        << qml;
+    EXPECT_NE(qml.find("scale_linear(&quot;sure&quot;, 0.5, 0.75, "), std::string::npos);
 }
 
 TEST(Qml, ClassesMeetAndTheLastHasNoEnd) {

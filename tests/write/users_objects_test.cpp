@@ -1,5 +1,5 @@
 #include "dem2buildings/error.hpp"
-#include "dem2buildings/open_sink.hpp"
+#include "dem2buildings/open_sinks.hpp"
 #include "write/without_database.hpp"
 #include "write/write_fixture.hpp"
 

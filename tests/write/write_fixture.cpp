@@ -8,7 +8,7 @@
 #include <cpl_error.h>
 #include <cpl_string.h>
 
-#include "dem2buildings/open_sink.hpp"
+#include "dem2buildings/open_sinks.hpp"
 #include "write/layer_choice.hpp"
 #include "write/vector_format.hpp"
 

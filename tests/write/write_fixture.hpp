@@ -13,8 +13,8 @@
 #include <ogr_srs_api.h>
 
 #include "dem2buildings/callbacks.hpp"
-#include "dem2buildings/feature_sink.hpp"
 #include "dem2buildings/options.hpp"
+#include "dem2buildings/sinks.hpp"
 
 namespace d2b::test {
 

@@ -62,7 +62,11 @@ std::string full_help() {
     text += "\nGDAL:\n";
     for (const auto& [synopsis, help] : gdal_switches())
         text += help_entry(std::string(synopsis), std::string(help));
-    return text + "\nExit status: 0 done, 1 failed, 2 wrong usage, 130 after Ctrl-C, 143 terminated.\n";
+    return text +
+           "\nExit status: 0 done, 1 failed, 2 wrong usage, 130 after Ctrl-C, 143 terminated.\n"
+           "\nExamples:\n"
+           "  dem2buildings city.tif buildings.gpkg\n"
+           "  dem2buildings -ground terrain.tif -preview map.png city.tif buildings.gpkg\n";
 }
 
 }  // namespace d2b

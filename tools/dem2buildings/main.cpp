@@ -12,12 +12,12 @@
 #include "dem2buildings/command_line.hpp"
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/extract_file.hpp"
-#include "dem2buildings/file_spool.hpp"
 #include "dem2buildings/help.hpp"
 #include "dem2buildings/interrupt.hpp"
 #include "dem2buildings/json_report.hpp"
-#include "dem2buildings/open_dem.hpp"
+#include "dem2buildings/open_sources.hpp"
 #include "dem2buildings/progress.hpp"
+#include "dem2buildings/spool.hpp"
 #include "dem2buildings/sweep.hpp"
 #include "dem2buildings/version.hpp"
 #include "read/gdal_command_line.hpp"
@@ -57,7 +57,7 @@ void process(const Request& request) {
     const RunReport report = extract_file(options, callbacks);
     if (!quiet) {
         progress.update(1);
-        std::cout << summary(report, report.layers, options.write.destination);
+        std::cout << summary(report, report.layers, report.output);
     }
     if (request.tool.json)
         std::cout << json_report(report);

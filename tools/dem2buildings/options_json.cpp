@@ -37,6 +37,8 @@ Json json_of(const OptionRow& row) {
                 {"hidden", row.hidden},
                 {"presets", presets_of(row)},
                 {"python", python_of(row)},
+                {"title", row.title},
+                {"section", dialog_section_names[static_cast<std::size_t>(row.section)]},
                 {"help", row.help},
                 {"details", row.details}};
     if (row.numbers && std::isfinite(row.numbers->lowest))

@@ -36,6 +36,7 @@ const std::vector<Part>& parts() {
     static const std::vector<Part> all{
         {"left out", "below -min_area", {Reason::building_small, Reason::contour_small}},
         {"left out", "below -min_height", {Reason::building_low}},
+        {"left out", "below -min_building_height", {Reason::building_not_tall}},
         {"left out", "below -min_confidence", {Reason::building_doubtful}},
         {"left out", "below -nf", {Reason::contour_short}},
         {"left out", "on what was left out", {Reason::contour_on_dropped}},

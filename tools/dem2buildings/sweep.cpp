@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <memory>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -26,6 +27,25 @@ std::string fixed(double value) {
     const auto [end, error] =
         std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, 2);
     return {text.data(), end};
+}
+
+/// Draws a trial.
+class TrialMap final : public TrialView {
+  public:
+    TrialMap(FeatureSink& nothing, const MapFrame& frame, PictureFormat format, PreviewSink::Taken taken)
+        : sink_(nothing, frame, format, std::move(taken)) {}
+    [[nodiscard]] FeatureSink& features() override { return sink_; }
+    [[nodiscard]] RasterSink& elevations() override { return sink_.relief(); }
+
+  private:
+    PreviewSink sink_;
+};
+
+std::string caption_of(const TrialValues& values, const SweepPlan& plan) {
+    std::string caption = "lod " + std::to_string(values.lod) + ", nf " + std::to_string(values.noise_factor);
+    if (!plan.details.empty())
+        caption += ", detail " + number_text(values.detail);
+    return caption;
 }
 
 }  // namespace
@@ -64,26 +84,22 @@ std::vector<Trial> run_sweep(const Options& options, const Sources& sources, con
                              const Callbacks& callbacks) {
     if (options.write.preview.empty())
         return run_trials(options, sources, plan, {}, callbacks);
-    constexpr int sheet_width = 2400;
-    constexpr int least = 160;
-    constexpr int most = 800;
     const std::unique_ptr<PictureFile> file = open_picture(picture_target(options));
-    const int columns = static_cast<int>(std::max<std::size_t>(plan.noise_factors.size(), 1));
-    std::vector<Image> pictures;
+    const SheetPlan sheet = plan_sheet(plan.trials(), plan.noise_factors.size(), options.write.preview_size);
+    const MapGround ground = ground_of(options, sources.dem.info());
+    const MapFrame frame(ground, map_on_sheet(ground, sheet));
+    std::vector<TrialPicture> pictures;
     std::vector<Trial> trials = run_trials(
         options, sources, plan,
-        [&](FeatureSink& nothing, DemSource& dem, const TrialValues& values) {
-            std::string heading =
-                "lod " + std::to_string(values.lod) + " nf " + std::to_string(values.noise_factor);
-            if (!plan.details.empty())
-                heading += " detail " + number_text(values.detail);
-            PreviewLook look = look_of(options, dem.info(), heading);
-            look.longest = std::clamp(sheet_width / columns, least, most);
-            return std::make_unique<PreviewSink>(nothing, dem, crs_of(options, dem.info()), look,
-                                                 [&](const Image& image) { pictures.push_back(image); });
+        [&](FeatureSink& nothing, const TrialValues& values) {
+            return std::make_unique<TrialMap>(
+                nothing, frame, file->format(),
+                [&pictures, caption = caption_of(values, plan)](MapPicture map) {
+                    pictures.push_back({caption, std::move(map)});
+                });
         },
         callbacks);
-    file->write(contact_sheet(pictures, columns));
+    file->write(draw_contact_sheet(pictures, sheet, file->format()));
     file->publish();
     if (callbacks.on_warning)
         std::ranges::for_each(file->take_warnings(), callbacks.on_warning);

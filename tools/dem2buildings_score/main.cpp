@@ -7,7 +7,7 @@
 #include "common/own_stdout.hpp"
 #include "common/run_guarded.hpp"
 #include "core/crs.hpp"
-#include "dem2buildings/open_dem.hpp"
+#include "dem2buildings/open_sources.hpp"
 #include "dem2buildings/version.hpp"
 #include "dem2buildings_score/command_line.hpp"
 #include "dem2buildings_score/help.hpp"

@@ -7,7 +7,8 @@ cd "$(dirname "$0")/../.."
 install_packages $build_packages gdal-bin
 # Without the tests, unless they are there already.
 if [ -e build/CMakeCache.txt ]; then configure; else configure -DD2B_BUILD_TESTS=OFF; fi
-build --target dem2buildings_tool
+# All that `cmake --install build` copies.
+build --target installed_files
 ./build/tools/dem2buildings -overwrite sample_dems/town.tif build/town.gpkg
 
 echo

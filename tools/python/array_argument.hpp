@@ -5,7 +5,7 @@
 #include <pybind11/numpy.h>
 #include <string>
 
-#include "dem2buildings/elevation_array.hpp"
+#include "dem2buildings/open_sources.hpp"
 
 namespace d2b {
 

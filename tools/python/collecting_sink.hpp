@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/sinks.hpp"
 
 namespace d2b {
 

@@ -11,13 +11,11 @@
 #include <vector>
 
 #include "dem2buildings/command_line.hpp"
-#include "dem2buildings/elevation_array.hpp"
 #include "dem2buildings/extract_file.hpp"
-#include "dem2buildings/file_spool.hpp"
 #include "dem2buildings/json_report.hpp"
-#include "dem2buildings/open_dem.hpp"
+#include "dem2buildings/open_sources.hpp"
 #include "dem2buildings/run.hpp"
-#include "dem2buildings/side_rasters.hpp"
+#include "dem2buildings/spool.hpp"
 #include "python/array_argument.hpp"
 #include "python/collecting_sink.hpp"
 #include "python/given_options.hpp"

@@ -1,6 +1,6 @@
 #include "python/given_options.hpp"
 
-#include "dem2buildings/set_option.hpp"
+#include "dem2buildings/options.hpp"
 
 namespace d2b {
 

@@ -12,7 +12,7 @@
 #include "core/crs/geodesic_polygon.hpp"
 #include "core/crs/local_metric.hpp"
 #include "core/crs/lon_lat.hpp"
-#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/sinks.hpp"
 
 namespace d2b {
 

@@ -6,7 +6,7 @@
 #include <GeographicLib/PolygonArea.hpp>
 
 #include "core/crs.hpp"
-#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/sinks.hpp"
 
 namespace d2b {
 

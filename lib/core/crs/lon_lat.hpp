@@ -6,7 +6,7 @@
 #include <proj.h>
 
 #include "core/crs/proj_objects.hpp"
-#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/sinks.hpp"
 
 namespace d2b {
 

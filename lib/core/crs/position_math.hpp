@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/sinks.hpp"
 
 namespace d2b {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/sinks.hpp"
 
 namespace d2b {
 

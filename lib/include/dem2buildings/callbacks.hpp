@@ -23,7 +23,7 @@ struct Callbacks {
     /// time, and often: it should look at an atomic and no more. It must not throw.
     std::function<bool()> stop;
     /// Where what is finished waits for its turn: in memory, or say in a FileSpool
-    /// (dem2buildings/file_spool.hpp). Called from the thread that called run(); spools are used from any.
+    /// (dem2buildings/spool.hpp). Called from the thread that called run(); spools are used from any.
     std::function<std::unique_ptr<Spool>()> make_spool = [] { return std::make_unique<MemorySpool>(); };
 };
 

@@ -1,13 +1,51 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "dem2buildings/dem_info.hpp"
-
 namespace d2b {
+
+/// Rows and columns of the source raster, half open: [row, row + rows) x [col, col + cols).
+struct Window {
+    std::int32_t row = 0;
+    std::int32_t col = 0;
+    std::int32_t rows = 0;
+    std::int32_t cols = 0;
+
+    friend bool operator==(const Window&, const Window&) = default;
+};
+
+/// The six terms of GDAL's affine transform, from (column, row) to coordinates:
+/// x = g[0] + column g[1] + row g[2], y = g[3] + column g[4] + row g[5]; (0, 0) is the outer corner of the
+/// first cell. Rotated, south-up and non-square grids are all of this form.
+using AffineTransform = std::array<double, 6>;
+
+/// What is known of a DEM before its elevations are read. Plain values: the algorithm never sees a file.
+struct DemInfo {
+    std::string name;       ///< as the user gave it; for messages and provenance
+    std::int32_t rows = 0;  ///< of the whole raster
+    std::int32_t cols = 0;  ///< of the whole raster
+    Window window;          ///< the part that is used; rows and columns stay those of the whole raster
+    AffineTransform transform{0, 1, 0, 0, 0, -1};  ///< without georeferencing: pixels, y up
+    bool georeferenced = false;
+    std::string crs_wkt;  ///< WKT2:2019, empty where there is none
+    std::string
+        band_unit;      ///< the band's unit of elevation as stated, e.g. "metre", "US survey foot"; may be ""
+    double scale = 1;   ///< elevation = value as stored * scale + offset
+    double offset = 0;  ///< of the same
+    /// The elevation that the file's own NoData value becomes, where an option says that it is none.
+    std::optional<double> set_aside_nodata;
+    std::string driver;      ///< short name of the format, for the report
+    std::int32_t bands = 1;  ///< of the whole raster
+    bool bytes = false;      ///< the band's values are whole numbers from 0 to 255
+    std::int32_t block_rows =
+        1;  ///< rows that are decoded together; bands that keep to multiples of it are read once
+};
 
 /// Where elevations come from: a file (read/), or an array in tests and in other programs.
 class DemSource {
@@ -34,6 +72,14 @@ class DemSource {
     /// Of a terrain model, cells that are not valid because no elevation can be what they hold; known when
     /// the last row has been read.
     [[nodiscard]] virtual std::int64_t cells_outside_range() const { return 0; }
+};
+
+/// How a DEM is read: in bands of rows, which are kept from one pass to the next where they fit.
+struct BandSize {
+    /// Of a band, in whole multiples of the usual block heights; more where blocks are higher. Some 4 MiB.
+    std::int64_t points = 1 << 19;
+    /// Most that is kept: 4 a point where that loses nothing, else 8.
+    std::size_t keep_bytes = std::size_t{512} << 20;
 };
 
 }  // namespace d2b

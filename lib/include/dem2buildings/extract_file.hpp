@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "dem2buildings/open_sources.hpp"
 #include "dem2buildings/run.hpp"
-#include "dem2buildings/side_rasters.hpp"
 
 namespace d2b {
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace d2b {
@@ -46,12 +47,13 @@ struct GroundOptions {
 };
 
 struct DetectOptions {
-    double min_height = 2;        ///< m above ground
-    double min_confidence = 0.5;  ///< what is below is doubtful
-    std::string mask;             ///< raster or polygons: buildings are looked for in them alone
-    std::string mask_layer;       ///< of polygons; "": the first with geometries
-    std::string ndvi;             ///< raster of the normalised difference vegetation index
-    double split_height = 0;      ///< m: a step that divides buildings; 0: none does
+    double min_height = 2;           ///< m above ground
+    double min_building_height = 0;  ///< m: buildings of which nine tenths are lower are left out
+    double min_confidence = 0.5;     ///< what is below is doubtful
+    std::string mask;                ///< raster or polygons: buildings are looked for in them alone
+    std::string mask_layer;          ///< of polygons; "": the first with geometries
+    std::string ndvi;                ///< raster of the normalised difference vegetation index
+    double split_height = 0;         ///< m: a step that divides buildings; 0: none does
 };
 
 enum class TraceMode { points, cells };
@@ -66,8 +68,8 @@ struct LevelOptions {
     std::vector<double> fixed;       ///< explicit thresholds
     std::optional<double> interval;  ///< thresholds at offset + n * interval
     double offset = 0;
-    double detail =
-        0;  ///< m: how far a strip a metre wide must stand out to be a tier; 0: the image is not cleaned
+    /// m: how far a strip a metre wide must stand out to be a tier; 0: the image is not cleaned
+    std::optional<double> detail;
 };
 
 struct TraceOptions {
@@ -113,7 +115,8 @@ struct WriteOptions {
     std::string ground;   ///< GeoTIFF of the terrain; "": none
     std::string height;   ///< GeoTIFF of the heights above it
     std::string canopy;   ///< GeoTIFF of the heights of what is no building
-    std::string preview;  ///< PNG of the result over the shaded relief
+    std::string preview;  ///< picture of the result over the shaded relief, PNG, SVG or PDF by its extension
+    int preview_size = 1600;  ///< pixels of its longer side
 };
 
 struct RunOptions {
@@ -135,5 +138,11 @@ struct Options {
     /// not where that is the default.
     std::set<std::string, std::less<>> given;
 };
+
+/// Sets an option by the name that it has on the command line; docs/options.md lists them.
+/// @param name with or without dashes, or an alias @param values as texts; none for a switch
+/// @throws OptionError: no such option, or values that it does not take. What contradicts another option is
+/// found when a run begins
+void set_option(Options& options, std::string_view name, const std::vector<std::string>& values = {});
 
 }  // namespace d2b

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 #include <variant>
@@ -12,6 +13,8 @@ enum class OutlineStatus { traced, simplified, regularized, kept_traced, repaire
 
 /// Shares of a building's points, and the elevations that they do not exceed.
 inline constexpr std::array<double, 4> percentile_shares{0.50, 0.70, 0.90, 0.95};
+/// Which of them is p90, the height of a building as a whole.
+inline constexpr std::size_t p90_share = 2;
 using Percentiles = std::array<double, percentile_shares.size()>;
 
 /// What is known of a contour, in the DEM's vertical unit and datum where nothing else is said. NaN is
@@ -31,6 +34,7 @@ struct ContourRecord {
     double lowest = 0;
     double mean = 0;
     double highest = 0;
+    double confidence = 0;  ///< of its building, 0 to 1; NaN where nothing was detected
     double area_m2 = 0;
     double perimeter_m = 0;
     OutlineStatus status = OutlineStatus::traced;

@@ -33,13 +33,14 @@ enum class Reason {
     building_doubtful,           ///< its confidence is too low
     building_small,              ///< what may be a building, but covers less than the smallest area
     building_low,                ///< what may be a roof, but is not above the smallest height
+    building_not_tall,           ///< its p90 is below the smallest height of a building
     elevation_outside_range,     ///< no elevation: outside of what occurs on land, or of -zrange
     elevation_above_neighbours,  ///< no elevation: far above all around it
     elevation_not_roof,          ///< above all around it: not the height of a building
     terrain_outside_range,       ///< no elevation of the terrain model
     outline_torn,                ///< the CRS of the output tears it apart: it is not written
 };
-inline constexpr std::array<std::string_view, 19> reason_names{"threshold_not_above_minimum",
+inline constexpr std::array<std::string_view, 20> reason_names{"threshold_not_above_minimum",
                                                                "threshold_not_below_maximum",
                                                                "threshold_repeated",
                                                                "contour_short",
@@ -53,6 +54,7 @@ inline constexpr std::array<std::string_view, 19> reason_names{"threshold_not_ab
                                                                "building_doubtful",
                                                                "building_small",
                                                                "building_low",
+                                                               "building_not_tall",
                                                                "elevation_outside_range",
                                                                "elevation_above_neighbours",
                                                                "elevation_not_roof",

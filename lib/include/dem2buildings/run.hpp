@@ -1,12 +1,10 @@
 #pragma once
 
-#include "dem2buildings/band_size.hpp"
 #include "dem2buildings/callbacks.hpp"
 #include "dem2buildings/dem_source.hpp"
-#include "dem2buildings/feature_sink.hpp"
 #include "dem2buildings/options.hpp"
-#include "dem2buildings/raster_sink.hpp"
 #include "dem2buildings/report.hpp"
+#include "dem2buildings/sinks.hpp"
 
 namespace d2b {
 
@@ -23,7 +21,8 @@ struct Sinks {
     FeatureSink& features;
     RasterSink* ground = nullptr;
     RasterSink* height = nullptr;
-    RasterSink* canopy = nullptr;  ///< heights of what is no building, 0 elsewhere
+    RasterSink* canopy = nullptr;      ///< heights of what is no building, 0 elsewhere
+    RasterSink* elevations = nullptr;  ///< of the DEM, without what is no elevation; with every preset
 };
 
 /// The whole job: read -> ground -> detect -> levels -> trace -> filter -> outline -> attributes -> write.

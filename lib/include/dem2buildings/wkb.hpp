@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "dem2buildings/feature_sink.hpp"
+#include "dem2buildings/sinks.hpp"
 
 namespace d2b {
 

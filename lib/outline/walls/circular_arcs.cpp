@@ -7,8 +7,8 @@
 namespace d2b {
 namespace {
 
-constexpr double arc_price = 16;  // of an arc: more than a wall, less than two
-constexpr double bargain = 0.6;   // share of the cost of walls that an arc may have: ragged walls are no arcs
+constexpr double arc_price = 3.2;  // of an arc: more than a wall, less than two
+constexpr double bargain = 0.6;  // share of the cost of walls that an arc may have: ragged walls are no arcs
 constexpr double least_radius = 3;  // cells
 constexpr double least_sweep = std::numbers::pi / 2;
 constexpr std::size_t fewest_walls = 4;  // that an arc stands for
@@ -27,7 +27,7 @@ std::optional<WallPiece> arc_for(const WallSamples& samples, const WallStyle& st
         if (largest > style.tolerance - 0.05)
             return {};
     }
-    const double cost = style.price * arc_price + squares / WallStyle::variance;
+    const double cost = style.price * arc_price + style.misfit(squares, static_cast<double>(last - first));
     const double sweep =
         static_cast<double>(last - first) / 1.27 / circle->radius;  // a staircase is 4 / pi longer
     if (cost > bargain * walls_cost || sweep < least_sweep)

@@ -8,15 +8,22 @@ namespace {
 
 constexpr double node_room = 1.0 / 16;  // cells between nodes
 
-/// How far a node may go from where it was traced for its wall's sake, and from where on it stands on a
-/// vertex, in cells.
+/// How far a node may go from where it was traced for its wall's sake, or for a corner's, and from where on
+/// it stands on a vertex, in cells.
 constexpr double node_reach = 1.0;
+constexpr double corner_reach = 1.25;
 constexpr double node_pull = 0.5;
+constexpr double share_of_tolerance = 0.9;  // at most: arcs that end there stay near their traces
 
 }  // namespace
 
-Course::Course(DrawnChain drawn, const Chain& chain, const WallSamples& samples, const CellShape& shape)
-    : drawn_(std::move(drawn)), closed_(chain.closed), shape_(shape), origin_(chain.trace.front()) {
+Course::Course(DrawnChain drawn, const Chain& chain, const ChainForm& form, const WallSamples& samples,
+               const CellShape& shape, double tolerance)
+    : drawn_(std::move(drawn)),
+      closed_(chain.closed),
+      shape_(shape),
+      origin_(chain.trace.front()),
+      reach_(share_of_tolerance * tolerance) {
     places_.reserve(drawn_.vertices.size());
     for (const FinePoint vertex : drawn_.vertices)
         places_.push_back(shape_.from_fine(vertex, origin_));
@@ -40,6 +47,24 @@ Course::Course(DrawnChain drawn, const Chain& chain, const WallSamples& samples,
         placed_.insert(0);
         placed_.insert(nodes_.size() - 1);
     }
+    for (std::size_t k = closed_ ? 0 : 1; k + (closed_ ? 0 : 1) < nodes_.size(); ++k)
+        if (form.cut_around(nodes_[k].step))
+            keep(k);
+}
+
+/// Where the chain is cut, each of its nodes is a vertex.
+void Course::keep(std::size_t k) {
+    Standing& node = nodes_[k];
+    const auto vertex = std::ranges::lower_bound(drawn_.steps, node.step);
+    const auto i = static_cast<std::size_t>(vertex - drawn_.steps.begin());
+    const FinePoint traced = shape_.to_fine(node.traced, origin_);
+    if (vertex == drawn_.steps.end() || drawn_.vertices[i] != traced)
+        return;
+    node.stays = true;
+    node.point = traced;
+    node.edge = std::min(i, edges() - 1);
+    node.at = begins_[i];
+    placed_.insert(k);
 }
 
 /// The edge that stands for a step of the trace.
@@ -68,11 +93,11 @@ double Course::wanted(const Standing& node, const std::optional<Line>& wall) con
             return std::abs(cross(along, wall->along)) < 0.3 * d2b::length(along);
         };
         const bool inner = v > 0 && (parallel(v - 1) != parallel(v));
-        if (inner && d2b::length(vertex(v) - traced) < 1.25 * node_reach)
+        if (inner && d2b::length(vertex(v) - traced) < std::min(corner_reach, reach_))
             return begins_[v];
     }
     double best = foot_on(edge);
-    double nearest = node_reach;
+    double nearest = std::min(node_reach, reach_);
     for (std::size_t e = edge > 0 ? edge - 1 : 0; e < std::min(edge + 2, edges()); ++e) {
         const Vec from = vertex(e);
         const Vec along = vertex(e + 1) - from;
@@ -142,19 +167,11 @@ void Course::place(std::size_t k, const std::optional<Line>& wall) {
     auto vertex_at = std::lower_bound(begins_.begin() + 1, begins_.end() - 1, at);
     if (std::abs(*(vertex_at - 1) - at) <= std::abs(*vertex_at - at))
         --vertex_at;
-    if (std::abs(*vertex_at - at) < node_pull)
+    const auto v = static_cast<std::size_t>(vertex_at - begins_.begin());
+    if (std::abs(*vertex_at - at) < node_pull && d2b::length(vertex(v) - node.traced) < reach_)
         at = *vertex_at;
     stand(node, std::max(low, std::min(high, at)));
     placed_.insert(k);
-}
-
-void Course::place_as(std::size_t k, const Course& other, std::size_t of_other) {
-    const Standing& there = other.nodes_[of_other];
-    nodes_[k].point = there.point;
-    nodes_[k].edge = there.edge;
-    nodes_[k].at = there.at;
-    if (there.point)
-        placed_.insert(k);
 }
 
 void Course::cut(const Standing& from, const Standing& to, DrawnChain& arc) const {
@@ -225,16 +242,20 @@ void Course::add_circles(const Standing& from, DrawnChain& arc) const {
                 arc.arcs.end());
 }
 
-void Course::arc(std::size_t k, const WallSamples& samples, DrawnChain& drawn) const {
-    if (closed_ && nodes_.size() == 1 && !nodes_.front().point) {
-        // A ring on which nothing stands.
-        drawn = drawn_;
-        drawn.vertices.push_back(drawn_.vertices.front());
-        drawn.steps.push_back(drawn_.steps.front() + samples.steps());
+void Course::whole(const WallSamples& samples, DrawnChain& drawn) const {
+    drawn = drawn_;
+    drawn.vertices.push_back(drawn_.vertices.front());
+    drawn.steps.push_back(drawn_.steps.front() + samples.steps());
+}
+
+void Course::stretch(std::size_t from_node, std::size_t to_node, const WallSamples& samples,
+                     DrawnChain& drawn) const {
+    const Standing& from = nodes_[from_node];
+    const Standing& to = nodes_[to_node < nodes_.size() ? to_node : 0];
+    if (closed_ && nodes_.size() == 1 && !from.point) {
+        whole(samples, drawn);  // nothing stands on it
         return;
     }
-    const Standing& from = nodes_[k];
-    const Standing& to = nodes_[k + 1 < nodes_.size() ? k + 1 : 0];
     drawn.vertices.clear();
     drawn.steps.clear();
     drawn.arcs.clear();

@@ -60,37 +60,6 @@ double deviation(const WallSamples& samples, const CellShape& shape, LatticePoin
     return std::sqrt(largest);
 }
 
-void keep_near(const WallSamples& samples, const WallStyle& style, const CellShape& shape,
-               LatticePoint origin, DrawnChain& chain) {
-    const std::size_t n = chain.vertices.size();
-    DrawnChain kept;
-    const auto place = [&](std::size_t k) { return shape.from_fine(chain.vertices[k % n], origin); };
-    for (std::size_t k = 0; k < n; ++k) {
-        const std::size_t first = chain.steps[k];
-        const bool end = !samples.closed() && (k == 0 || k + 1 == n);
-        const bool far = length(place(k) - samples.at(first)) > style.tolerance && !end;
-        kept.vertices.push_back(far ? shape.to_fine(samples.at(first), origin) : chain.vertices[k]);
-        kept.steps.push_back(first);
-        if (!samples.closed() && k + 1 == n)
-            break;
-        const std::size_t last = k + 1 < n ? chain.steps[k + 1] : chain.steps.front() + samples.steps();
-        const double limit = style.tolerance * style.tolerance;
-        bool leaves = false;
-        samples.for_corners(first, last, [&](std::size_t, Vec corner) {
-            leaves = square_distance(corner, place(k), place(k + 1)) > limit;
-            return !leaves;
-        });
-        if (leaves && last > first + 1)
-            samples.for_corners(first + 1, last - 1, [&](std::size_t i, Vec corner) {
-                kept.vertices.push_back(shape.to_fine(corner, origin));
-                kept.steps.push_back(i);
-                return true;
-            });
-    }
-    chain = std::move(kept);
-    match_trace(samples, shape, origin, chain);
-}
-
 double twice_area(const WallSamples& samples) {
     double sum = 0;
     for (std::size_t i = 0; i < samples.steps(); ++i)

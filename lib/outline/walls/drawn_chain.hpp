@@ -27,11 +27,6 @@ void match_trace(const WallSamples& samples, const CellShape& shape, LatticePoin
 [[nodiscard]] double deviation(const WallSamples& samples, const CellShape& shape, LatticePoint origin,
                                const DrawnChain& chain, bool closed);
 
-/// Goes back to the trace where the drawing leaves it by more than the tolerance: its corners take the place
-/// of a vertex, or stand within an edge.
-void keep_near(const WallSamples& samples, const WallStyle& style, const CellShape& shape,
-               LatticePoint origin, DrawnChain& chain);
-
 /// Twice the area of a closed chain, in cells; its sign is the orientation's.
 [[nodiscard]] double twice_area(const WallSamples& samples);
 [[nodiscard]] double twice_area(const std::vector<FinePoint>& ring, const CellShape& shape,

@@ -11,10 +11,10 @@ namespace d2b {
 
 /// How a fitted outline differs from its trace.
 struct WallQuality {
-    bool fitted = false;      ///< its exterior ring; else a part of that runs as it was traced
-    double traced_share = 0;  ///< of the length of its rings that runs as it was traced
-    double deviation = 0;     ///< cells: outline and trace are nowhere farther apart, either way
-    double area_change = 0;   ///< share of the traced area
+    double simplified_share = 0;  ///< of the length of its rings that runs through the middles of steps
+    double traced_share = 0;      ///< of the length of its rings that runs as it was traced
+    double deviation = 0;         ///< cells: outline and trace are nowhere farther apart, either way
+    double area_change = 0;       ///< share of the traced area
 };
 
 struct WallOutline {
@@ -26,8 +26,8 @@ struct WallOutline {
 struct ClusterOutlines {
     /// One a contour: shared with neighbours and with other levels vertex for vertex.
     std::vector<WallOutline> outlines;
-    /// Of the contours of levels 0 and 1, which come first, as if nothing stood on them; empty where nothing
-    /// does.
+    /// Of the contours of levels 0 and 1, which come first, without the vertices that higher levels alone
+    /// need; empty where there are none of these.
     std::vector<WallOutline> footprints;
 };
 
@@ -38,12 +38,13 @@ struct ClusterOutlines {
 ///        v
 ///     WallGraph                       their arcs, as few as there are; arcs of one rank make Chains
 ///        |  WallDrawing               the chains of low rank first:
-///        v                              turning_points(), plan_walls(), find_circular_arcs(), draw_walls()
+///        v                              ChainDrawing: turning_points(), plan_walls(), find_circular_arcs(),
+///                                       draw_walls(), and compose_chain() where a ChainForm says Middles
 ///     Course                          a chain as it is drawn, and where the nodes of others stand on it
 ///        |  WallCheck, PartCheck      is it still the figure that was traced? exactly, on integers
 ///        |  RingAreas                 are areas kept?
 ///        v
-///     WallRounds                      what is in the way gets a simpler form, and all that again
+///     WallRounds                      what is in the way follows its trace closer there, and all that again
 ///
 /// Depends on the cluster alone; O(n log n) in corners, and some rounds where walls are in each
 /// other's way. @throws Cancelled

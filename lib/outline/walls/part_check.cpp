@@ -50,7 +50,7 @@ bool PartCheck::alone(FinePoint place, std::uint32_t part) const {
     return !others;
 }
 
-std::pair<std::uint32_t, std::int32_t> PartCheck::west_of(FinePoint place) const {
+std::pair<std::optional<PartCheck::Edge>, std::int32_t> PartCheck::west_of(FinePoint place) const {
     const std::int64_t row = grid_.row_of(place.row);
     std::optional<Edge> nearest;
     FineSegment best;  // downwards
@@ -71,10 +71,10 @@ std::pair<std::uint32_t, std::int32_t> PartCheck::west_of(FinePoint place) const
             break;
     }
     if (!nearest)
-        return {WallGraph::nobody, -1};
+        return {{}, -1};
     // East of an edge that runs down is its left.
     const WallGraph::Sides& sides = graph_.sides[nearest->arc];
-    return {chain_of(*nearest), grid_.segment(*nearest).a == best.a ? sides.left : sides.right};
+    return {nearest, grid_.segment(*nearest).a == best.a ? sides.left : sides.right};
 }
 
 void PartCheck::find_west() {
@@ -117,11 +117,11 @@ void PartCheck::check(WallConflicts& found) {
         const West& w = west_[part];
         if (alone(w.at, part))
             continue;
-        const auto [chain, side] = west_of(w.at);
+        const auto [edge, side] = west_of(w.at);
         if (side == outer_side(w))
             continue;
-        const std::uint32_t own = graph_.chain_of[w.arc];
-        found.emplace_back(std::minmax(own, chain == WallGraph::nobody ? own : chain));
+        const Edge own{w.arc, w.index > 0 ? w.index - 1 : 0};
+        found.emplace_back(std::minmax(own, edge.value_or(own)));
     }
 }
 

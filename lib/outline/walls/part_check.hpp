@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -12,8 +13,8 @@
 
 namespace d2b {
 
-/// Pairs of chains that are in each other's way.
-using WallConflicts = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+/// Pairs of edges that are in each other's way, or one with itself.
+using WallConflicts = std::vector<std::pair<SegmentGrid::Edge, SegmentGrid::Edge>>;
 
 /// The point to which an arc leads from the node at one of its ends: 2 * arc, and + 1 for its last.
 [[nodiscard]] inline FinePoint next_from(const SegmentGrid::Arcs& arcs, std::uint32_t end) {
@@ -50,7 +51,7 @@ class PartCheck {
     void find_west();
     [[nodiscard]] std::int32_t outer_side(const West& w) const;
     /// The edge that is hit first on the way west; its side towards the place.
-    [[nodiscard]] std::pair<std::uint32_t, std::int32_t> west_of(FinePoint place) const;
+    [[nodiscard]] std::pair<std::optional<Edge>, std::int32_t> west_of(FinePoint place) const;
     [[nodiscard]] bool alone(FinePoint place, std::uint32_t part) const;
 
     const WallGraph& graph_;

@@ -13,7 +13,10 @@ namespace {
 constexpr double variance = WallStyle::variance;
 constexpr std::size_t window = 64;  // turning points that a wall may reach over
 constexpr std::size_t families = WallPiece::free + 1;
-constexpr std::array<double, families> prices{6, 6, 9, 9, 11};
+constexpr std::array<double, families> prices{1.2, 1.2, 1.8, 1.8, 2.2};
+constexpr std::size_t long_wall = 20;  // steps: of a shorter one the ends count as well
+constexpr double straight_reach =
+    0.77;  // longer sides of a cell: how far the corners of a straight wall's steps lie
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 class Planner {
@@ -52,6 +55,7 @@ class Planner {
     [[nodiscard]] Line line(std::size_t family, const WallSamples::Sums& sums) const {
         return {sums.mean, family < WallPiece::free ? directions_[family] : sums.direction()};
     }
+    [[nodiscard]] double misfit(std::size_t first, std::size_t last, const Line& line, double squares) const;
     void find_before(std::size_t point);
     void extend(std::size_t from, std::size_t to, const WallSamples::Sums& sums, double least);
     [[nodiscard]] std::vector<WallPiece> trace_back(const std::vector<std::size_t>& points) const;
@@ -76,6 +80,14 @@ void Planner::find_before(std::size_t point) {
     }
 }
 
+/// Where all of a stretch but its ends lies as near as the staircase of a straight wall does, that costs
+/// nothing.
+double Planner::misfit(std::size_t first, std::size_t last, const Line& line, double squares) const {
+    const std::size_t ends = last - first < long_wall ? 0 : 2;
+    const bool straight = samples_.near(first + ends, last - ends, line, straight_reach * style_.side);
+    return straight ? style_.misfit(squares, static_cast<double>(last - first)) : squares / variance;
+}
+
 /// @param least squares from the best line of any direction
 void Planner::extend(std::size_t from, std::size_t to, const WallSamples::Sums& sums, double least) {
     for (std::size_t f = 0; f < families; ++f) {
@@ -83,10 +95,12 @@ void Planner::extend(std::size_t from, std::size_t to, const WallSamples::Sums& 
             continue;
         const std::uint8_t before = states_[from][f].before;
         const double spent = (from == 0 ? 0 : states_[from][before].cost) + style_.price * prices[f];
-        if (!(spent + least / variance < states_[to][f].cost))
+        if (!(spent + style_.misfit(least, sums.n) < states_[to][f].cost))
             continue;
         const double squares = f < WallPiece::free ? sums.squares(directions_[f]) : least;
-        const double cost = spent + squares / variance;
+        if (!(spent + style_.misfit(squares, sums.n) < states_[to][f].cost))
+            continue;
+        const double cost = spent + misfit((*points_)[from], (*points_)[to], line(f, sums), squares);
         if (!(cost < states_[to][f].cost))
             continue;
         const double limit = style_.tolerance - 0.05;
@@ -112,7 +126,8 @@ std::vector<WallPiece> Planner::trace_back(const std::vector<std::size_t>& point
                           static_cast<int>(family),
                           line(family, sums),
                           {},
-                          style_.price * prices[family] + squares / variance});
+                          style_.price * prices[family] +
+                              misfit(points[state.from], points[to], line(family, sums), squares)});
         to = state.from;
         family = state.family;
     }

@@ -9,6 +9,7 @@ namespace d2b {
 namespace {
 
 constexpr double largest_area_change = 0.02;
+constexpr double largest_shift = 0.05;  // cells by which a ring's border is off on the average
 constexpr double least_gain =
     0.1;  // share of an area asked for that moving walls has brought: else it is in vain
 
@@ -32,9 +33,11 @@ RingAreas::RingAreas(const WallCluster& cluster, const WallGraph& graph, const S
         const Contour& contour = *cluster_.contours[c];
         const ArcGraph::Outline& outline = graph_.graph.outlines[c];
         first_ring_.push_back(static_cast<std::uint32_t>(rings_.size()));
-        rings_.push_back({&outline.exterior, contour.exterior.area(), contour.key.level});
+        rings_.push_back({&outline.exterior, contour.exterior.area(),
+                          static_cast<double>(contour.exterior.points()), contour.key.level});
         for (std::size_t i = 0; i < outline.interiors.size(); ++i)
-            rings_.push_back({&outline.interiors[i], contour.interiors[i].area(), contour.key.level});
+            rings_.push_back({&outline.interiors[i], contour.interiors[i].area(),
+                              static_cast<double>(contour.interiors[i].points()), contour.key.level});
     }
     first_ring_.push_back(static_cast<std::uint32_t>(rings_.size()));
     first_of_arc_.assign(arcs_.size() + 1, 0);
@@ -86,7 +89,8 @@ void RingAreas::check(const std::vector<bool>& in_conflict) {
         ring.waits = false;
         const auto before = static_cast<double>(ring.traced);
         const double after = in_cells(twice_area(*ring.uses));
-        if (std::abs(after - before) > largest_area_change * std::abs(before)) {
+        if (std::abs(after - before) >
+            std::max(largest_area_change * std::abs(before), largest_shift * ring.length)) {
             correct(ring, before - after);
             let_wait(r);
         }
@@ -134,7 +138,7 @@ void RingAreas::simplify_last(const Ring& ring) {
     int rank = -1;
     for (const ArcUse& use : *ring.uses) {
         const std::uint32_t c = graph_.chain_of[use.arc];
-        if (drawing_.form(c) != WallDrawing::Form::traced)
+        if (!drawing_.is_closest(c))
             rank = std::max(rank, graph_.chains[c].rank);
     }
     std::vector<std::uint32_t> last;
@@ -144,7 +148,7 @@ void RingAreas::simplify_last(const Ring& ring) {
     std::sort(last.begin(), last.end());
     last.erase(std::unique(last.begin(), last.end()), last.end());
     for (const std::uint32_t c : last)
-        drawing_.simplify(c);
+        drawing_.follow_closer(c, Form::cut);
 }
 
 }  // namespace d2b

@@ -19,6 +19,7 @@ class RingAreas {
     struct Ring {
         const std::vector<ArcUse>* uses = nullptr;
         std::int64_t traced = 0;  // area, in cells
+        double length = 0;        // as traced, in steps
         int level = 0;
         bool waits = false;  // to be measured
         double missing = 0;  // area, when walls were moved last

@@ -26,15 +26,13 @@ std::size_t edges_of(const ArcGraph& graph) {
 
 }  // namespace
 
-WallCheck::WallCheck(const WallGraph& graph, const WallDrawing& drawing, const SegmentGrid::Arcs& arcs,
-                     double tolerance, const StopRequest& stop)
+WallCheck::WallCheck(const WallGraph& graph, const SegmentGrid::Arcs& arcs, double tolerance,
+                     const StopRequest& stop)
     : graph_(graph),
-      drawing_(drawing),
       arcs_(arcs),
       grid_(arcs, box_of(graph.graph, tolerance), edges_of(graph.graph)),
       stop_(stop),
       changed_(arcs.size()),
-      as_traced_(arcs.size()),
       in_conflict_(arcs.size()),
       node_waits_(graph.nodes.size()),
       parts_(graph, arcs, grid_, tolerance, stop) {}
@@ -70,7 +68,6 @@ void WallCheck::update(std::uint32_t arc) {
     grid_.update(arc);
     changed_[arc] = 1;
     tested_.push_back(arc);
-    as_traced_[arc] = traced(arc) ? 1 : 0;
     parts_.changed(graph_.part_of[graph_.chain_of[arc]]);
     for (const std::uint32_t node : graph_.ends[arc])
         if (std::exchange(node_waits_[node], std::uint8_t{1}) == 0)
@@ -116,30 +113,32 @@ bool WallCheck::conflict(Edge e, const FineSegment& s, Edge f, const FineSegment
 }
 
 void WallCheck::check_arc(std::uint32_t arc, WallConflicts& found) {
-    const bool exact = as_traced_[arc] != 0;
-    const std::uint32_t chain = graph_.chain_of[arc];
     for (std::uint32_t i = 0; i + 1 < arcs_[arc].size(); ++i) {
         stop_.check();
         const Edge e{arc, i};
         const FineSegment s = grid_.segment(e);
         if (s.a == s.b) {
-            found.emplace_back(chain, chain);
+            found.emplace_back(e, e);
             keep(arc);
         }
         grid_.near(s, [&](Edge f) {
             // Of two that have changed, the first one's turn is enough.
             if (f.arc == arc ? f.index <= i : changed_[f.arc] != 0 && f.arc < arc)
                 return;
-            if (exact && as_traced_[f.arc] != 0)
-                return;
             const FineSegment t = grid_.segment(f);
             if (!conflict(e, s, f, t))
                 return;
-            found.emplace_back(std::minmax(chain, chain_of(f)));
+            found.emplace_back(std::minmax(e, f));
             keep(arc);
             keep(f.arc);
         });
     }
+}
+
+/// The edge of an arc that ends at a node.
+WallCheck::Edge WallCheck::edge_at(std::uint32_t end) const {
+    const auto points = static_cast<std::uint32_t>(arcs_[end / 2].size());
+    return {end / 2, end % 2 == 0 ? 0 : points - 2};
 }
 
 /// Nodes that are not in order wait on.
@@ -156,8 +155,6 @@ void WallCheck::check_nodes(WallConflicts& found) {
 void WallCheck::check_node(std::uint32_t node, WallConflicts& found) {
     ends_.assign(graph_.arc_ends.begin() + graph_.first_end[node],
                  graph_.arc_ends.begin() + graph_.first_end[node + 1]);
-    if (std::ranges::all_of(ends_, [&](std::uint32_t end) { return as_traced_[end / 2] != 0; }))
-        return;
     const auto& first = arcs_[ends_.front() / 2];
     const FinePoint at = ends_.front() % 2 == 0 ? first.front() : first.back();
     std::sort(ends_.begin(), ends_.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -166,7 +163,7 @@ void WallCheck::check_node(std::uint32_t node, WallConflicts& found) {
     for (std::size_t i = 0; i < ends_.size(); ++i) {
         const std::uint32_t next = ends_[i + 1 < ends_.size() ? i + 1 : 0];
         if (graph_.side_after(ends_[i]) != graph_.side_before(next))
-            found.emplace_back(std::minmax(graph_.chain_of[ends_[i] / 2], graph_.chain_of[next / 2]));
+            found.emplace_back(std::minmax(edge_at(ends_[i]), edge_at(next)));
     }
 }
 

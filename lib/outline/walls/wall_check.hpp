@@ -6,7 +6,6 @@
 
 #include "outline/segment_grid.hpp"
 #include "outline/walls/part_check.hpp"
-#include "outline/walls/wall_drawing.hpp"
 
 namespace d2b {
 
@@ -16,23 +15,20 @@ namespace d2b {
 ///  - every connected part of the graph lies in the contour in which it was traced.
 /// Then each contour is what its rings bound: rings are simple, interior rings lie inside, contours of one
 /// level have no point of their inside in common and lie in those of the level below.
-/// What has not changed since it was tested is not tested again, and traces are not tested against each
-/// other.
+/// What has not changed since it was tested is not tested again.
 class WallCheck {
   public:
     /// @param arcs as they are drawn, some or all of them not yet
     /// @param tolerance cells: no arc has left its trace by more
     /// @param stop must outlive this, as the others
-    WallCheck(const WallGraph& graph, const WallDrawing& drawing, const SegmentGrid::Arcs& arcs,
-              double tolerance, const StopRequest& stop);
+    WallCheck(const WallGraph& graph, const SegmentGrid::Arcs& arcs, double tolerance,
+              const StopRequest& stop);
 
     /// Whether an arc is of interest although it has not changed: it may come in the way of others now.
-    [[nodiscard]] bool notices(std::uint32_t arc) const {
-        return in_conflict_[arc] != 0 || (as_traced_[arc] != 0) != traced(arc);
-    }
+    [[nodiscard]] bool notices(std::uint32_t arc) const { return in_conflict_[arc] != 0; }
     /// Takes notice of arcs that are drawn anew. Those that were in conflict are tested again.
     /// @param changed sorted
-    /// @return pairs of chains that are in each other's way, sorted @throws Cancelled
+    /// @return sorted @throws Cancelled
     [[nodiscard]] WallConflicts conflicts(const std::vector<std::uint32_t>& changed);
     [[nodiscard]] std::span<const std::uint32_t> arcs_of_part(std::uint32_t part) const {
         return parts_.arcs_of(part);
@@ -41,25 +37,20 @@ class WallCheck {
   private:
     using Edge = SegmentGrid::Edge;
 
-    [[nodiscard]] bool traced(std::uint32_t arc) const {
-        return drawing_.drawn(graph_.chain_of[arc]) == WallDrawing::Form::traced;
-    }
-    [[nodiscard]] std::uint32_t chain_of(Edge e) const { return graph_.chain_of[e.arc]; }
     void update(std::uint32_t arc);
     void keep(std::uint32_t arc);
     [[nodiscard]] bool joined(Edge e, Edge f) const;
     [[nodiscard]] bool conflict(Edge e, const FineSegment& s, Edge f, const FineSegment& t) const;
     void check_arc(std::uint32_t arc, WallConflicts& found);
+    [[nodiscard]] Edge edge_at(std::uint32_t end) const;
     void check_nodes(WallConflicts& found);
     void check_node(std::uint32_t node, WallConflicts& found);
 
     const WallGraph& graph_;
-    const WallDrawing& drawing_;
     const SegmentGrid::Arcs& arcs_;
     SegmentGrid grid_;
     const StopRequest& stop_;
     std::vector<std::uint8_t> changed_;      // arcs, this time
-    std::vector<std::uint8_t> as_traced_;    // arcs
     std::vector<std::uint8_t> in_conflict_;  // arcs, since they were tested last
     std::vector<std::uint32_t> conflicting_;
     std::vector<std::uint32_t> tested_;     // arcs, this time

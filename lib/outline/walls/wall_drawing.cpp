@@ -4,34 +4,12 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <tuple>
 #include <utility>
-
-#include "outline/walls/draw_walls.hpp"
-#include "outline/walls/turning_points.hpp"
 
 namespace d2b {
 namespace {
 
-constexpr double snapping = 0.002;            // cells that a vertex may move onto the fine lattice
 constexpr std::array tried_prices{1.0, 0.5};  // of walls, that are tried in turn
-
-bool has_area(const DrawnChain& drawn, const WallSamples& samples, const CellShape& shape,
-              LatticePoint origin) {
-    return drawn.vertices.size() >= 3 && twice_area(drawn.vertices, shape, origin) * twice_area(samples) > 0;
-}
-
-/// Chains are known by their first edges.
-using ChainKey = std::tuple<LatticePoint, LatticePoint, std::uint32_t>;
-
-std::vector<ChainKey> keys_of(const WallGraph& graph) {
-    std::vector<ChainKey> keys;
-    keys.reserve(graph.chains.size());
-    for (std::uint32_t c = 0; c < graph.chains.size(); ++c)
-        keys.emplace_back(graph.chains[c].trace[0], graph.chains[c].trace[1], c);
-    std::sort(keys.begin(), keys.end());
-    return keys;
-}
 
 }  // namespace
 
@@ -42,21 +20,20 @@ WallDrawing::WallDrawing(const WallGraph& graph, const WallCluster& cluster, con
       options_(options),
       stop_(stop),
       states_(graph.chains.size()),
-      plain_(graph.nodes.size()),
-      reset_(graph.nodes.size()) {}
+      reset_(graph.nodes.size()) {
+    for (std::size_t c = 0; c < states_.size(); ++c)
+        states_[c].form = ChainForm(graph.chains[c].steps(), graph.chains[c].closed);
+}
 
 /// What is drawn for its own sake places its ends anew. Whatever changes places the nodes on it anew; what
 /// ends there is of higher rank and has its turn later.
 std::vector<std::uint32_t> WallDrawing::draw() {
     drawn_.clear();
     reset_.assign(reset_.size(), 0);
-    for (std::uint32_t c = 0; c < states_.size(); ++c) {
-        State& state = states_[c];
-        state.waiting = state.waiting || (!first_ && state.form != state.drawn);
-        if (state.waiting && !graph_.chains[c].closed)
+    for (std::uint32_t c = 0; c < states_.size(); ++c)
+        if (states_[c].waiting && !graph_.chains[c].closed)
             for (const bool last : {false, true})
                 reset(end_node(graph_.chains[c], last));
-    }
     for (std::uint32_t c = 0; c < states_.size(); ++c) {
         if (!states_[c].waiting && (!std::exchange(states_[c].lands, false) || ends_where_it_did(c)))
             continue;
@@ -77,7 +54,7 @@ void WallDrawing::reset(std::uint32_t node) {
     const WallGraph::Node& n = graph_.nodes[node];
     if (first_ || n.owner == WallGraph::nobody || std::exchange(reset_[node], std::uint8_t{1}) != 0)
         return;
-    if (states_[n.owner].drawn == Form::fitted)
+    if (states_[n.owner].chain)
         states_[n.owner].course.take_away(n.place);
     for (std::uint32_t e = graph_.first_end[node]; e < graph_.first_end[node + 1]; ++e)
         if (const std::uint32_t chain = graph_.chain_of[graph_.arc_ends[e] / 2]; chain != n.owner)
@@ -85,18 +62,8 @@ void WallDrawing::reset(std::uint32_t node) {
 }
 
 bool WallDrawing::ends_where_it_did(std::uint32_t c) {
-    const State& state = states_[c];
-    if (state.form != state.drawn)
-        return false;
-    if (state.drawn == Form::traced)
-        return true;
-    const Chain& chain = graph_.chains[c];
-    const std::optional<ChainEnds> before = state.ends;
-    const std::optional<ChainEnds> now =
-        state.drawn == Form::fitted
-            ? land_ends(chain, state.walls->piece(0), state.walls->piece(state.walls->size() - 1))
-            : ChainEnds{land(end_node(chain, false), {}), land(end_node(chain, true), {})};
-    return now == before;
+    const std::optional<ChainEnds> before = states_[c].ends;
+    return land_ends(c) == before;
 }
 
 /// Those of all chains that have been drawn, and those beside nodes that have been placed anew.
@@ -125,132 +92,122 @@ std::vector<std::uint32_t> WallDrawing::changed_arcs() const {
 
 FinePoint WallDrawing::place(std::uint32_t node) const {
     const WallGraph::Node& n = graph_.nodes[node];
-    if (n.owner == WallGraph::nobody || states_[n.owner].drawn != Form::fitted)
-        return fine(n.at);
-    return states_[n.owner].course.node(n.place).value_or(fine(n.at));
+    return n.owner == WallGraph::nobody ? fine(n.at)
+                                        : states_[n.owner].course.node(n.place).value_or(fine(n.at));
 }
 
 FinePoint WallDrawing::land(std::uint32_t node, const std::optional<Line>& wall) {
     const WallGraph::Node& n = graph_.nodes[node];
-    if (n.owner != WallGraph::nobody && states_[n.owner].drawn == Form::fitted)
-        states_[n.owner].course.place(n.place, plain_[node] ? std::nullopt : wall);
+    if (n.owner != WallGraph::nobody)
+        states_[n.owner].course.place(n.place, wall);
     return place(node);
+}
+
+double WallDrawing::displaced(std::uint32_t node) const {
+    const LatticePoint traced = graph_.nodes[node].at;
+    return d2b::length(options_.shape.from_fine(place(node), traced));
 }
 
 void WallDrawing::draw_chain(std::uint32_t c) {
     State& state = states_[c];
-    state.waiting = false;
-    state.drawn = Form::fitted;
-    if (state.form == Form::fitted && fit(c))
-        return;
-    state.course = {};
-    state.walls.reset();
-    if (state.form == Form::fitted)
-        simplify(c);
-    state.drawn = state.form;
-    if (state.form == Form::joined)
-        land_traced(c);
-}
-
-/// Places the ends of a chain that is drawn as it was traced but for these.
-void WallDrawing::land_traced(std::uint32_t c) {
     const Chain& chain = graph_.chains[c];
-    const LatticePoint origin = chain.trace.front();
-    states_[c].ends = ChainEnds{land(end_node(chain, false), {}), land(end_node(chain, true), {})};
-    for (const bool last : {false, true}) {
-        const FinePoint landed = last ? states_[c].ends->last : states_[c].ends->first;
-        const Vec moved = options_.shape.from_fine(landed, origin) -
-                          options_.shape.from_fine(fine(graph_.nodes[end_node(chain, last)].at), origin);
-        if (d2b::length(moved) > options_.tolerance)
-            simplify(c);
-    }
+    state.waiting = false;
+    if (!state.chain)
+        state.chain = std::make_unique<ChainDrawing>(chain, options_);
+    if (state.form.has_walls() && state.chain->walls().empty())
+        plan(c);
+    state.ends = land_ends(c);
+    state.course = Course(state.chain->draw(state.form, state.ends), chain, state.form,
+                          state.chain->samples(), options_.shape, options_.tolerance);
 }
 
-/// Lets an arc as it was traced end on what the chain ends on.
-void WallDrawing::join(const Chain& chain, std::size_t k, DrawnChain& drawn) const {
-    const auto land = [&](bool last) {
-        FinePoint& end = last != chain.arcs[k].reversed ? drawn.vertices.back() : drawn.vertices.front();
-        const FinePoint landed = place(end_node(chain, last));
-        const LatticePoint origin = chain.trace.front();
-        drawn.deviation = std::max(drawn.deviation, d2b::length(options_.shape.from_fine(landed, origin) -
-                                                                options_.shape.from_fine(end, origin)));
-        end = landed;
-    };
-    if (k == 0)
-        land(false);
-    if (k + 1 == chain.arcs.size())
-        land(true);
+/// Divides a chain into walls: few, or as many as are needed.
+void WallDrawing::plan(std::uint32_t c) {
+    State& state = states_[c];
+    state.direction = reference_direction(c, state.chain->own_direction());
+    for (const double price : tried_prices) {
+        const std::optional<double> direction = state.chain->plan(price, state.direction, stop_);
+        if (!direction)
+            continue;
+        state.direction = *direction;
+        state.ends = land_ends(c);
+        if (state.chain->walls_are_near(state.ends))
+            return;
+    }
+    if (state.chain->walls().empty())
+        state.form.raise_all(Form::middles);
 }
 
 void WallDrawing::arc(std::uint32_t arc, DrawnChain& drawn) const {
     const std::uint32_t c = graph_.chain_of[arc];
-    const State& state = states_[c];
-    const Chain& chain = graph_.chains[c];
     const std::size_t k = graph_.place_of[arc];
-    if (state.drawn != Form::fitted) {
-        drawn.vertices.clear();
-        for (const LatticePoint point : graph_.graph.arcs[arc])
-            drawn.vertices.push_back(fine(point));
-        drawn.arcs.clear();
-        drawn.deviation = 0;
-        if (state.drawn == Form::joined)
-            join(chain, k, drawn);
-        return;
-    }
-    state.course.arc(k, state.walls->samples(), drawn);
-    if (!chain.arcs[k].reversed)
+    states_[c].course.stretch(k, k + 1, states_[c].chain->samples(), drawn);
+    if (!graph_.chains[c].arcs[k].reversed)
         return;
     const auto last = static_cast<std::uint32_t>(drawn.vertices.size() - 1);
     std::reverse(drawn.vertices.begin(), drawn.vertices.end());
+    std::reverse(drawn.steps.begin(), drawn.steps.end());
     for (CircularArc& span : drawn.arcs)
         span.first = last - span.first - span.edges;
 }
 
-bool WallDrawing::simplify(std::uint32_t c) {
-    State& state = states_[c];
-    if (state.form == Form::traced)
-        return false;
-    if (!graph_.chains[c].closed && state.form == Form::fitted) {
-        state.form = Form::joined;
-        for (const bool last : {false, true})
-            plain_[end_node(graph_.chains[c], last)] = true;
-        return true;
-    }
-    // What a traced chain ends on is traced, too, and so on downwards.
-    std::vector<std::uint32_t> open{c};
-    while (!open.empty()) {
-        const std::uint32_t traced = open.back();
-        open.pop_back();
-        if (std::exchange(states_[traced].form, Form::traced) == Form::traced)
-            continue;
-        const Chain& chain = graph_.chains[traced];
-        if (chain.closed)
-            continue;
-        for (const bool last : {false, true}) {
-            const std::uint32_t node = end_node(chain, last);
-            plain_[node] = true;
-            if (graph_.nodes[node].owner != WallGraph::nobody)
-                open.push_back(graph_.nodes[node].owner);
-        }
-    }
-    return true;
+bool WallDrawing::stretch(const ArcUse& first, const ArcUse& last, bool whole, DrawnChain& drawn) const {
+    const std::uint32_t c = graph_.chain_of[first.arc];
+    const Chain& chain = graph_.chains[c];
+    const std::size_t k = graph_.place_of[first.arc];
+    const bool against = chain.arcs[k].reversed != first.reversed;
+    const std::size_t from = against ? graph_.place_of[last.arc] : k;
+    const std::size_t to = against ? k : graph_.place_of[last.arc];
+    const Course& course = states_[c].course;
+    if (whole)
+        course.whole(states_[c].chain->samples(), drawn);
+    else
+        course.stretch(from, to + 1, states_[c].chain->samples(), drawn);
+    return against;
 }
 
-std::optional<ChainEnds> WallDrawing::land_ends(const Chain& chain, const WallPiece& first,
-                                                const WallPiece& last) {
+bool WallDrawing::follow_closer(std::uint32_t c, std::size_t first, std::size_t last, std::size_t margin) {
+    const bool closer = states_[c].form.follow_closer(first, last, margin);
+    states_[c].waiting = states_[c].waiting || closer;
+    return closer;
+}
+
+bool WallDrawing::follow_closer(std::uint32_t c, Form most) {
+    State& state = states_[c];
+    const std::size_t steps = graph_.chains[c].steps();
+    return state.form.least(0, steps) < most && follow_closer(c, 0, steps, 0);
+}
+
+bool WallDrawing::follow_closer_at(std::uint32_t node, std::size_t margin) {
+    const WallGraph::Node& n = graph_.nodes[node];
+    if (n.owner == WallGraph::nobody || place(node) == fine(n.at))
+        return false;
+    const std::uint32_t step = graph_.chains[n.owner].node_steps[n.place];
+    return follow_closer(n.owner, step, step + 1, margin);
+}
+
+/// The line of the wall with which a chain ends, seen from the first point of the chain that it ends on.
+std::optional<Line> WallDrawing::wall_at_end(std::uint32_t c, bool last) const {
+    const Chain& chain = graph_.chains[c];
+    const ChainWalls& walls = states_[c].chain->walls();
+    const std::uint32_t owner = graph_.nodes[end_node(chain, last)].owner;
+    const std::size_t step = last ? chain.node_steps.back() - 1 : 0;
+    if (owner == WallGraph::nobody || walls.empty() || states_[c].form.at(step) != Form::walls)
+        return {};
+    const WallPiece piece = walls.piece(last ? walls.size() - 1 : 0);
+    if (piece.circle)
+        return {};
+    const LatticePoint origin = graph_.chains[owner].trace.front();
+    return Line{options_.shape.from_fine(fine(chain.trace.front()), origin) + piece.line.through,
+                piece.line.along};
+}
+
+std::optional<ChainEnds> WallDrawing::land_ends(std::uint32_t c) {
+    const Chain& chain = graph_.chains[c];
     if (chain.closed)
         return {};
-    // Lines are seen from this chain's first point, those of the owner from its own.
-    const auto line = [&](const WallPiece& piece, std::uint32_t node) -> std::optional<Line> {
-        const std::uint32_t owner = graph_.nodes[node].owner;
-        if (piece.circle || owner == WallGraph::nobody)
-            return {};
-        const LatticePoint origin = graph_.chains[owner].trace.front();
-        return Line{options_.shape.from_fine(fine(chain.trace.front()), origin) + piece.line.through,
-                    piece.line.along};
-    };
-    return ChainEnds{land(chain.nodes.front(), line(first, chain.nodes.front())),
-                     land(chain.nodes.back(), line(last, chain.nodes.back()))};
+    return ChainEnds{land(end_node(chain, false), wall_at_end(c, false)),
+                     land(end_node(chain, true), wall_at_end(c, true))};
 }
 
 double WallDrawing::reference_direction(std::uint32_t c, double own) const {
@@ -274,127 +231,30 @@ double WallDrawing::reference_direction(std::uint32_t c, double own) const {
     const double reference = states_[base].direction;
     constexpr double right = std::numbers::pi / 2;
     const double turn = own - reference - std::round((own - reference) / right) * right;
-    return states_[c].walls->samples().steps() < 16 || std::abs(turn) < near ? reference : own;
-}
-
-/// Divides a chain into walls. @param points where it may turn @return whether that is possible
-bool WallDrawing::plan(std::uint32_t c, const std::vector<std::size_t>& points, double price) {
-    State& state = states_[c];
-    state.direction = reference_direction(c, dominant_direction(state.walls->samples(), points));
-    return state.walls->plan(points, {options_.walls, options_.tolerance, price}, state.direction, stop_);
-}
-
-/// Draws the walls that are planned. @return whether they lie within the tolerance
-bool WallDrawing::join_walls(std::uint32_t c) {
-    const Chain& chain = graph_.chains[c];
-    State& state = states_[c];
-    const WallSamples& samples = state.walls->samples();
-    const LatticePoint origin = chain.trace.front();
-    const std::vector<WallPiece> pieces = state.walls->pieces();
-    state.ends = land_ends(chain, pieces.front(), pieces.back());
-    DrawnChain drawn = draw_walls(samples, {options_.walls, options_.tolerance, 1}, options_.shape, origin,
-                                  pieces, state.ends);
-    const double limit = options_.tolerance - snapping;
-    if (drawn.deviation > limit && state.tried + 1 >= tried_prices.size())
-        keep_near(samples, {options_.walls, limit, 1}, options_.shape, origin, drawn);
-    if (drawn.vertices.size() < 2 || drawn.deviation > limit ||
-        (chain.closed && !has_area(drawn, samples, options_.shape, origin)))
-        return false;
-    state.course = Course(std::move(drawn), chain, samples, options_.shape);
-    return true;
-}
-
-/// @return whether there are walls within the tolerance: few, or as many as are needed
-bool WallDrawing::fit(std::uint32_t c) {
-    State& state = states_[c];
-    const Chain& chain = graph_.chains[c];
-    if (!state.walls)
-        state.walls.emplace(chain, options_.shape);
-    if (!state.walls->empty()) {
-        if (join_walls(c))
-            return true;
-        ++state.tried;  // what has been moved in vain
-    }
-    if (state.tried >= tried_prices.size())
-        return false;
-    std::vector<std::size_t> points = turning_points(state.walls->samples());
-    for (; state.tried < tried_prices.size(); ++state.tried)
-        if (plan(c, points, tried_prices[state.tried]) && join_walls(c))
-            return true;
-    return false;
+    return states_[c].chain->samples().steps() < 16 || std::abs(turn) < near ? reference : own;
 }
 
 std::vector<WallDrawing::Wall> WallDrawing::walls_along(std::uint32_t arc) const {
     const std::uint32_t c = graph_.chain_of[arc];
-    const State& state = states_[c];
-    std::vector<Wall> walls;
-    if (state.form != Form::fitted || state.drawn != Form::fitted)
-        return walls;
+    const ChainWalls& pieces = states_[c].chain->walls();
     const std::vector<std::uint32_t>& steps = graph_.chains[c].node_steps;
     const std::size_t k = graph_.place_of[arc];
-    for (const std::size_t piece : state.walls->along(steps[k], steps[k + 1], stop_))
-        walls.push_back({c, piece});
+    std::vector<Wall> walls;
+    for (const std::size_t i : pieces.along(steps[k], steps[k + 1], stop_))
+        if (const WallPiece piece = pieces.piece(i);
+            form(c).at((piece.first + piece.last) / 2) == Form::walls)
+            walls.push_back({c, i});
     return walls;
 }
 
 double WallDrawing::length(Wall wall) const {
-    return states_[wall.chain].walls->length(wall.piece);
+    return states_[wall.chain].chain->walls().length(wall.piece);
 }
 
 void WallDrawing::shift(Wall wall, double cells) {
     State& state = states_[wall.chain];
-    state.walls->shift(wall.piece, cells);
+    state.chain->walls().shift(wall.piece, cells);
     state.waiting = true;
-}
-
-/// What ends on a chain that is drawn anew is drawn anew.
-bool WallDrawing::can_adopt(const Chain& chain, const std::vector<bool>& adopted) const {
-    return chain.closed || std::ranges::all_of(std::array{false, true}, [&](bool last) {
-               const std::uint32_t owner = graph_.nodes[end_node(chain, last)].owner;
-               return owner == WallGraph::nobody || adopted[owner];
-           });
-}
-
-void WallDrawing::adopt(WallDrawing&& low) {
-    const std::vector<ChainKey> keys = keys_of(low.graph_);
-    std::vector<bool> adopted(states_.size());
-    for (std::uint32_t c = 0; c < states_.size(); ++c) {
-        const Chain& chain = graph_.chains[c];
-        const auto key =
-            std::lower_bound(keys.begin(), keys.end(), ChainKey{chain.trace[0], chain.trace[1], 0});
-        if (key == keys.end() || std::get<0>(*key) != chain.trace[0] || std::get<1>(*key) != chain.trace[1])
-            continue;
-        const Chain& same = low.graph_.chains[std::get<2>(*key)];
-        if (chain.rank != same.rank || chain.trace != same.trace || chain.closed != same.closed ||
-            !can_adopt(chain, adopted))
-            continue;
-        adopt_chain(c, low, std::get<2>(*key));
-        adopted[c] = true;
-    }
-}
-
-void WallDrawing::adopt_chain(std::uint32_t c, WallDrawing& low, std::uint32_t low_chain) {
-    State& state = states_[c];
-    state = std::move(low.states_[low_chain]);
-    const Chain& chain = graph_.chains[c];
-    const Chain& same = low.graph_.chains[low_chain];
-    const Course low_course = std::move(state.course);
-    state.course = {};
-    if (state.drawn == Form::fitted)
-        state.course = Course(low_course.drawn(), chain, state.walls->samples(), options_.shape);
-    // Its nodes are nodes here as well, at the same steps.
-    std::size_t k = 0;
-    for (std::size_t of_low = 0; of_low < same.nodes.size(); ++of_low) {
-        const bool last = of_low + 1 == same.nodes.size();
-        if (chain.closed && last)
-            break;
-        while (k + 1 < chain.nodes.size() && chain.node_steps[k] != same.node_steps[of_low])
-            ++k;
-        plain_[chain.nodes[k]] = low.plain_[same.nodes[of_low]];
-        if (state.drawn == Form::fitted && low_course.node(of_low) &&
-            chain.node_steps[k] == same.node_steps[of_low])
-            state.course.place_as(k, low_course, of_low);
-    }
 }
 
 }  // namespace d2b

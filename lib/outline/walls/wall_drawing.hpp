@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
-#include "outline/walls/chain_walls.hpp"
+#include "outline/walls/chain_drawing.hpp"
+#include "outline/walls/chain_form.hpp"
 #include "outline/walls/course.hpp"
 #include "outline/walls/draw_walls.hpp"
 #include "outline/walls/wall_clusters.hpp"
@@ -15,39 +17,42 @@ namespace d2b {
 /// Draws the chains of a graph, those of low rank first; what ends on a chain ends on its drawn form.
 class WallDrawing {
   public:
-    enum class Form : std::uint8_t {
-        fitted,
-        joined,  ///< as traced, with ends on the drawn form of the chains that it ends on
-        traced   ///< as traced; then the chains that it ends on are as well
-    };
-
     /// @param graph, cluster, stop must outlive this
     WallDrawing(const WallGraph& graph, const WallCluster& cluster, const WallOptions& options,
                 const StopRequest& stop);
 
-    /// Takes over what has been drawn of the lower levels alone. To be called before anything is drawn.
-    void adopt(WallDrawing&& low);
-    /// Draws the chains that are not drawn, or have been asked for another form, and what stands on them;
-    /// asks for simpler forms where a chain cannot have its own.
+    /// Draws the chains that are not drawn, or have been asked for another form, and what stands on them.
     /// @return the arcs that have changed @throws Cancelled
     [[nodiscard]] std::vector<std::uint32_t> draw();
 
-    [[nodiscard]] Form form(std::uint32_t chain) const { return states_[chain].form; }
-    /// The form in which it is drawn; traced: it and its nodes are where they were traced.
-    [[nodiscard]] Form drawn(std::uint32_t chain) const { return states_[chain].drawn; }
-    /// Gives an arc as it is drawn, in its own direction; steps are of no use.
+    [[nodiscard]] const ChainForm& form(std::uint32_t chain) const { return states_[chain].form; }
+    /// Gives an arc as it is drawn, in its own direction, with the steps of its chain that its vertices stand
+    /// for.
     void arc(std::uint32_t arc, DrawnChain& drawn) const;
-    /// The next simpler form of a chain, and of those that need one with it. @return false: it is traced
-    /// already
-    bool simplify(std::uint32_t chain);
+    /// Gives what a ring uses of a chain from one arc to another, in the chain's direction, without the nodes
+    /// between. @param whole the ring is all of the chain @return whether the ring runs against the chain
+    bool stretch(const ArcUse& first, const ArcUse& last, bool whole, DrawnChain& drawn) const;
+    /// Lets a range of steps of a chain follow its trace closer, and some steps on either side.
+    /// @return false: it is as close as can be
+    bool follow_closer(std::uint32_t chain, std::size_t first, std::size_t last, std::size_t margin);
+    /// The same for a whole chain. @param most the closest form
+    bool follow_closer(std::uint32_t chain, Form most);
+    /// Whether all of a chain has the closest form.
+    [[nodiscard]] bool is_closest(std::uint32_t chain) const {
+        return states_[chain].form.least(0, graph_.chains[chain].steps()) == Form::cut;
+    }
+    /// The same for the chain on which a node stands, around the node, if it is not where it was traced.
+    bool follow_closer_at(std::uint32_t node, std::size_t margin);
+    /// How far a node is from where it was traced, in cells.
+    [[nodiscard]] double displaced(std::uint32_t node) const;
+
     /// A wall of a chain.
     struct Wall {
         std::uint32_t chain;
         std::size_t piece;
         friend auto operator<=>(const Wall&, const Wall&) = default;
     };
-    /// The walls of a fitted chain that stand along one of its arcs for the most part, and may still be
-    /// moved.
+    /// The walls that stand along one arc for the most part, and may still be moved.
     [[nodiscard]] std::vector<Wall> walls_along(std::uint32_t arc) const;
     [[nodiscard]] double length(Wall wall) const;
     /// Moves a wall to the left of its chain when that is drawn next.
@@ -55,32 +60,24 @@ class WallDrawing {
 
   private:
     struct State {
-        Form form = Form::fitted;
-        Form drawn = Form::fitted;
-        bool waiting = true;    ///< to be drawn for its own sake
-        bool lands = false;     ///< where it ends may have moved
-        std::size_t tried = 0;  ///< prices of walls
+        ChainForm form;
+        bool waiting = true;  ///< to be drawn for its own sake
+        bool lands = false;   ///< where it ends may have moved
         double direction = 0;
-        std::optional<ChainEnds> ends;    ///< of an open chain that is not traced
-        std::optional<ChainWalls> walls;  ///< where it is fitted
-        Course course;                    ///< where it is drawn fitted
+        std::optional<ChainEnds> ends;        ///< of an open chain
+        std::unique_ptr<ChainDrawing> chain;  ///< once it has been drawn
+        Course course;
     };
-    [[nodiscard]] bool can_adopt(const Chain& chain, const std::vector<bool>& adopted) const;
-    void adopt_chain(std::uint32_t chain, WallDrawing& low, std::uint32_t low_chain);
     void reset(std::uint32_t node);
     [[nodiscard]] bool ends_where_it_did(std::uint32_t chain);
     [[nodiscard]] std::vector<std::uint32_t> changed_arcs() const;
     void draw_chain(std::uint32_t chain);
-    [[nodiscard]] bool fit(std::uint32_t chain);
-    [[nodiscard]] bool plan(std::uint32_t chain, const std::vector<std::size_t>& points, double price);
-    [[nodiscard]] bool join_walls(std::uint32_t chain);
+    void plan(std::uint32_t chain);
     [[nodiscard]] double reference_direction(std::uint32_t chain, double own) const;
     [[nodiscard]] FinePoint place(std::uint32_t node) const;
     [[nodiscard]] FinePoint land(std::uint32_t node, const std::optional<Line>& wall);
-    [[nodiscard]] std::optional<ChainEnds> land_ends(const Chain& chain, const WallPiece& first,
-                                                     const WallPiece& last);
-    void land_traced(std::uint32_t chain);
-    void join(const Chain& chain, std::size_t k, DrawnChain& drawn) const;
+    [[nodiscard]] std::optional<Line> wall_at_end(std::uint32_t chain, bool last) const;
+    [[nodiscard]] std::optional<ChainEnds> land_ends(std::uint32_t chain);
     [[nodiscard]] static std::uint32_t end_node(const Chain& chain, bool last) {
         return last ? chain.nodes.back() : chain.nodes.front();
     }
@@ -90,7 +87,6 @@ class WallDrawing {
     WallOptions options_;
     const StopRequest& stop_;
     std::vector<State> states_;
-    std::vector<bool> plain_;           ///< nodes that stay nearest to their trace
     std::vector<std::uint8_t> reset_;   ///< nodes that are placed anew this time
     std::vector<std::uint32_t> drawn_;  ///< chains, this time
     bool first_ = true;                 ///< nothing has been drawn

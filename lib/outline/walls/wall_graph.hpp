@@ -19,6 +19,8 @@ struct Chain {
     std::vector<std::uint32_t> nodes;       ///< at which its arcs begin, and the last one's end
     std::vector<std::uint32_t> node_steps;  ///< unit steps from its first point to each of these, ascending
     std::vector<LatticePoint> trace;  ///< corners and ends; a closed one does not repeat its first point
+
+    [[nodiscard]] std::size_t steps() const { return node_steps.back() - node_steps.front(); }
 };
 
 /// The arcs of all outlines, in the order in which walls are drawn. An arc's rank says when: outlines of a

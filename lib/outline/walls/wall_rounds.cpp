@@ -1,13 +1,43 @@
 #include "outline/walls/wall_rounds.hpp"
 
 #include <algorithm>
-#include <span>
 #include <utility>
+
+#include "outline/walls/outline_builder.hpp"
 
 namespace d2b {
 namespace {
 
-constexpr int patient_rounds = 24;  // in which forms become simpler step by step
+constexpr int patient_rounds = 60;   // in which stretches follow their traces closer step by step
+constexpr double nearby = 1.5;       // cells from what is in the way
+constexpr int highest_low_rank = 3;  // of arcs of levels 0 and 1
+
+/// @return whether a range of the steps of an edge is within reach of another edge, and which
+bool steps_near(const CellShape& shape, const FineSegment& edge, const FineSegment& other, std::size_t& first,
+                std::size_t& last) {
+    const auto place = [&](FinePoint p) {
+        return shape.from_cells(static_cast<double>(p.row - edge.a.row) / FinePoint::steps,
+                                static_cast<double>(p.col - edge.a.col) / FinePoint::steps);
+    };
+    const Vec along = place(edge.b);
+    const Vec from = place(other.a);
+    const Vec to = place(other.b);
+    const std::size_t steps = last - first;
+    std::size_t low = last;
+    std::size_t high = first;
+    for (std::size_t k = 0; k <= steps; ++k) {
+        const double share = static_cast<double>(k) / static_cast<double>(std::max<std::size_t>(steps, 1));
+        if (square_distance(share * along, from, to) > nearby * nearby)
+            continue;
+        low = std::min(low, first + k);
+        high = std::max(high, first + k);
+    }
+    if (low > high)
+        return false;
+    first = low;
+    last = high;
+    return true;
+}
 
 }  // namespace
 
@@ -17,11 +47,11 @@ WallRounds::WallRounds(const WallCluster& cluster, const WallOptions& options, c
       graph_(build_wall_graph(cluster, stop)),
       drawing_(graph_, cluster, options, stop),
       arcs_(graph_.graph.arcs.size()),
-      spans_(arcs_.size()),
+      steps_(arcs_.size()),
       deviations_(arcs_.size()),
       in_conflict_(graph_.parts),
       areas_(cluster, graph_, arcs_, drawing_, stop),
-      check_(graph_, drawing_, arcs_, options.tolerance, stop) {}
+      check_(graph_, arcs_, options.tolerance, stop) {}
 
 void WallRounds::settle() {
     for (round_ = 0;; ++round_) {
@@ -30,8 +60,7 @@ void WallRounds::settle() {
             return;
         collect(changed);
         in_conflict_.assign(in_conflict_.size(), false);
-        for (const auto& [a, b] : check_.conflicts(changed))
-            resolve(a, b);
+        resolve(check_.conflicts(changed));
         check_deviations(changed);
         areas_.check(in_conflict_);
     }
@@ -43,7 +72,7 @@ void WallRounds::collect(std::vector<std::uint32_t>& changed) {
         stop_.check();
         drawing_.arc(arc, drawn_);
         deviations_[arc] = drawn_.deviation;
-        spans_[arc].assign(drawn_.arcs.begin(), drawn_.arcs.end());
+        steps_[arc].assign(drawn_.steps.begin(), drawn_.steps.end());
         if (drawn_.vertices == arcs_[arc])
             return drawn_.deviation <= options_.tolerance && !check_.notices(arc);
         arcs_[arc].assign(drawn_.vertices.begin(), drawn_.vertices.end());
@@ -52,108 +81,147 @@ void WallRounds::collect(std::vector<std::uint32_t>& changed) {
     });
 }
 
-/// A node that has gone so far that an arc on which it stands leaves its trace goes back: the chains that end
-/// there take a simpler form, or the arc's own.
+/// A node that has gone so far that an arc on which it stands leaves its trace goes back; else the arc does.
 void WallRounds::check_deviations(const std::vector<std::uint32_t>& changed) {
     for (const std::uint32_t arc : changed) {
         if (deviations_[arc] <= options_.tolerance)
             continue;
-        const std::uint32_t own = graph_.chain_of[arc];
         bool any = false;
         for (const std::uint32_t node : graph_.ends[arc])
-            for (std::uint32_t e = graph_.first_end[node]; e < graph_.first_end[node + 1]; ++e) {
-                const std::uint32_t other = graph_.chain_of[graph_.arc_ends[e] / 2];
-                if (other != own && graph_.chains[other].rank >= graph_.chains[own].rank &&
-                    drawing_.form(other) == WallDrawing::Form::fitted) {
-                    simplify(other);
-                    any = true;
-                }
-            }
-        if (!any)
-            simplify(own);
+            if (drawing_.displaced(node) > options_.tolerance / 2)
+                any = drawing_.follow_closer_at(node, margin()) || any;
+        const auto [first, last] = std::minmax(steps_[arc].front(), steps_[arc].back());
+        if (!any && !follow_closer({graph_.chain_of[arc], first, last}))
+            follow_nodes(arc);
+        in_conflict_[graph_.part_of[graph_.chain_of[arc]]] = true;
     }
 }
 
-void WallRounds::simplify(std::uint32_t chain) {
-    while (drawing_.simplify(chain) && round_ >= patient_rounds)
-        continue;
-    in_conflict_[graph_.part_of[chain]] = true;
+bool WallRounds::follow_closer(const Place& place) {
+    in_conflict_[graph_.part_of[place.chain]] = true;
+    return drawing_.follow_closer(place.chain, place.first, place.last, margin());
 }
 
-/// Of two chains in each other's way the one that was drawn later gives way; of two of one rank, both.
-void WallRounds::resolve(std::uint32_t a, std::uint32_t b) {
-    using Form = WallDrawing::Form;
-    const bool a_fixed = drawing_.form(a) == Form::traced;
-    const bool b_fixed = drawing_.form(b) == Form::traced;
-    const bool settled = drawing_.drawn(a) == Form::traced && drawing_.drawn(b) == Form::traced;
-    const int rank_a = graph_.chains[a].rank;
-    const int rank_b = graph_.chains[b].rank;
-    if (!a_fixed && (b_fixed || rank_a >= rank_b))
-        simplify(a);
-    if (!b_fixed && a != b && (a_fixed || rank_b >= rank_a))
-        simplify(b);
-    // Others have brought them into each other's way.
-    if (settled)
-        for (const std::uint32_t chain : {a, b})
-            trace_part(graph_.part_of[chain]);
+/// Lets what an arc ends on follow its trace closer there.
+bool WallRounds::follow_nodes(std::uint32_t arc) {
+    bool any = false;
+    for (const std::uint32_t node : graph_.ends[arc])
+        any = drawing_.follow_closer_at(node, margin()) || any;
+    return any;
+}
+
+/// The steps of an edge that are near another one; all of it where none is.
+WallRounds::Place WallRounds::near(Edge e, Edge other) const {
+    const auto segment = [&](Edge edge) {
+        return FineSegment{arcs_[edge.arc][edge.index], arcs_[edge.arc][edge.index + 1]};
+    };
+    FineSegment own = segment(e);
+    std::size_t first = steps_[e.arc][e.index];
+    std::size_t last = steps_[e.arc][e.index + 1];
+    if (first > last) {
+        std::swap(first, last);
+        std::swap(own.a, own.b);
+    }
+    steps_near(options_.shape, own, segment(other), first, last);
+    return {graph_.chain_of[e.arc], first, std::max(last, first + 1)};
+}
+
+/// Walls know nothing of what stands on them: what is in each other's way among low levels alone comes first.
+void WallRounds::resolve(const WallConflicts& conflicts) {
+    const auto is_low = [&](const auto& pair) {
+        return std::max(rank(pair.first), rank(pair.second)) <= highest_low_rank;
+    };
+    const bool low_alone = std::ranges::any_of(conflicts, is_low);
+    for (const auto& pair : conflicts)
+        if (!low_alone || is_low(pair))
+            resolve(pair.first, pair.second);
+}
+
+/// Of two edges in each other's way that of the chain which was drawn later gives way; of two of one rank the
+/// less close one, or both. Where neither can, nodes have brought them there.
+void WallRounds::resolve(Edge a, Edge b) {
+    Place near_a = near(a, b);
+    Place near_b = near(b, a);
+    const auto least = [&](const Place& place) {
+        return drawing_.form(place.chain).least(place.first, place.last);
+    };
+    if (rank(a) < rank(b)) {
+        std::swap(a, b);
+        std::swap(near_a, near_b);
+    }
+    bool any = false;
+    if (rank(a) > rank(b)) {
+        any = follow_closer(near_a) || follow_closer(near_b);
+    } else {
+        const Form form_a = least(near_a);
+        const Form form_b = least(near_b);
+        if (form_a <= form_b)
+            any = follow_closer(near_a);
+        if (form_b <= form_a)
+            any = follow_closer(near_b) || any;
+    }
+    any = any || follow_nodes(a.arc);
+    any = any || follow_nodes(b.arc);
+    if (!any || round_ >= patient_rounds)
+        for (const Place& place : {near_a, near_b})
+            trace_part(graph_.part_of[place.chain]);
 }
 
 void WallRounds::trace_part(std::uint32_t part) {
+    in_conflict_[part] = true;
     for (const std::uint32_t arc : check_.arcs_of_part(part))
-        while (drawing_.simplify(graph_.chain_of[arc]))
-            in_conflict_[part] = true;
-}
-
-void WallRounds::append(FineRing& to, const ArcUse& use, std::uint32_t number,
-                        std::vector<CircularArc>& ring_spans) const {
-    const std::vector<FinePoint>& points = arcs_[use.arc];
-    const auto begin = static_cast<std::uint32_t>(to.size());
-    const auto last = static_cast<std::uint32_t>(points.size() - 1);
-    for (const CircularArc& span : spans_[use.arc])
-        ring_spans.push_back(
-            {number, begin + (use.reversed ? last - span.first - span.edges : span.first), span.edges});
-    if (use.reversed)
-        to.insert(to.end(), points.rbegin(), points.rend() - 1);
-    else
-        to.insert(to.end(), points.begin(), points.end() - 1);
-}
-
-double WallRounds::arc_length(std::uint32_t arc) const {
-    double sum = 0;
-    for (std::size_t i = 1; i < arcs_[arc].size(); ++i) {
-        const FinePoint a = arcs_[arc][i - 1];
-        const FinePoint b = arcs_[arc][i];
-        sum += length(options_.shape.from_cells(static_cast<double>(b.row - a.row),
-                                                static_cast<double>(b.col - a.col)));
-    }
-    return sum;
+        while (drawing_.follow_closer(graph_.chain_of[arc], Form::cut))
+            continue;
 }
 
 WallOutline WallRounds::outline(std::size_t contour) const {
-    WallOutline result{{}, {true, 0, 0, 0}};
-    double length = 0;
-    double length_traced = 0;
-    Int128 twice = 0;
-    std::int64_t traced = 0;
-    const std::span<const RingAreas::Ring> rings = areas_.rings(contour);
-    for (std::uint32_t r = 0; r < rings.size(); ++r) {
-        FineRing& points = r == 0 ? result.polygon.exterior : result.polygon.interiors.emplace_back();
-        for (const ArcUse& use : *rings[r].uses) {
-            append(points, use, r, result.polygon.arcs);
-            result.quality.deviation = std::max(result.quality.deviation, deviations_[use.arc]);
-            const bool fitted = drawing_.form(graph_.chain_of[use.arc]) == WallDrawing::Form::fitted;
-            const double arc = arc_length(use.arc);
-            length += arc;
-            length_traced += fitted ? 0 : arc;
-            result.quality.fitted = result.quality.fitted && (fitted || r != 0);
+    OutlineBuilder builder(options_);
+    DrawnChain drawn;
+    for (const RingAreas::Ring& ring : areas_.rings(contour)) {
+        builder.begin_ring(ring.traced);
+        for (const ArcUse& use : *ring.uses) {
+            drawing_.arc(use.arc, drawn);
+            builder.add(drawn, drawing_.form(graph_.chain_of[use.arc]), use.reversed);
         }
-        twice += areas_.twice_area(*rings[r].uses);
-        traced += rings[r].traced;
     }
-    result.quality.traced_share = length > 0 ? length_traced / length : 0;
-    constexpr double unit = 2.0 * FinePoint::steps * FinePoint::steps;
-    result.quality.area_change = static_cast<double>(twice) / unit / static_cast<double>(traced) - 1;
-    return result;
+    return builder.finish();
+}
+
+/// Whether low levels need a vertex between two uses of a ring: there others of them end, or a chain does.
+bool WallRounds::low_levels_meet(const ArcUse& before, const ArcUse& after) const {
+    if (graph_.chain_of[before.arc] != graph_.chain_of[after.arc])
+        return true;
+    const std::uint32_t node = graph_.ends[after.arc][after.reversed ? 1 : 0];
+    int low = 0;
+    for (std::uint32_t e = graph_.first_end[node]; e < graph_.first_end[node + 1]; ++e)
+        low += graph_.ranks[graph_.arc_ends[e] / 2] <= highest_low_rank ? 1 : 0;
+    return low != 2;
+}
+
+void WallRounds::add_low(const std::vector<ArcUse>& uses, OutlineBuilder& builder) const {
+    const std::size_t n = uses.size();
+    std::size_t begin = 0;
+    while (begin < n && !low_levels_meet(uses[(begin + n - 1) % n], uses[begin]))
+        ++begin;
+    DrawnChain drawn;
+    for (std::size_t i = begin % n, left = n; left > 0;) {
+        std::size_t count = 1;
+        while (count < left && !low_levels_meet(uses[(i + count - 1) % n], uses[(i + count) % n]))
+            ++count;
+        const bool against = drawing_.stretch(uses[i], uses[(i + count - 1) % n], begin == n, drawn);
+        builder.add(drawn, drawing_.form(graph_.chain_of[uses[i].arc]), against);
+        i = (i + count) % n;
+        left -= count;
+    }
+}
+
+WallOutline WallRounds::footprint(std::size_t contour) const {
+    OutlineBuilder builder(options_);
+    for (const RingAreas::Ring& ring : areas_.rings(contour)) {
+        builder.begin_ring(ring.traced);
+        add_low(*ring.uses, builder);
+    }
+    return builder.finish();
 }
 
 }  // namespace d2b

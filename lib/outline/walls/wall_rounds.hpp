@@ -4,12 +4,14 @@
 #include <vector>
 
 #include "outline/walls/fit_walls.hpp"
+#include "outline/walls/outline_builder.hpp"
 #include "outline/walls/ring_areas.hpp"
 #include "outline/walls/wall_check.hpp"
 
 namespace d2b {
 
-/// Draws the walls of a cluster, checks them, and gives what is in the way a simpler form, until nothing is.
+/// Draws the walls of a cluster, checks them, and lets what is in the way follow its trace closer there,
+/// until nothing is.
 class WallRounds {
   public:
     /// @param cluster, stop must outlive this
@@ -18,31 +20,43 @@ class WallRounds {
     WallRounds& operator=(const WallRounds&) = delete;
     ~WallRounds() = default;
 
-    /// Begins with what has been settled for the lower levels alone, which is of no use after that.
-    void adopt(WallRounds&& low) { drawing_.adopt(std::move(low.drawing_)); }
-    /// Ends: each round makes at least one form simpler or uses up one of the few shifts, and the trace is
-    /// without fault. @throws Cancelled
+    /// Ends: each round brings some steps closer to their trace or uses up one of the few shifts, and what
+    /// follows the trace all over is in nobody's way. @throws Cancelled
     void settle();
     [[nodiscard]] WallOutline outline(std::size_t contour) const;
+    /// A contour's of level 0 or 1, without the vertices on its walls that higher levels alone need.
+    [[nodiscard]] WallOutline footprint(std::size_t contour) const;
 
   private:
+    using Edge = SegmentGrid::Edge;
+    /// A stretch of a chain, in steps.
+    struct Place {
+        std::uint32_t chain;
+        std::size_t first;
+        std::size_t last;
+    };
+
     void collect(std::vector<std::uint32_t>& changed);
     void check_deviations(const std::vector<std::uint32_t>& changed);
-    void resolve(std::uint32_t a, std::uint32_t b);
+    void resolve(const WallConflicts& conflicts);
+    void resolve(Edge a, Edge b);
+    [[nodiscard]] Place near(Edge e, Edge other) const;
+    bool follow_closer(const Place& place);
+    bool follow_nodes(std::uint32_t arc);
     void trace_part(std::uint32_t part);
-    void simplify(std::uint32_t chain);
-    [[nodiscard]] double arc_length(std::uint32_t arc) const;
-    void append(FineRing& to, const ArcUse& use, std::uint32_t number,
-                std::vector<CircularArc>& ring_spans) const;
+    [[nodiscard]] int rank(Edge e) const { return graph_.chains[graph_.chain_of[e.arc]].rank; }
+    [[nodiscard]] std::size_t margin() const { return std::size_t{2} << std::min(round_ / 6, 16); }
+    [[nodiscard]] bool low_levels_meet(const ArcUse& before, const ArcUse& after) const;
+    void add_low(const std::vector<ArcUse>& uses, OutlineBuilder& builder) const;
 
     WallOptions options_;
     const StopRequest& stop_;
     WallGraph graph_;
     WallDrawing drawing_;
     SegmentGrid::Arcs arcs_;
-    std::vector<std::vector<CircularArc>> spans_;  // of an arc; `ring` is not used
-    std::vector<double> deviations_;               // of an arc
-    std::vector<bool> in_conflict_;                // parts, this round
+    std::vector<std::vector<std::uint32_t>> steps_;  // of an arc's vertices in its chain
+    std::vector<double> deviations_;                 // of an arc
+    std::vector<bool> in_conflict_;                  // parts, this round
     DrawnChain drawn_;
     RingAreas areas_;
     WallCheck check_;

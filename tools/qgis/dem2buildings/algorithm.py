@@ -1,15 +1,23 @@
 """Extract buildings from a DEM."""
 
+import html
+import pathlib
 import shlex
 
 from qgis.core import (QgsProcessingAlgorithm, QgsProcessingContext, QgsProcessingException,
                        QgsProcessingLayerPostProcessorInterface, QgsProcessingOutputVectorLayer,
                        QgsProcessingParameterFileDestination, QgsProcessingParameterRasterLayer, QgsVectorLayer)
+from qgis.PyQt.QtGui import QIcon
 
 from . import parameters, program
 
 INPUT, OUTPUT = "INPUT", "OUTPUT"
+ICON = str(pathlib.Path(__file__).with_name("icon.svg"))
 LAYERS = ("buildings", "contours", "doubtful", "rejected")
+
+
+def icon():
+    return QIcon(ICON)
 
 
 def written_layers(options):
@@ -61,11 +69,22 @@ class ExtractBuildings(QgsProcessingAlgorithm):
             table = program.options()
         except program.NotFound as error:
             return str(error)
+        spoken = parameters.speaker(table)
         lines = ["Finds the buildings in an elevation raster (DSM) and writes them as polygons with heights, with "
                  "the stack of contours that each is made of. An existing GeoPackage keeps its other layers."]
+        section = None
         for option in parameters.offered(table):
-            lines.append(f"<b>{option['name']}</b>: {option['help']} {option['details']}".strip())
+            heading = "" if option["section"] == section else f"<h4>{option['section']}</h4>"
+            section = option["section"]
+            lines.append(f"{heading}<b>{html.escape(option['title'])}.</b> "
+                         f"{html.escape(parameters.help_of(option, spoken), quote=False)}")
         return "<br><br>".join(lines)
+
+    def icon(self):
+        return icon()
+
+    def svgIconPath(self):
+        return ICON
 
     def canExecute(self):
         try:

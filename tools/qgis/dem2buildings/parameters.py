@@ -1,5 +1,7 @@
 """Parameters of the dialog, made of the program's table of options, and command lines made of them."""
 
+import re
+
 from osgeo import ogr
 from qgis.core import (QgsProcessingException, QgsProcessingFeedback, QgsProcessingParameterBoolean,
                        QgsProcessingParameterCrs, QgsProcessingParameterDefinition, QgsProcessingParameterEnum,
@@ -13,14 +15,30 @@ from qgis.core import (QgsProcessingException, QgsProcessingFeedback, QgsProcess
 # is chosen has its name.
 LEFT_OUT = {"q", "json", "sweep", "help", "version", "overwrite", "f", "srcwin", "projwin", "if", "cutline_layer",
             "mask_layer"}
-# The first that are looked at; the others are advanced.
-BASIC = ("preset", "ground", "min_height", "min_area", "lod", "nf", "layers")
+# In the order in which they are asked for; the table says which option is in which.
+SECTIONS = ("Basic", "Ground", "Trees", "Detail", "Output", "Advanced")
 TERRAIN = "_model"
 
 
 def offered(table):
-    """The options that the dialog has."""
-    return [option for option in table if not option["hidden"] and option["name"] not in LEFT_OUT]
+    """The options that the dialog has, section by section."""
+    options = [option for option in table if not option["hidden"] and option["name"] not in LEFT_OUT]
+    return sorted(options, key=lambda option: SECTIONS.index(option["section"]))
+
+
+def speaker(table):
+    """A function that puts the names of the dialog into a text of the program: "-lod" is nothing to who sees none."""
+    titles = {name: option["title"] for option in table for name in (option["name"], *option["aliases"])}
+
+    def spoken(text):
+        return re.sub(r"(?<![\w-])-([a-z0-9_]+)",
+                      lambda found: f'"{titles[found[1]]}"' if found[1] in titles else found[0], text)
+    return spoken
+
+
+def help_of(option, spoken):
+    """What the dialog says of an option."""
+    return spoken(" ".join(part for part in (option["help"], option["details"]) if part))
 
 
 def _number(option):
@@ -35,9 +53,11 @@ def _number(option):
     return parameter
 
 
-def _label(option):
-    unit = f" [{option['unit']}]" if option["unit"] else ""
-    return option["help"].rstrip(".") + unit
+def _label(option, title=None):
+    # An extent has its CRS beside it.
+    unit = f" [{option['unit']}]" if option["unit"] and option["kind"] != "extent" else ""
+    section = "" if option["section"] in ("Basic", "Advanced") else f"{option['section']}: "
+    return section + (title or option["title"]) + unit
 
 
 def _choice(option):
@@ -47,11 +67,12 @@ def _choice(option):
 
 
 def _file(option):
-    ending = option["kind"].split(":")[1]
-    make = QgsProcessingParameterRasterDestination if ending == "tif" else QgsProcessingParameterFileDestination
+    endings = option["kind"].split(":")[1].split(",")
+    raster = endings == ["tif"]
+    make = QgsProcessingParameterRasterDestination if raster else QgsProcessingParameterFileDestination
     parameter = make(option["name"], _label(option), optional=True, createByDefault=False)
-    if ending != "tif":
-        parameter.setFileFilter(f"{ending.upper()} (*.{ending})")
+    if not raster:
+        parameter.setFileFilter(";;".join(f"{ending.upper()} (*.{ending})" for ending in endings))
     return parameter
 
 
@@ -70,7 +91,7 @@ def make(option):
     if kind == "choice":
         return [_choice(option)]
     if kind == "terrain":
-        model = QgsProcessingParameterRasterLayer(name + TERRAIN, "Terrain model for the ground", optional=True)
+        model = QgsProcessingParameterRasterLayer(name + TERRAIN, _label(option, "Terrain model (DTM)"), optional=True)
         return [_choice(option), model]
     if kind in SIMPLE:
         return [SIMPLE[kind](name, _label(option), optional=True)]
@@ -81,16 +102,18 @@ def make(option):
 
 def all_of(table):
     """All parameters of the dialog, the advanced ones marked."""
+    spoken = speaker(table)
     parameters = []
     for option in offered(table):
         for parameter in make(option):
-            if option["name"] not in BASIC:
+            if option["section"] == "Advanced":
                 parameter.setFlags(parameter.flags() | QgsProcessingParameterDefinition.FlagAdvanced)
-            parameter.setHelp(" ".join(part for part in (option["help"], option["details"]) if part))
+            # The option stands for two parameters where it is the terrain.
+            parameter.setHelp(help_of(option, spoken) if parameter.name() == option["name"] else
+                              "Elevations of the bare ground, as a raster. Without it the ground is what "
+                              f'"{option["title"]}" says.')
             parameters.append(parameter)
-    # Advanced ones behind a fold; the others in the order in which they are looked at.
-    return sorted(parameters, key=lambda one: next((i for i, basic in enumerate(BASIC)
-                                                    if one.name() in (basic, basic + TERRAIN)), len(BASIC)))
+    return parameters
 
 
 def _plain(value):

@@ -2,7 +2,7 @@
 
 from qgis.core import QgsProcessingProvider
 
-from .algorithm import ExtractBuildings
+from .algorithm import ICON, ExtractBuildings, icon
 
 
 class Provider(QgsProcessingProvider):
@@ -11,6 +11,12 @@ class Provider(QgsProcessingProvider):
 
     def name(self):
         return "dem2buildings"
+
+    def icon(self):
+        return icon()
+
+    def svgIconPath(self):
+        return ICON
 
     def loadAlgorithms(self):
         self.addAlgorithm(ExtractBuildings())

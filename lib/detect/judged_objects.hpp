@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "detect/detection.hpp"
+#include "detect/regions.hpp"
+#include "detect/smoothness.hpp"
+
+namespace d2b {
+
+/// Objects and what is thought of them.
+struct JudgedObjects {
+    Regions regions;
+    std::vector<DetectedObject> objects;  ///< by label - 1
+    LeftOut left_out;
+};
+
+/// What can be said of the surface before anything is found on it: its noise, and how many cells were filled.
+[[nodiscard]] SurfaceQuality surface_quality(const Scene& scene, const DetectOptions& options,
+                                             Executor& threads);
+
+/// Finds what stands on the ground and has smooth pieces, and judges it.
+/// @param smallest_m2 what covers less is left out
+[[nodiscard]] JudgedObjects judged_objects(const Scene& scene, const DetectOptions& options,
+                                           double smallest_m2, const SurfaceQuality& quality,
+                                           Executor& threads);
+
+}  // namespace d2b

@@ -1,0 +1,74 @@
+#include "detect/roof_strictness.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+#include "detect/morphology.hpp"
+#include "detect/roof_samples.hpp"
+#include "detect/step_sharpness.hpp"
+
+namespace d2b {
+namespace {
+
+constexpr double beyond_doubt = 0.95;
+constexpr double likely = 0.5;
+constexpr double inside_m = 3;
+constexpr std::int64_t fewest_roofs = 2000;  // cells
+// Laser scans of 0.5 to 2.5 m cells have 0.7 to 1, the town of docs/accuracy.md as satellites see it 0.5.
+constexpr double least_sharp = 0.6;
+constexpr std::array<double, 4> stricter{0.9, 0.8, 0.7, 0.6};
+constexpr std::int64_t most_lost = 5;  // of a thousand
+
+/// Cells of objects that are more likely than this to be buildings.
+Mask cells_above(double confidence, const JudgedObjects& judged, Executor& threads) {
+    Mask cells(judged.regions.rows, judged.regions.cols, 0, threads);
+    for_row_bands(threads, cells.rows, cells.cols, [&](RowBand band) {
+        for (std::int32_t r = band.begin; r < band.end; ++r)
+            for (const RegionRun& run : judged.regions.row(r))
+                if (judged.objects[run.label - 1].confidence > confidence)
+                    std::fill(cells.row(r).begin() + run.begin, cells.row(r).begin() + run.end,
+                              std::uint8_t{1});
+    });
+    return cells;
+}
+
+std::int64_t common_cells(const Mask& a, const Mask& b) {
+    return std::inner_product(a.values.begin(), a.values.end(), b.values.begin(), std::int64_t{0});
+}
+
+}  // namespace
+
+std::optional<double> roof_strictness(const Scene& scene, const DetectOptions& options, double smallest_m2,
+                                      const SurfaceQuality& quality, const JudgedObjects& first,
+                                      Executor& threads) {
+    const Mask buildings = cells_above(beyond_doubt, first, threads);
+    if (step_sharpness(scene.surface, buildings, threads) < least_sharp)
+        return std::nullopt;
+    const std::vector<RoofSample> samples =
+        roof_samples(scene, eroded(buildings, inside_m, scene.cell, threads));
+    const auto roofs_found = [&](double factor) {
+        SurfaceQuality stricter_quality = quality;
+        stricter_quality.strictness = factor;
+        std::int64_t cells = 0;
+        for (const RoofSample& sample : samples) {
+            const JudgedObjects judged =
+                judged_objects(sample.scene(), options, smallest_m2, stricter_quality, threads);
+            cells += common_cells(sample.roofs, cells_above(likely, judged, threads));
+        }
+        return cells;
+    };
+    // What is cut at the border of a sample may not be found even so.
+    const std::int64_t all = roofs_found(1);
+    if (all < fewest_roofs)
+        return std::nullopt;
+    // By halves: what stricter limits find, wider ones do.
+    const auto first_too_strict = std::partition_point(stricter.begin(), stricter.end(), [&](double root) {
+        return 1000 * roofs_found(root * root) >= (1000 - most_lost) * all;
+    });
+    return first_too_strict == stricter.begin() ? 1 : *(first_too_strict - 1);
+}
+
+}  // namespace d2b

@@ -1,0 +1,68 @@
+#include "features/contour_drawer.hpp"
+
+#include "core/stage_clock.hpp"
+
+namespace d2b {
+namespace {
+
+/// Whether the stack is measured as it is drawn. The thesis's, which is drawn as it was traced, may be of a
+/// raster of any size, which would have to be read once more.
+bool measures_drawn(const RunPlan& plan) {
+    return plan.detects_buildings() && plan.trace == TraceMode::cells && plan.layers != Layers::buildings;
+}
+
+Outliner timed_outliner(const FeatureInput& input, Context& context) {
+    const StageClock clock(context.report, Stage::outline);
+    const RunPlan& plan = input.plan;
+    const OutlineRules rules{plan.walls, plan.wall_tolerance(input.cell_size_m), plan.asked.outline.simplify,
+                             input.target_crs.kind() != Crs::Kind::none};
+    return make_outliner(input.contours, rules, input.georeference, input.crs, input.window, context);
+}
+
+}  // namespace
+
+ContourDrawer::ContourDrawer(const FeatureInput& input, const RecordMaker& records, Context& context)
+    : input_(input),
+      records_(records),
+      outliner_(timed_outliner(input, context)),
+      children_(input.plan.asked.outline.disjoint ? ContourChildren(input.contours) : ContourChildren()),
+      with_cells_(measures_drawn(input.plan)) {
+    const PolygonTerms terms{input.plan.asked.outline,
+                             input.georeference,
+                             input.crs,
+                             input.target_crs,
+                             input.window,
+                             outliner_,
+                             children_,
+                             context.threads->stop(),
+                             with_cells_};
+    for (int thread = 0; thread < context.threads->threads(); ++thread)
+        makers_.emplace_back(terms);
+}
+
+DrawnContour ContourDrawer::draw(std::size_t contour, std::size_t thread) {
+    PolygonMaker& maker = makers_[thread];
+    DrawnContour drawn;
+    const bool is_building = input_.contours.head(contour).key.level == 1;
+    {
+        const StageClock clock(maker.tally(), Stage::attributes);
+        const StoredContours::Stored stored = input_.contours.fetch_stored(contour);
+        drawn.record = records_.contour(contour, stored.contour);
+        drawn.own = stored.contour.own;
+        if (is_building)
+            drawn.building_record = records_.building(contour, stored.contour, drawn.record, stored.roof);
+    }
+    const LayerPlaces& places = input_.layers.places;
+    if (is_building && places.of_building(input_.is_doubtful(contour)))
+        drawn.building = maker.footprint(contour);
+    if (!places.contours || input_.is_doubtful(contour))
+        return drawn;
+    if (input_.plan.asked.outline.disjoint)
+        drawn.contour = maker.tier(contour);
+    else
+        drawn.contour =
+            drawn.building && !outliner_.has_own_footprints() ? *drawn.building : maker.whole(contour);
+    return drawn;
+}
+
+}  // namespace d2b

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "attributes/records.hpp"
+#include "core/context.hpp"
+#include "features/polygon_maker.hpp"
+#include "features/write_features.hpp"
+
+namespace d2b {
+
+/// What is known of a contour, and what is drawn of it: nothing where its layer was not asked for.
+struct DrawnContour {
+    ContourRecord record;
+    PointStats own;
+    BuildingRecord building_record;  ///< of level 1 alone
+    std::optional<FeaturePolygon> building;
+    std::optional<FeaturePolygon> contour;
+};
+
+/// Draws contours for the layers that were asked for; on all threads, which have a maker each.
+class ContourDrawer {
+  public:
+    /// @param input must outlive this, as the records must
+    ContourDrawer(const FeatureInput& input, const RecordMaker& records, Context& context);
+    ContourDrawer(const ContourDrawer&) = delete;
+    ContourDrawer& operator=(const ContourDrawer&) = delete;
+    ~ContourDrawer() = default;
+
+    /// @param thread that this runs on
+    [[nodiscard]] DrawnContour draw(std::size_t contour, std::size_t thread);
+    /// Whether the cells that polygons hold come with them, since the stack is measured as it is drawn.
+    [[nodiscard]] bool gives_cells() const { return with_cells_; }
+    /// One a thread.
+    [[nodiscard]] std::vector<PolygonMaker>& makers() { return makers_; }
+
+  private:
+    const FeatureInput& input_;
+    const RecordMaker& records_;
+    Outliner outliner_;
+    ContourChildren children_;
+    bool with_cells_;
+    std::vector<PolygonMaker> makers_;
+};
+
+}  // namespace d2b

@@ -1,0 +1,155 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "dem2buildings/options.hpp"
+#include "dem2buildings/records.hpp"
+#include "dem2buildings/report.hpp"
+#include "dem2buildings/world_polygon.hpp"
+
+namespace d2b {
+
+enum class FieldType { integer, real, text };
+
+/// One column of a layer. Names have at most 10 ASCII characters, so that a Shapefile keeps them.
+struct FieldSpec {
+    std::string name;
+    std::string alias;  ///< for people, with the unit
+    FieldType type = FieldType::real;
+    std::string unit;  ///< "m", "m2", "ft", ...; "" where there is none
+    std::string description;
+};
+
+/// How a GIS shows a layer by default; fields by their names in the layer's spec. Without a title a layer has
+/// no style.
+struct LayerStyle {
+    std::string title{};   ///< of the legend: what the colours say; "" for no style
+    std::string colour{};  ///< field of heights in m that gives the colour; "" for one look for all
+    std::string label{};   ///< field that is written on large maps; "" for none
+    /// Only features are labelled in which these two fields are equal; "" for all.
+    std::array<std::string, 2> labelled{};
+    double label_scale = 2500;
+    std::string order{};      ///< field by which features are drawn, low to high; "" for any order
+    std::string certainty{};  ///< field from 0 to 1: what is below `certain` is drawn paler; "" for none
+    double certain = 1;
+
+    // The solid, for 3D, is `height` metres above the ground. Where `min_height` is named it begins that high
+    // above the ground. It ends at elevation `top`, or else stands at elevation `bottom`; with neither there
+    // is none.
+    std::string top{};
+    std::string bottom{};
+    std::string height{};
+    std::string min_height{};
+    double vertical_scale = 1;  ///< units of the map in one vertical unit
+    double metre_scale = 1;     ///< units of the map in a metre
+};
+
+struct LayerSpec {
+    std::string name;
+    std::string title;
+    std::string description;
+    std::vector<FieldSpec> fields;  ///< the first is the number of a feature
+    bool with_z = false;            ///< every vertex carries Feature::z
+    bool with_arcs =
+        false;  ///< runs of vertices that stand for arcs are written as such where the format has curves
+    LayerStyle style = {};
+};
+
+/// std::monostate is NULL.
+using FieldValue = std::variant<std::monostate, std::int64_t, double, std::string>;
+
+struct Feature {
+    std::vector<FieldValue> values;   ///< one a field, in their order
+    std::vector<WorldPolygon> parts;  ///< at least one; written as a MultiPolygon (with arcs a MultiSurface)
+    double z = 0;
+    FeatureRecord record = {};  ///< what it is
+};
+
+/// What a dataset says of itself.
+struct Provenance {
+    std::string crs_wkt;                          ///< of the coordinates that are written; "" for none
+    std::map<std::string, std::string> metadata;  ///< source, options, thresholds, units, version
+    /// Names of metadata that must be equal where features are appended.
+    std::vector<std::string> binding = {};
+};
+
+/// Where features go: a file (write/), or a list in tests and in other programs.
+/// May be asked whether it takes a CRS; then begin, then add in the order in which features are to stand in
+/// their layers, then finish; all of it from the thread that called run(). A sink that is destroyed without
+/// finish() leaves the destination as it was.
+class FeatureSink {
+  public:
+    FeatureSink() = default;
+    FeatureSink(const FeatureSink&) = delete;
+    FeatureSink& operator=(const FeatureSink&) = delete;
+    virtual ~FeatureSink() = default;
+
+    /// Asked before the work begins. @param wkt of the coordinates that will be written; "" for none @param
+    /// name what messages call it @param place a position among them
+    /// @throws OutputError where the destination cannot hold such coordinates
+    virtual void require_crs(const std::string& /*wkt*/, const std::string& /*name*/,
+                             const Position& /*place*/) {}
+    /// Tries, before the work, whether such layers can be written; nothing is left of the trial.
+    /// @param provenance as far as it is known @param place a position among the features
+    /// @throws OutputError, OptionError
+    virtual void rehearse(std::span<const LayerSpec> /*layers*/, const Provenance& /*provenance*/,
+                          const Position& /*place*/) {}
+    /// @throws OutputError
+    virtual void begin(std::span<const LayerSpec> layers, const Provenance& provenance) = 0;
+    /// @param layer index into the layers that begin() got @throws OutputError
+    virtual void add(std::size_t layer, const Feature& feature) = 0;
+    /// Told before finish() what the run has done.
+    virtual void take_report(const RunReport& /*report*/) {}
+    /// Makes the result visible, all of it or nothing. @throws OutputError
+    virtual void finish() = 0;
+
+    /// The first number that a feature may take, given what the destination already holds (append). Known
+    /// once begin() has been called: nobody else adds to the destination from then on.
+    [[nodiscard]] virtual std::int64_t first_id() const { return 1; }
+
+    /// The layers that the destination gets. @param asked nothing where that is left open
+    /// @throws OptionError where it cannot hold what is asked for
+    [[nodiscard]] virtual Layers layers(std::optional<Layers> asked) const {
+        return asked.value_or(Layers::both);
+    }
+
+    /// What it has noticed since the last call, a sentence each, for the run to warn of.
+    [[nodiscard]] virtual std::vector<std::string> take_warnings() { return {}; }
+
+    /// What the destination calls a layer. @param layers what is written
+    [[nodiscard]] virtual std::string layer_name(LayerRole role, Layers /*layers*/) const {
+        return role == LayerRole::buildings  ? "buildings"
+               : role == LayerRole::contours ? "contours"
+               : role == LayerRole::doubtful ? "doubtful"
+                                             : "rejected";
+    }
+};
+
+/// Where a raster goes that lies on the DEM's window: a file (write/), or an array in tests and in other
+/// programs. Rows in order, then finish, from the thread that called run(). A sink that is destroyed without
+/// finish() leaves the destination as it was.
+class RasterSink {
+  public:
+    RasterSink() = default;
+    RasterSink(const RasterSink&) = delete;
+    RasterSink& operator=(const RasterSink&) = delete;
+    virtual ~RasterSink() = default;
+
+    /// @param values whole rows, NaN where there is no value @throws OutputError
+    virtual void write(std::int32_t rows, std::span<const float> values) = 0;
+    /// Makes the raster visible, all of it or nothing. @throws OutputError
+    virtual void finish() = 0;
+
+    /// What it has noticed since the last call, a sentence each, for the run to warn of.
+    [[nodiscard]] virtual std::vector<std::string> take_warnings() { return {}; }
+};
+
+}  // namespace d2b

@@ -1,0 +1,71 @@
+#include "outline/walls/chain_drawing.hpp"
+
+#include "outline/walls/compose_chain.hpp"
+#include "outline/walls/turning_points.hpp"
+
+namespace d2b {
+namespace {
+
+constexpr double snapping = 0.002;  // cells that a vertex may move onto the fine lattice
+// Cells. Walls of tiers, which are many and short, stay nearer to their traces than those of footprints:
+// beyond half a cell each row of cells that changes sides costs the stack more than the vertices are worth.
+constexpr double tier_tolerance = 0.85;
+constexpr double longest_side = 2;  // cells: those of sheared cells say nothing of their staircases
+constexpr int most_followings = 4;  // each leaves less that is far from the trace
+
+}  // namespace
+
+ChainDrawing::ChainDrawing(const Chain& chain, const WallOptions& options)
+    : origin_(chain.trace.front()),
+      shape_(options.shape),
+      style_{options.walls, chain.rank > 3 ? std::min(options.tolerance, tier_tolerance) : options.tolerance,
+             1, std::min(longest_side, std::max(length(options.shape.col), length(options.shape.row)))},
+      walls_(chain, options.shape),
+      middles_(walls_.samples(), shape_, origin_, chain.node_steps, style_.tolerance - snapping) {}
+
+double ChainDrawing::own_direction() const {
+    return dominant_direction(samples(), turning_points(samples()));
+}
+
+std::optional<double> ChainDrawing::plan(double price, double direction, const StopRequest& stop) {
+    WallStyle style = style_;
+    style.price = price;
+    if (!walls_.plan(turning_points(samples()), style, direction, stop))
+        return {};
+    return direction;
+}
+
+DrawnChain ChainDrawing::draw_planned(const std::optional<ChainEnds>& ends) const {
+    return draw_walls(samples(), style_, shape_, origin_, walls_.pieces(), ends);
+}
+
+bool ChainDrawing::walls_are_near(const std::optional<ChainEnds>& ends) const {
+    return draw_planned(ends).deviation <= style_.tolerance - snapping;
+}
+
+/// Whether there is a line, or a ring that runs the way of its trace.
+bool ChainDrawing::is_sound(const DrawnChain& drawn) const {
+    if (!samples().closed())
+        return drawn.vertices.size() >= 2;
+    return drawn.vertices.size() >= 3 &&
+           twice_area(drawn.vertices, shape_, origin_) * twice_area(samples()) > 0;
+}
+
+DrawnChain ChainDrawing::draw(ChainForm& form, const std::optional<ChainEnds>& ends) const {
+    const DrawnChain planned = form.has_walls() ? draw_planned(ends) : DrawnChain();
+    const double limit = style_.tolerance - snapping;
+    const auto compose = [&] {
+        return compose_chain(samples(), shape_, origin_, form, middles_, planned, ends);
+    };
+    DrawnChain drawn = compose();
+    for (int i = 0; i < most_followings && drawn.deviation > limit; ++i) {
+        if (!follow_where_far(samples(), shape_, origin_, limit, drawn, form))
+            break;
+        drawn = compose();
+    }
+    while (!is_sound(drawn) && form.follow_closer(0, samples().steps(), 0))
+        drawn = compose();
+    return drawn;
+}
+
+}  // namespace d2b

@@ -1,0 +1,134 @@
+#include "outline/walls/compose_chain.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace d2b {
+namespace {
+
+constexpr std::size_t margin = 2;  // steps beside what is too far from the trace
+
+class Composer {
+  public:
+    Composer(const WallSamples& samples, const CellShape& shape, LatticePoint origin, const DrawnChain& walls)
+        : samples_(samples), shape_(shape), origin_(origin), walls_(walls) {}
+    /// Appends a stretch of walls.
+    void append(const ChainForm::Stretch& stretch, DrawnChain& chain) const;
+
+  private:
+    [[nodiscard]] std::size_t count() const { return walls_.vertices.size(); }
+    /// Vertices of a closed chain go on round it.
+    [[nodiscard]] FinePoint vertex(std::size_t k) const { return walls_.vertices[k % count()]; }
+    [[nodiscard]] std::size_t step(std::size_t k) const {
+        return walls_.steps[k % count()] + k / count() * samples_.steps();
+    }
+    [[nodiscard]] FinePoint at(std::size_t edge, std::size_t step) const;
+
+    const WallSamples& samples_;
+    const CellShape& shape_;
+    LatticePoint origin_;
+    const DrawnChain& walls_;
+};
+
+/// The place on an edge that stands for a step.
+FinePoint Composer::at(std::size_t edge, std::size_t step) const {
+    const Vec from = shape_.from_fine(vertex(edge), origin_);
+    const Vec along = shape_.from_fine(vertex(edge + 1), origin_) - from;
+    const double square = dot(along, along);
+    const double share = square > 0 ? std::clamp(dot(samples_.at(step) - from, along) / square, 0.0, 1.0) : 0;
+    return shape_.to_fine(from + share * along, origin_);
+}
+
+void Composer::append(const ChainForm::Stretch& stretch, DrawnChain& chain) const {
+    const auto add = [&](FinePoint point, std::size_t step) {
+        if (!chain.vertices.empty() && chain.vertices.back() == point)
+            return;
+        chain.vertices.push_back(point);
+        chain.steps.push_back(step);
+    };
+    const bool open = !samples_.closed();
+    // A closed chain's walls may begin later than its steps.
+    std::size_t first = stretch.first;
+    std::size_t last = stretch.last;
+    const std::size_t lap = !open && first < step(0) ? samples_.steps() : 0;
+    first += lap;
+    last += lap;
+    std::size_t k = 0;
+    while (step(k + 1) <= first && (!open || k + 2 < count()))
+        ++k;
+    if (!open || stretch.first > 0)
+        add(at(k, first), stretch.first);
+    for (++k; step(k) < last && (!open || k + 1 < count()); ++k) {
+        if (step(k) <= first)
+            continue;
+        add(vertex(k), step(k) - lap);
+        const auto own = std::ranges::find(walls_.arcs, k % count(), &CircularArc::first);
+        if (own != walls_.arcs.end() && step(k + own->edges) < last)
+            chain.arcs.push_back({0, static_cast<std::uint32_t>(chain.vertices.size() - 1), own->edges});
+    }
+    if (!open || stretch.last < samples_.steps())
+        add(at(k - 1, last), stretch.last);
+    else
+        add(walls_.vertices.back(), samples_.steps());
+}
+
+}  // namespace
+
+DrawnChain compose_chain(const WallSamples& samples, const CellShape& shape, LatticePoint origin,
+                         const ChainForm& form, const Middles& middles, const DrawnChain& walls,
+                         const std::optional<ChainEnds>& ends) {
+    const std::vector<ChainForm::Stretch> stretches = form.stretches();
+    if (stretches.size() == 1 && stretches.front().form == Form::walls)
+        return walls;
+    DrawnChain chain;
+    if (ends) {
+        chain.vertices.push_back(ends->first);
+        chain.steps.push_back(0);
+    }
+    const Composer composer(samples, shape, origin, walls);
+    for (const ChainForm::Stretch& stretch : stretches) {
+        const bool at_end = ends && stretch.last == samples.steps();
+        if (stretch.form == Form::walls)
+            composer.append(stretch, chain);
+        else
+            middles.append(stretch, at_end ? &ends->last : nullptr, chain);
+    }
+    if (!ends && chain.vertices.size() > 1 && chain.vertices.front() == chain.vertices.back()) {
+        chain.vertices.pop_back();
+        chain.steps.pop_back();
+    }
+    chain.deviation = deviation(samples, shape, origin, chain, samples.closed());
+    return chain;
+}
+
+bool follow_where_far(const WallSamples& samples, const CellShape& shape, LatticePoint origin, double limit,
+                      const DrawnChain& drawn, ChainForm& form) {
+    bool changed = false;
+    // Where a chain ends, it goes to where its owner lets it, whatever its own trace says.
+    const auto at_end = [&](std::size_t step) {
+        return !samples.closed() && (step <= margin || step + margin >= samples.steps());
+    };
+    const auto follow = [&](std::size_t step) {
+        if (at_end(step))
+            return;
+        changed = form.raise(step, step + 1, margin, Form::middles) || changed;
+    };
+    const std::size_t n = drawn.vertices.size();
+    const auto place = [&](std::size_t k) { return shape.from_fine(drawn.vertices[k % n], origin); };
+    for (std::size_t k = 0; k + (samples.closed() ? 0 : 1) < n; ++k) {
+        const std::size_t first = drawn.steps[k];
+        const std::size_t last = k + 1 < n ? drawn.steps[k + 1] : drawn.steps.front() + samples.steps();
+        if (length(place(k) - samples.at(first)) > limit)
+            follow(first);
+        if (length(place(k + 1) - samples.at(last)) > limit)
+            follow(last);
+        samples.for_corners(first, last, [&](std::size_t step, Vec corner) {
+            if (square_distance(corner, place(k), place(k + 1)) > limit * limit)
+                follow(step);
+            return true;
+        });
+    }
+    return changed;
+}
+
+}  // namespace d2b

@@ -1,0 +1,100 @@
+#include "pipeline/run_setup.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <thread>
+
+#include "core/units.hpp"
+#include "diagnose/scale_doubt.hpp"
+#include "diagnose/warn_of.hpp"
+#include "features/target_frame.hpp"
+#include "options/option_checks.hpp"
+#include "options/spoken_destination.hpp"
+#include "pipeline/provenance.hpp"
+
+namespace d2b {
+namespace {
+
+void start_threads(const RunOptions& options, Context& context) {
+    const int wanted = options.threads > 0
+                           ? options.threads
+                           : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    context.threads = std::make_unique<Executor>(wanted, context.stop);
+    const int started = context.threads->threads();
+    context.report.threads = started;
+    if (started < wanted)
+        context.warn("Only " + std::to_string(started) + " of " + std::to_string(wanted) +
+                     " threads are at work, as the system allows few more; the result is the same, later.");
+}
+
+Crs dem_crs(const Options& options, const DemInfo& dem) {
+    const bool given = !options.read.crs.empty();
+    Crs crs(given ? options.read.crs : dem.crs_wkt);
+    require_plane(crs, given ? "-a_srs " + options.read.crs : "", dem.name);
+    return crs;
+}
+
+Crs target_crs(const Options& options, const Crs& crs) {
+    if (options.outline.target_crs.empty())
+        return {};
+    if (crs.kind() == Crs::Kind::none)
+        throw OptionError("-t_srs needs to know the CRS of the DEM, which has none; give it with -a_srs.");
+    return Crs(options.outline.target_crs);
+}
+
+/// Asks the destination before the work whether it can hold the CRS. @param place in it
+void require_crs(const Options& options, const Crs& crs, const Crs& target, const Position& place,
+                 FeatureSink& sink) {
+    const bool moved = target.kind() != Crs::Kind::none;
+    const Crs& written = moved ? target : crs;
+    const std::string& given = moved ? options.outline.target_crs : options.read.crs;
+    sink.require_crs(written.wkt(), spoken_name(written, given), place);
+}
+
+void describe(const DemInfo& dem, const RunPlan& plan, const Crs& crs, const Crs& target, RunReport& report) {
+    report.input = dem.name;
+    report.driver = dem.driver;
+    report.output = spoken_destination(plan.asked.write.destination);
+    report.layers = plan.layers;
+    report.crs = crs.name();
+    report.output_crs = target.kind() == Crs::Kind::none ? crs.name() : target.name();
+    report.units = resolve_units(dem, crs, plan.asked.read.vertical_unit);
+    report.rows = dem.window.rows;
+    report.cols = dem.window.cols;
+    report.points = report.rows * report.cols;
+}
+
+void warn_of_scale(const RunSetup& setup, Context& context) {
+    const bool on_ground = setup.crs.horizontal_unit() || setup.crs.on_ellipsoid();
+    if (on_ground)
+        warn_of(coarse_cells_doubt(cell_size_m(setup.dem.window, setup.area)), context);
+    warn_of(tolerance_doubt(setup.plan.asked.outline.simplify, std::sqrt(setup.georeference.cell_area())),
+            context);
+}
+
+}  // namespace
+
+RunSetup set_up_run(const Options& asked, const DemInfo& dem, FeatureSink& sink, Context& context) {
+    check_options({asked, {}});
+    const RunPlan plan = make_run_plan(asked, sink.layers(asked.write.layers));
+    const Options& options = plan.asked;
+    start_threads(options.run, context);
+    const Crs crs = dem_crs(options, dem);
+    const Crs target = target_crs(options, crs);
+    RunReport& report = context.report;
+    describe(dem, plan, crs, target, report);
+    const Georeference georeference(dem.transform, plan.trace);
+    const Position middle = require_whole_frame(dem, plan, crs, target);
+    const LayerSpecs layers = layer_specs(plan, report.input, report.units.vertical, sink);
+    sink.rehearse(layers.layers, make_provenance(plan, dem, crs, target, report), middle);
+    require_crs(options, crs, target, middle, sink);
+    const SquareArea area =
+        make_square_area(georeference, crs, lattice_frame({0, 0, dem.rows, dem.cols}, plan.trace));
+    const CellSize cell = plan.detects_buildings() ? cell_steps(dem.window, georeference, crs) : CellSize{};
+    RunSetup setup{plan, dem, crs, target, georeference, area, cell, layers};
+    warn_of_scale(setup, context);
+    return setup;
+}
+
+}  // namespace d2b

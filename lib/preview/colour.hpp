@@ -1,0 +1,21 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace d2b {
+
+/// Red, green and blue.
+using Colour = std::array<std::uint8_t, 3>;
+
+inline constexpr Colour paper{255, 255, 255};
+inline constexpr Colour ink{35, 35, 35};
+inline constexpr Colour faint_ink{95, 95, 95};
+/// Of outlines and frames.
+inline constexpr Colour edge{70, 45, 35};
+/// Of level ground in the relief.
+inline constexpr Colour level_ground{222, 222, 222};
+/// How much of the relief footprints hide.
+inline constexpr double footprint_opacity = 0.82;
+
+}  // namespace d2b

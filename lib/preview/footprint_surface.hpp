@@ -1,0 +1,18 @@
+#pragma once
+
+#include "preview/cairo_handles.hpp"
+#include "preview/footprint_drawing.hpp"
+
+namespace d2b {
+
+struct FootprintDrawing::Impl {
+    PixelSize size;
+    double line_width;
+    SurfaceOwner surface;
+    PenOwner pen;
+};
+
+/// Over the whole map, whose upper left corner is the pen's origin.
+void paint(const FootprintDrawing& footprints, cairo_t* pen);
+
+}  // namespace d2b

@@ -1,0 +1,124 @@
+#include "detect/roof_strictness.hpp"
+
+#include <numeric>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "detect/morphology.hpp"
+#include "detect/roof_samples.hpp"
+#include "detect_case.hpp"
+#include "support/test_threads.hpp"
+
+namespace d2b {
+namespace {
+
+using test::Town;
+
+/// Houses of 28 by 28 m, 22 m apart, whose flat roofs are rough: each cell lies up to so much higher or
+/// lower.
+Town town_with(float rough, std::int32_t houses) {
+    Town town(20 + 50 * houses, 20 + 50 * houses);
+    std::mt19937 random(31);  // NOLINT: the same roofs in every run
+    std::uniform_real_distribution<float> relief(-rough, rough);
+    town.build([&](std::int32_t r, std::int32_t c) {
+        return r >= 20 && c >= 20 && (r - 20) % 50 < 28 && (c - 20) % 50 < 28 ? 110 + relief(random)
+                                                                              : test::unknown;
+    });
+    return town;
+}
+
+std::optional<double> strictness_of(const Town& town) {
+    const JudgedObjects first = judged_objects(town.scene(), {}, smallest_building_m2, {}, test::threads());
+    return roof_strictness(town.scene(), {}, smallest_building_m2, {}, first, test::threads());
+}
+
+TEST(RoofStrictness, AsStrictAsTheRoofsAllow) {
+    EXPECT_EQ(strictness_of(town_with(0, 3)), 0.6);
+    double before = 0.6;
+    for (const float rough : {0.1F, 0.2F, 0.25F, 0.3F, 0.35F}) {
+        const double found = strictness_of(town_with(rough, 3)).value_or(0);
+        EXPECT_GE(found, before) << rough;
+        before = found;
+    }
+    EXPECT_GE(before, 0.9) << "hardly smoother than the usual limits allow";
+}
+
+TEST(RoofStrictness, NothingWhereRoofsAreFew) {
+    // 22 x 22 = 484 cells are 3 m inside a house: four of them have 1936 and five 2420.
+    Town four = town_with(0, 2);
+    EXPECT_EQ(strictness_of(four), std::nullopt);
+    Town none(50, 50);
+    EXPECT_EQ(strictness_of(none), std::nullopt);
+    EXPECT_EQ(strictness_of(Town(0, 0)), std::nullopt);
+}
+
+TEST(RoofStrictness, NothingWhereWallsAreSmeared) {
+    Town town = town_with(0, 3);
+    const MetreGrid sharp = town.surface;
+    for (std::int32_t r = 2; r < sharp.rows - 2; ++r)
+        for (std::int32_t c = 2; c < sharp.cols - 2; ++c) {
+            float sum = 0;
+            for (std::int32_t y = r - 2; y <= r + 2; ++y)
+                for (std::int32_t x = c - 2; x <= c + 2; ++x)
+                    sum += sharp.at(y, x);
+            town.surface.at(r, c) = sum / 25;
+        }
+    EXPECT_EQ(strictness_of(town), std::nullopt);
+}
+
+TEST(RoofStrictness, WhatIsKnownIsTakenAndWhatIsFoundIsKept) {
+    const Town town = town_with(0, 3);
+    Context context;
+    std::optional<SurfaceQuality> quality;
+    (void)detect_buildings(town.scene(), {}, smallest_building_m2, context, quality);
+    ASSERT_TRUE(quality);
+    EXPECT_EQ(quality->strictness, 0.6);
+    // Rough roofs are found by limits of their own, and not by those of another place.
+    const Town rough = town_with(0.35F, 3);
+    EXPECT_EQ(test::detect(rough).buildings, 9U);
+    quality->strictness = 0.1;
+    EXPECT_EQ(detect_buildings(rough.scene(), {}, smallest_building_m2, context, quality).buildings, 0U);
+    std::optional<SurfaceQuality> nothing;
+    (void)detect_buildings(Town(50, 50).scene(), {}, smallest_building_m2, context, nothing);
+    EXPECT_FALSE(nothing);
+}
+
+TEST(RoofSamples, AreTheSquaresWithTheMostRoofs) {
+    const MetreGrid surface = [] {
+        MetreGrid z(2100, 3000);
+        std::iota(z.values.begin(), z.values.end(), 0.0F);
+        return z;
+    }();
+    const MetreGrid terrain(2100, 3000, 1.0F);
+    Mask roofs(2100, 3000);
+    const auto fill = [&](std::int32_t row, std::int32_t col, std::int32_t cells) {
+        for (std::int32_t c = col; c < col + cells; ++c)
+            roofs.at(row, c) = 1;
+    };
+    fill(5, 1500, 30);     // the first row of squares, the second of its three
+    fill(1030, 0, 50);     // the second, the first
+    fill(2099, 2990, 10);  // the last
+    const std::vector<RoofSample> samples = roof_samples({surface, terrain, {2, 3}}, roofs);
+    ASSERT_EQ(samples.size(), 3U);
+    EXPECT_EQ(samples[0].surface.at(0, 0), surface.at(1024, 0));
+    EXPECT_EQ(samples[1].surface.at(0, 0), surface.at(0, 1024));
+    EXPECT_EQ(samples[1].roofs.at(5, 476), 1);
+    EXPECT_EQ(samples[1].roofs.at(5, 475), 0);
+    EXPECT_EQ(samples[2].surface.rows, 2100 - 2048);
+    EXPECT_EQ(samples[2].surface.cols, 3000 - 2048);
+    EXPECT_EQ(samples[2].roofs.at(51, 942), 1);
+    EXPECT_EQ(samples[0].scene().cell.down, 3);
+    EXPECT_EQ(samples[0].scene().allowed, nullptr);
+    fill(3, 0, 5);
+    fill(3, 2500, 5);
+    EXPECT_EQ(roof_samples({surface, terrain, {}, &roofs, &surface}, roofs).size(), 4U) << "four at most";
+    const std::vector<RoofSample> cut = roof_samples({surface, terrain, {}, &roofs, &surface}, roofs);
+    EXPECT_EQ(cut[3].surface.at(0, 0), surface.at(0, 0)) << "of equal ones the first";
+    EXPECT_EQ(cut[1].scene().allowed->values, cut[1].roofs.values);
+    EXPECT_EQ(cut[1].scene().greenness->values, cut[1].surface.values);
+    EXPECT_TRUE(roof_samples({surface, terrain, {}}, Mask(2100, 3000)).empty());
+}
+
+}  // namespace
+}  // namespace d2b

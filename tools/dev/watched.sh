@@ -1,0 +1,61 @@
+# For test.sh, which reads this file: what a person reads of a build and of tests.
+
+# logged log filter command...: all that the command says goes to the log, and what the filter leaves of it to stdout.
+# The status is the command's.
+logged() {
+    log=$1
+    filter=$2
+    shift 2
+    { "$@" 2>&1 && echo 0 >"$log.status" || echo $? >"$log.status"; } | tee -a "$log" | "$filter"
+    status=$(cat "$log.status")
+    rm "$log.status"
+    return "$status"
+}
+
+# A line for each tenth of the way; errors and warnings whole.
+build_progress() {
+    awk '
+        /^\[ *[0-9]+(\/[0-9]+|%)\] / {
+            split($0, step, /[][ \/%]+/)
+            share = $0 ~ /^\[ *[0-9]+%/ ? step[2] : 100 * step[2] / step[3]
+            if (int(share / 10) > tenth) {
+                tenth = int(share / 10)
+                print "  " 10 * tenth " % built"
+                fflush()
+            }
+            next
+        }
+        /^-- / || /^ninja: / || /^$/ { next }
+        { print; fflush() }'
+}
+
+# A line for each tenth of the way; what fails, with all that it says; one line at the end.
+test_progress() {
+    awk '
+        / Test +#[0-9]+: / {
+            split($1, place, "/")
+            if (int(10 * place[1] / place[2]) > tenth) {
+                tenth = int(10 * place[1] / place[2])
+                print "  " 10 * tenth " % of " place[2] " tests"
+            }
+            if (!/Passed|Skipped|Disabled/)
+                print
+            fflush()
+            next
+        }
+        / tests passed, .* out of / {
+            failed = $4
+            count = $NF
+            ended = 1
+        }
+        /\((Skipped|Disabled)\)/ { ++skipped }
+        /^Total Test time/ { seconds = int($6 + 0.5) }
+        ended || /^ *Start +[0-9]+: / || /^(Test project|Internal ctest) / || /^$/ { next }
+        { print; fflush() }
+        END {
+            if (count == 0)
+                exit
+            print (failed > 0 ? failed " of " count " tests failed" : "All " count " tests passed") \
+                (skipped > 0 ? " (" skipped " skipped)" : "") " in " seconds " s"
+        }'
+}
