@@ -6,6 +6,7 @@
 #include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <pthread.h>
 #include <sstream>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -102,6 +103,20 @@ double work_done() {
     std::_Exit(1);
 }
 
+/// Held while a watchdog's thread does anything but wait.
+std::mutex& looking() {
+    static std::mutex mutex;
+    return mutex;
+}
+
+/// A child has this thread alone, so that what another one holds at the fork, as the allocator's lock, is
+/// never given back in it.
+void fork_between_looks() {
+    static const int registered =
+        pthread_atfork([] { looking().lock(); }, [] { looking().unlock(); }, [] { looking().unlock(); });
+    static_cast<void>(registered);
+}
+
 std::string text_of(std::chrono::milliseconds time) {
     return std::to_string(static_cast<double>(time.count()) / 1000).substr(0, 6) + " s";
 }
@@ -109,14 +124,18 @@ std::string text_of(std::chrono::milliseconds time) {
 }  // namespace
 
 Watchdog::Watchdog(std::string watched, const Limits& limits)
-    : watched_(std::move(watched)), limits_(limits), thread_([this] { watch(); }) {}
+    : watched_(std::move(watched)), limits_(limits), thread_([this] { watch(); }) {
+    fork_between_looks();
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return waits_; });  // a thread that starts allocates
+}
 
 Watchdog::~Watchdog() {
     {
         const std::lock_guard lock(mutex_);
         over_ = true;
     }
-    called_off_.notify_all();
+    changed_.notify_all();
     thread_.join();
 }
 
@@ -129,7 +148,10 @@ void Watchdog::watch() {
     std::unique_lock lock(mutex_);
     double before = -1;  // the first look, which most tests do not live to see, finds all of it
     int idle = 0;
-    for (int look = 1; !called_off_.wait_for(lock, step, [this] { return over_; }); ++look) {
+    waits_ = true;
+    changed_.notify_all();
+    for (int look = 1; !changed_.wait_for(lock, step, [this] { return over_; }); ++look) {
+        const std::lock_guard look_lock(looking());
         const double now = work_done();
         const bool moved = now - before >= least || now < before;
         idle = moved ? 0 : idle + 1;

@@ -31,7 +31,8 @@ class Watchdog {
     std::string watched_;
     Limits limits_;
     std::mutex mutex_;
-    std::condition_variable called_off_;
+    std::condition_variable changed_;
+    bool waits_ = false;
     bool over_ = false;
     std::thread thread_;
 };

@@ -2,6 +2,9 @@
 
 #include <cstdlib>
 #include <future>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <gtest/gtest.h>
 
@@ -67,6 +70,25 @@ TEST_F(WatchdogDeathTest, LetsThreadsAndProgramsWork) {
 TEST_F(WatchdogDeathTest, DoesNotHoldUpAChildThatExits) {
     GTEST_FLAG_SET(death_test_style, "fast");  // a fork, without the thread that watches
     EXPECT_EXIT(std::exit(7), testing::ExitedWithCode(7), "");
+}
+
+TEST_F(WatchdogDeathTest, LooksAtNothingDuringAFork) {
+    EXPECT_EXIT(
+        {
+            const Watchdog watchdog("Band.eight", {1200ms, 1h});  // a look in 0.1 s
+            const auto end = std::chrono::steady_clock::now() + 1s;
+            while (std::chrono::steady_clock::now() < end) {
+                const pid_t child = ::fork();
+                if (child == 0)
+                    std::_Exit(std::string(1000, 'x').size() == 1000 ? 0 : 1);  // asks the allocator
+                int status = 1;
+                ::waitpid(child, &status, 0);
+                if (status != 0)
+                    std::_Exit(3);
+            }
+            std::_Exit(0);
+        },
+        testing::ExitedWithCode(0), "^$");
 }
 
 TEST_F(WatchdogDeathTest, IsCalledOffAtOnce) {
