@@ -53,7 +53,7 @@ def floor_rows(bench):
 
 
 def linear_rows(bench):
-    return [Row(f"{preset}, a point at 100 M : at 25 M", bench.ours(preset, 100), [bench.ours(preset, 25)], 1.15, ratio,
+    return [Row(f"{preset}, per point at 100 M : at 25 M", bench.ours(preset, 100), [bench.ours(preset, 25)], 1.15, ratio,
                 times=4)
             for preset in ("thesis", "default")]
 

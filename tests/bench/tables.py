@@ -23,7 +23,7 @@ def row_line(row):
 
 
 def asked_table(rows):
-    head = ["ours : beside", "ours, s", "beside, s", "by processor time", "ours, MiB", "figure", "asked", "met"]
+    head = ["ours : other", "ours, s", "other, s", "by processor time", "ours, MiB", "ratio", "goal", "met"]
     return table(head, [row_line(row) for row in rows])
 
 
@@ -47,14 +47,14 @@ def stage_table(contenders):
 
 
 def busy_table(reports):
-    """How busy the cities are: the thesis preset's contours a million points."""
+    """How busy the cities are: the thesis preset's contours per million points."""
     lines = []
     for (preset, size), report in reports.items():
         million = report["input"]["valid_points"] / 1e6
         if preset == "thesis":
             lines.append([str(size), f"{report['output']['contours'] / million:.0f}",
                           f"{report['output']['vertices'] / million:.0f}"])
-    return table(["city", "contours a million points", "vertices a million points"], lines)
+    return table(["city", "contours per million points", "vertices per million points"], lines)
 
 
 def machine():
