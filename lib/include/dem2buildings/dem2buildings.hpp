@@ -14,5 +14,6 @@
 #include "dem2buildings/score.hpp"
 #include "dem2buildings/sinks.hpp"
 #include "dem2buildings/spool.hpp"
+#include "dem2buildings/surfaces.hpp"
 #include "dem2buildings/version.hpp"
 #include "dem2buildings/wkb.hpp"
