@@ -1,7 +1,6 @@
 #include "outline/walls/chain_drawing.hpp"
 
 #include "outline/walls/compose_chain.hpp"
-#include "outline/walls/turning_points.hpp"
 
 namespace d2b {
 namespace {
@@ -13,34 +12,43 @@ constexpr double tier_tolerance = 0.85;
 constexpr double longest_side = 2;  // cells: those of sheared cells say nothing of their staircases
 constexpr int most_followings = 4;  // each leaves less that is far from the trace
 
+WallStyle style_for(const Chain& chain, const WallOptions& options) {
+    const bool tier = chain.rank > WallGraph::highest_low_rank;
+    return {.walls = options.walls,
+            .tolerance = tier ? std::min(options.tolerance, tier_tolerance) : options.tolerance,
+            .side = std::min(longest_side, options.shape.longer_side())};
+}
+
 }  // namespace
 
 ChainDrawing::ChainDrawing(const Chain& chain, const WallOptions& options)
     : origin_(chain.trace.front()),
       shape_(options.shape),
-      style_{options.walls, chain.rank > 3 ? std::min(options.tolerance, tier_tolerance) : options.tolerance,
-             1, std::min(longest_side, std::max(length(options.shape.col), length(options.shape.row)))},
+      style_(style_for(chain, options)),
+      limit_(style_.tolerance - snapping),
       walls_(chain, options.shape),
-      middles_(walls_.samples(), shape_, origin_, chain.node_steps, style_.tolerance - snapping) {}
-
-double ChainDrawing::own_direction() const {
-    return dominant_direction(samples(), turning_points(samples()));
-}
+      turning_points_(turning_points(samples())),
+      middles_(samples(), shape_, origin_, chain.node_steps, limit_) {}
 
 std::optional<double> ChainDrawing::plan(double price, double direction, const StopRequest& stop) {
     WallStyle style = style_;
     style.price = price;
-    if (!walls_.plan(turning_points(samples()), style, direction, stop))
+    if (!walls_.plan(turning_points_, style, direction, stop))
         return {};
+    planned_.reset();
     return direction;
 }
 
-DrawnChain ChainDrawing::draw_planned(const std::optional<ChainEnds>& ends) const {
-    return draw_walls(samples(), style_, shape_, origin_, walls_.pieces(), ends);
+const DrawnChain& ChainDrawing::draw_planned(const std::optional<ChainEnds>& ends) {
+    if (!planned_ || ends != ends_of_planned_) {
+        planned_ = draw_walls(samples(), style_, shape_, origin_, walls_.pieces(), ends);
+        ends_of_planned_ = ends;
+    }
+    return *planned_;
 }
 
-bool ChainDrawing::walls_are_near(const std::optional<ChainEnds>& ends) const {
-    return draw_planned(ends).deviation <= style_.tolerance - snapping;
+bool ChainDrawing::walls_are_near(const std::optional<ChainEnds>& ends) {
+    return draw_planned(ends).deviation <= limit_;
 }
 
 /// Whether there is a line, or a ring that runs the way of its trace.
@@ -51,15 +59,14 @@ bool ChainDrawing::is_sound(const DrawnChain& drawn) const {
            twice_area(drawn.vertices, shape_, origin_) * twice_area(samples()) > 0;
 }
 
-DrawnChain ChainDrawing::draw(ChainForm& form, const std::optional<ChainEnds>& ends) const {
+DrawnChain ChainDrawing::draw(ChainForm& form, const std::optional<ChainEnds>& ends) {
     const DrawnChain planned = form.has_walls() ? draw_planned(ends) : DrawnChain();
-    const double limit = style_.tolerance - snapping;
     const auto compose = [&] {
         return compose_chain(samples(), shape_, origin_, form, middles_, planned, ends);
     };
     DrawnChain drawn = compose();
-    for (int i = 0; i < most_followings && drawn.deviation > limit; ++i) {
-        if (!follow_where_far(samples(), shape_, origin_, limit, drawn, form))
+    for (int i = 0; i < most_followings && drawn.deviation > limit_; ++i) {
+        if (!follow_where_far(samples(), shape_, origin_, limit_, drawn, form))
             break;
         drawn = compose();
     }

@@ -8,6 +8,7 @@
 #include "outline/walls/chain_walls.hpp"
 #include "outline/walls/draw_walls.hpp"
 #include "outline/walls/middles.hpp"
+#include "outline/walls/turning_points.hpp"
 #include "outline/walls/wall_options.hpp"
 
 namespace d2b {
@@ -23,26 +24,35 @@ class ChainDrawing {
 
     [[nodiscard]] const WallSamples& samples() const { return walls_.samples(); }
     [[nodiscard]] const ChainWalls& walls() const { return walls_; }
-    [[nodiscard]] ChainWalls& walls() { return walls_; }
-    [[nodiscard]] double own_direction() const;
+    /// Moves a wall to the left of the way that the chain runs.
+    void shift(std::size_t wall, double cells) {
+        walls_.shift(wall, cells);
+        planned_.reset();
+    }
+    [[nodiscard]] double own_direction() const { return dominant_direction(samples(), turning_points_); }
     /// Divides the chain into walls. @param direction the dominant one, radians
     /// @return the direction of its walls; nothing where they are not possible @throws Cancelled
     [[nodiscard]] std::optional<double> plan(double price, double direction, const StopRequest& stop);
     /// Whether walls alone lie within the tolerance. @param ends of an open chain
-    [[nodiscard]] bool walls_are_near(const std::optional<ChainEnds>& ends) const;
+    [[nodiscard]] bool walls_are_near(const std::optional<ChainEnds>& ends);
     /// @param form gets closer where walls leave the trace by more than the tolerance
     /// @param ends of an open chain
-    [[nodiscard]] DrawnChain draw(ChainForm& form, const std::optional<ChainEnds>& ends) const;
+    [[nodiscard]] DrawnChain draw(ChainForm& form, const std::optional<ChainEnds>& ends);
 
   private:
-    [[nodiscard]] DrawnChain draw_planned(const std::optional<ChainEnds>& ends) const;
+    /// All of it with walls.
+    const DrawnChain& draw_planned(const std::optional<ChainEnds>& ends);
     [[nodiscard]] bool is_sound(const DrawnChain& drawn) const;
 
     LatticePoint origin_;
     CellShape shape_;
     WallStyle style_;
+    double limit_;  // cells that vertices may leave the trace by before they move onto the fine lattice
     ChainWalls walls_;
+    std::vector<std::size_t> turning_points_;  // steps
     Middles middles_;
+    std::optional<DrawnChain> planned_;         // all with walls, unless these have changed since
+    std::optional<ChainEnds> ends_of_planned_;  // for which that was drawn
 };
 
 }  // namespace d2b

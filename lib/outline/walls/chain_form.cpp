@@ -26,23 +26,21 @@ bool ChainForm::follow_closer(std::size_t first, std::size_t last, std::size_t m
 
 bool ChainForm::raise(std::size_t first, std::size_t last, std::size_t margin, Form form) {
     const std::size_t n = forms_.size();
+    std::size_t begin = 0;
+    std::size_t end = n;
+    if (!closed_) {
+        begin = first - std::min(first, margin);
+        end = std::min(last + margin, n);
+    } else if (last - first + 2 * margin < n) {
+        begin = first + n - margin;
+        end = last + n + margin;
+    }
     bool changed = false;
-    const auto set = [&](Form& f) {
-        changed = changed || f < form;
-        f = std::max(f, form);
-    };
-    if (last - first + 2 * margin >= n && (closed_ || (first <= margin && last + margin >= n))) {
-        for (Form& f : forms_)
-            set(f);
-        return changed;
+    for (std::size_t k = begin; k < end; ++k) {
+        Form& own = forms_[k % n];
+        changed = changed || own < form;
+        own = std::max(own, form);
     }
-    if (closed_) {
-        for (std::size_t k = first + n - margin; k < last + n + margin; ++k)
-            set(forms_[k % n]);
-        return changed;
-    }
-    for (std::size_t k = first - std::min(first, margin); k < std::min(last + margin, n); ++k)
-        set(forms_[k]);
     return changed;
 }
 

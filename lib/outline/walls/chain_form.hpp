@@ -42,6 +42,10 @@ class ChainForm {
     bool raise(std::size_t first, std::size_t last, std::size_t margin, Form form);
     bool raise_all(Form form) { return raise(0, forms_.size(), 0, form); }
     [[nodiscard]] bool has_walls() const { return std::ranges::find(forms_, Form::walls) != forms_.end(); }
+    /// Whether all of it has the closest form.
+    [[nodiscard]] bool all_cut() const {
+        return std::ranges::all_of(forms_, [](Form form) { return form == Form::cut; });
+    }
     /// Whether the trace is kept on both sides of the point at which a step begins.
     [[nodiscard]] bool cut_around(std::size_t step) const;
     /// In order; an open chain's from its first step on, a closed one's from where a form ends. Walls that

@@ -33,19 +33,11 @@ class Composer {
 /// The place on an edge that stands for a step.
 FinePoint Composer::at(std::size_t edge, std::size_t step) const {
     const Vec from = shape_.from_fine(vertex(edge), origin_);
-    const Vec along = shape_.from_fine(vertex(edge + 1), origin_) - from;
-    const double square = dot(along, along);
-    const double share = square > 0 ? std::clamp(dot(samples_.at(step) - from, along) / square, 0.0, 1.0) : 0;
-    return shape_.to_fine(from + share * along, origin_);
+    const Vec to = shape_.from_fine(vertex(edge + 1), origin_);
+    return shape_.to_fine(from + nearest_share(samples_.at(step), from, to) * (to - from), origin_);
 }
 
 void Composer::append(const ChainForm::Stretch& stretch, DrawnChain& chain) const {
-    const auto add = [&](FinePoint point, std::size_t step) {
-        if (!chain.vertices.empty() && chain.vertices.back() == point)
-            return;
-        chain.vertices.push_back(point);
-        chain.steps.push_back(step);
-    };
     const bool open = !samples_.closed();
     // A closed chain's walls may begin later than its steps.
     std::size_t first = stretch.first;
@@ -57,19 +49,19 @@ void Composer::append(const ChainForm::Stretch& stretch, DrawnChain& chain) cons
     while (step(k + 1) <= first && (!open || k + 2 < count()))
         ++k;
     if (!open || stretch.first > 0)
-        add(at(k, first), stretch.first);
+        chain.add(at(k, first), stretch.first);
     for (++k; step(k) < last && (!open || k + 1 < count()); ++k) {
         if (step(k) <= first)
             continue;
-        add(vertex(k), step(k) - lap);
+        chain.add(vertex(k), step(k) - lap);
         const auto own = std::ranges::find(walls_.arcs, k % count(), &CircularArc::first);
         if (own != walls_.arcs.end() && step(k + own->edges) < last)
             chain.arcs.push_back({0, static_cast<std::uint32_t>(chain.vertices.size() - 1), own->edges});
     }
     if (!open || stretch.last < samples_.steps())
-        add(at(k - 1, last), stretch.last);
+        chain.add(at(k - 1, last), stretch.last);
     else
-        add(walls_.vertices.back(), samples_.steps());
+        chain.add(walls_.vertices.back(), samples_.steps());
 }
 
 }  // namespace
@@ -81,10 +73,8 @@ DrawnChain compose_chain(const WallSamples& samples, const CellShape& shape, Lat
     if (stretches.size() == 1 && stretches.front().form == Form::walls)
         return walls;
     DrawnChain chain;
-    if (ends) {
-        chain.vertices.push_back(ends->first);
-        chain.steps.push_back(0);
-    }
+    if (ends)
+        chain.add(ends->first, 0);
     const Composer composer(samples, shape, origin, walls);
     for (const ChainForm::Stretch& stretch : stretches) {
         const bool at_end = ends && stretch.last == samples.steps();
@@ -93,10 +83,8 @@ DrawnChain compose_chain(const WallSamples& samples, const CellShape& shape, Lat
         else
             middles.append(stretch, at_end ? &ends->last : nullptr, chain);
     }
-    if (!ends && chain.vertices.size() > 1 && chain.vertices.front() == chain.vertices.back()) {
-        chain.vertices.pop_back();
-        chain.steps.pop_back();
-    }
+    if (!ends && chain.vertices.size() > 1 && chain.vertices.front() == chain.vertices.back())
+        chain.remove_last();
     chain.deviation = deviation(samples, shape, origin, chain, samples.closed());
     return chain;
 }
@@ -108,26 +96,10 @@ bool follow_where_far(const WallSamples& samples, const CellShape& shape, Lattic
     const auto at_end = [&](std::size_t step) {
         return !samples.closed() && (step <= margin || step + margin >= samples.steps());
     };
-    const auto follow = [&](std::size_t step) {
-        if (at_end(step))
-            return;
-        changed = form.raise(step, step + 1, margin, Form::middles) || changed;
-    };
-    const std::size_t n = drawn.vertices.size();
-    const auto place = [&](std::size_t k) { return shape.from_fine(drawn.vertices[k % n], origin); };
-    for (std::size_t k = 0; k + (samples.closed() ? 0 : 1) < n; ++k) {
-        const std::size_t first = drawn.steps[k];
-        const std::size_t last = k + 1 < n ? drawn.steps[k + 1] : drawn.steps.front() + samples.steps();
-        if (length(place(k) - samples.at(first)) > limit)
-            follow(first);
-        if (length(place(k + 1) - samples.at(last)) > limit)
-            follow(last);
-        samples.for_corners(first, last, [&](std::size_t step, Vec corner) {
-            if (square_distance(corner, place(k), place(k + 1)) > limit * limit)
-                follow(step);
-            return true;
-        });
-    }
+    for_distances(samples, shape, origin, drawn, samples.closed(), [&](std::size_t step, double square) {
+        if (square > limit * limit && !at_end(step))
+            changed = form.raise(step, step + 1, margin, Form::middles) || changed;
+    });
     return changed;
 }
 

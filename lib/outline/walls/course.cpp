@@ -78,10 +78,7 @@ double Course::wanted(const Standing& node, const std::optional<Line>& wall) con
     const Vec traced = node.traced;
     const std::size_t edge = edge_of(node.step);
     const auto foot_on = [&](std::size_t e) {
-        const Vec from = vertex(e);
-        const Vec along = vertex(e + 1) - from;
-        const double square = dot(along, along);
-        const double share = square > 0 ? std::clamp(dot(traced - from, along) / square, 0.0, 1.0) : 0;
+        const double share = nearest_share(traced, vertex(e), vertex(e + 1));
         return begins_[e] + share * (begins_[e + 1] - begins_[e]);
     };
     if (!wall)

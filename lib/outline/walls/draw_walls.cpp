@@ -52,13 +52,7 @@ class Drawer {
     Drawer(const WallSamples& samples, const WallStyle& style, const CellShape& shape, LatticePoint origin)
         : samples_(samples), style_(style), shape_(shape), origin_(origin) {}
 
-    void add(Vec place, std::size_t step) {
-        const FinePoint vertex = shape_.to_fine(place, origin_);
-        if (!chain_.vertices.empty() && chain_.vertices.back() == vertex)
-            return;
-        chain_.vertices.push_back(vertex);
-        chain_.steps.push_back(step);
-    }
+    void add(Vec place, std::size_t step) { chain_.add(shape_.to_fine(place, origin_), step); }
     /// Where two walls meet: in one vertex, or in the end of one and the beginning of the other.
     [[nodiscard]] std::pair<Vec, std::optional<Vec>> joint(const WallPiece& a, const WallPiece& b) const;
     void add_joint(const std::pair<Vec, std::optional<Vec>>& joint, std::size_t step) {
@@ -115,8 +109,7 @@ void Drawer::add_wall(const std::vector<WallPiece>& pieces, std::size_t i,
     } else if (piece.circle && chain_.vertices.size() > 1) {
         add(shape_.from_fine(chain_.vertices.front(), origin_), piece.last);
         round_off(piece, first_vertex);
-        chain_.vertices.pop_back();
-        chain_.steps.pop_back();
+        chain_.remove_last();
     }
 }
 
@@ -136,8 +129,7 @@ void Drawer::round_off(const WallPiece& piece, std::size_t first_vertex) {
     // An even number, so that one vertex is the middle of the arc.
     const auto edges = std::max<std::size_t>(2, 2 * static_cast<std::size_t>(std::ceil(sweep / step / 2)));
     const FinePoint last = chain_.vertices.back();
-    chain_.vertices.pop_back();
-    chain_.steps.pop_back();
+    chain_.remove_last();
     for (std::size_t k = 1; k < edges; ++k) {
         const double at = angle(from) + turn * sweep * static_cast<double>(k) / static_cast<double>(edges);
         add(circle->centre + circle->radius * Vec{std::cos(at), std::sin(at)},

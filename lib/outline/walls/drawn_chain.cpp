@@ -41,22 +41,9 @@ void match_trace(const WallSamples& samples, const CellShape& shape, LatticePoin
 
 double deviation(const WallSamples& samples, const CellShape& shape, LatticePoint origin,
                  const DrawnChain& chain, bool closed) {
-    const std::size_t n = chain.vertices.size();
     double largest = 0;  // squared
-    const auto keep = [&](double square) { largest = std::max(largest, square); };
-    Vec from = shape.from_fine(chain.vertices.front(), origin);
-    for (std::size_t k = 0; k + (closed ? 0 : 1) < n; ++k) {
-        const Vec to = shape.from_fine(chain.vertices[k + 1 < n ? k + 1 : 0], origin);
-        const std::size_t first = chain.steps[k];
-        const std::size_t last = k + 1 < n ? chain.steps[k + 1] : chain.steps.front() + samples.steps();
-        keep(dot(from - samples.at(first), from - samples.at(first)));
-        keep(dot(to - samples.at(last), to - samples.at(last)));
-        samples.for_corners(first, last, [&](std::size_t, Vec corner) {
-            keep(square_distance(corner, from, to));
-            return true;
-        });
-        from = to;
-    }
+    for_distances(samples, shape, origin, chain, closed,
+                  [&](std::size_t, double square) { largest = std::max(largest, square); });
     return std::sqrt(largest);
 }
 

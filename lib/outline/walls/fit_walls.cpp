@@ -18,12 +18,13 @@ ClusterOutlines fit_walls(const WallCluster& cluster, const WallOptions& options
     ClusterOutlines result;
     WallRounds rounds(cluster, options, stop);
     rounds.settle();
+    const DrawnOutlines drawn = rounds.outlines();
     const bool own_footprints = has_higher_levels(cluster);
     for (std::size_t i = 0; i < cluster.contours.size(); ++i) {
         stop.check();
-        result.outlines.push_back(rounds.outline(i));
+        result.outlines.push_back(drawn.outline(i));
         if (own_footprints && cluster.contours[i]->key.level <= 1)
-            result.footprints.push_back(rounds.footprint(i));
+            result.footprints.push_back(drawn.footprint(i));
     }
     return result;
 }

@@ -45,6 +45,9 @@ struct ClusterOutlines {
 ///        |  RingAreas                 are areas kept?
 ///        v
 ///     WallRounds                      what is in the way follows its trace closer there, and all that again
+///        |
+///        v
+///     DrawnOutlines                   the contours' outlines, from the arcs that they share
 ///
 /// Depends on the cluster alone; O(n log n) in corners, and some rounds where walls are in each
 /// other's way. @throws Cancelled

@@ -149,10 +149,7 @@ void Middles::append(const ChainForm::Stretch& stretch, const FinePoint* end, Dr
     for (std::size_t i = from_start ? 1 : 0; i < points.size(); ++i) {
         const bool last = end != nullptr && i + 1 == points.size();
         const FinePoint vertex = last ? *end : shape_.to_fine(points[i].place, origin_);
-        if (!chain.vertices.empty() && chain.vertices.back() == vertex)
-            continue;
-        chain.vertices.push_back(vertex);
-        chain.steps.push_back(points[i].step);
+        chain.add(vertex, points[i].step);
     }
 }
 

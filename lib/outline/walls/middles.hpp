@@ -20,7 +20,7 @@ class Middles {
 
     /// Whether corners can be cut off within the tolerance; else the closest form is the trace itself.
     [[nodiscard]] static bool cuts_corners(const CellShape& shape, double tolerance) {
-        return std::max(length(shape.col), length(shape.row)) / 2 <= tolerance;
+        return shape.longer_side() / 2 <= tolerance;
     }
     /// Appends the vertices of a stretch: from the middle of its first step to that of its last, or a closed
     /// chain all round. @param chain its last vertex, where there is one, is the first that may be joined

@@ -101,10 +101,10 @@ std::int32_t PartCheck::outer_side(const West& w) const {
         return forward ? graph_.sides[w.arc].right : graph_.sides[w.arc].left;
     }
     const std::uint32_t node = graph_.ends[w.arc][w.index == 0 ? 0 : 1];
-    std::uint32_t first = graph_.arc_ends[graph_.first_end[node]];
-    for (std::uint32_t e = graph_.first_end[node]; e < graph_.first_end[node + 1]; ++e)
-        if (earlier_from_west(w.at, next_from(arcs_, graph_.arc_ends[e]), next_from(arcs_, first)))
-            first = graph_.arc_ends[e];
+    std::uint32_t first = graph_.ends_at(node).front();
+    for (const std::uint32_t end : graph_.ends_at(node))
+        if (earlier_from_west(w.at, next_from(arcs_, end), next_from(arcs_, first)))
+            first = end;
     return graph_.side_before(first);
 }
 

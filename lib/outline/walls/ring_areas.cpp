@@ -135,20 +135,18 @@ void RingAreas::correct(Ring& ring, double missing) {
 }
 
 void RingAreas::simplify_last(const Ring& ring) {
-    int rank = -1;
-    for (const ArcUse& use : *ring.uses) {
-        const std::uint32_t c = graph_.chain_of[use.arc];
-        if (!drawing_.is_closest(c))
-            rank = std::max(rank, graph_.chains[c].rank);
-    }
-    std::vector<std::uint32_t> last;
+    std::vector<std::uint32_t> chains;
     for (const ArcUse& use : *ring.uses)
-        if (graph_.chains[graph_.chain_of[use.arc]].rank == rank)
-            last.push_back(graph_.chain_of[use.arc]);
-    std::sort(last.begin(), last.end());
-    last.erase(std::unique(last.begin(), last.end()), last.end());
-    for (const std::uint32_t c : last)
-        drawing_.follow_closer(c, Form::cut);
+        chains.push_back(graph_.chain_of[use.arc]);
+    std::sort(chains.begin(), chains.end());
+    chains.erase(std::unique(chains.begin(), chains.end()), chains.end());
+    std::erase_if(chains, [&](std::uint32_t c) { return drawing_.form(c).all_cut(); });
+    int rank = -1;
+    for (const std::uint32_t c : chains)
+        rank = std::max(rank, graph_.chains[c].rank);
+    for (const std::uint32_t c : chains)
+        if (graph_.chains[c].rank == rank)
+            drawing_.follow_closer(c);
 }
 
 }  // namespace d2b

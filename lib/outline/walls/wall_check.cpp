@@ -153,8 +153,8 @@ void WallCheck::check_nodes(WallConflicts& found) {
 }
 
 void WallCheck::check_node(std::uint32_t node, WallConflicts& found) {
-    ends_.assign(graph_.arc_ends.begin() + graph_.first_end[node],
-                 graph_.arc_ends.begin() + graph_.first_end[node + 1]);
+    const auto ends = graph_.ends_at(node);
+    ends_.assign(ends.begin(), ends.end());
     const auto& first = arcs_[ends_.front() / 2];
     const FinePoint at = ends_.front() % 2 == 0 ? first.front() : first.back();
     std::sort(ends_.begin(), ends_.end(), [&](std::uint32_t a, std::uint32_t b) {

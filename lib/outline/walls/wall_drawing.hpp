@@ -1,15 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
-#include <optional>
 #include <vector>
 
-#include "outline/walls/chain_drawing.hpp"
-#include "outline/walls/chain_form.hpp"
-#include "outline/walls/course.hpp"
-#include "outline/walls/draw_walls.hpp"
-#include "outline/walls/wall_clusters.hpp"
+#include "outline/walls/chain_state.hpp"
+#include "outline/walls/node_places.hpp"
 #include "outline/walls/wall_options.hpp"
 
 namespace d2b {
@@ -20,6 +15,9 @@ class WallDrawing {
     /// @param graph, cluster, stop must outlive this
     WallDrawing(const WallGraph& graph, const WallCluster& cluster, const WallOptions& options,
                 const StopRequest& stop);
+    WallDrawing(const WallDrawing&) = delete;
+    WallDrawing& operator=(const WallDrawing&) = delete;
+    ~WallDrawing() = default;
 
     /// Draws the chains that are not drawn, or have been asked for another form, and what stands on them.
     /// @return the arcs that have changed @throws Cancelled
@@ -35,16 +33,16 @@ class WallDrawing {
     /// Lets a range of steps of a chain follow its trace closer, and some steps on either side.
     /// @return false: it is as close as can be
     bool follow_closer(std::uint32_t chain, std::size_t first, std::size_t last, std::size_t margin);
-    /// The same for a whole chain. @param most the closest form
-    bool follow_closer(std::uint32_t chain, Form most);
-    /// Whether all of a chain has the closest form.
-    [[nodiscard]] bool is_closest(std::uint32_t chain) const {
-        return states_[chain].form.least(0, graph_.chains[chain].steps()) == Form::cut;
+    /// The same for a whole chain.
+    bool follow_closer(std::uint32_t chain) {
+        return follow_closer(chain, 0, graph_.chains[chain].steps(), 0);
     }
     /// The same for the chain on which a node stands, around the node, if it is not where it was traced.
     bool follow_closer_at(std::uint32_t node, std::size_t margin);
+    /// Gives all of a chain the closest form.
+    void trace(std::uint32_t chain);
     /// How far a node is from where it was traced, in cells.
-    [[nodiscard]] double displaced(std::uint32_t node) const;
+    [[nodiscard]] double displaced(std::uint32_t node) const { return places_.displaced(node); }
 
     /// A wall of a chain.
     struct Wall {
@@ -59,37 +57,20 @@ class WallDrawing {
     void shift(Wall wall, double cells);
 
   private:
-    struct State {
-        ChainForm form;
-        bool waiting = true;  ///< to be drawn for its own sake
-        bool lands = false;   ///< where it ends may have moved
-        double direction = 0;
-        std::optional<ChainEnds> ends;        ///< of an open chain
-        std::unique_ptr<ChainDrawing> chain;  ///< once it has been drawn
-        Course course;
-    };
     void reset(std::uint32_t node);
-    [[nodiscard]] bool ends_where_it_did(std::uint32_t chain);
-    [[nodiscard]] std::vector<std::uint32_t> changed_arcs() const;
+    [[nodiscard]] std::vector<std::uint32_t> changed_arcs(const std::vector<std::uint32_t>& drawn) const;
     void draw_chain(std::uint32_t chain);
     void plan(std::uint32_t chain);
-    [[nodiscard]] double reference_direction(std::uint32_t chain, double own) const;
-    [[nodiscard]] FinePoint place(std::uint32_t node) const;
-    [[nodiscard]] FinePoint land(std::uint32_t node, const std::optional<Line>& wall);
-    [[nodiscard]] std::optional<Line> wall_at_end(std::uint32_t chain, bool last) const;
-    [[nodiscard]] std::optional<ChainEnds> land_ends(std::uint32_t chain);
-    [[nodiscard]] static std::uint32_t end_node(const Chain& chain, bool last) {
-        return last ? chain.nodes.back() : chain.nodes.front();
-    }
+    [[nodiscard]] double direction(std::uint32_t chain) const;
 
     const WallGraph& graph_;
     const WallCluster& cluster_;
     WallOptions options_;
     const StopRequest& stop_;
-    std::vector<State> states_;
-    std::vector<std::uint8_t> reset_;   ///< nodes that are placed anew this time
-    std::vector<std::uint32_t> drawn_;  ///< chains, this time
-    bool first_ = true;                 ///< nothing has been drawn
+    std::vector<ChainState> states_;
+    NodePlaces places_;
+    std::vector<std::uint8_t> reset_;  ///< nodes that are placed anew this time
+    bool first_ = true;                ///< nothing has been drawn
 };
 
 }  // namespace d2b

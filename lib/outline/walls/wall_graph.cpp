@@ -110,18 +110,17 @@ void Builder::find_nodes() {
 /// Through a node goes a chain where exactly two of the arcs that are drawn first there meet.
 void Builder::find_mates() {
     mate_.assign(2 * arcs(), nobody);
-    for (std::size_t n = 0; n < walls_.nodes.size(); ++n) {
+    for (std::uint32_t n = 0; n < walls_.nodes.size(); ++n) {
         stop_.check();
-        const auto begin = walls_.arc_ends.begin() + walls_.first_end[n];
-        const auto end = walls_.arc_ends.begin() + walls_.first_end[n + 1];
+        const auto ends = walls_.ends_at(n);
         const auto rank = [&](std::uint32_t e) { return walls_.ranks[e / 2]; };
-        int lowest = rank(*begin);
-        for (auto e = begin; e != end; ++e)
-            lowest = std::min(lowest, rank(*e));
+        int lowest = rank(ends.front());
+        for (const std::uint32_t e : ends)
+            lowest = std::min(lowest, rank(e));
         std::vector<std::uint32_t> first;
-        for (auto e = begin; e != end; ++e)
-            if (rank(*e) == lowest)
-                first.push_back(*e);
+        for (const std::uint32_t e : ends)
+            if (rank(e) == lowest)
+                first.push_back(e);
         if (first.size() != 2)
             continue;
         mate_[first[0]] = first[1];
@@ -179,9 +178,11 @@ void Builder::find_owners() {
 
 void Builder::find_parts() {
     DisjointSets parts(static_cast<std::uint32_t>(walls_.chains.size()));
-    for (std::size_t n = 0; n < walls_.nodes.size(); ++n)
-        for (std::uint32_t e = walls_.first_end[n] + 1; e < walls_.first_end[n + 1]; ++e)
-            parts.join(walls_.chain_of[walls_.arc_ends[e - 1] / 2], walls_.chain_of[walls_.arc_ends[e] / 2]);
+    for (std::uint32_t n = 0; n < walls_.nodes.size(); ++n) {
+        const auto ends = walls_.ends_at(n);
+        for (const std::uint32_t end : ends)
+            parts.join(walls_.chain_of[ends.front() / 2], walls_.chain_of[end / 2]);
+    }
     walls_.part_of.resize(parts.size());
     for (std::uint32_t c = 0; c < parts.size(); ++c)
         walls_.part_of[c] = parts.find(c) == c ? walls_.parts++ : walls_.part_of[parts.find(c)];

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "outline/arc_graph.hpp"
@@ -21,6 +22,7 @@ struct Chain {
     std::vector<LatticePoint> trace;  ///< corners and ends; a closed one does not repeat its first point
 
     [[nodiscard]] std::size_t steps() const { return node_steps.back() - node_steps.front(); }
+    [[nodiscard]] std::uint32_t end_node(bool last) const { return last ? nodes.back() : nodes.front(); }
 };
 
 /// The arcs of all outlines, in the order in which walls are drawn. An arc's rank says when: outlines of a
@@ -29,6 +31,7 @@ struct Chain {
 /// join: a wall knows nothing of what stands on it.
 struct WallGraph {
     static constexpr std::uint32_t nobody = 0xffffffff;
+    static constexpr int highest_low_rank = 3;  ///< of arcs of levels 0 and 1
 
     /// The highest contours on both sides of an arc, as places in the cluster; -1 where there is none.
     struct Sides {
@@ -57,6 +60,9 @@ struct WallGraph {
     std::vector<std::uint32_t> arc_ends;
     std::vector<std::uint32_t> first_end;
 
+    [[nodiscard]] std::span<const std::uint32_t> ends_at(std::uint32_t node) const {
+        return std::span(arc_ends).subspan(first_end[node], first_end[node + 1] - first_end[node]);
+    }
     /// The contour beside an arc that leaves a node, on its counter-clockwise side: its left.
     [[nodiscard]] std::int32_t side_after(std::uint32_t end) const {
         return end % 2 == 0 ? sides[end / 2].left : sides[end / 2].right;

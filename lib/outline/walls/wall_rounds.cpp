@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "outline/walls/outline_builder.hpp"
-
 namespace d2b {
 namespace {
 
-constexpr int patient_rounds = 60;   // in which stretches follow their traces closer step by step
-constexpr double nearby = 1.5;       // cells from what is in the way
-constexpr int highest_low_rank = 3;  // of arcs of levels 0 and 1
+constexpr int patient_rounds = 60;  // in which stretches follow their traces closer step by step
+constexpr double nearby = 1.5;      // cells from what is in the way
 
 /// @return whether a range of the steps of an edge is within reach of another edge, and which
 bool steps_near(const CellShape& shape, const FineSegment& edge, const FineSegment& other, std::size_t& first,
@@ -129,7 +126,7 @@ WallRounds::Place WallRounds::near(Edge e, Edge other) const {
 /// Walls know nothing of what stands on them: what is in each other's way among low levels alone comes first.
 void WallRounds::resolve(const WallConflicts& conflicts) {
     const auto is_low = [&](const auto& pair) {
-        return std::max(rank(pair.first), rank(pair.second)) <= highest_low_rank;
+        return std::max(rank(pair.first), rank(pair.second)) <= WallGraph::highest_low_rank;
     };
     const bool low_alone = std::ranges::any_of(conflicts, is_low);
     for (const auto& pair : conflicts)
@@ -170,58 +167,7 @@ void WallRounds::resolve(Edge a, Edge b) {
 void WallRounds::trace_part(std::uint32_t part) {
     in_conflict_[part] = true;
     for (const std::uint32_t arc : check_.arcs_of_part(part))
-        while (drawing_.follow_closer(graph_.chain_of[arc], Form::cut))
-            continue;
-}
-
-WallOutline WallRounds::outline(std::size_t contour) const {
-    OutlineBuilder builder(options_);
-    DrawnChain drawn;
-    for (const RingAreas::Ring& ring : areas_.rings(contour)) {
-        builder.begin_ring(ring.traced);
-        for (const ArcUse& use : *ring.uses) {
-            drawing_.arc(use.arc, drawn);
-            builder.add(drawn, drawing_.form(graph_.chain_of[use.arc]), use.reversed);
-        }
-    }
-    return builder.finish();
-}
-
-/// Whether low levels need a vertex between two uses of a ring: there others of them end, or a chain does.
-bool WallRounds::low_levels_meet(const ArcUse& before, const ArcUse& after) const {
-    if (graph_.chain_of[before.arc] != graph_.chain_of[after.arc])
-        return true;
-    const std::uint32_t node = graph_.ends[after.arc][after.reversed ? 1 : 0];
-    int low = 0;
-    for (std::uint32_t e = graph_.first_end[node]; e < graph_.first_end[node + 1]; ++e)
-        low += graph_.ranks[graph_.arc_ends[e] / 2] <= highest_low_rank ? 1 : 0;
-    return low != 2;
-}
-
-void WallRounds::add_low(const std::vector<ArcUse>& uses, OutlineBuilder& builder) const {
-    const std::size_t n = uses.size();
-    std::size_t begin = 0;
-    while (begin < n && !low_levels_meet(uses[(begin + n - 1) % n], uses[begin]))
-        ++begin;
-    DrawnChain drawn;
-    for (std::size_t i = begin % n, left = n; left > 0;) {
-        std::size_t count = 1;
-        while (count < left && !low_levels_meet(uses[(i + count - 1) % n], uses[(i + count) % n]))
-            ++count;
-        const bool against = drawing_.stretch(uses[i], uses[(i + count - 1) % n], begin == n, drawn);
-        builder.add(drawn, drawing_.form(graph_.chain_of[uses[i].arc]), against);
-        i = (i + count) % n;
-        left -= count;
-    }
-}
-
-WallOutline WallRounds::footprint(std::size_t contour) const {
-    OutlineBuilder builder(options_);
-    for (const RingAreas::Ring& ring : areas_.rings(contour)) {
-        builder.begin_ring(ring.traced);
-        add_low(*ring.uses, builder);
-    }
-    return builder.finish();
+        drawing_.trace(graph_.chain_of[arc]);
 }
 
 }  // namespace d2b

@@ -3,9 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "outline/walls/fit_walls.hpp"
-#include "outline/walls/outline_builder.hpp"
-#include "outline/walls/ring_areas.hpp"
+#include "outline/walls/drawn_outlines.hpp"
 #include "outline/walls/wall_check.hpp"
 
 namespace d2b {
@@ -23,9 +21,8 @@ class WallRounds {
     /// Ends: each round brings some steps closer to their trace or uses up one of the few shifts, and what
     /// follows the trace all over is in nobody's way. @throws Cancelled
     void settle();
-    [[nodiscard]] WallOutline outline(std::size_t contour) const;
-    /// A contour's of level 0 or 1, without the vertices on its walls that higher levels alone need.
-    [[nodiscard]] WallOutline footprint(std::size_t contour) const;
+    /// What is drawn; this must outlive it.
+    [[nodiscard]] DrawnOutlines outlines() const { return {graph_, drawing_, areas_, options_}; }
 
   private:
     using Edge = SegmentGrid::Edge;
@@ -46,8 +43,6 @@ class WallRounds {
     void trace_part(std::uint32_t part);
     [[nodiscard]] int rank(Edge e) const { return graph_.chains[graph_.chain_of[e.arc]].rank; }
     [[nodiscard]] std::size_t margin() const { return std::size_t{2} << std::min(round_ / 6, 16); }
-    [[nodiscard]] bool low_levels_meet(const ArcUse& before, const ArcUse& after) const;
-    void add_low(const std::vector<ArcUse>& uses, OutlineBuilder& builder) const;
 
     WallOptions options_;
     const StopRequest& stop_;

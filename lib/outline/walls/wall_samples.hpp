@@ -31,12 +31,15 @@ struct Vec {
 [[nodiscard]] inline double length(Vec a) {
     return std::sqrt(dot(a, a));
 }
-/// From a point to a segment, squared.
-[[nodiscard]] inline double square_distance(Vec p, Vec a, Vec b) {
+/// Where on a segment its point nearest to another point is: 0 at a, 1 at b.
+[[nodiscard]] inline double nearest_share(Vec p, Vec a, Vec b) {
     const Vec along = b - a;
     const double square = dot(along, along);
-    const double share = square > 0 ? std::clamp(dot(p - a, along) / square, 0.0, 1.0) : 0.0;
-    const Vec off = p - a - share * along;
+    return square > 0 ? std::clamp(dot(p - a, along) / square, 0.0, 1.0) : 0.0;
+}
+/// From a point to a segment, squared.
+[[nodiscard]] inline double square_distance(Vec p, Vec a, Vec b) {
+    const Vec off = p - a - nearest_share(p, a, b) * (b - a);
     return dot(off, off);
 }
 
@@ -48,6 +51,7 @@ struct CellShape {
     Vec row{0, 1};
 
     [[nodiscard]] Vec from_cells(double rows, double cols) const { return cols * col + rows * row; }
+    [[nodiscard]] double longer_side() const { return std::max(length(col), length(row)); }
     /// The nearest fine point to a place that is seen from `origin`.
     [[nodiscard]] FinePoint to_fine(Vec place, LatticePoint origin) const;
     [[nodiscard]] Vec from_fine(FinePoint point, LatticePoint origin) const;
