@@ -83,6 +83,11 @@ DrawnChain compose_chain(const WallSamples& samples, const CellShape& shape, Lat
         else
             middles.append(stretch, at_end ? &ends->last : nullptr, chain);
     }
+    // What it ends on may have brought both ends to one place: that is found where all chains are compared.
+    if (ends && chain.vertices.size() == 1) {
+        chain.vertices.push_back(ends->last);
+        chain.steps.push_back(samples.steps());
+    }
     if (!ends && chain.vertices.size() > 1 && chain.vertices.front() == chain.vertices.back())
         chain.remove_last();
     chain.deviation = deviation(samples, shape, origin, chain, samples.closed());
