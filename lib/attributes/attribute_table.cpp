@@ -74,7 +74,7 @@ constexpr std::array building_table{
                               [](const BuildingRecord& r) { return floors(r.heights_m[3]); }},
     Attribute<BuildingRecord>{
         "has_parts", "Has parts", FieldType::integer, Unit::none,
-        "1 where more than one contour makes the stack, else 0",
+        "1 if the stack has more than one contour, else 0",
         [](const BuildingRecord& r) -> FieldValue { return std::int64_t{r.parts > 1 ? 1 : 0}; }},
     Attribute<BuildingRecord>{"n_parts", "Parts", FieldType::integer, Unit::none, "contours of the stack",
                               [](const BuildingRecord& r) -> FieldValue { return r.parts; }},
@@ -93,11 +93,11 @@ constexpr std::array building_table{
         "how certain it is that this is a building, 0 to 1; NULL in the thesis preset",
         [](const BuildingRecord& r) { return number(down_to_hundredths(r.confidence)); }},
     Attribute<BuildingRecord>{"doubt", "Doubt", FieldType::text, Unit::none,
-                              "what speaks most against it being a building, where confidence is below 0.9",
+                              "the strongest sign against a building, where confidence is below 0.9",
                               [](const BuildingRecord& r) { return doubt(r); }},
     Attribute<BuildingRecord>{
         "at_edge", "At the edge", FieldType::integer, Unit::none,
-        "1 where it touches the edge of the part of the raster that is used, else 0",
+        "1 if it touches the edge of the part of the raster that is used, else 0",
         [](const BuildingRecord& r) -> FieldValue { return std::int64_t{r.at_edge ? 1 : 0}; }},
     Attribute<BuildingRecord>{
         "area_m2", "Area", FieldType::real, Unit::square_metre,
@@ -121,7 +121,7 @@ constexpr std::array building_table{
                               "largest distance between the regularized outline and its trace",
                               [](const BuildingRecord& r) { return measure(r.deviation_m); }},
     Attribute<BuildingRecord>{"area_chg", "Area change", FieldType::real, Unit::none,
-                              "by regularizing the outline, share of the traced area",
+                              "change of the area by straight walls, as a share of the traced area",
                               [](const BuildingRecord& r) { return number(r.area_change); }},
 };
 
@@ -143,11 +143,11 @@ constexpr std::array contour_table{
                              [](const ContourRecord& r) { return number(r.threshold); }},
     Attribute<ContourRecord>{
         "base", "Base", FieldType::real, Unit::vertical,
-        "where this part of the stack begins: the top of the part below, the ground in level 1",
+        "lower end of this part of the stack: the top of the part below, the ground in level 1",
         [](const ContourRecord& r) { return number(r.base); }},
     Attribute<ContourRecord>{
         "top", "Top", FieldType::real, Unit::vertical,
-        "where this part of the stack ends: tier_z, at most the threshold of the part above",
+        "upper end of this part of the stack: tier_z, at most the threshold of the part above",
         [](const ContourRecord& r) { return number(r.top); }},
     Attribute<ContourRecord>{"height", "Height", FieldType::real, Unit::metre,
                              "top of this part above the ground of its building; NULL in level 0",
@@ -171,7 +171,7 @@ constexpr std::array contour_table{
                              "highest elevation of its points",
                              [](const ContourRecord& r) { return number(r.highest); }},
     Attribute<ContourRecord>{"confidence", "Confidence", FieldType::real, Unit::none,
-                             "how certain it is that its building is one, 0 to 1; NULL in the thesis preset",
+                             "confidence of its building, 0 to 1; NULL in the thesis preset",
                              [](const ContourRecord& r) { return number(down_to_hundredths(r.confidence)); }},
     Attribute<ContourRecord>{"area_m2", "Area", FieldType::real, Unit::square_metre,
                              "area less holes, on the ellipsoid where the CRS has one",
@@ -211,7 +211,7 @@ std::string_view type_name(FieldType type) {
 
 template <typename Record>
 std::string markdown(std::span<const Attribute<Record>> attributes) {
-    std::string text = "| field | type | unit | what it is |\n|---|---|---|---|\n";
+    std::string text = "| field | type | unit | meaning |\n|---|---|---|---|\n";
     for (const Attribute<Record>& a : attributes)
         text += "| `" + std::string(a.name) + "` | " + std::string(type_name(a.type)) + " | " +
                 unit_name(a.unit, "vertical unit") + " | " + std::string(a.description) + " |\n";

@@ -101,7 +101,7 @@ void for_runs_by_label(Executor& threads, const Regions& regions, const Use& use
 
 [[nodiscard]] Mask mask_of(const Regions& regions, Executor& threads);
 
-/// @param number what to write for each label; one entry a label, [0] for none
+/// @param number what to write for each label; one entry per label, [0] for none
 [[nodiscard]] Grid<Label> label_grid(const Regions& regions, std::span<const Label> number,
                                      Executor& threads);
 

@@ -18,7 +18,7 @@ std::string within(const GroundFit& fit) {
 }
 
 std::string doubt_of_given(const GroundFit& fit, const std::string& terrain, bool few) {
-    const std::string see = "; see whether both have the same unit and vertical datum";
+    const std::string see = "; check whether both have the same unit and vertical datum";
     if (few)
         return within(fit) + "the terrain '" + terrain + "', above which the surface lies " +
                rounded(fit.median()) + " m (median)" + see;
@@ -51,7 +51,7 @@ std::string surface_doubt(const GroundFit& fit, const std::string& dem) {
         return {};
     return (share > 0 ? percent(share) : "none") + " of the cells of '" + dem + "' rise by more than " +
            number_text(usual) +
-           " m above what surrounds them, as in a terrain model (DTM), which has no buildings; give the "
+           " m above their surroundings, as in a terrain model (DTM), which has no buildings; give the "
            "surface model (DSM)";
 }
 

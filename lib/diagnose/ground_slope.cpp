@@ -26,8 +26,8 @@ std::string slope_doubt(const GroundSlope& slope, const std::string& dem) {
         return {};
     const double share = static_cast<double>(slope.steep_cells) / static_cast<double>(slope.cells);
     return percent(share) + " of the ground of '" + dem + "' is steeper than " + percent(GroundSlope::steep) +
-           ", where buildings can hardly be told from the slope; give a terrain model with -ground, and see "
-           "whether elevations and coordinates have the units that they are taken for (-zunit)";
+           ", where buildings can hardly be told from the slope; give a terrain model with -ground, and "
+           "check the units of elevations and coordinates (-zunit)";
 }
 
 }  // namespace d2b

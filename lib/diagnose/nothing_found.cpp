@@ -66,7 +66,7 @@ std::string why_nothing_was_found(const Search& search) {
             return text;
     return "nothing that rises by more than " + number_text(detect.min_height) +
            " m above the ground is as smooth and wide as a roof; cells should be at most 1 m wide, or 2.5 m "
-           "for large buildings, and -write_canopy shows what rises";
+           "for large buildings, and -write_canopy shows everything that rises";
 }
 
 }  // namespace d2b

@@ -16,7 +16,8 @@ std::string whole_metres(double metres) {
 
 std::string advice(double elevation) {
     return " has an elevation of " + value_text(elevation) +
-           "; give what stands for no data with -snodata, the range of elevations with -zrange, or their "
+           "; give the value that stands for no data with -snodata, the range of elevations with -zrange, or "
+           "their "
            "unit "
            "with -zunit.";
 }

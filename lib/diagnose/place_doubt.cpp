@@ -30,7 +30,7 @@ std::string picture_doubt(const DemInfo& dem) {
         dem.bands < colours ? "byte values"
                             : std::to_string(dem.bands) + " bands" + (dem.bytes ? " of byte values" : "");
     return "'" + dem.name + "' has " + what +
-           ", as a picture has; give a surface model (DSM), or choose the band of its elevations with -b";
+           ", like a picture; give a surface model (DSM), or choose the band of its elevations with -b";
 }
 
 std::string degrees_doubt(const DemInfo& dem, bool has_crs) {
@@ -44,8 +44,8 @@ std::string degrees_doubt(const DemInfo& dem, bool has_crs) {
                 std::abs(g[3] + col * g[4] + row * g[5]) > 90)
                 return {};
     return "'" + dem.name +
-           "' has no CRS, and its coordinates look like degrees, which were taken as metres; if they are, "
-           "give -a_srs EPSG:4326, else the CRS that they are of";
+           "' has no CRS, and its coordinates look like degrees, but were taken as metres; give -a_srs "
+           "EPSG:4326 if they are degrees, else their CRS";
 }
 
 std::string extent_doubt(const std::string& dem, double width, double height) {

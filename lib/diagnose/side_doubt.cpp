@@ -40,7 +40,7 @@ std::string ndvi_doubt(const SidesKnown& known, const Options& options) {
     if (known.ndvi)
         return {};
     return "the NDVI '" + options.detect.ndvi +
-           "' has no valid cell over the DEM, so it tells no plants; give one of the same place with -ndvi";
+           "' has no valid cell over the DEM, so it shows no plants; give one of the same place with -ndvi";
 }
 
 }  // namespace d2b

@@ -25,7 +25,7 @@ class Strange {
     void warn_of_set_aside(std::int64_t cells) const;
 
   private:
-    /// "none on land, which lies between -500 and 9000 m"
+    /// "outside of the elevations of land, -500 to 9000 m"
     [[nodiscard]] std::string not_in_range() const;
     /// What to do where a value stands for no data.
     [[nodiscard]] std::string nodata_advice(double elevation) const;
@@ -40,8 +40,8 @@ class Strange {
 std::string Strange::not_in_range() const {
     if (const auto& range = options_.elevation_range)
         return "outside of -zrange " + number_text((*range)[0]) + " " + number_text((*range)[1]);
-    std::string text =
-        "not on land, between " + number_text(on_land.lowest) + " and " + number_text(on_land.highest) + " m";
+    std::string text = "outside of the elevations of land, " + number_text(on_land.lowest) + " to " +
+                       number_text(on_land.highest) + " m";
     if (const UnitReport& units = context_.report.units; units.vertical_metres != 1)
         text += ", in the unit " + units.vertical;
     return text;
@@ -63,7 +63,9 @@ void Strange::refuse_most(const ValueCounts& outside, std::int64_t valid) const 
         outside.text(name_) + ", which is " + not_in_range() +
         ", and these are more than half of all; give the unit of the elevations with -zunit, the "
         "range in which they lie with -zrange" +
-        (most ? ", or what stands for no data with -snodata " + stored_text(most->value, info_) : "") + ".");
+        (most ? ", or the value that stands for no data with -snodata " + stored_text(most->value, info_)
+              : "") +
+        ".");
 }
 
 void Strange::warn_of_outside(const ValueCounts& outside) const {
@@ -75,7 +77,7 @@ void Strange::warn_of_outside(const ValueCounts& outside) const {
         advice = nodata_advice(most->value) +
                  (is_own_nodata(most->value) ? "" : ", and if not, the range with -zrange");
     context_.warn(outside.text(name_) + ", which is " + not_in_range() + ", and " +
-                  (outside.cells() == 1 ? "is" : "are") + " taken for no data; " + advice + ".");
+                  (outside.cells() == 1 ? "is" : "are") + " treated as no data; " + advice + ".");
 }
 
 void Strange::warn_of_spikes(const ValueCounts& spikes) const {
@@ -84,7 +86,7 @@ void Strange::warn_of_spikes(const ValueCounts& spikes) const {
     const auto most = spikes.most();
     context_.warn(spikes.text(name_) + ", more than " + number_text(spikes_m.no_elevation) +
                   " m above all cells around, and " + (spikes.cells() == 1 ? "is" : "are") +
-                  " taken for no data" + (most ? "; " + nodata_advice(most->value) : "") + ".");
+                  " treated as no data" + (most ? "; " + nodata_advice(most->value) : "") + ".");
 }
 
 void Strange::warn_of_shared(const StrangeValues& strange, std::int64_t cells) const {

@@ -9,13 +9,13 @@ namespace {
 std::string sentence(double share, const std::string& whose, double cell_size_m) {
     constexpr double fine_cell_m = 1.25;
     const std::string what =
-        percent(share) + " of the length of the " + whose + "' outlines stays as the cells make them";
+        percent(share) + " of the length of the " + whose + "' outlines keeps the staircase of the cells";
     if (cell_size_m > fine_cell_m)
-        return what + ", since walls cannot be told in cells of " + rounded(cell_size_m) +
+        return what + ", since walls cannot be seen in cells of " + rounded(cell_size_m) +
                " m; use a finer raster, or a larger -regularize_tolerance";
     return what +
-           ", where anything else would have left the trace or met a neighbour; -write_rejected shows "
-           "which, and a larger -regularize_tolerance may straighten more";
+           ", since straight walls would have left the trace or met a neighbour; -write_rejected shows these "
+           "outlines, and a larger -regularize_tolerance may straighten more";
 }
 
 }  // namespace

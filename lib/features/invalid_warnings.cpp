@@ -23,10 +23,9 @@ void InvalidWarnings::note(const std::string& kind, std::int64_t id, const Featu
 
 void InvalidWarnings::finish() {
     if (count_ > most_by_id)
-        context_.warn(
-            std::to_string(count_ - most_by_id) +
-            " more features would not have been valid polygons; -write_rejected writes them all, with what "
-            "became of them.");
+        context_.warn(std::to_string(count_ - most_by_id) +
+                      " more features would not have been valid polygons; -write_rejected writes them all, "
+                      "with the reason.");
 }
 
 }  // namespace d2b

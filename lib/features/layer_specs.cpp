@@ -20,7 +20,7 @@ LayerSpecs layer_specs(const RunPlan& plan, const std::string& source, const std
     };
     const auto building_fields = field_specs(building_attributes(), vertical_unit, write.fields);
     if (plan.layers != Layers::contours)
-        specs.places.buildings = add(LayerRole::buildings, "Buildings", "One polygon a building, from ",
+        specs.places.buildings = add(LayerRole::buildings, "Buildings", "One polygon per building, from ",
                                      building_fields, with_arcs);
     if (plan.layers != Layers::buildings)
         specs.places.contours =
@@ -29,13 +29,14 @@ LayerSpecs layer_specs(const RunPlan& plan, const std::string& source, const std
                                          : "Stacked contours, low to high, from ",
                 field_specs(contour_attributes(), vertical_unit), with_arcs);
     if (write.doubtful)
-        specs.places.doubtful =
-            add(LayerRole::doubtful, "Doubtful buildings",
-                "What may be a building, with the reason for the doubt, from ", building_fields, with_arcs);
+        specs.places.doubtful = add(LayerRole::doubtful, "Doubtful buildings",
+                                    "Objects that may be buildings, with the reason for the doubt, from ",
+                                    building_fields, with_arcs);
     if (write.rejected)
-        specs.places.rejected = add(LayerRole::rejected, "Rejected",
-                                    "What was dropped, filled or kept as traced, with the reason, from ",
-                                    field_specs(rejected_attributes(), vertical_unit), false);
+        specs.places.rejected =
+            add(LayerRole::rejected, "Rejected",
+                "Contours and holes that were dropped, filled or kept as traced, with the reason, from ",
+                field_specs(rejected_attributes(), vertical_unit), false);
     return specs;
 }
 

@@ -115,7 +115,7 @@ std::string spoken_name(const Crs& crs, const std::string& given) {
 
 InputError torn_apart(const std::string& input, const std::string& target) {
     return InputError(
-        "'" + input + "' cannot be brought to '" + target +
+        "'" + input + "' cannot be converted to '" + target +
         "', which tears its area apart or stretches it beyond use (as across 180 degrees, over a "
         "pole or far from where a projection is made for); choose another -t_srs, such as the "
         "UTM zone of the area, or use a part of the raster (-srcwin, -projwin or -te).");

@@ -48,7 +48,7 @@ class FeatureWriter {
     Context& context_;
     ContourDrawer drawer_;
     StackRmse rmse_;                        // of the contours as they were traced
-    std::optional<DrawnStack> stack_;       // where they are drawn otherwise
+    std::optional<DrawnStack> stack_;       // where they are drawn differently
     std::vector<std::int64_t> written_id_;  // what stands on a contour that is not written stands on this
     std::optional<RejectedLayer> rejected_;
     InvalidWarnings invalid_;

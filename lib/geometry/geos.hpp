@@ -10,7 +10,7 @@
 
 namespace d2b {
 
-/// GEOS through its reentrant C API; one object a thread. Its messages become the text of exceptions.
+/// GEOS through its reentrant C API; one object per thread. Its messages become the text of exceptions.
 class Geos {
   public:
     /// @param stop asked in the midst of what GEOS does as well, which then ends with a Cancelled

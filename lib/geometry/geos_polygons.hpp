@@ -11,7 +11,7 @@
 
 namespace d2b {
 
-/// Plain polygons into GEOS and back, in a context of its own; one object a thread. Polygons are
+/// Plain polygons into GEOS and back, in a context of its own; one object per thread. Polygons are
 /// WorldPolygon, or FinePolygon with the columns as x and the rows as -y; both come back oriented as they
 /// say.
 class GeosPolygons {

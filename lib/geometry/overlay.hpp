@@ -21,7 +21,7 @@ struct Dissolved {
     Polygons twice;  ///< what two or more features cover
 };
 
-/// Operations of GEOS on areas; one object a thread. All throw Error with GEOS's message where GEOS fails.
+/// Operations of GEOS on areas; one object per thread. All throw Error with GEOS's message where GEOS fails.
 class Overlay {
   public:
     Overlay();

@@ -17,7 +17,7 @@ inline constexpr int most_levels = std::numeric_limits<std::uint16_t>::max();
 /// root, where it is valid. Label 0 has no thresholds.
 struct LevelPlan {
     double minimum = 0;                           ///< recorded as the threshold of level 0
-    std::vector<std::vector<double>> thresholds;  ///< a list a label
+    std::vector<std::vector<double>> thresholds;  ///< one list per label
     /// Labels are footprints: all their points belong to level 1, whose threshold is the ground and is only
     /// recorded.
     bool footprints = false;

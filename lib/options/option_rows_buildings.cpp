@@ -10,31 +10,29 @@ OptionRow preset() {
     return choice_row(
         "preset", presets, [](auto& r) -> auto& { return r.options.preset; },
         {.title = "Method",
-         .help = "Method, with its defaults; the other options refine it.",
-         .details =
-             "buildings: ground and buildings are found in the input, outlines get straight walls, and "
-             "contours "
-             "divide each building by height. thesis is the method of Chittineni (2003): thresholds from the "
-             "mean and the standard deviation of all elevations, and collapsed contouring; everything above "
-             "the lowest threshold is taken for a building, trees too.",
+         .help = "Method: a set of defaults, which the other options refine.",
+         .details = "buildings finds the ground and the buildings, draws straight walls, and "
+                    "divides each building by height. thesis follows Chittineni (2003): thresholds "
+                    "from the mean and the standard deviation of all elevations, and contours "
+                    "through grid points (collapsed contouring). It takes everything above the "
+                    "lowest threshold for a building, trees too.",
          .item = "PRESET"});
 }
 
 /// "auto", "none" or the name of a terrain model.
 OptionRow ground() {
     const Choices<GroundMode> modes{{"auto", GroundMode::automatic}, {"none", GroundMode::none}};
-    OptionRow row = described(
-        "ground", OptionKind::terrain, joined(words_of(modes), "|") + "|<terrain model>",
-        {.title = "Where the ground comes from",
-         .section = DialogSection::ground,
-         .help = "The ground under the buildings.",
-         .details =
-             "auto: it is estimated from the input. none: the input holds heights above ground. A terrain "
-             "model "
-             "is any raster that GDAL reads; it is brought to the cells, CRS and unit of the input. A file "
-             "called auto or none needs its path: ./auto.",
-         .scope = where_buildings_are_found("none"),
-         .item = "GROUND"});
+    OptionRow row =
+        described("ground", OptionKind::terrain, joined(words_of(modes), "|") + "|<terrain model>",
+                  {.title = "How the ground is found",
+                   .section = DialogSection::ground,
+                   .help = "The ground below the buildings.",
+                   .details = "auto: the program estimates it from the input. none: the input holds heights "
+                              "above ground. A terrain model is any raster that GDAL reads; the program "
+                              "converts it to the cells, CRS and unit of the input. A file called auto or "
+                              "none needs its path: ./auto.",
+                   .scope = where_buildings_are_found("none"),
+                   .item = "GROUND"});
     row.choices = words_of(modes);
     row.apply = [modes](Request& request, OptionValues texts) {
         GroundOptions& ground = request.options.ground;
@@ -51,20 +49,20 @@ OptionRow ground() {
 
 std::vector<OptionRow> evidence() {
     std::vector<OptionRow> rows;
-    rows.push_back(number_row("min_confidence", "<0 to 1>", {.lowest = 0, .highest = 1},
-                              [](auto& r) -> auto& { return r.options.detect.min_confidence; },
-                              {.title = "Least confidence",
-                               .section = DialogSection::trees,
-                               .help = "Objects of less confidence are not taken for buildings.",
-                               .details = "Confidence tells buildings from trees by smoothness, the step "
-                                          "along the border, and the tilt and "
-                                          "size of the smooth pieces.",
-                               .scope = where_buildings_are_found(),
-                               .item = "MIN_CONFIDENCE"}));
+    rows.push_back(
+        number_row("min_confidence", "<0 to 1>", {.lowest = 0, .highest = 1},
+                   [](auto& r) -> auto& { return r.options.detect.min_confidence; },
+                   {.title = "Least confidence",
+                    .section = DialogSection::trees,
+                    .help = "Least confidence of a building; less certain objects are left out.",
+                    .details = "The confidence tells buildings from trees by smoothness, the step along the "
+                               "border, and the tilt and size of the smooth pieces.",
+                    .scope = where_buildings_are_found(),
+                    .item = "MIN_CONFIDENCE"}));
     rows.push_back(
         text_row("mask", OptionKind::dataset, "<raster or polygons>",
                  [](auto& r) -> auto& { return r.options.detect.mask; },
-                 {.title = "Where buildings may stand",
+                 {.title = "Where buildings may stand (mask)",
                   .section = DialogSection::trees,
                   .help = "Look for buildings only where this raster is not 0, or in these polygons.",
                   .details = "Any dataset that GDAL reads, in any CRS. The ground is estimated everywhere.",
@@ -73,26 +71,26 @@ std::vector<OptionRow> evidence() {
     rows.push_back(
         text_row("mask_layer", OptionKind::text, "<layer>",
                  [](auto& r) -> auto& { return r.options.detect.mask_layer; },
-                 {.title = "Layer of where buildings may stand",
+                 {.title = "Layer of the mask",
                   .help = "Layer of the polygons of -mask; by default the first that has geometries.",
                   .scope = where_buildings_are_found()}));
-    rows.push_back(text_row(
-        "ndvi", OptionKind::raster, "<raster>", [](auto& r) -> auto& { return r.options.detect.ndvi; },
-        {.title = "Vegetation index (NDVI)",
-         .section = DialogSection::trees,
-         .help = "Vegetation index from -1 to 1, which helps to tell trees from buildings.",
-         .details = "Values above 0.3 are taken for plants.",
-         .scope = where_buildings_are_found(),
-         .item = "NDVI"}));
+    rows.push_back(text_row("ndvi", OptionKind::raster, "<raster>",
+                            [](auto& r) -> auto& { return r.options.detect.ndvi; },
+                            {.title = "Vegetation index (NDVI)",
+                             .section = DialogSection::trees,
+                             .help = "Vegetation index (NDVI) from -1 to 1, to tell trees from buildings.",
+                             .details = "Values above 0.3 are plants.",
+                             .scope = where_buildings_are_found(),
+                             .item = "NDVI"}));
     rows.push_back(number_row(
         "split_height", "<m>", {.lowest = 0}, [](auto& r) -> auto& { return r.options.detect.split_height; },
         {.title = "Step of the height that divides a building",
          .section = DialogSection::detail,
-         .help = "Divide buildings where the height steps by more; 0 divides none. Houses of equal height "
-                 "that share walls stay one block.",
+         .help = "Divide buildings where the height steps by more; 0 divides none. Houses of "
+                 "equal height that share walls stay one block.",
          .details = "A layer of plots divides such a block, for example by Intersection in QGIS. "
-                    "The parts share their wall exactly. Parts that are smaller than -min_area "
-                    "stay with their neighbour.",
+                    "The parts share their wall exactly. Parts smaller than -min_area stay with "
+                    "their neighbour.",
          .unit = "m",
          .scope = where_buildings_are_found("0"),
          .item = "SPLIT_HEIGHT_M"}));
@@ -110,30 +108,34 @@ std::vector<OptionRow> buildings() {
                    [](auto& r) -> auto& { return r.options.ground.max_building_width; },
                    {.title = "Widest building",
                     .section = DialogSection::ground,
-                    .help = "Widest building: ground is looked for at this distance.",
-                    .details = "For -ground auto. More time and coarser ground on hills with larger ones.",
+                    .help = "Width of the widest building; the program looks for ground within this "
+                            "distance.",
+                    .details = "For -ground auto. A larger width takes more time and follows hills less "
+                               "closely.",
                     .unit = "m",
                     .scope = where_buildings_are_found(),
                     .item = "MAX_BUILDING_WIDTH_M"}));
-    rows.push_back(number_row("min_height", "<m>", {.lowest = 0},
-                              [](auto& r) -> auto& { return r.options.detect.min_height; },
-                              {.title = "Height above the ground where a building begins",
-                               .section = DialogSection::ground,
-                               .help = "Lowest height above ground that belongs to a building.",
-                               .unit = "m",
-                               .scope = where_buildings_are_found(),
-                               .item = "MIN_HEIGHT_M"}));
     rows.push_back(number_row(
-        "min_building_height", "<m>", {.lowest = 0},
-        [](auto& r) -> auto& { return r.options.detect.min_building_height; },
-        {.title = "Lowest building to keep",
-         .section = DialogSection::basic,
-         .help = "Lowest building to keep, by its p90; 0 keeps all.",
-         .details = "p90 is the height above ground that 90 % of its points do not exceed. What is kept is "
-                    "kept whole, with its contours.",
+        "min_height", "<m>", {.lowest = 0}, [](auto& r) -> auto& { return r.options.detect.min_height; },
+        {.title = "Height above the ground where a building begins",
+         .section = DialogSection::ground,
+         .help = "Lowest height above ground that belongs to a building.",
+         .details = "Lower parts of buildings are cut off. To keep only high buildings use "
+                    "-min_building_height.",
          .unit = "m",
-         .scope = where_buildings_are_found("0"),
-         .item = "MIN_BUILDING_HEIGHT_M"}));
+         .scope = where_buildings_are_found(),
+         .item = "MIN_HEIGHT_M"}));
+    rows.push_back(
+        number_row("min_building_height", "<m>", {.lowest = 0},
+                   [](auto& r) -> auto& { return r.options.detect.min_building_height; },
+                   {.title = "Lowest building to keep",
+                    .section = DialogSection::basic,
+                    .help = "Lowest building to keep, by its p90; 0 keeps all.",
+                    .details = "p90 is the height above ground that 90 % of its points do not exceed. A "
+                               "building is kept whole, with its contours.",
+                    .unit = "m",
+                    .scope = where_buildings_are_found("0"),
+                    .item = "MIN_BUILDING_HEIGHT_M"}));
     for (OptionRow& row : evidence())
         rows.push_back(std::move(row));
     return rows;

@@ -12,15 +12,15 @@ namespace {
 OptionRow vertical_unit() {
     const NumberRange metres{.lowest = 0, .above_lowest = true};
     const Texts units{"m", "ft", "us-ft"};
-    OptionRow row = described(
-        "zunit", OptionKind::text, joined(units, "|") + "|<metres>",
-        {.title = "Unit of the elevations",
-         .help = "Unit of the elevations.",
-         .details = "By default the first of these that is known: the unit of the band, of the "
-                    "vertical CRS, of the horizontal CRS; the report says which it was. A band whose unit is "
-                    "no length is refused without this option. ft is "
-                    "the international foot, us-ft the US survey foot; a number gives the "
-                    "metres in one unit."});
+    OptionRow row =
+        described("zunit", OptionKind::text, joined(units, "|") + "|<metres>",
+                  {.title = "Unit of the elevations",
+                   .help = "Unit of the elevations.",
+                   .details = "By default the program takes the first of these that is known, and the report "
+                              "says which: the unit of the band, of the vertical CRS, of the horizontal CRS. "
+                              "A band whose unit is no length is refused without this option. ft is the "
+                              "international foot, us-ft the US survey foot; a number gives the metres in "
+                              "one unit."});
     row.choices = units;
     Texts all = units;
     all.push_back(metres.text("a number") + " (metres in one unit)");
@@ -44,11 +44,11 @@ OptionRow elevation_range() {
         "zrange", OptionKind::numbers, "<lowest> <highest>", "two numbers, the lowest below the highest",
         [](const Two& range) { return range[0] < range[1]; },
         [](auto& r) -> auto& { return r.options.read.elevation_range; },
-        {.title = "Elevations that occur",
+        {.title = "Range of valid elevations",
          .help = "Range of the elevations; values outside it are not used.",
-         .details = "By default from -500 to 9000 m, whatever the unit: no land lies lower or higher. Cells "
-                    "outside are "
-                    "taken for no data, counted and warned of, those of a terrain model too.",
+         .details = "By default from -500 to 9000 m, whatever the unit: no land lies lower or "
+                    "higher. Cells outside count as no data, also those of a terrain model; the "
+                    "report counts them, and a warning names a value.",
          .unit = "vertical unit of the input"});
 }
 
@@ -95,15 +95,15 @@ std::vector<OptionRow> windows() {
         [](auto& r) -> auto& { return r.options.read.extent; },
         {.title = "Extent to look at",
          .section = DialogSection::basic,
-         .help = "Part of the input to use, by its extent: the points within it.",
+         .help = "Part of the input to use: the points within this rectangle.",
          .unit = "units of the input's CRS"}));
-    rows.push_back(text_row(
-        "cutline", OptionKind::polygons, "<polygons>",
-        [](auto& r) -> auto& { return r.options.read.cutline; },
-        {.title = "Area of interest (polygons)",
-         .section = DialogSection::basic,
-         .help = "Vector dataset whose polygons bound the area of interest.",
-         .details = "Any dataset that GDAL reads. Points outside the polygons are taken for no data."}));
+    rows.push_back(
+        text_row("cutline", OptionKind::polygons, "<polygons>",
+                 [](auto& r) -> auto& { return r.options.read.cutline; },
+                 {.title = "Area of interest (polygons)",
+                  .section = DialogSection::basic,
+                  .help = "Vector dataset whose polygons bound the area of interest.",
+                  .details = "Any dataset that GDAL reads. Points outside the polygons are not used."}));
     rows.push_back(text_row("cutline_layer", OptionKind::text, "<layer>",
                             [](auto& r) -> auto& { return r.options.read.cutline_layer; },
                             {.title = "Layer of the area of interest",
@@ -144,8 +144,8 @@ std::vector<OptionRow> input() {
              "It is compared with the values as stored, before the band's scale and offset. NaN and infinite "
              "elevations are never valid, with or without this option."}));
     rows.push_back(switch_row("inodata", [](auto& r) -> auto& { return r.options.read.ignore_nodata; },
-                              {.title = "Take the NoData value for an elevation",
-                               .help = "Take the input's NoData value for an elevation like any other."}));
+                              {.title = "Treat the NoData value as an elevation",
+                               .help = "Treat the input's NoData value as an elevation."}));
     for (OptionRow& row : windows())
         rows.push_back(std::move(row));
     rows.push_back(vertical_unit());

@@ -27,20 +27,19 @@ std::vector<OptionRow> dataset() {
         "nln", OptionKind::text, "<name>", [](auto& r) -> auto& { return r.options.write.layer_name; },
         {.title = "Name of the layers",
          .help = "Name of the output's layer.",
-         .details = "Where both layers are written it is that of the buildings, and the contours "
-                    "go to <name>_contours. By default the layers are buildings and contours, "
-                    "or have the name of the file where the format holds one layer per file.",
+         .details = "If both layers are written, it names the buildings, and the contours go to "
+                    "<name>_contours. By default the layers are buildings and contours, or have "
+                    "the name of the file where the format holds one layer per file.",
          .python = Python::extract_file}));
-    rows.push_back(switch_row(
-        "overwrite", [](auto& r) -> auto& { return r.options.write.overwrite; },
-        {.title = "Replace layers of the same names",
-         .help = "Replace layers of the same names in an existing output.",
-         .details =
-             "Other layers of a GeoPackage or SQLite file stay, also the one of ours that -layers leaves "
-             "out; other formats are refused where they hold other layers. An existing output is refused "
-             "without -overwrite or -append.",
-         .python = Python::extract_file,
-         .repeats = false}));
+    rows.push_back(
+        switch_row("overwrite", [](auto& r) -> auto& { return r.options.write.overwrite; },
+                   {.title = "Replace layers of the same names",
+                    .help = "Replace layers of the same names in an existing output.",
+                    .details = "Other layers of a GeoPackage or SQLite file stay, also the one of ours that "
+                               "-layers leaves out. A file of another format is refused if it holds other "
+                               "layers. An existing output is refused without -overwrite or -append.",
+                    .python = Python::extract_file,
+                    .repeats = false}));
     rows.push_back(switch_row("append", [](auto& r) -> auto& { return r.options.write.append; },
                               {.title = "Add to layers of the same names",
                                .help = "Add to layers of the same names in an existing output.",
@@ -56,20 +55,22 @@ std::vector<OptionRow> also_written() {
                                     {"city4cfd", FieldNames::city4cfd},
                                     {"osm", FieldNames::osm}};
     std::vector<OptionRow> rows;
-    rows.push_back(choice_row("fields", names, [](auto& r) -> auto& { return r.options.write.fields; },
-                              {.title = "Names of the fields",
-                               .section = DialogSection::output,
-                               .help = "Names of the fields of buildings, as another program reads them.",
-                               .details = "Some are longer than a Shapefile can hold, which is refused."}));
+    rows.push_back(
+        choice_row("fields", names, [](auto& r) -> auto& { return r.options.write.fields; },
+                   {.title = "Names of the fields",
+                    .section = DialogSection::output,
+                    .help = "Names of the fields of buildings, as another program reads them.",
+                    .details = "urock and city4cfd are wind models, osm is OpenStreetMap. Some names are "
+                               "longer than a Shapefile can hold; the run is then refused."}));
     rows.push_back(switch_row(
         "write_doubtful", [](auto& r) -> auto& { return r.options.write.doubtful; },
-        {.title = "Also write what may be a building",
+        {.title = "Also write uncertain objects",
          .section = DialogSection::trees,
          .help = "Also write a layer of objects that may be buildings, with the reason for the doubt.",
          .details = "Its name is doubtful, or that of -nln with _doubtful after it.",
          .scope = where_buildings_are_found()}));
     rows.push_back(switch_row("write_rejected", [](auto& r) -> auto& { return r.options.write.rejected; },
-                              {.title = "Also write what was left out",
+                              {.title = "Also write dropped and changed contours",
                                .help = "Also write a layer of contours and holes that were dropped, filled "
                                        "or kept as traced, with the reason.",
                                .details = "Its name is rejected, or that of -nln with _rejected after it."}));
@@ -95,7 +96,8 @@ std::vector<OptionRow> also_written() {
                  {.title = "Heights of trees as a GeoTIFF",
                   .section = DialogSection::trees,
                   .help = "Also write the heights of trees as a GeoTIFF, in metres; 0 elsewhere.",
-                  .details = "All that rises above -min_height and is no building, as wind models take it.",
+                  .details = "Trees are everything that rises above -min_height and is no building. Wind "
+                             "models use this raster.",
                   .scope = where_buildings_are_found(),
                   .python = Python::extract_file,
                   .repeats = false}));
@@ -104,11 +106,11 @@ std::vector<OptionRow> also_written() {
         {.title = "Picture of the result",
          .section = DialogSection::output,
          .help = "Also write a picture of the result over the shaded relief.",
-         .details =
-             "A PNG, SVG or PDF, as its name ends: buildings in the colours of their heights above the "
-             "ground, the parts that they are made of as lines, a legend, a scale bar and a north arrow, "
-             "the number of buildings and points and the distance of the stack to the input, so that -lod "
-             "and -nf can be judged at a glance.",
+         .details = "The name ends in .png, .svg or .pdf. The map shows buildings in the colours "
+                    "of their heights above the ground, their parts as lines, a legend, a scale "
+                    "bar and a north arrow. It states the number of buildings and points and the "
+                    "distance of the stack to the input, so that you can judge -lod and -nf at a "
+                    "glance.",
          .python = Python::extract_file,
          .repeats = false}));
     rows.push_back(whole_row("preview_size", "<pixels>", {.lowest = 300, .highest = 10000},
@@ -141,22 +143,22 @@ std::vector<OptionRow> output() {
     const Choices<Layers> layers{
         {"buildings", Layers::buildings}, {"contours", Layers::contours}, {"both", Layers::both}};
     std::vector<OptionRow> rows;
-    rows.push_back(choice_row(
-        "layers", layers, [](auto& r) -> auto& { return r.options.write.layers; },
-        {.title = "Layers to write",
-         .section = DialogSection::output,
-         .help = "Layers to write.",
-         .details = "buildings: one polygon per building; contours: the stacked polygons of all levels. By "
-                    "default both, "
-                    "or the buildings alone where the format holds one layer per file."}));
+    rows.push_back(
+        choice_row("layers", layers, [](auto& r) -> auto& { return r.options.write.layers; },
+                   {.title = "Layers to write",
+                    .section = DialogSection::output,
+                    .help = "Layers to write.",
+                    .details = "buildings: one polygon per building. contours: the stacked polygons of all "
+                               "levels. By default both, or the buildings alone where the format holds one "
+                               "layer per file."}));
     rows.push_back(text_row(
         "t_srs", OptionKind::crs, "<crs>", [](auto& r) -> auto& { return r.options.outline.target_crs; },
         {.title = "Coordinate system of the result",
          .section = DialogSection::output,
          .help = "CRS of the output; by default the input's.",
-         .details =
-             "Written as for -a_srs. Features that it tears apart (across 180 degrees, over a pole) are left "
-             "out with a warning; where it tears the whole area, the run is refused."}));
+         .details = "Written as for -a_srs. Features that it tears apart (across 180 degrees, over "
+                    "a pole) are left out with a warning. If it tears the whole area apart, the "
+                    "run is refused."}));
     rows.push_back(switch_row("3d", [](auto& r) -> auto& { return r.options.write.with_z; },
                               {.title = "Elevations in the vertices",
                                .help = "Write the threshold as the Z of every vertex.",
@@ -172,21 +174,18 @@ std::vector<OptionRow> output() {
 namespace {
 
 OptionRow sweep() {
-    OptionRow row = described(
-        "sweep", OptionKind::text, "lod=<from>..<to>,nf=<from>..<to>,detail=<from>..<to>",
-        {.title = "Trials",
-         .help = "Try every level of detail with every noise factor and every -detail, and print a table; "
-                 "nothing "
-                 "else is written.",
-         .details = "The destination is left out. For each trial: buildings, contours, points of these, the "
-                    "distance of "
-                    "the stack to the input (root mean square), seconds. With -preview a contact sheet of as "
-                    "many trials as can be read on it. Of "
-                    "more than six "
-                    "values six are tried, spread evenly; a third number is the step: nf=5..60..5, "
-                    "detail=0..2..0.5. What is not named stays as its option says. The input "
-                    "is read "
-                    "once and kept in memory."});
+    OptionRow row =
+        described("sweep", OptionKind::text, "lod=<from>..<to>,nf=<from>..<to>,detail=<from>..<to>",
+                  {.title = "Trials",
+                   .help = "Try every level of detail with every noise factor and every -detail, and "
+                           "print a table; nothing else is written.",
+                   .details = "Leave the destination out. The table has for each trial: buildings, contours, "
+                              "points of these, the distance of the stack to the input (root mean square), "
+                              "seconds. With -preview the program also draws a contact sheet, of as many "
+                              "trials as can be read on it. Of more than six values it tries six, spread "
+                              "evenly; a third number is the step: nf=5..60..5, detail=0..2..0.5. An option "
+                              "that is not named here keeps its value. The program reads the input once and "
+                              "keeps it in memory."});
     row.apply = [](Request& request, OptionValues texts) {
         request.tool.sweep_plan = parse_sweep(texts[0]);
         request.tool.sweep = texts[0];
@@ -205,8 +204,8 @@ std::vector<OptionRow> report() {
     rows.push_back(whole_row("threads", "<n>", {.lowest = 0, .highest = 1024},
                              [](auto& r) -> auto& { return r.options.run.threads; },
                              {.title = "Threads",
-                              .help = "Threads to work with; 0 takes as many as there are cores.",
-                              .details = "Their number changes nothing of the result."}));
+                              .help = "Number of threads; 0 takes one per core.",
+                              .details = "It does not change the result."}));
     rows.push_back(
         switch_row("q", [](auto& r) -> auto& { return r.tool.quiet; },
                    {.title = "No progress", .help = "No progress and no summary.", .aliases = {"quiet"}}));
@@ -214,10 +213,9 @@ std::vector<OptionRow> report() {
         "json", [](auto& r) -> auto& { return r.tool.json; },
         {.title = "Report as JSON",
          .help = "Print a report of the run to stdout as JSON; implies -q.",
-         .details =
-             "It holds the input, CRS and units with what decided them, thresholds, counts per level, what "
-             "was "
-             "dropped and why, warnings, and seconds (of all threads together) and peak memory per stage."}));
+         .details = "It holds the input, CRS and units with what decided them, thresholds, counts "
+                    "per level, everything that was dropped with the reason, warnings, and seconds "
+                    "(of all threads together) and peak memory per stage."}));
     rows.push_back(switch_row("help", [](auto& r) -> auto& { return r.tool.help; },
                               {.title = "Help", .help = "Print this help and exit.", .aliases = {"h"}}));
     rows.push_back(switch_row("version", [](auto& r) -> auto& { return r.tool.version; },

@@ -61,7 +61,7 @@ constexpr std::array rules{
     no_effect(given("regularize_tolerance"), is("regularize", "off"), "it says how walls become straight"),
     no_effect(given("arcs"), is("regularize", "right"), round_walls),
     no_effect(given("arcs"), is("regularize", "free"), round_walls),
-    no_effect(given("arcs"), given("t_srs"), "a circle of one CRS is none in another"),
+    no_effect(given("arcs"), given("t_srs"), "a circle in one CRS is no circle in another"),
     no_effect(given("arcs"), is("preset", "thesis"), thesis_walls, given("regularize")),
     no_effect(given("regularize_tolerance"), is("preset", "thesis"), thesis_walls, given("regularize")),
     no_effect(given("disjoint"), is("layers", "buildings"),

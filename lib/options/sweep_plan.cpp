@@ -119,7 +119,7 @@ void require_legible(std::size_t trials, int longest) {
         ++needed;
     throw OptionError("-sweep names " + std::to_string(trials) + " trials, and a picture of " +
                       std::to_string(longest) + " pixels has room for " + std::to_string(side * side) +
-                      " that can be read; name fewer values, or say -preview_size " +
+                      " that can be read; name fewer values, or give -preview_size " +
                       std::to_string(needed * legible_trial_px) + ".");
 }
 

@@ -25,7 +25,8 @@ void start_threads(const RunOptions& options, Context& context) {
     context.report.threads = started;
     if (started < wanted)
         context.warn("Only " + std::to_string(started) + " of " + std::to_string(wanted) +
-                     " threads are at work, as the system allows few more; the result is the same, later.");
+                     " threads are at work, since the system allows no more; the result is the same, but "
+                     "takes longer.");
 }
 
 Crs dem_crs(const Options& options, const DemInfo& dem) {

@@ -66,7 +66,7 @@ SideSinks open_side_sinks(const Options& options, const DemInfo& dem) {
     SideSinks sinks;
     sinks.ground = open(write.ground, "elevation of the ground", true);
     sinks.height = open(write.height, "height above the ground", false);
-    sinks.canopy = open(write.canopy, "height of what is no building", false);
+    sinks.canopy = open(write.canopy, "height of everything that is no building", false);
     return sinks;
 }
 

@@ -10,7 +10,7 @@
 namespace d2b {
 
 /// The surface of a DEM as if lit from the upper left of the map. Takes elevations in metres, all rows of the
-/// window, and keeps a shade a pixel. What is NaN stays white.
+/// window, and keeps one shade per pixel. What is NaN stays white.
 class Relief final : public RasterSink {
   public:
     explicit Relief(const MapFrame& frame);

@@ -53,7 +53,7 @@ TransformOwner transform_between(OGRSpatialReferenceH from, const std::string& n
         return nullptr;
     TransformOwner transform(OCTNewCoordinateTransformation(from, to.get()));
     if (!transform)
-        throw InputError("The " + name + " cannot be brought into the DEM's coordinate reference system: " +
+        throw InputError("The " + name + " cannot be converted to the DEM's coordinate reference system: " +
                          messages.reason() + "; reproject it first.");
     return transform;
 }

@@ -20,7 +20,7 @@ GridTransform::GridTransform(const std::string& name, const DemInfo& raster, con
         GDALCreateGenImgProjTransformer4(same_crs_ ? none.get() : from.get(), raster.transform.data(),
                                          same_crs_ ? none.get() : to.get(), grid.transform.data(), nullptr));
     if (!transformer_)
-        throw InputError("The " + name + " cannot be brought into the coordinate reference system of '" +
+        throw InputError("The " + name + " cannot be converted to the coordinate reference system of '" +
                          grid.name + "': " + messages.reason() + "; reproject it with gdalwarp first.");
 }
 

@@ -102,7 +102,7 @@ std::uint64_t count_words(GDALDatasetH dataset, std::uint64_t enough) {
 void check_text(const OpenRaster& raster, const Header& header, std::uint64_t bytes,
                 const std::string& name) {
     const std::uint64_t cells = header.cols * header.rows;
-    const std::uint64_t needed = 2 * cells - 1;  // a digit and a blank a cell
+    const std::uint64_t needed = 2 * cells - 1;  // a digit and a blank per cell
     if (bytes < needed)
         refuse_short(name, bytes, std::to_string(needed) + " at least");
     if (const std::uint64_t words = count_words(raster.dataset.get(), cells); words < cells)

@@ -83,7 +83,7 @@ std::string unopened_advice(const std::string& path) {
                               : "; it is an archive, so give the raster in it: " + raster;
     }
     if (opens_as(GDAL_OF_VECTOR, path))
-        return "; it holds vector layers, and buildings are found in a raster of elevations";
+        return "; it holds vector layers, and the program needs a raster of elevations";
     return "";
 }
 
@@ -92,10 +92,10 @@ std::string unread_advice(const std::string& path, const std::string& driver) {
     constexpr std::array remote{"/vsicurl", "/vsis3",    "/vsigs",      "/vsiaz",  "/vsiadls",
                                 "/vsioss",  "/vsiswift", "/vsiwebhdfs", "/vsihdfs"};
     if (driver == "VRT")
-        return "; see whether the files and functions that the VRT names are there";
+        return "; check whether the files and functions that the VRT names are there";
     if (std::ranges::find(servers, driver) != servers.end() ||
         std::ranges::any_of(remote, [&](const char* prefix) { return path.starts_with(prefix); }))
-        return "; see whether the server answers, or copy the file here first";
+        return "; check whether the server answers, or copy the file here first";
     return "; the file may be truncated or damaged";
 }
 

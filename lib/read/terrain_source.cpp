@@ -84,7 +84,7 @@ void TerrainSource::judge_outside() {
                          " and more than half of all; correct its unit with gdal_edit.py -units or its "
                          "NoData value with gdal_edit.py -a_nodata, or give the range with -zrange.");
     const auto most = outside.most();
-    warnings().add(what + ", and " + (outside.cells() == 1 ? "is" : "are") + " taken for no data; declare " +
+    warnings().add(what + ", and " + (outside.cells() == 1 ? "is" : "are") + " treated as no data; declare " +
                    (most ? "that with gdal_edit.py -a_nodata " + value_text(raster_.stored(most->value))
                          : "it with gdal_edit.py -a_nodata") +
                    ", or give the range with -zrange.");

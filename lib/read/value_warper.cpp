@@ -100,7 +100,7 @@ ValueWarper::OperationOwner ValueWarper::make_operation(Resampling resampling, d
     const OptionsOwner options = options_for(dataset_.get(), approximate_.get(), resampling, cell_);
     OperationOwner operation(GDALCreateWarpOperation(options.get()));
     if (!operation)
-        throw InputError("'" + name_ + "' cannot be brought onto the grid of the DEM: " + messages.reason() +
+        throw InputError("'" + name_ + "' cannot be resampled to the grid of the DEM: " + messages.reason() +
                          "; do so with gdalwarp first.");
     return operation;
 }
@@ -149,7 +149,7 @@ void ValueWarper::warp(const Window& part) {
     if (source_.failure)
         std::rethrow_exception(source_.failure);
     if (status != CE_None)
-        throw InputError("'" + name_ + "' cannot be brought onto the grid of the DEM: " + messages.reason() +
+        throw InputError("'" + name_ + "' cannot be resampled to the grid of the DEM: " + messages.reason() +
                          "; do so with gdalwarp first.");
     messages.pass_warnings(source_.warnings);
 }

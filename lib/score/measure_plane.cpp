@@ -30,8 +30,7 @@ bool differs(const MeasurePlane& plane, const Crs& from, const std::string& name
     const bool from_has = from.kind() != Crs::Kind::none;
     if (plane_has != from_has)
         warnings.add("'" + name + "' has " + (from_has ? "a" : "no") +
-                     " coordinate reference system and what it is "
-                     "compared with has " +
+                     " coordinate reference system and the other dataset has " +
                      (plane_has ? "one" : "none") + "; its coordinates are taken as they are.");
     return plane_has && from_has && plane.crs.wkt() != from.wkt();
 }
@@ -61,7 +60,7 @@ WorldRing with_more_vertices(const WorldRing& ring, double longest) {
 MeasurePlane measure_plane(const Crs& crs, const Box& box, Warnings& warnings) {
     switch (crs.kind()) {
         case Crs::Kind::none:
-            warnings.add("Nothing has a coordinate reference system; units are taken for metres.");
+            warnings.add("Nothing has a coordinate reference system; units are taken as metres.");
             return {};
         case Crs::Kind::geographic: {
             std::array<Position, 1> middle{box.centre()};

@@ -19,7 +19,7 @@ struct MeasurePlane {
 };
 
 /// The CRS itself where it is a projected or a local one; about the middle of `box`, a transverse Mercator
-/// projection in metres where it is geographic. Warns where there is no CRS: its units are taken for metres.
+/// projection in metres where it is geographic. Warns where there is no CRS: its units are taken as metres.
 /// @param box in the CRS @throws InputError where the CRS has no plane coordinates (a geocentric one, say)
 [[nodiscard]] MeasurePlane measure_plane(const Crs& crs, const Box& box, Warnings& warnings);
 

@@ -82,7 +82,7 @@ Destination locate(const WriteOptions& options, const VectorFormat& format) {
     if (destination.exists && !options.overwrite && !options.append)
         throw OptionError(
             in_quotes(options.destination) +
-            " exists; say -overwrite to replace the layers of this run in it, or -append to add to "
+            " exists; give -overwrite to replace the layers of this run in it, or -append to add to "
             "them.");
     return destination;
 }

@@ -117,7 +117,7 @@ std::optional<ExistingDataset> inspect_database(const Destination& destination, 
         if (!options.overwrite && !options.append)
             throw OptionError(
                 "\"" + destination.name + "\" has a layer \"" + name +
-                "\"; say -overwrite to replace it, -append to add to it, or -nln for another name.");
+                "\"; give -overwrite to replace it, -append to add to it, or -nln for another name.");
     }
     return existing;
 }

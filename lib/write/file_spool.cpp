@@ -26,7 +26,7 @@ std::uint64_t FileSpool::append(std::span<const std::byte> bytes) {
 
 void FileSpool::flush() {
     if (!file_)
-        file_ = std::make_unique<TemporaryFile>(folder_, "What is waiting to be written", FileName::none);
+        file_ = std::make_unique<TemporaryFile>(folder_, "The finished part of the result", FileName::none);
     file_->append(memory_);
     memory_ = {};
     memory_.reserve(bytes_a_write);

@@ -109,7 +109,7 @@ void require_crs_kept(const std::string& name, DemInfo grid, const RasterMeta& m
     if (!kept)
         throw OutputError(
             "Cannot write \"" + name + "\": GeoTIFF cannot hold the coordinate reference system '" +
-            Crs(grid.crs_wkt).name() + "' of the DEM; bring it to another one with gdalwarp first.");
+            Crs(grid.crs_wkt).name() + "' of the DEM; convert it to another one with gdalwarp first.");
 }
 
 }  // namespace

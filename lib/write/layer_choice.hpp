@@ -9,7 +9,7 @@
 namespace d2b {
 
 /// The layers that a destination gets: those that are asked for, else both, or the buildings alone where the
-/// format holds one layer a file. @throws OptionError where both layers are asked for and one fits
+/// format holds one layer per file. @throws OptionError where both layers are asked for and one fits
 [[nodiscard]] Layers resolve_layers(const WriteOptions& options, const VectorFormat& format);
 
 /// The name of a layer: -nln, with "_contours" after it for the contours where both layers are written, and

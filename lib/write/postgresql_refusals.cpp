@@ -106,7 +106,7 @@ void refuse_unfit_postgresql(const Destination& destination, GDALDatasetH databa
 
 void refuse_unreached_postgresql(const Destination& destination, const std::string& reason) {
     throw OutputError("Cannot write \"" + destination.name + "\": its database cannot be reached (" + reason +
-                      "); see whether psql reaches it.");
+                      "); check whether psql reaches it.");
 }
 
 }  // namespace d2b

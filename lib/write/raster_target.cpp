@@ -130,7 +130,7 @@ RasterPlace locate_raster(const RasterTarget& target) {
     if (!there)
         return place;
     if (!target.overwrite)
-        throw OptionError(quoted(name) + " exists; say -overwrite to replace it.");
+        throw OptionError(quoted(name) + " exists; give -overwrite to replace it.");
     if (!is_of(target.format, place.path))
         throw OptionError(quoted(name) + " exists and is " +
                           (target.format == RasterFormat::picture ? "no PNG, SVG or PDF"

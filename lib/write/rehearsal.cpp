@@ -72,10 +72,10 @@ std::string with_advice(std::string sentence, const WriteOptions& options) {
     const bool own =
         options.layer_options.empty() && options.dataset_options.empty() && options.layer_name.empty();
     sentence.pop_back();
-    return sentence +
-           (own ? "; write another format, such as GeoPackage."
-                : "; see whether -nln, -lco or -dsco ask for what cannot be, or write another format, "
-                  "such as GeoPackage.");
+    return sentence + (own ? "; write another format, such as GeoPackage."
+                           : "; check whether -nln, -lco or -dsco ask for something impossible, or write "
+                             "another format, "
+                             "such as GeoPackage.");
 }
 
 /// Statements that make the tables of new layers.

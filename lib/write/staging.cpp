@@ -60,7 +60,7 @@ void Staging::copy_in(const std::vector<std::string>& files) {
             for (const fs::path file : files)
                 fs::copy_file(file, folder_ / file.filename());
     } catch (const fs::filesystem_error& error) {
-        throw cannot_write(name_, "there is no copy of it to be had (" + error.code().message() + ")");
+        throw cannot_write(name_, "it cannot be copied (" + error.code().message() + ")");
     }
 }
 

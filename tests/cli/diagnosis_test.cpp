@@ -67,7 +67,7 @@ TEST_F(Diagnosis, areasOfShearedCellsAreThoseOnTheGround) {
     run_warned({"-q", "sheared.tif", "out.gpkg"}, {"No building was found: -min_area 30 leaves 3 out"});
     // What is that oblique keeps its outlines as they were traced.
     run_warned({"-q", "-overwrite", "-min_area", "20", "sheared.tif", "out.gpkg"},
-               {"stays as the cells make them"});
+               {"keeps the staircase of the cells"});
     EXPECT_EQ(buildings(), 3U);
 }
 
@@ -110,15 +110,15 @@ TEST_F(Diagnosis, aTerrainModelOrAPicture) {
     save("dtm.tif", MadeTown::terrain());
     run_warned(
         {"-q", "dtm.tif", "out.gpkg"},
-        {"No building was found: none of the cells of 'dtm.tif' rise by more than 2 m above what surrounds "
-         "them, as in a terrain model (DTM), which has no buildings; give the surface model (DSM)."});
+        {"No building was found: none of the cells of 'dtm.tif' rise by more than 2 m above their "
+         "surroundings, as in a terrain model (DTM), which has no buildings; give the surface model (DSM)."});
     RasterSpec picture = town_raster(MadeTown::in({MadeTown::wood}, 101, 100));
     picture.type = GDT_Byte;
     picture.bands = 3;
     write(path("photo.tif"), picture);
     run_warned(
         {"-q", "-overwrite", "photo.tif", "out.gpkg"},
-        {"No building was found: 'photo.tif' has 3 bands of byte values, as a picture has; give a surface "
+        {"No building was found: 'photo.tif' has 3 bands of byte values, like a picture; give a surface "
          "model (DSM), or choose the band of its elevations with -b."});
 }
 

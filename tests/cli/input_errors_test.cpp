@@ -132,7 +132,7 @@ TEST_F(InputErrors, targetsThatTearTheDemApart) {
     spec.crs = "EPSG:4326";
     spec.transform = std::array<double, 6>{179.9999, 1e-5, 0, -17, 0, -1e-5};
     write(path("fiji.tif"), spec);
-    failed("'fiji.tif' cannot be brought to 'WGS 84 / Pseudo-Mercator', which tears its area apart",
+    failed("'fiji.tif' cannot be converted to 'WGS 84 / Pseudo-Mercator', which tears its area apart",
            "fiji.tif", {"-t_srs", "EPSG:3857"});
     run_well({"-q", "-t_srs", "EPSG:32760", "fiji.tif", "fiji.gpkg"});
 }

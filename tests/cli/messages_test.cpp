@@ -52,7 +52,7 @@ TEST_F(Messages, sourcesThatAreNoRasters) {
     expect_error(1, "scan.laz' cannot be opened as a raster: ",
                  {"-preset", "buildings", "-ground", "scan.laz", "dem.tif", "out.gpkg"});
     run_well({"-q", "dem.tif", "town.gpkg"});
-    refused(1, "; it holds vector layers, and buildings are found in a raster of elevations.",
+    refused(1, "; it holds vector layers, and the program needs a raster of elevations.",
             {"town.gpkg", "out.gpkg"});
 }
 
@@ -78,7 +78,7 @@ TEST_F(Messages, aVrtIsNotDamagedWhereItsSourcesAreMissing) {
         const ToolResult result = run({"-q", "itself.vrt", "out.gpkg"});
         EXPECT_EQ(result.status, 1);
         expect_has(result.err, "cannot be read: ");
-        expect_has(result.err, "; see whether the files and functions that the VRT names are there.");
+        expect_has(result.err, "; check whether the files and functions that the VRT names are there.");
     }
 }
 

@@ -97,8 +97,8 @@ TEST_F(OptionEffect, inodata) {
 TEST_F(OptionEffect, zrange) {
     run_warned({"-q", "-fl", "5", "15", "-zrange", "-0.5", "15", "--", "blocks.tif", "out.gpkg"},
                {"20 cells of 'blocks.tif' have the elevation 20, which is outside of -zrange -0.5 15, and "
-                "are taken for no "
-                "data; if 20 stands for no data, give -snodata 20, and if not, the range with -zrange."});
+                "are treated as no data; if 20 stands for no data, give -snodata 20, and if not, the range "
+                "with -zrange."});
     EXPECT_EQ(contours().sum("n_points", 0), 600 - 20);
 }
 

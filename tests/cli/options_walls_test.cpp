@@ -78,7 +78,7 @@ TEST_F(OptionEffect, regularize_tolerance) {
         run_well(within(cells));
         EXPECT_LE(buildings().records[0].number("moved_m"), cells * 0.5 + 1e-6) << cells;
     }
-    run_warned(within(0.01), {"stays as the cells make them"});  // no straight wall is that near to steps
+    run_warned(within(0.01), {"keeps the staircase of the cells"});  // no straight wall is that near to steps
     EXPECT_GT(buildings().records[0].vertices(), 100);
 }
 

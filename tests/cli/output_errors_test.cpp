@@ -50,7 +50,7 @@ TEST_F(OutputErrors, existingDestinations) {
     run_well({"-q", "dem.tif", "out.gpkg"});
     failed(
         2,
-        R"("out.gpkg" exists; say -overwrite to replace the layers of this run in it, or -append to add to them.)",
+        R"("out.gpkg" exists; give -overwrite to replace the layers of this run in it, or -append to add to them.)",
         "out.gpkg");
     write_text(path("note.gpkg"), "not a GeoPackage");
     failed(2, R"("note.gpkg" exists and is not a dataset of format GPKG; remove it first.)", "note.gpkg",
@@ -158,15 +158,17 @@ TEST_F(OutputErrors, folderWithoutPermission) {
 }
 
 TEST_F(OutputErrors, creationOptionsThatFail) {
-    failed(1, R"(; see whether -nln, -lco or -dsco ask for what cannot be, or write another format, such as)",
-           "out.shp", {"-layers", "buildings", "-lco", "SHPT=NONSENSE"});
+    failed(
+        1,
+        R"(; check whether -nln, -lco or -dsco ask for something impossible, or write another format, such as)",
+        "out.shp", {"-layers", "buildings", "-lco", "SHPT=NONSENSE"});
     failed(2, "-lco GEOMETRY_NAME=id is the name of a field", "out.gpkg", {"-lco", "GEOMETRY_NAME=id"});
 }
 
 TEST_F(OutputErrors, fullDiskOnStdout) {
     const ToolSetup full{.stdout_file = "/dev/full"};
     const std::string sentence =
-        "Cannot write to stdout; see whether the disk is full or the reader has gone.";
+        "Cannot write to stdout; check whether the disk is full or the reader has gone.";
     expect_error(1, sentence, {"--help"}, full);
     expect_error(1, sentence, {"--version"}, full);
     expect_error(1, sentence, {"-f", "GeoJSON", "-layers", "buildings", "dem.tif", "/vsistdout/"}, full);

@@ -147,7 +147,7 @@ TEST(CoordinateTransform, RefusesWhatCannotBe) {
         return message_of<OptionError>([&] { CoordinateTransform(from, to, {}); });
     };
     const std::string choose =
-        "; choose a coordinate reference system that the coordinates can be brought to.";
+        "; choose a coordinate reference system that the coordinates can be converted to.";
     EXPECT_EQ(message(Crs(local_feet), geographic),
               "PROJ knows no operation from 'site grid' to 'WGS 84'" + choose);
     EXPECT_EQ(message(geographic, Crs(local_feet)),

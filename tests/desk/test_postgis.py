@@ -107,7 +107,7 @@ class PostGis(PostGisCase):
         self.sql("CREATE ROLE guest LOGIN; CREATE ROLE guarded LOGIN PASSWORD 'right'")
         before = self.content()
         city = "dbname=city user="
-        self.expect_refused('has a layer "buildings"; say -overwrite', status=2)
+        self.expect_refused('has a layer "buildings"; give -overwrite', status=2)
         self.expect_refused('its database cannot be reached (', words="dbname=nowhere user=planner")
         self.expect_refused('its database cannot be reached (', words="dbname=city user=planner port=1")
         self.expect_refused('its database cannot be reached (', words="dbname=closed user=guest")
@@ -138,8 +138,9 @@ class PostGis(PostGisCase):
     def test_a_lost_connection_changes_nothing(self):
         before = self.content()
         run = self.start("-overwrite", "-lod", "6")
+        # Half way: its transaction has a number as soon as it has changed something.
         while self.sql("SELECT count(pg_terminate_backend(pid)) FROM pg_stat_activity WHERE application_name <> 'psql' "
-                       "AND pid <> pg_backend_pid() AND xact_start IS NOT NULL AND usename = 'planner'") == "0":
+                       "AND pid <> pg_backend_pid() AND backend_xid IS NOT NULL AND usename = 'planner'") == "0":
             self.assertIsNone(run.poll(), "it ended before it was cut off")
         status, said = self.end(run)
         self.assertEqual(status, 1)

@@ -237,9 +237,9 @@ class Toolbox(DeskCase):
         target = self.make("kept.gpkg", sample="hotel_70x85.tif")
         before = target.read_bytes()
         feedback = Feedback(cancel_at=5)
-        # Enough to do for the request to arrive in time.
+        # Enough to do for the request to arrive in time, also where the machine has much else to do.
         large = str(self.folder / "large.vrt")
-        subprocess.run(["gdal_translate", "-q", "-of", "VRT", "-outsize", "300%", "300%",
+        subprocess.run(["gdal_translate", "-q", "-of", "VRT", "-outsize", "600%", "600%",
                         str(self.folder / "town.tif"), large], check=True)
         results, _, _ = self.run_it(feedback, INPUT=large, OUTPUT=str(target), threads=1)
         self.assertTrue(feedback.isCanceled())

@@ -38,7 +38,7 @@ TEST(EmptyResult, SaysWhatExplainsMost) {
     picture.name = "dem";
     picture.bands = 3;
     EXPECT_TRUE(empty_result(thresholds({110}), 0, picture, report())
-                    .starts_with("no building was found: 'dem' has 3 bands, as a picture has"));
+                    .starts_with("no building was found: 'dem' has 3 bands, like a picture"));
     EXPECT_EQ(empty_result(thresholds({110}), 0, {}, report()),
               "no building was found; a smaller -nf or -min_area, or more levels, may show some");
 }

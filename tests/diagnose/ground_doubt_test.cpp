@@ -33,7 +33,7 @@ TEST(GroundDoubt, NoneOfATown) {
 
 TEST(GroundDoubt, ATerrainThatIsTooHigh) {
     EXPECT_EQ(doubt(heights(600, -43.1F, 400, -31), GroundMode::given),
-              "the terrain 'dtm.tif' lies 43 m above the surface where nothing stands on it (median); see "
+              "the terrain 'dtm.tif' lies 43 m above the surface where nothing stands on it (median); check "
               "whether both have the same unit and vertical datum");
 }
 
@@ -41,9 +41,9 @@ TEST(GroundDoubt, ATerrainThatIsTooLow) {
     EXPECT_EQ(
         doubt(heights(600, 43.1F, 400, 55), GroundMode::given),
         "only 0 % of the cells lie within 2 m of the terrain 'dtm.tif', above which the surface lies 43 m "
-        "(median); see whether both have the same unit and vertical datum");
+        "(median); check whether both have the same unit and vertical datum");
     EXPECT_EQ(doubt(heights(600, 5.1F, 400, 55, 10), GroundMode::given),
-              "the terrain 'dtm.tif' lies 5.1 m below the surface where nothing stands on it (median); see "
+              "the terrain 'dtm.tif' lies 5.1 m below the surface where nothing stands on it (median); check "
               "whether both have the same unit and vertical datum");
 }
 
@@ -71,7 +71,7 @@ TEST(GroundDoubt, NextToNoGroundToEstimateFrom) {
 TEST(SurfaceDoubt, OfATerrainModel) {
     EXPECT_EQ(
         surface_doubt(heights(1000, 0.1F, 0, 0), "dem.tif"),
-        "none of the cells of 'dem.tif' rise by more than 2 m above what surrounds them, as in a terrain "
+        "none of the cells of 'dem.tif' rise by more than 2 m above their surroundings, as in a terrain "
         "model (DTM), which has no buildings; give the surface model (DSM)");
     EXPECT_EQ(surface_doubt(heights(10000, 0.1F, 9, 3), "dem.tif").find("less than 0.1 % of the cells"), 0U);
     EXPECT_EQ(surface_doubt(heights(10000, 0.1F, 100, 3), "dem.tif"), "");
@@ -94,7 +94,7 @@ TEST(SideDoubt, OfWhatHasNoValidCell) {
         "the mask 'm.tif' has no cell over the DEM that is neither 0 nor NoData; give one with -mask that "
         "marks where buildings may be");
     EXPECT_EQ(ndvi_doubt({true, true, false}, options),
-              "the NDVI 'n.tif' has no valid cell over the DEM, so it tells no plants; give one of the same "
+              "the NDVI 'n.tif' has no valid cell over the DEM, so it shows no plants; give one of the same "
               "place with -ndvi");
 }
 

@@ -22,8 +22,8 @@ TEST(GroundSlope, IsToldWhereMostOfItIsSteep) {
     EXPECT_EQ(
         slope_doubt(slope, "p.tif"),
         "60 % of the ground of 'p.tif' is steeper than 40 %, where buildings can hardly be told from the "
-        "slope; give a terrain model with -ground, and see whether elevations and coordinates have the "
-        "units that they are taken for (-zunit)");
+        "slope; give a terrain model with -ground, and check the units of elevations and coordinates "
+        "(-zunit)");
 }
 
 }  // namespace

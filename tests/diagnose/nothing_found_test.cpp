@@ -45,7 +45,7 @@ TEST_F(NothingFound, WhereNothingElseIsKnown) {
     expect(
         "nothing that rises by more than 2 m above the ground is as smooth and wide as a roof; cells should "
         "be "
-        "at most 1 m wide, or 2.5 m for large buildings, and -write_canopy shows what rises");
+        "at most 1 m wide, or 2.5 m for large buildings, and -write_canopy shows everything that rises");
 }
 
 TEST_F(NothingFound, ASideWithoutACell) {
@@ -62,7 +62,7 @@ TEST_F(NothingFound, ASideWithoutACell) {
 TEST_F(NothingFound, APicture) {
     lie(0);
     dem_.bands = 3;
-    expect("'dem.tif' has 3 bands, as a picture has");
+    expect("'dem.tif' has 3 bands, like a picture");
 }
 
 TEST_F(NothingFound, DegreesAndSmallExtents) {

@@ -22,22 +22,20 @@ TEST(PictureDoubt, ThreeBandsOrBytes) {
     dem.bands = 2;
     EXPECT_EQ(picture_doubt(dem), "");
     dem.bytes = true;
-    EXPECT_EQ(
-        picture_doubt(dem),
-        "'dem.tif' has byte values, as a picture has; give a surface model (DSM), or choose the band of "
-        "its elevations with -b");
+    EXPECT_EQ(picture_doubt(dem),
+              "'dem.tif' has byte values, like a picture; give a surface model (DSM), or choose the band of "
+              "its elevations with -b");
     dem.bands = 3;
-    EXPECT_EQ(picture_doubt(dem).find("'dem.tif' has 3 bands of byte values, as a picture has"), 0U);
+    EXPECT_EQ(picture_doubt(dem).find("'dem.tif' has 3 bands of byte values, like a picture"), 0U);
     dem.bytes = false;
-    EXPECT_EQ(picture_doubt(dem).find("'dem.tif' has 3 bands, as a picture has"), 0U);
+    EXPECT_EQ(picture_doubt(dem).find("'dem.tif' has 3 bands, like a picture"), 0U);
 }
 
 TEST(DegreesDoubt, SmallCellsWithin180WithoutACrs) {
     const DemInfo dem = raster({13.4, 1e-5, 0, 52.5, 0, -1e-5});
-    EXPECT_EQ(
-        degrees_doubt(dem, false),
-        "'dem.tif' has no CRS, and its coordinates look like degrees, which were taken as metres; if they "
-        "are, give -a_srs EPSG:4326, else the CRS that they are of");
+    EXPECT_EQ(degrees_doubt(dem, false),
+              "'dem.tif' has no CRS, and its coordinates look like degrees, but were taken as metres; give "
+              "-a_srs EPSG:4326 if they are degrees, else their CRS");
     EXPECT_EQ(degrees_doubt(dem, true), "");
     EXPECT_EQ(degrees_doubt(raster({13.4, 0.5, 0, 52.5, 0, -0.5}), false), "") << "a local system";
     EXPECT_EQ(degrees_doubt(raster({181, 1e-5, 0, 52.5, 0, -1e-5}), false), "");

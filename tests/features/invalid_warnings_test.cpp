@@ -40,9 +40,8 @@ TEST(InvalidWarnings, ManyAreCounted) {
     warnings.finish();
     ASSERT_EQ(context.report.warnings.size(), 11U);
     EXPECT_EQ(context.report.warnings.back(),
-              "3 more features would not have been valid polygons; -write_rejected writes them all, with "
-              "what became "
-              "of them.");
+              "3 more features would not have been valid polygons; -write_rejected writes them all, with the "
+              "reason.");
 }
 
 }  // namespace

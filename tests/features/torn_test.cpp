@@ -95,7 +95,7 @@ void expect_torn(const AffineTransform& transform, const std::string& crs, const
     } catch (const InputError& error) {
         EXPECT_EQ(
             error.what(),
-            "'memory' cannot be brought to '" + Crs(target).name() +
+            "'memory' cannot be converted to '" + Crs(target).name() +
                 "', which tears its area apart or stretches it beyond use (as across 180 degrees, over a "
                 "pole or far from where a projection is made for); choose another -t_srs, such as the "
                 "UTM zone of the area, or use a part of the raster (-srcwin, -projwin or -te).");

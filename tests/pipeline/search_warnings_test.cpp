@@ -87,27 +87,27 @@ TEST(SearchWarnings, ElevationsTakenAsHeights) {
 TEST(SearchWarnings, ATerrainModelTakenAsASurface) {
     TownRun town(MadeTown::terrain());
     expect_warning(town,
-                   "No building was found: none of the cells of 'memory' rise by more than 2 m above what "
-                   "surrounds them, as in a terrain model (DTM)");
+                   "No building was found: none of the cells of 'memory' rise by more than 2 m above their "
+                   "surroundings, as in a terrain model (DTM)");
 }
 
 TEST(SearchWarnings, APicture) {
     TownRun town(MadeTown::terrain());
     town.dem.edit().bands = 3;
     town.dem.edit().bytes = true;
-    expect_warning(town, "No building was found: 'memory' has 3 bands of byte values, as a picture has");
+    expect_warning(town, "No building was found: 'memory' has 3 bands of byte values, like a picture");
     TownRun thesis(MadeTown::terrain());
     thesis.options.preset = Preset::thesis;
     thesis.options.filter.noise_factor = 100000;
     thesis.dem.edit().bytes = true;
-    expect_warning(thesis, "No building was found: 'memory' has byte values, as a picture has");
+    expect_warning(thesis, "No building was found: 'memory' has byte values, like a picture");
 }
 
 TEST(SearchWarnings, APictureIsNamedAlsoWhereItsColoursLookLikeBuildings) {
     TownRun town;
     town.dem.edit().bands = 4;
     town.dem.edit().bytes = true;
-    expect_warning(town, "'memory' has 4 bands of byte values, as a picture has");
+    expect_warning(town, "'memory' has 4 bands of byte values, like a picture");
     EXPECT_EQ(town.count(), 3U);
 }
 
@@ -206,11 +206,9 @@ TEST(SearchWarnings, OutlinesThatStayAsTraced) {
     coarse.run();
     const Texts& warnings = coarse.report.warnings;
     ASSERT_EQ(warnings.size(), 1U);
-    EXPECT_NE(
-        warnings[0].find(
-            " % of the length of the buildings' outlines stays as the cells make them, since walls cannot "
-            "be told in cells of 2.5 m"),
-        std::string::npos)
+    EXPECT_NE(warnings[0].find(" % of the length of the buildings' outlines keeps the staircase of the "
+                               "cells, since walls cannot be seen in cells of 2.5 m"),
+              std::string::npos)
         << warnings[0];
     double length = 0;
     for (std::size_t i = 0; i < coarse.count(); ++i)

@@ -88,11 +88,11 @@ TEST_P(NoElevation, IsAsIfItWereDeclared) {
             EXPECT_EQ(report.valid_points, clean.report.valid_points);
             ASSERT_EQ(report.warnings.size(), 1U);
             const std::string value = value_text(GetParam());
-            EXPECT_EQ(report.warnings[0],
-                      "2 cells of 'town.tif' have the elevation " + value +
-                          ", which is not on land, between -500 and 9000 m, and are taken for no data; if " +
-                          value + " stands for no data, give -snodata " + value +
-                          ", and if not, the range with -zrange.");
+            EXPECT_EQ(report.warnings[0], "2 cells of 'town.tif' have the elevation " + value +
+                                              ", which is outside of the elevations of land, -500 to 9000 m, "
+                                              "and are treated as no data; if " +
+                                              value + " stands for no data, give -snodata " + value +
+                                              ", and if not, the range with -zrange.");
         }
     }
 }
@@ -120,7 +120,7 @@ TEST(StrangeValues, AGivenRangeTakesThePlaceOfWhatIsOnLand) {
     EXPECT_EQ(result.report.counted(Reason::elevation_outside_range), 1 + MadeTown::tower.area());
     EXPECT_LE(result.report.maximum, 120);
     ASSERT_GE(result.report.warnings.size(), 1U);
-    EXPECT_NE(result.report.warnings[0].find("which is outside of -zrange 0 120, and are taken for no data; "
+    EXPECT_NE(result.report.warnings[0].find("which is outside of -zrange 0 120, and are treated as no data; "
                                              "give the range of elevations with -zrange."),
               std::string::npos)
         << result.report.warnings[0];
@@ -140,10 +140,10 @@ TEST(StrangeValues, WhereMostAreNoElevationsTheRunIsRefused) {
     } catch (const InputError& error) {
         const std::string text = error.what();
         EXPECT_TRUE(text.starts_with("23800 cells of 'town.tif' have elevations from ")) << text;
-        EXPECT_TRUE(
-            text.ends_with(", which is not on land, between -500 and 9000 m, and these are more than half of "
-                           "all; give the unit of "
-                           "the elevations with -zunit, the range in which they lie with -zrange."))
+        EXPECT_TRUE(text.ends_with(
+            ", which is outside of the elevations of land, -500 to 9000 m, and these are more than half of "
+            "all; give the unit of "
+            "the elevations with -zunit, the range in which they lie with -zrange."))
             << text;
     }
     Result in_millimetres;
@@ -195,12 +195,12 @@ TEST(StrangeValues, ADeclaredValueThatNoLandHasIsNamedAsSuch) {
         Result result;
         run_on(town, options, result);
         ASSERT_EQ(result.report.warnings.size(), 1U);
-        EXPECT_EQ(
-            result.report.warnings[0],
-            std::string(
-                "1 cell of 'town.tif' has the elevation -9999, which is not on land, between -500 and 9000 "
-                "m, and is taken for no data; it is the NoData value that the file declares, so leave out ") +
-                (ignoring ? "-inodata." : "-snodata."));
+        EXPECT_EQ(result.report.warnings[0],
+                  std::string("1 cell of 'town.tif' has the elevation -9999, which is outside of the "
+                              "elevations of land, -500 to 9000 m, and is treated as no data; it is the "
+                              "NoData value that the file declares, so leave "
+                              "out ") +
+                      (ignoring ? "-inodata." : "-snodata."));
     }
 }
 
@@ -219,7 +219,7 @@ TEST(StrangeValues, ASpikeIsNoElevationOrNoRoof) {
     EXPECT_EQ(no_elevation.report.counted(Reason::elevation_above_neighbours), 1);
     ASSERT_EQ(no_elevation.report.warnings.size(), 1U);
     EXPECT_NE(no_elevation.report.warnings[0].find(
-                  ", more than 100 m above all cells around, and is taken for no data; if "),
+                  ", more than 100 m above all cells around, and is treated as no data; if "),
               std::string::npos);
 
     TownWith mast({in_flat_roof}, roof + 50);
@@ -266,10 +266,10 @@ TEST(StrangeValues, HeightsThatCannotBeAreWarnedOfWithTheElevationThatMakesThem)
     ASSERT_EQ(result.report.warnings.size(), 1U);
     const std::string& text = result.report.warnings[0];
     EXPECT_NE(text.find(" is more than 1000 m high: building "), std::string::npos) << text;
-    EXPECT_NE(
-        text.find(" m, has an elevation of 9999; give what stands for no data with -snodata, the range of "
-                  "elevations with -zrange, or their unit with -zunit."),
-        std::string::npos)
+    EXPECT_NE(text.find(" m, has an elevation of 9999; give the value that stands for no data with -snodata, "
+                        "the range of "
+                        "elevations with -zrange, or their unit with -zunit."),
+              std::string::npos)
         << text;
     TownWith low(patch(9), -30, 1);
     Result deep;

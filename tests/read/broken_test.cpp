@@ -89,10 +89,11 @@ TEST_F(ReadBroken, aMosaicWhosePartIsMissing) {
         R"(</VRTRasterBand></VRTDataset>)";
     const std::string text = message<InputError>();
     expect_has(text, "Rows 0 to 0 of '");
-    expect_has(text,
-               "no_such_folder/none.tif: No such file or directory; see whether the files and functions that "
-               "the VRT "
-               "names are there.");
+    expect_has(
+        text,
+        "no_such_folder/none.tif: No such file or directory; check whether the files and functions that "
+        "the VRT "
+        "names are there.");
 }
 
 }  // namespace

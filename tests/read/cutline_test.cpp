@@ -345,7 +345,7 @@ TEST_F(ReadCutline, thereIsNoWayBetweenTheSystems) {
     write_cutline({polygon(box("9", "50", "9.0004", "50.0003"))}, "OGC:1.3:CRS84");
     const std::string text = message<InputError>("dem.tif");
     EXPECT_EQ(text.rfind("The cutline '" + path("cut.geojson") +
-                             "' cannot be brought into the DEM's coordinate reference system: ",
+                             "' cannot be converted to the DEM's coordinate reference system: ",
                          0),
               0U)
         << text;

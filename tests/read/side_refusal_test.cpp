@@ -128,7 +128,7 @@ TEST_F(SideRefusal, crssWithoutAnOperation) {
     one_cell(0, 0, "LOCAL_CS[\"site\",UNIT[\"metre\",1]]");
     const std::string text = refusal();
     EXPECT_EQ(text.rfind("The terrain " + quoted("side.tif") +
-                             " cannot be brought into the coordinate reference system of " +
+                             " cannot be converted to the coordinate reference system of " +
                              quoted("dem.tif") + ": ",
                          0),
               0U)

@@ -34,8 +34,8 @@ TEST_F(TerrainLimits, whatNoLandHasIsNoElevationAndSaidSo) {
     ASSERT_EQ(warnings().size(), 1U);
     EXPECT_EQ(warnings()[0],
               "3 cells of the terrain " + quoted("side.tif") +
-                  " have the elevation -9999, outside of the range from -500 to 9000, and are taken "
-                  "for no data; declare that with gdal_edit.py -a_nodata -9999, or give the range "
+                  " have the elevation -9999, outside of the range from -500 to 9000, and are treated as no "
+                  "data; declare that with gdal_edit.py -a_nodata -9999, or give the range "
                   "with -zrange.");
 }
 

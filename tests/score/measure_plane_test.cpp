@@ -27,7 +27,7 @@ TEST(MeasurePlane, takesPlainUnitsForMetres) {
     Warnings warnings([&](const std::string& text) { heard.push_back(text); });
     EXPECT_EQ(measure_plane(Crs(), {0, 0, 1, 1}, warnings).metres, 1);
     ASSERT_EQ(heard.size(), 1U);
-    EXPECT_EQ(heard[0], "Nothing has a coordinate reference system; units are taken for metres.");
+    EXPECT_EQ(heard[0], "Nothing has a coordinate reference system; units are taken as metres.");
 }
 
 TEST(MeasurePlane, refusesGeocentricCoordinates) {
@@ -97,14 +97,12 @@ TEST(BringTo, warnsWhereOneSideHasNoCrs) {
     bring_to({}, Crs("EPSG:25832"), "b.shp", areas, LongEdges::keep, warnings);
     EXPECT_EQ(areas[0][0].exterior, box(0, 0, 1, 1).exterior);
     ASSERT_EQ(heard.size(), 2U);
-    EXPECT_EQ(
-        heard[0],
-        "'a.shp' has no coordinate reference system and what it is compared with has one; its coordinates "
-        "are taken as they are.");
-    EXPECT_EQ(
-        heard[1],
-        "'b.shp' has a coordinate reference system and what it is compared with has none; its coordinates "
-        "are taken as they are.");
+    EXPECT_EQ(heard[0],
+              "'a.shp' has no coordinate reference system and the other dataset has one; its coordinates "
+              "are taken as they are.");
+    EXPECT_EQ(heard[1],
+              "'b.shp' has a coordinate reference system and the other dataset has none; its coordinates "
+              "are taken as they are.");
 }
 
 TEST(BringTo, takesNoAreas) {

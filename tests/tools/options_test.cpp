@@ -469,11 +469,11 @@ TEST(Sweep, aSheetHoldsWhatCanBeRead) {
     };
     EXPECT_EQ(refused({"-sweep", "lod=1..6,nf=5..60", "-preview", "p.png", "in.tif"}),
               "-sweep names 36 trials, and a picture of 1600 pixels has room for 16 that can be read; name "
-              "fewer values, or say -preview_size 2400.");
+              "fewer values, or give -preview_size 2400.");
     EXPECT_EQ(
         refused({"-sweep", "lod=1..2", "-preview", "p.png", "-preview_size", "300", "in.tif"}),
         "-sweep names 2 trials, and a picture of 300 pixels has room for 1 that can be read; name fewer "
-        "values, or say -preview_size 800.");
+        "values, or give -preview_size 800.");
     EXPECT_EQ(refused({"-sweep", "lod=1..6,nf=5..60", "in.tif"}), "");
     EXPECT_EQ(
         refused({"-sweep", "lod=1..6,nf=5..60", "-preview", "p.png", "-preview_size", "2400", "in.tif"}), "");

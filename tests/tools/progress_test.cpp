@@ -116,7 +116,7 @@ TEST(Summary, countsWhatTheReportCounts) {
     report.count(Reason::elevation_outside_range, 12);
     report.count(Reason::elevation_above_neighbours, 2);
     EXPECT_EQ(summary(report, Layers::buildings, "x"),
-              "0 buildings in x (left out: 3 below -min_height; filled: 5 holes; drawn otherwise: 421 as "
+              "0 buildings in x (left out: 3 below -min_height; filled: 5 holes; drawn differently: 421 as "
               "traced; no elevation: 12 outside of -zrange, 2 far above all around)\n");
 }
 

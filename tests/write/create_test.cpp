@@ -167,10 +167,10 @@ TEST_F(CreateTest, MemoryFilesAreWrittenInPlace) {
     options.destination = "/vsimem/d2b_create_test.gpkg";
     write(options, 3);
     EXPECT_EQ(count(options.destination, "contours"), 3);
-    EXPECT_EQ(
-        thrown<OptionError>([&] { write(options, 3); }),
-        "\"/vsimem/d2b_create_test.gpkg\" exists; say -overwrite to replace the layers of this run in it, or "
-        "-append to add to them.");
+    EXPECT_EQ(thrown<OptionError>([&] { write(options, 3); }),
+              "\"/vsimem/d2b_create_test.gpkg\" exists; give -overwrite to replace the layers of this run in "
+              "it, or "
+              "-append to add to them.");
     options.append = true;
     EXPECT_EQ(write(options, 3), 4);
     EXPECT_EQ(count(options.destination, "contours"), 6);

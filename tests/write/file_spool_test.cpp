@@ -60,7 +60,7 @@ TEST_F(SpoolFolder, WithoutAFolderItSaysWhatToDo) {
         FAIL() << "no error";
     } catch (const OutputError& error) {
         EXPECT_EQ(std::string(error.what()),
-                  "What is waiting to be written cannot be kept in a temporary file in '" +
+                  "The finished part of the result cannot be kept in a temporary file in '" +
                       (folder_ / "missing").string() +
                       "': No such file or directory; set CPL_TMPDIR to a folder with room.");
     }

@@ -23,7 +23,7 @@ TEST_F(OverwriteTest, ExistingDestinationsNeedAFlag) {
         const std::string before = bytes(name);
         EXPECT_EQ(thrown<OptionError>([&] { write(to(name), 3); }),
                   quote + path(name) +
-                      "\" exists; say -overwrite to replace the layers of this run in it, or -append to add "
+                      "\" exists; give -overwrite to replace the layers of this run in it, or -append to add "
                       "to them.");
         EXPECT_EQ(bytes(name), before);
     }

@@ -73,7 +73,7 @@ TEST_F(StagingTest, WhatIsMissingIsSaid) {
     EXPECT_EQ(thrown<OutputError>([&] { staging.seal(); }),
               "Cannot write \"name\": the driver has written no file of this name.");
     EXPECT_EQ(thrown<OutputError>([&] { staging.copy_in({path("gone.txt")}); }),
-              "Cannot write \"name\": there is no copy of it to be had (No such file or directory).");
+              "Cannot write \"name\": it cannot be copied (No such file or directory).");
     fs::remove_all(staging.folder());
     EXPECT_EQ(thrown<OutputError>([&] { staging.sync(); }),
               "Cannot write \"name\": No such file or directory.");

@@ -20,7 +20,7 @@ void print_line(const char* kind, std::string text) {
 }
 
 void refuse_lost_output() {
-    throw OutputError("Cannot write to stdout; see whether the disk is full or the reader has gone.");
+    throw OutputError("Cannot write to stdout; check whether the disk is full or the reader has gone.");
 }
 
 int run_guarded(const std::vector<std::string>& arguments, const std::string& memory_advice,

@@ -42,8 +42,8 @@ std::string full_help() {
     std::string text =
         "Usage: dem2buildings [options] <src_raster> <dst_vector>\n\n" +
         wrap(
-            "Traces the buildings of a city in an elevation raster (DSM) and writes them as polygons, "
-            "with the stack of contours that they are made of.",
+            "Finds the buildings of a city in an elevation raster (a surface model, DSM). Writes one polygon "
+            "per building, and the contours of its parts from low to high.",
             0) +
         "\n" +
         wrap(

@@ -44,19 +44,18 @@ std::string man_page() {
         "dem2buildings \\- building footprints from an elevation raster\n" + roff_section("SYNOPSIS") +
         ".B dem2buildings\n[options] <src_raster> <dst_vector>\n" + roff_section("DESCRIPTION") +
         roff_paragraph(
-            "Traces the buildings of a city in an elevation raster (a digital surface model) and "
-            "writes them as polygons, with the stack of contours that they are made of.") +
+            "Finds the buildings of a city in an elevation raster (a digital surface model, DSM). Writes one "
+            "polygon per building, and the contours of its parts from low to high.") +
         roff_paragraph(
             "The source is any raster that GDAL reads, the destination any vector format that it "
-            "writes. An existing destination is refused without -overwrite or -append. After a "
-            "failure a local destination holds what it held before.") +
+            "writes. An existing destination is refused without -overwrite or -append. After a failure a "
+            "local destination keeps its old content.") +
         roff_paragraph(
             "Options may stand anywhere and begin with one dash or two; values follow after a "
             "blank or an equals sign. The source stands before the destination. After -- only "
             "file names follow.");
     text += options() + contour_table();
-    text += roff_section("EXIT STATUS") +
-            roff_item("0", "Done; also where nothing was found, with a warning.") +
+    text += roff_section("EXIT STATUS") + roff_item("0", "Done; also if nothing was found, with a warning.") +
             roff_item("1", "Failed: the input cannot be read, the output not written, or memory is short.") +
             roff_item("2", "Wrong usage: an option, or one that does not fit the input or the destination.") +
             roff_item("130", "Interrupted (SIGINT); 143 after SIGTERM, 129 after SIGHUP.");

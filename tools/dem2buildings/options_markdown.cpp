@@ -49,7 +49,9 @@ std::string options_markdown() {
     text += "| Switch | Meaning |\n| --- | --- |\n";
     for (const auto& [synopsis, help] : gdal_switches())
         text += "| `" + cell(synopsis) + "` | " + cell(prose(help)) + " |\n";
-    text += "\n## Options of gdal_contour\n\nWhat becomes of each of them here (GDAL 3.6 to 3.11).\n\n";
+    text +=
+        "\n## Options of gdal_contour\n\nHow dem2buildings treats the options of gdal_contour (GDAL 3.6 to "
+        "3.11).\n\n";
     text += "| gdal_contour | Here | |\n| --- | --- | --- |\n";
     for (const ContourOption& option : contour_options())
         text += "| `" + cell(option.synopsis) + "` | " +

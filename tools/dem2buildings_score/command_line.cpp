@@ -129,8 +129,8 @@ const std::vector<ScoreOption>& score_options() {
          "the first layer counts. Default: the layer aoi of the reference where there is one, else no limit.",
          [](ScoreCommand& r, Text value) { r.area_of_interest = value; }},
         {"dem", "<raster>", "raster",
-         "The raster that the footprints were found in: what is beyond it or has no data is left out, and "
-         "all is measured in its CRS. Default: no limit, and the CRS of the reference.",
+         "The raster that the footprints were found in. Areas beyond it or without data are left out, and "
+         "everything is measured in its CRS. Default: no limit, and the CRS of the reference.",
          [](ScoreCommand& r, Text value) { r.dem = value; }},
         {"min_object", "<m2>", "number",
          "The smallest object that is counted. At least 0. Unit: m2. Default: 50.",

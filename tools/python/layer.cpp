@@ -172,11 +172,12 @@ void define_layer(py::module_& module) {
             },
             "The coordinate reference system as WKT; None where there is none.")
         .def_property_readonly("fields", &fields_of,
-                               "What each column is: a dictionary of alias, unit and description.")
-        .def_property_readonly("columns", &columns_of,
-                               "A NumPy array a field, of int64, float64 or str; no value is masked, NaN or "
-                               "None. Arrays of numbers "
-                               "look into the layer and cannot be changed.")
+                               "A description of each column: a dictionary of alias, unit and description.")
+        .def_property_readonly(
+            "columns", &columns_of,
+            "One NumPy array per field, of int64, float64 or str; no value is masked, NaN or "
+            "None. Arrays of numbers "
+            "look into the layer and cannot be changed.")
         .def_property_readonly(
             "wkb", &wkb_of, "A NumPy array of bytes, the MultiPolygon of each feature as well-known binary.")
         .def_property_readonly("__geo_interface__", &collection_of,

@@ -53,7 +53,7 @@ CoordinateTransform::CoordinateTransform(const Crs& from, const Crs& to, std::sp
                                          area_of(from.impl().horizontal.get(), area).get());
     if (!impl_->operation)
         throw OptionError("PROJ knows no operation from " + quoted(from.name()) + " to " + quoted(to.name()) +
-                          "; choose a coordinate reference system that the coordinates can be brought to.");
+                          "; choose a coordinate reference system that the coordinates can be converted to.");
 }
 
 CoordinateTransform::CoordinateTransform(CoordinateTransform&&) noexcept = default;

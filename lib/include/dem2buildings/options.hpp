@@ -11,7 +11,7 @@
 
 namespace d2b {
 
-/// Options, a struct a stage. This is the only place where a default is written; the option table
+/// Options, one struct per stage. This is the only place where a default is written; the option table
 /// (options/option_table.hpp) gives each its name, unit, range and help.
 
 struct ReadOptions {

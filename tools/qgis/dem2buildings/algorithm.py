@@ -70,8 +70,9 @@ class ExtractBuildings(QgsProcessingAlgorithm):
         except program.NotFound as error:
             return str(error)
         spoken = parameters.speaker(table)
-        lines = ["Finds the buildings in an elevation raster (DSM) and writes them as polygons with heights, with "
-                 "the stack of contours that each is made of. An existing GeoPackage keeps its other layers."]
+        lines = ["Finds the buildings in an elevation raster (a surface model, DSM). Writes one polygon per building "
+                 "with its heights, and the contours of its parts from low to high. An existing GeoPackage keeps its "
+                 "other layers."]
         section = None
         for option in parameters.offered(table):
             heading = "" if option["section"] == section else f"<h4>{option['section']}</h4>"
@@ -116,6 +117,8 @@ class ExtractBuildings(QgsProcessingAlgorithm):
         feedback.pushCommandInfo(shlex.join([program.find(), *words]))
         status, errors, summary = program.run(words, feedback)
         if feedback.isCanceled():
+            if status == 0:
+                feedback.pushWarning(f"It was finished before it could be cancelled: {summary}")
             return {}
         if status != 0:
             raise QgsProcessingException(errors.strip() or f"dem2buildings ended with status {status}.")

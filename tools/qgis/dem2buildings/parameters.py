@@ -37,8 +37,11 @@ def speaker(table):
 
 
 def help_of(option, spoken):
-    """What the dialog says of an option."""
-    return spoken(" ".join(part for part in (option["help"], option["details"]) if part))
+    """What the dialog says of an option, without the sentences on how it is typed on a command line."""
+    text = " ".join(part for part in (option["help"], option["details"]) if part)
+    sentences = re.split(r"(?<=\.) (?=[A-Z])", text)
+    typing = re.compile(r"needs its path|may be given again|number that follows|^Written as for")
+    return spoken(" ".join(sentence for sentence in sentences if not typing.search(sentence)))
 
 
 def _number(option):
@@ -110,8 +113,8 @@ def all_of(table):
                 parameter.setFlags(parameter.flags() | QgsProcessingParameterDefinition.FlagAdvanced)
             # The option stands for two parameters where it is the terrain.
             parameter.setHelp(help_of(option, spoken) if parameter.name() == option["name"] else
-                              "Elevations of the bare ground, as a raster. Without it the ground is what "
-                              f'"{option["title"]}" says.')
+                              "Elevations of the bare ground, as a raster. Without it "
+                              f'"{option["title"]}" decides.')
             parameters.append(parameter)
     return parameters
 
