@@ -4,7 +4,7 @@
 #include <string>
 
 #include "read/gdal_messages.hpp"
-#include "write/ogr_handles.hpp"
+#include "write/sql.hpp"
 
 namespace d2b {
 
@@ -20,16 +20,7 @@ void note_loss(void* lost) {
 
 /// A handle of one copy of SQLite is none for another.
 bool is_our_sqlite(GDALDatasetH dataset) {
-    OGRLayerH rows = GDALDatasetExecuteSQL(dataset, "SELECT sqlite_source_id()", nullptr, nullptr);
-    if (rows == nullptr)
-        return false;
-    bool same = false;
-    {
-        const FeatureOwner row(OGR_L_GetNextFeature(rows));
-        same = row && std::string(OGR_F_GetFieldAsString(row.get(), 0)) == sqlite3_sourceid();
-    }
-    GDALDatasetReleaseResultSet(dataset, rows);
-    return same;
+    return sql_value(dataset, "SELECT sqlite_source_id()") == sqlite3_sourceid();
 }
 
 }  // namespace

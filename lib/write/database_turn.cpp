@@ -47,8 +47,7 @@ bool take_turn(const WriteTarget& target, GDALDatasetH database, const VectorFor
         return true;
     const auto start = std::chrono::steady_clock::now();
     OgrCall call(target);
-    if (OGRLayerH rows = GDALDatasetExecuteSQL(database, statement(format, names).c_str(), nullptr, nullptr))
-        GDALDatasetReleaseResultSet(database, rows);
+    sql_run(database, statement(format, names));
     // What a server says depends on its language; whoever has waited has been kept waiting.
     const bool kept_waiting = sqlite ? call.reason().find("locked") != std::string::npos
                                      : std::chrono::steady_clock::now() - start >= patience * 9 / 10;

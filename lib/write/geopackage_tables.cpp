@@ -36,12 +36,7 @@ class Tables {
     void data_columns() const;
 
   private:
-    void must(const std::string& sql, const char* doing) const {
-        OgrCall call(target_);
-        if (OGRLayerH rows = GDALDatasetExecuteSQL(dataset_, sql.c_str(), nullptr, nullptr))
-            GDALDatasetReleaseResultSet(dataset_, rows);
-        call.check(true, doing);
-    }
+    void must(const std::string& sql, const char* doing) const { sql_must(dataset_, target_, sql, doing); }
     void make_style_table() const;
     [[nodiscard]] bool has_styles_of_qgis() const;
 

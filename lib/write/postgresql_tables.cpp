@@ -26,12 +26,7 @@ class Furnishing {
     void style() const;
 
   private:
-    void must(const std::string& sql, const char* doing) const {
-        OgrCall call(target_);
-        if (OGRLayerH rows = GDALDatasetExecuteSQL(dataset_, sql.c_str(), nullptr, nullptr))
-            GDALDatasetReleaseResultSet(dataset_, rows);
-        call.check(true, doing);
-    }
+    void must(const std::string& sql, const char* doing) const { sql_must(dataset_, target_, sql, doing); }
     [[nodiscard]] bool holds(const std::string& condition) const {
         OgrCall call(target_);
         const bool found = sql_value(dataset_, "SELECT 1 AS n WHERE " + condition).has_value();

@@ -48,10 +48,21 @@ std::optional<std::string> sql_value(GDALDatasetH dataset, const std::string& sq
     return value;
 }
 
-bool sql_done(GDALDatasetH dataset, const std::string& sql) {
-    const GdalMessages messages;
+void sql_run(GDALDatasetH dataset, const std::string& sql) {
     if (OGRLayerH rows = GDALDatasetExecuteSQL(dataset, sql.c_str(), nullptr, nullptr))
         GDALDatasetReleaseResultSet(dataset, rows);
+}
+
+void sql_must(GDALDatasetH dataset, const WriteTarget& target, const std::string& sql,
+              const std::string& doing) {
+    OgrCall call(target);
+    sql_run(dataset, sql);
+    call.check(true, doing);
+}
+
+bool sql_done(GDALDatasetH dataset, const std::string& sql) {
+    const GdalMessages messages;
+    sql_run(dataset, sql);
     return !messages.failed();
 }
 

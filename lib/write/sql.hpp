@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "write/ogr_call.hpp"
 #include "write/ogr_handles.hpp"
 
 namespace d2b {
@@ -22,6 +23,13 @@ bool sql_query(GDALDatasetH dataset, const std::string& sql, const std::function
 
 /// The first value of the first row; none where there is no row, or the query fails.
 [[nodiscard]] std::optional<std::string> sql_value(GDALDatasetH dataset, const std::string& sql);
+
+/// Runs a statement. Errors are reported as GDAL does.
+void sql_run(GDALDatasetH dataset, const std::string& sql);
+
+/// The same in the writing of a dataset. @param doing what it is for @throws OutputError where it fails
+void sql_must(GDALDatasetH dataset, const WriteTarget& target, const std::string& sql,
+              const std::string& doing);
 
 /// Runs a statement. @return whether GDAL has reported no error; what it says goes no further
 bool sql_done(GDALDatasetH dataset, const std::string& sql);

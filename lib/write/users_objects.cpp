@@ -24,8 +24,7 @@ bool is_drivers_own(const std::string& name, const std::string& layer) {
 /// What the database says against a statement; "" where it takes it.
 std::string objection(GDALDatasetH dataset, const std::string& sql) {
     const GdalMessages messages;
-    if (OGRLayerH rows = GDALDatasetExecuteSQL(dataset, sql.c_str(), nullptr, nullptr))
-        GDALDatasetReleaseResultSet(dataset, rows);
+    sql_run(dataset, sql);
     if (!messages.failed())
         return "";
     // GDAL puts the statement before what SQLite says.
