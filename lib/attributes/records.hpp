@@ -41,7 +41,6 @@ class RecordMaker {
     /// @param contours they and what the context refers to stay the caller's and must outlive this
     RecordMaker(const ContourList& contours, const AttributeContext& context);
 
-    [[nodiscard]] std::size_t buildings() const { return stacks_.size(); }
     /// Which id the first contour has; 1 where nothing else is said.
     void number_from(std::int64_t first_id) { context_.first_id = first_id; }
     /// @param i of the contour in the list
