@@ -23,6 +23,10 @@ void refuse_for_layers(const Options& options, Layers layers) {
 
 }  // namespace
 
+double detail_of(const Options& options) {
+    return options.levels.detail.value_or(detects_buildings(options) ? usual_detail_m : 0);
+}
+
 double RunPlan::wall_tolerance(double cell_m) const {
     if (asked.outline.wall_tolerance)
         return *asked.outline.wall_tolerance;
@@ -51,7 +55,7 @@ RunPlan make_run_plan(Options options, Layers layers) {
         .asked = {},
         .ground = options.ground.mode.value_or(detects ? GroundMode::automatic : GroundMode::none),
         .levels = options.levels.source.value_or(detects ? LevelSource::natural : LevelSource::global),
-        .detail = options.levels.detail.value_or(detects ? usual_detail_m : 0),
+        .detail = detail_of(options),
         .trace = options.trace.mode.value_or(detects ? TraceMode::cells : TraceMode::points),
         .walls = options.outline.walls.value_or(straightens ? Walls::automatic : Walls::off),
         .building_m2 = options.filter.min_area_m2.value_or(smallest_building_m2),

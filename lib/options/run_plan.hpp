@@ -22,6 +22,9 @@ inline constexpr double wall_tolerance_m = 1.25;
     return options.preset == Preset::buildings;
 }
 
+/// -detail, or what stands for it where it is not given. m
+[[nodiscard]] double detail_of(const Options& options);
+
 /// What a run does: what was asked for, and what became of that which was left open.
 struct RunPlan {
     Options asked;

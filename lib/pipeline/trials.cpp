@@ -66,10 +66,8 @@ std::vector<T> or_else(const std::vector<T>& values, T standard) {
 
 std::vector<TrialValues> combinations(const SweepPlan& plan, const Options& options) {
     std::vector<TrialValues> all;
-    const double usual_detail =
-        options.levels.detail.value_or(detects_buildings(options) ? usual_detail_m : 0);
     for (const int lod : or_else(plan.lods, options.levels.lod))
-        for (const double detail : or_else(plan.details, usual_detail))
+        for (const double detail : or_else(plan.details, detail_of(options)))
             for (const int noise_factor : or_else(plan.noise_factors, options.filter.noise_factor))
                 all.push_back({lod, noise_factor, detail});
     return all;
