@@ -18,6 +18,14 @@ namespace d2b {
     return {buffer.data(), end};
 }
 
+/// With so many digits after the point, whatever the locale.
+[[nodiscard]] inline std::string fixed_text(double value, int digits) {
+    std::array<char, 400> buffer{};  // the longest double has some 310 digits before the point
+    const auto [end, error] =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, digits);
+    return {buffer.data(), end};
+}
+
 /// Numbers separated by `separator`.
 template <std::size_t n>
 [[nodiscard]] std::string numbers_text(const std::array<double, n>& values, const char* separator) {

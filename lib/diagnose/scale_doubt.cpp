@@ -1,7 +1,5 @@
 #include "diagnose/scale_doubt.hpp"
 
-#include <array>
-#include <charconv>
 #include <cmath>
 
 #include "core/number_text.hpp"
@@ -12,10 +10,7 @@ std::string coarse_cells_doubt(double cell_m) {
     constexpr double coarsest_cell_m = 3.0;
     if (!(cell_m > coarsest_cell_m))
         return {};
-    std::array<char, 32> text{};
-    const auto [end, error] =
-        std::to_chars(text.data(), text.data() + text.size(), cell_m, std::chars_format::fixed, 1);
-    return "the cells are " + std::string(text.data(), end) +
+    return "the cells are " + fixed_text(cell_m, 1) +
            " m wide, which is too coarse for single buildings; up to 1 m is best, 2.5 m may do";
 }
 

@@ -1,8 +1,6 @@
 #include "dem2buildings/sweep.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <memory>
 #include <utility>
 
@@ -20,13 +18,6 @@ constexpr std::size_t width = 11;
 
 std::string aligned(const std::string& text) {
     return std::string(width - std::min(width, text.size()), ' ') + text;
-}
-
-std::string fixed(double value) {
-    std::array<char, 32> text{};
-    const auto [end, error] =
-        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, 2);
-    return {text.data(), end};
 }
 
 /// Draws a trial.
@@ -61,7 +52,7 @@ std::string sweep_table(const std::vector<Trial>& trials) {
                 aligned(std::to_string(trial.values.noise_factor)) +
                 aligned(number_text(trial.values.detail)) + aligned(std::to_string(report.buildings)) +
                 aligned(std::to_string(report.contours)) + aligned(std::to_string(report.vertices)) +
-                aligned(fixed(report.stack_rmse_m)) + aligned(fixed(trial.seconds));
+                aligned(fixed_text(report.stack_rmse_m, 2)) + aligned(fixed_text(trial.seconds, 2));
     }
     return text + "\n";
 }

@@ -1,12 +1,11 @@
 #include "dem2buildings_score/report.hpp"
 
-#include <array>
-#include <charconv>
 #include <optional>
 #include <string_view>
 
 #include <nlohmann/json.hpp>
 
+#include "core/number_text.hpp"
 #include "dem2buildings/version.hpp"
 
 namespace d2b {
@@ -14,20 +13,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// With a point, whatever the locale.
-std::string fixed(double value, int digits) {
-    std::array<char, 400> buffer{};  // the longest double has some 310 digits before the point
-    const auto [end, error] =
-        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, digits);
-    return {buffer.data(), end};
-}
-
 std::string percent(double share) {
-    return fixed(100 * share, 2) + " %";
+    return fixed_text(100 * share, 2) + " %";
 }
 
 std::string metres(const std::optional<double>& value) {
-    return value ? fixed(*value, 3) + " m" : "-";
+    return value ? fixed_text(*value, 3) + " m" : "-";
 }
 
 class Lines {
@@ -57,7 +48,7 @@ std::string of(std::size_t part, std::size_t whole) {
 }
 
 std::string square_metres(double area) {
-    return fixed(area, 1) + " m2";
+    return fixed_text(area, 1) + " m2";
 }
 
 void add_heights(Lines& lines, const Score& score) {
@@ -110,10 +101,10 @@ std::string score_text(const ScoreRequest& request, const ScoreRun& run, bool qu
     lines.add("object correctness", percent(score.object_correctness),
               of(score.found.objects_covered, score.found.objects));
     lines.add("outline RMS", metres(score.outline_rms_m),
-              "over " + fixed(score.outline_near_m, 1) + " of " + fixed(score.outline_m, 1) + " m");
+              "over " + fixed_text(score.outline_near_m, 1) + " of " + fixed_text(score.outline_m, 1) + " m");
     lines.add("overlap", percent(score.overlap));
     lines.add("invalid", std::to_string(score.found.invalid), "of " + std::to_string(score.found.features));
-    lines.add("vertex ratio", fixed(score.vertex_ratio, 3),
+    lines.add("vertex ratio", fixed_text(score.vertex_ratio, 3),
               std::to_string(score.found.vertices) + " to " + std::to_string(score.reference.vertices));
     lines.add("PoLiS", metres(score.polis_m), std::to_string(score.pairs) + " pairs");
     add_heights(lines, score);
