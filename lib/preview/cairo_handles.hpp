@@ -28,9 +28,9 @@ inline void check_drawn(cairo_status_t status) {
                           "); give a smaller -preview_size or leave -preview out.");
 }
 
-inline void set_colour(cairo_t* pen, Colour colour) {
+inline void set_colour(cairo_t* pen, Colour colour, double opacity = 1) {
     constexpr double most = 255;
-    cairo_set_source_rgb(pen, colour[0] / most, colour[1] / most, colour[2] / most);
+    cairo_set_source_rgba(pen, colour[0] / most, colour[1] / most, colour[2] / most, opacity);
 }
 
 }  // namespace d2b

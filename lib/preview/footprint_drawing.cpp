@@ -56,10 +56,9 @@ void FootprintDrawing::fill(Rings rings, Colour colour) {
 
 void FootprintDrawing::trace(Rings rings) {
     constexpr double faint = 0.5;
-    constexpr double most = 255;
     cairo_t* pen = impl_->pen.get();
     draw_rings(pen, rings);
-    cairo_set_source_rgba(pen, edge[0] / most, edge[1] / most, edge[2] / most, faint);
+    set_colour(pen, edge, faint);
     cairo_set_line_width(pen, impl_->line_width * 0.7);
     cairo_stroke(pen);
 }

@@ -1,25 +1,12 @@
 #include "preview/legend.hpp"
 
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
 
 #include "core/height_classes.hpp"
 #include "core/number_text.hpp"
 #include "preview/page_text.hpp"
 
 namespace d2b {
-namespace {
-
-Colour over_the_ground(Colour colour) {
-    Colour seen = colour;
-    for (std::size_t i = 0; i < seen.size(); ++i)
-        seen[i] = static_cast<std::uint8_t>(
-            std::lround(colour[i] * footprint_opacity + level_ground[i] * (1 - footprint_opacity)));
-    return seen;
-}
-
-}  // namespace
 
 void draw_legend(cairo_t* pen, Spot place, double font, const std::string& title) {
     const auto classes = height_classes();
@@ -30,7 +17,7 @@ void draw_legend(cairo_t* pen, Spot place, double font, const std::string& title
     for (std::size_t i = 0; i < classes.size(); ++i) {
         const double left = place.x + width * static_cast<double>(i);
         cairo_rectangle(pen, left, top, width, height);
-        set_colour(pen, over_the_ground(classes[i].colour));
+        set_colour(pen, covered(level_ground, classes[i].colour, footprint_opacity));
         cairo_fill_preserve(pen);
         set_colour(pen, edge);
         cairo_set_line_width(pen, font / 20);

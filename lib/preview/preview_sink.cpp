@@ -1,7 +1,6 @@
 #include "preview/preview_sink.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "core/height_classes.hpp"
@@ -53,15 +52,12 @@ std::optional<Colour> PreviewSink::colour_of(const Feature& feature, const Drawn
     const double* height = number_in(feature, drawn.height);
     if (height == nullptr)
         return std::nullopt;
-    Colour colour = height_classes()[height_class_of(*height)].colour;
+    const Colour colour = height_classes()[height_class_of(*height)].colour;
     const double* certainty = drawn.certainty ? number_in(feature, *drawn.certainty) : nullptr;
     if (certainty == nullptr || !(*certainty < drawn.certain))
         return colour;
     map_.counts.paler = true;
-    const double veil = opacity_of_veil(*certainty, drawn.certain);
-    for (std::uint8_t& band : colour)
-        band = static_cast<std::uint8_t>(std::lround(band * (1 - veil) + paper[0] * veil));
-    return colour;
+    return covered(colour, paper, opacity_of_veil(*certainty, drawn.certain));
 }
 
 void PreviewSink::draw(const WorldPolygon& polygon, const Drawn& drawn, Colour colour) {
