@@ -52,6 +52,12 @@ RasterTarget picture_target(const Options& options) {
     return target;
 }
 
+void publish(PictureFile& file, const Callbacks& callbacks) {
+    file.publish();
+    if (callbacks.on_warning)
+        std::ranges::for_each(file.take_warnings(), callbacks.on_warning);
+}
+
 Preview::Preview(const Options& options, FeatureSink& features, const DemInfo& dem) : features_(features) {
     if (options.write.preview.empty())
         return;
@@ -66,11 +72,8 @@ Preview::Preview(const Options& options, FeatureSink& features, const DemInfo& d
 }
 
 void Preview::publish(const Callbacks& callbacks) {
-    if (!file_)
-        return;
-    file_->publish();
-    if (callbacks.on_warning)
-        std::ranges::for_each(file_->take_warnings(), callbacks.on_warning);
+    if (file_)
+        d2b::publish(*file_, callbacks);
 }
 
 }  // namespace d2b

@@ -30,6 +30,8 @@ class Preview {
     std::optional<PreviewSink> sink_;
 };
 
+/// Makes a finished picture visible, and warns of what was noticed. @throws OutputError
+void publish(PictureFile& file, const Callbacks& callbacks);
 /// Where the picture goes.
 [[nodiscard]] RasterTarget picture_target(const Options& options);
 /// What the picture shows. @throws OptionError

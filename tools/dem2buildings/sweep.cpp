@@ -91,9 +91,7 @@ std::vector<Trial> run_sweep(const Options& options, const Sources& sources, con
         },
         callbacks);
     file->write(draw_contact_sheet(pictures, sheet, file->format()));
-    file->publish();
-    if (callbacks.on_warning)
-        std::ranges::for_each(file->take_warnings(), callbacks.on_warning);
+    publish(*file, callbacks);
     return trials;
 }
 
