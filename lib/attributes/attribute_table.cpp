@@ -39,6 +39,11 @@ FieldValue floors(double height_m) {
     return std::max<std::int64_t>(1, std::llround(std::min(height_m, 1e6) / storey_m));
 }
 
+constexpr std::string_view status_words =
+    "the least form that more than a twentieth of the outline has: regularized, simplified (lines through "
+    "the middles of the cells' borders, or -simplify), traced, kept_traced (as traced: another form would "
+    "have broken it), or repaired";
+
 constexpr std::array building_table{
     Attribute<BuildingRecord>{"id", "Building", FieldType::integer, Unit::none,
                               "number of the building, from 1 in scan order",
@@ -110,12 +115,7 @@ constexpr std::array building_table{
                               "length of all rings, on the ellipsoid where the CRS has one",
                               [](const BuildingRecord& r) { return measure(r.perimeter_m); }},
     Attribute<BuildingRecord>{
-        "status", "Outline", FieldType::text, Unit::none,
-        "the least form that more than a twentieth of the outline has: regularized, simplified (lines "
-        "through the "
-        "middles of the cells' borders, or -simplify), traced, kept_traced (as traced: another form would "
-        "have "
-        "broken it), or repaired",
+        "status", "Outline", FieldType::text, Unit::none, status_words,
         [](const BuildingRecord& r) -> FieldValue { return std::string(status_name(r.status)); }},
     Attribute<BuildingRecord>{"moved_m", "Moved", FieldType::real, Unit::metre,
                               "largest distance between the regularized outline and its trace",
@@ -180,12 +180,7 @@ constexpr std::array contour_table{
                              "length of all rings, on the ellipsoid where the CRS has one",
                              [](const ContourRecord& r) { return number(r.perimeter_m); }},
     Attribute<ContourRecord>{
-        "status", "Outline", FieldType::text, Unit::none,
-        "the least form that more than a twentieth of the outline has: regularized, simplified (lines "
-        "through the "
-        "middles of the cells' borders, or -simplify), traced, kept_traced (as traced: another form would "
-        "have "
-        "broken it), or repaired",
+        "status", "Outline", FieldType::text, Unit::none, status_words,
         [](const ContourRecord& r) -> FieldValue { return std::string(status_name(r.status)); }},
 };
 
