@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <mutex>
 #include <vector>
 
 #include "core/executor.hpp"
@@ -35,6 +36,23 @@ void for_row_bands(Executor& threads, std::int32_t rows, std::int32_t cols, cons
                    std::int32_t least = 16) {
     const std::vector<RowBand> bands = row_bands(rows, cols, least);
     threads.for_each(bands.size(), [&](std::size_t i) { work(bands[i]); });
+}
+
+/// Adds up what work(band, sum) finds in all bands of a grid, on all threads. Bands are merged in any order,
+/// on which the sum must not depend.
+/// @param nothing what the sum of each band begins with; Sum has merge(const Sum&)
+template <typename Sum, typename Work>
+[[nodiscard]] Sum sum_of_row_bands(Executor& threads, std::int32_t rows, std::int32_t cols,
+                                   const Sum& nothing, const Work& work) {
+    Sum all = nothing;
+    std::mutex mutex;
+    for_row_bands(threads, rows, cols, [&](RowBand band) {
+        Sum some = nothing;
+        work(band, some);
+        const std::lock_guard lock(mutex);
+        all.merge(some);
+    });
+    return all;
 }
 
 /// A band of a grid with rows of its neighbours, as they were.

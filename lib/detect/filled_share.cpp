@@ -1,12 +1,11 @@
 #include "detect/filled_share.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <mutex>
 
 #include "core/row_bands.hpp"
+#include "detect/bin_counts.hpp"
 #include "detect/smoothness.hpp"
 
 namespace d2b {
@@ -19,24 +18,15 @@ constexpr std::int64_t fewest = 300;
 // Measured on simulated scans of 0.25 to 2 pulses a square metre, where it is known which cells were filled.
 constexpr double cells_a_pair = 1.6;
 
-struct Differences {
-    // The first counts what is equal, the last what differs by more.
-    std::array<std::int64_t, bins + 1> counts{};
-    std::int64_t all = 0;
+/// The first bin counts what is equal.
+using Differences = BinCounts<bins>;
 
-    void add(float difference) {
-        if (std::isnan(difference))
-            return;
-        ++all;
-        ++counts[difference < bin_m * (bins - 1) ? static_cast<std::size_t>(std::lround(difference / bin_m))
-                                                 : bins];
-    }
-    void add(const Differences& other) {
-        all += other.all;
-        for (std::size_t i = 0; i < counts.size(); ++i)
-            counts[i] += other.counts[i];
-    }
-};
+void add(float difference, Differences& differences) {
+    if (!std::isnan(difference))
+        differences.add(difference < bin_m * (bins - 1)
+                            ? static_cast<std::size_t>(std::lround(difference / bin_m))
+                            : bins);
+}
 
 struct RoughCells {
     const MetreGrid& surface;
@@ -55,9 +45,9 @@ struct RoughCells {
             if (!holds(i))
                 continue;
             if (i + 1 < first + cols && holds(i + 1))
-                differences.add(std::abs(surface.values[i] - surface.values[i + 1]));
+                add(std::abs(surface.values[i] - surface.values[i + 1]), differences);
             if (has_below && holds(i + cols))
-                differences.add(std::abs(surface.values[i] - surface.values[i + cols]));
+                add(std::abs(surface.values[i] - surface.values[i + cols]), differences);
         }
     }
 };
@@ -67,15 +57,11 @@ struct RoughCells {
 double filled_share(const MetreGrid& surface, const Mask& elevated, const Grid<std::uint8_t>& flags,
                     Executor& threads) {
     const RoughCells rough{surface, elevated, flags};
-    Differences sum;
-    std::mutex mutex;
-    for_row_bands(threads, surface.rows, surface.cols, [&](RowBand band) {
-        Differences some;
+    const auto add_band = [&](RowBand band, Differences& some) {
         for (std::int32_t r = band.begin; r < band.end; ++r)
             rough.add_row(r, some);
-        const std::lock_guard lock(mutex);
-        sum.add(some);
-    });
+    };
+    const Differences sum = sum_of_row_bands(threads, surface.rows, surface.cols, Differences(), add_band);
     // Up and down count as one, so that a difference is found twice as often as none.
     const std::int64_t by_chance = *std::max_element(sum.counts.begin() + 1, sum.counts.end() - 1) / 2;
     const std::int64_t equal = sum.counts[0];

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <mutex>
 
 #include "core/row_bands.hpp"
 
@@ -12,6 +11,17 @@ namespace {
 
 constexpr std::int32_t near = 1;  // cells
 constexpr std::int32_t far = 3;
+
+/// Of all cells of borders, millimetres.
+struct Falls {
+    std::int64_t within_near = 0;
+    std::int64_t within_far = 0;
+
+    void merge(const Falls& other) {
+        within_near += other.within_near;
+        within_far += other.within_far;
+    }
+};
 
 bool on_border(const Mask& cells, std::int32_t r, std::int32_t c) {
     return cells.at(r - 1, c) == 0 || cells.at(r + 1, c) == 0 || cells.at(r, c - 1) == 0 ||
@@ -31,23 +41,17 @@ std::int64_t fall(const MetreGrid& surface, std::int32_t r, std::int32_t c, std:
 }  // namespace
 
 double step_sharpness(const MetreGrid& surface, const Mask& objects, Executor& threads) {
-    std::int64_t all_near = 0;
-    std::int64_t all_far = 0;
-    std::mutex mutex;
-    for_row_bands(threads, objects.rows, objects.cols, [&](RowBand band) {
-        std::int64_t band_near = 0;
-        std::int64_t band_far = 0;
+    const auto add_band = [&](RowBand band, Falls& falls) {
         for (std::int32_t r = std::max(band.begin, 1); r < std::min(band.end, objects.rows - 1); ++r)
             for (std::int32_t c = 1; c + 1 < objects.cols; ++c)
                 if (objects.at(r, c) != 0 && on_border(objects, r, c) && !std::isnan(surface.at(r, c))) {
-                    band_near += fall(surface, r, c, near);
-                    band_far += fall(surface, r, c, far);
+                    falls.within_near += fall(surface, r, c, near);
+                    falls.within_far += fall(surface, r, c, far);
                 }
-        const std::lock_guard lock(mutex);
-        all_near += band_near;
-        all_far += band_far;
-    });
-    return all_far > 0 ? static_cast<double>(all_near) / static_cast<double>(all_far) : 1;
+    };
+    const Falls all = sum_of_row_bands(threads, objects.rows, objects.cols, Falls(), add_band);
+    return all.within_far > 0 ? static_cast<double>(all.within_near) / static_cast<double>(all.within_far)
+                              : 1;
 }
 
 }  // namespace d2b

@@ -1,13 +1,12 @@
 #include "detect/surface_noise.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <mutex>
 #include <span>
 
 #include "core/row_bands.hpp"
+#include "detect/bin_counts.hpp"
 
 namespace d2b {
 namespace {
@@ -25,31 +24,22 @@ constexpr double upper_share = 0.2;
 // f(0.25335)) / (0.2 - 0.1).
 const double mean_of_unit_noise = 0.18925 * std::sqrt(6.0);
 
-struct Counts {
-    std::array<std::int64_t, bins + 1> counts{};
-    std::int64_t all = 0;
+using Bends = BinCounts<bins>;
 
-    void add_row(std::span<const float> z, std::span<const std::uint8_t> high) {
-        for (std::size_t c = 1; c + 1 < z.size(); ++c) {
-            const float bend = std::abs(z[c - 1] + z[c + 1] - 2 * z[c]);
-            if (high[c - 1] + high[c] + high[c + 1] != 0 || std::isnan(bend))
-                continue;
-            ++all;
-            ++counts[bend < bin_m * bins ? static_cast<std::size_t>(bend / bin_m) : bins];
-        }
+void add_row(std::span<const float> z, std::span<const std::uint8_t> high, Bends& bends) {
+    for (std::size_t c = 1; c + 1 < z.size(); ++c) {
+        const float bend = std::abs(z[c - 1] + z[c + 1] - 2 * z[c]);
+        if (high[c - 1] + high[c] + high[c + 1] != 0 || std::isnan(bend))
+            continue;
+        bends.add(bend < bin_m * bins ? static_cast<std::size_t>(bend / bin_m) : bins);
     }
-    void add(const Counts& other) {
-        all += other.all;
-        for (std::size_t i = 0; i < counts.size(); ++i)
-            counts[i] += other.counts[i];
-    }
-};
+}
 
 /// The sum of the smallest so many values, metres. Within a bin they are taken as evenly spread.
-double sum_of_smallest(const Counts& counts, double many) {
+double sum_of_smallest(const Bends& bends, double many) {
     double sum = 0;
     for (std::size_t bin = 0; many > 0 && bin <= bins; ++bin) {
-        const auto here = static_cast<double>(counts.counts[bin]);
+        const auto here = static_cast<double>(bends.counts[bin]);
         const double taken = std::min(many, here);
         sum += taken * (static_cast<double>(bin) + (taken > 0 ? taken / here / 2 : 0));
         many -= taken;
@@ -60,15 +50,11 @@ double sum_of_smallest(const Counts& counts, double many) {
 }  // namespace
 
 double surface_noise(const MetreGrid& surface, const Mask& elevated, Executor& threads) {
-    Counts sum;
-    std::mutex mutex;
-    for_row_bands(threads, surface.rows, surface.cols, [&](RowBand band) {
-        Counts some;
+    const auto add_band = [&](RowBand band, Bends& some) {
         for (std::int32_t r = band.begin; r < band.end; ++r)
-            some.add_row(surface.row(r), elevated.row(r));
-        const std::lock_guard lock(mutex);
-        sum.add(some);
-    });
+            add_row(surface.row(r), elevated.row(r), some);
+    };
+    const Bends sum = sum_of_row_bands(threads, surface.rows, surface.cols, Bends(), add_band);
     const auto all = static_cast<double>(sum.all);
     // The first bin holds what is repeated or rounded.
     if (sum.all < fewest || static_cast<double>(sum.counts[0]) >= upper_share * all)

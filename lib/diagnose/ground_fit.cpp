@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <mutex>
 #include <numeric>
 
 namespace d2b {
@@ -53,14 +52,12 @@ double GroundFit::middle(std::int64_t cells) const {
 
 void add_fit(const MetreGrid& surface, const MetreGrid& ground, RowBand rows, GroundFit& fit,
              Executor& threads) {
-    std::mutex mutex;
-    for_row_bands(threads, rows.end - rows.begin, surface.cols, [&](RowBand band) {
-        GroundFit some(fit.min_height());
+    const auto add_band = [&](RowBand band, GroundFit& some) {
         for (std::int32_t r = rows.begin + band.begin; r < rows.begin + band.end; ++r)
             some.add(surface.row(r), ground.row(r));
-        const std::lock_guard lock(mutex);
-        fit.merge(some);
-    });
+    };
+    fit.merge(sum_of_row_bands(threads, rows.end - rows.begin, surface.cols, GroundFit(fit.min_height()),
+                               add_band));
 }
 
 }  // namespace d2b
