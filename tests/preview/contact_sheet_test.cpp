@@ -3,19 +3,11 @@
 #include <algorithm>
 #include <vector>
 
+#include "preview/field.hpp"
 #include "preview/pixels.hpp"
 
 namespace d2b::test {
 namespace {
-
-MapGround field(std::int32_t rows, std::int32_t cols) {
-    DemInfo dem;
-    dem.name = "field.tif";
-    dem.rows = rows;
-    dem.cols = cols;
-    dem.window = {0, 0, rows, cols};
-    return {dem, Crs("EPSG:25833"), {1, 1, 1}};
-}
 
 std::vector<TrialPicture> trials(const MapGround& ground, const SheetPlan& plan) {
     std::vector<TrialPicture> all;
@@ -47,7 +39,7 @@ TEST(ContactSheet, HasARowForWhatBelongsTogetherWhereThereIsRoom) {
 TEST(ContactSheet, IsAsLongAsAskedForAndItsMapsAreLegible) {
     for (const auto& [rows, cols] : {std::pair{30, 30}, {20, 60}, {60, 20}})
         for (const std::size_t count : {1U, 2U, 5U, 9U, 16U}) {
-            const MapGround ground = field(rows, cols);
+            const MapGround ground = field(rows, cols, Crs("EPSG:25833"));
             const SheetPlan plan = plan_sheet(count, 1, 1600);
             const Pixels sheet(draw_contact_sheet(trials(ground, plan), plan, PictureFormat::png));
             EXPECT_EQ(std::max(sheet.width(), sheet.height()), 1600);
@@ -58,7 +50,7 @@ TEST(ContactSheet, IsAsLongAsAskedForAndItsMapsAreLegible) {
 }
 
 TEST(ContactSheet, HasACaptionAboveEachMap) {
-    const MapGround ground = field(30, 30);
+    const MapGround ground = field(30, 30, Crs("EPSG:25833"));
     const SheetPlan plan = plan_sheet(5, 1, 1200);
     ASSERT_EQ(plan.columns, 3);
     const Pixels sheet(draw_contact_sheet(trials(ground, plan), plan, PictureFormat::png));

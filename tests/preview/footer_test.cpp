@@ -1,5 +1,6 @@
 #include "preview/footer.hpp"
 
+#include "preview/field.hpp"
 #include "preview/map_picture.hpp"
 #include "preview/pixels.hpp"
 #include "preview/scale_bar.hpp"
@@ -8,10 +9,7 @@ namespace d2b::test {
 namespace {
 
 MapFrame frame(const std::string& crs) {
-    DemInfo dem;
-    dem.rows = dem.cols = 300;
-    dem.window = {0, 0, 300, 300};
-    return {{dem, Crs(crs), {1, 1, 1}}, {600, 600}};
+    return {field(300, 300, Crs(crs)), {600, 600}};
 }
 
 TEST(ScaleBar, IsTheLongestRoundNumberThatFits) {

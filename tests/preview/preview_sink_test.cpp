@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/height_classes.hpp"
+#include "preview/field.hpp"
 #include "preview/map_page.hpp"
 #include "preview/painted_map.hpp"
 #include "preview/pixels.hpp"
@@ -42,12 +43,7 @@ class PreviewTest : public ::testing::Test {
     MapPicture picture(const std::vector<LayerSpec>& layers,
                        const std::vector<std::pair<std::size_t, Feature>>& features,
                        PictureFormat format = PictureFormat::png) {
-        DemInfo dem;
-        dem.name = "field.tif";
-        dem.rows = dem.cols = 20;
-        dem.window = {0, 0, 20, 20};
-        dem.transform = {0, 1, 0, 20, 0, -1};
-        const MapGround ground{dem, Crs(), {1, 1, 1}};
+        const MapGround ground = field(20, 20, {}, {0, 1, 0, 20, 0, -1});
         inner.finished = false;
         std::optional<MapPicture> map;
         PreviewSink sink(inner, MapFrame(ground, map_on_page(ground, size)), format, [&](MapPicture taken) {
@@ -166,11 +162,7 @@ TEST_F(PreviewTest, ThePageIsAsLongAsAskedFor) {
 
 TEST(MapPage, FitsMapsOfAnyForm) {
     for (const auto& [rows, cols] : {std::pair{10, 10}, {10, 1000}, {1000, 10}, {3, 5}, {5, 3}, {1, 1}}) {
-        DemInfo dem;
-        dem.rows = rows;
-        dem.cols = cols;
-        dem.window = {0, 0, rows, cols};
-        const PixelSize map = map_on_page({dem, Crs(), {1, 1, 1}}, 1000);
+        const PixelSize map = map_on_page(field(rows, cols), 1000);
         EXPECT_GE(std::min(map.width, map.height), 1);
         EXPECT_LE(std::max(map.width, map.height), 1000);
         EXPECT_GT(std::max(map.width, map.height), 500);

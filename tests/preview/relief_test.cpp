@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "preview/field.hpp"
 #include "preview/pixels.hpp"
 #include "preview/relief_image.hpp"
 
@@ -11,15 +12,6 @@ namespace d2b::test {
 namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-
-MapGround field(std::int32_t rows, std::int32_t cols, const AffineTransform& transform) {
-    DemInfo dem;
-    dem.rows = rows;
-    dem.cols = cols;
-    dem.window = {0, 0, rows, cols};
-    dem.transform = transform;
-    return {dem, Crs(), {1, 1, 1}};
-}
 
 Pixels painted(const MapGround& ground, PixelSize size, const std::vector<float>& z) {
     Relief relief(MapFrame(ground, size));
@@ -41,7 +33,7 @@ std::vector<float> slope() {
 }
 
 TEST(Relief, LevelGroundIsGreyAndSlopesAreShaded) {
-    const Pixels map = painted(field(20, 20, {0, 1, 0, 20, 0, -1}), {200, 200}, slope());
+    const Pixels map = painted(field(20, 20, {}, {0, 1, 0, 20, 0, -1}), {200, 200}, slope());
     EXPECT_EQ(map.at(75, 75), level_ground);
     EXPECT_EQ(map.at(75, 3), level_ground);
     EXPECT_EQ(map.at(8, 3), paper);  // no elevation, nor does it shade what is beside it
@@ -52,9 +44,9 @@ TEST(Relief, LevelGroundIsGreyAndSlopesAreShaded) {
 
 TEST(Relief, IsLitFromTheUpperLeftWhicheverWayRowsAndColumnsRun) {
     const std::vector<float> z = slope();
-    const Pixels expected = painted(field(20, 20, {0, 1, 0, 20, 0, -1}), {200, 200}, z);
+    const Pixels expected = painted(field(20, 20, {}, {0, 1, 0, 20, 0, -1}), {200, 200}, z);
     const auto expect_same = [&](const std::vector<float>& other, const AffineTransform& transform) {
-        const Pixels map = painted(field(20, 20, transform), {200, 200}, other);
+        const Pixels map = painted(field(20, 20, {}, transform), {200, 200}, other);
         for (int y = 0; y < 200; y += 3)
             for (int x = 0; x < 200; x += 3)
                 expect_near(map.at(x, y), expected.at(x, y), 1);
@@ -73,7 +65,7 @@ TEST(Relief, WhatIsSmallerThanAPixelIsAveraged) {
     for (std::size_t i = 0; i < z.size(); ++i)
         z[i] = (i % 400 + i / 400) % 2 == 0 ? 10.0F : 0.0F;
     z[0] = nan;  // three of its neighbours are known
-    const Pixels map = painted(field(400, 400, {0, 1, 0, 400, 0, -1}), {100, 100}, z);
+    const Pixels map = painted(field(400, 400, {}, {0, 1, 0, 400, 0, -1}), {100, 100}, z);
     EXPECT_EQ(map.at(50, 50), level_ground);
     EXPECT_NE(map.at(0, 0), paper);
 }
