@@ -5,6 +5,7 @@ import json
 import os
 import pathlib
 import shutil
+import signal
 import subprocess
 import sys
 import unittest
@@ -237,6 +238,8 @@ class Toolbox(DeskCase):
         target = self.make("kept.gpkg", sample="hotel_70x85.tif")
         before = target.read_bytes()
         feedback = Feedback(cancel_at=5)
+        # As in what a script starts in the background.
+        self.addCleanup(signal.signal, signal.SIGINT, signal.signal(signal.SIGINT, signal.SIG_IGN))
         # Enough to do for the request to arrive in time, also where the machine has much else to do.
         large = str(self.folder / "large.vrt")
         subprocess.run(["gdal_translate", "-q", "-of", "VRT", "-outsize", "600%", "600%",

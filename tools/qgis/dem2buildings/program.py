@@ -7,7 +7,6 @@ import os
 import queue
 import re
 import shutil
-import signal
 import subprocess
 import threading
 
@@ -78,8 +77,9 @@ def run(arguments, feedback):
             threading.Thread(target=_pump, args=(getattr(process, name), name, pieces), daemon=True).start()
         while running:
             if feedback.isCanceled() and not stopping:
-                # As Ctrl+C would: the program takes back what it has begun.
-                process.send_signal(signal.SIGINT if os.name != "nt" else signal.SIGTERM)
+                # The program takes back what it has begun. SIGINT would be ignored where a script has started QGIS
+                # in the background.
+                process.terminate()
                 stopping = True
             try:
                 name, text = pieces.get(timeout=0.2)
