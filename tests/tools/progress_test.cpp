@@ -108,6 +108,11 @@ TEST(Summary, countsWhatTheReportCounts) {
         const std::string text = summary(report, Layers::both, "x");
         EXPECT_NE(text.find(": 4,321 "), std::string::npos) << reason_names[reason] << " in " << text;
     }
+    RunReport one;
+    one.count(Reason::hole_small, 1);
+    one.count(Reason::elevation_not_roof, 1);
+    EXPECT_EQ(summary(one, Layers::buildings, "x"),
+              "0 buildings in x (filled: 1 hole; no roof: 1 cell far above all around)\n");
     RunReport report;
     report.count(Reason::building_low, 3);
     report.count(Reason::hole_small, 4);
@@ -117,7 +122,7 @@ TEST(Summary, countsWhatTheReportCounts) {
     report.count(Reason::elevation_above_neighbours, 2);
     EXPECT_EQ(summary(report, Layers::buildings, "x"),
               "0 buildings in x (left out: 3 below -min_height; filled: 5 holes; drawn differently: 421 as "
-              "traced; no elevation: 12 outside of -zrange, 2 far above all around)\n");
+              "traced; no elevation: 12 cells outside of -zrange, 2 cells far above all around)\n");
 }
 
 TEST(Interrupt, isSeenAndTheNextOneEndsTheProcess) {

@@ -25,36 +25,45 @@ std::string counted(std::int64_t n, const std::string& noun) {
     return grouped(n) + " " + noun + (n == 1 ? "" : "s");
 }
 
-/// How the summary counts what is not in the result, or not as it was found.
+/// How the summary counts what is not in the result, or not as it was found: a number, what of where the kind
+/// does not say it, and the words.
 struct Part {
     const char* kind;
+    const char* noun;
     const char* words;
     std::vector<Reason> reasons;
 };
 
 const std::vector<Part>& parts() {
     static const std::vector<Part> all{
-        {"left out", "below -min_area", {Reason::building_small, Reason::contour_small}},
-        {"left out", "below -min_height", {Reason::building_low}},
-        {"left out", "below -min_building_height", {Reason::building_not_tall}},
-        {"left out", "below -min_confidence", {Reason::building_doubtful}},
-        {"left out", "below -nf", {Reason::contour_short}},
-        {"left out", "on parts that were left out", {Reason::contour_on_dropped}},
-        {"left out", "torn by -t_srs", {Reason::outline_torn}},
-        {"left out", "beyond repair", {Reason::polygon_lost}},
+        {"left out", "", "below -min_area", {Reason::building_small, Reason::contour_small}},
+        {"left out", "", "below -min_height", {Reason::building_low}},
+        {"left out", "", "below -min_building_height", {Reason::building_not_tall}},
+        {"left out", "", "below -min_confidence", {Reason::building_doubtful}},
+        {"left out", "", "below -nf", {Reason::contour_short}},
+        {"left out", "", "on parts that were left out", {Reason::contour_on_dropped}},
+        {"left out", "", "torn by -t_srs", {Reason::outline_torn}},
+        {"left out", "", "beyond repair", {Reason::polygon_lost}},
         {"left out",
-         "thresholds that separate nothing",
+         "threshold",
+         "without effect",
          {Reason::threshold_not_above_minimum, Reason::threshold_not_below_maximum,
           Reason::threshold_repeated}},
-        {"filled", "holes", {Reason::hole_small, Reason::hole_short}},
-        {"drawn differently", "as traced", {Reason::outline_kept_traced}},
-        {"drawn differently", "repaired", {Reason::polygon_repaired}},
-        {"no elevation", "outside of -zrange", {Reason::elevation_outside_range}},
-        {"no elevation", "far above all around", {Reason::elevation_above_neighbours}},
-        {"no elevation", "of the terrain", {Reason::terrain_outside_range}},
-        {"no roof", "above all around", {Reason::elevation_not_roof}},
+        {"filled", "hole", "", {Reason::hole_small, Reason::hole_short}},
+        {"drawn differently", "", "as traced", {Reason::outline_kept_traced}},
+        {"drawn differently", "", "repaired", {Reason::polygon_repaired}},
+        {"no elevation", "cell", "outside of -zrange", {Reason::elevation_outside_range}},
+        {"no elevation", "cell", "far above all around", {Reason::elevation_above_neighbours}},
+        {"no elevation", "cell", "of the terrain", {Reason::terrain_outside_range}},
+        {"no roof", "cell", "far above all around", {Reason::elevation_not_roof}},
     };
     return all;
+}
+
+/// "3 below -min_area", "1 hole", "2 cells of the terrain"
+std::string amount(std::int64_t n, const Part& part) {
+    const std::string number = *part.noun == '\0' ? grouped(n) : counted(n, part.noun);
+    return number + (*part.words == '\0' ? "" : " ") + part.words;
 }
 
 /// What is not in the result, or not as it was found; or "".
@@ -68,7 +77,7 @@ std::string counts(const RunReport& report) {
         if (n <= 0)
             continue;
         text += text.empty() ? " (" : kind == part.kind ? ", " : "; ";
-        text += (kind == part.kind ? "" : std::string(part.kind) + ": ") + grouped(n) + " " + part.words;
+        text += (kind == part.kind ? "" : std::string(part.kind) + ": ") + amount(n, part);
         kind = part.kind;
     }
     return text.empty() ? text : text + ")";

@@ -14,4 +14,4 @@ build --target installed_files
 echo
 echo "The buildings of sample_dems/town.tif are in $PWD/build/town.gpkg, layers buildings and contours."
 echo "Look at them:  qgis sample_dems/town.tif build/town.gpkg"
-echo "or list them:  ogrinfo -so build/town.gpkg buildings"
+echo "or list them:  ogrinfo -so -nomd build/town.gpkg buildings"
