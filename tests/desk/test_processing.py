@@ -257,10 +257,14 @@ class Toolbox(DeskCase):
         algorithm = self.algorithm()
         with self.assertRaisesRegex(QgsProcessingException, "ERROR: .*out.gpkg"):
             algorithm.run(given, context, feedback, {}, False)
+        given |= {"OUTPUT": str(self.folder / "out.gpkg"), "preset": 1, "min_building_height": 5}
+        with self.assertRaisesRegex(QgsProcessingException,
+                                    'ERROR: "Lowest building to keep" 5 has no effect with "Method" thesis; '):
+            algorithm.run(given, context, feedback, {}, False)
 
     def test_warnings_are_shown(self):
         _, log = self.log_of(min_height=500)
-        self.assertIn("Warning: No building was found", log)
+        self.assertIn('Warning: No building was found: "Height above the ground where a building begins" 500 ', log)
 
     def test_without_the_program_the_dialog_says_so(self):
         os.environ["DEM2BUILDINGS"] = "/nowhere/dem2buildings"

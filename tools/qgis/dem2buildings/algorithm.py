@@ -115,7 +115,8 @@ class ExtractBuildings(QgsProcessingAlgorithm):
             options.append("-overwrite")
         words = [*options, "--", dem.source(), target]
         feedback.pushCommandInfo(shlex.join([program.find(), *words]))
-        status, errors, summary = program.run(words, feedback)
+        status, *said = program.run(words, feedback)
+        errors, summary = map(parameters.speaker(program.options()), said)
         if feedback.isCanceled():
             if status == 0:
                 feedback.pushWarning(f"It was finished before it could be cancelled: {summary}")
