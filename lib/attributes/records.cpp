@@ -113,12 +113,12 @@ BuildingRecord RecordMaker::building(std::size_t i, const Contour& contour, cons
 }
 
 void StackRmse::add(const PointStats& own, const FixedPoint& fixed) {
-    scatter_ += fixed.scatter(own);
+    scatter_.add(fixed.scatter(own));
     points_ += own.n;
 }
 
 double StackRmse::value() const {
-    return points_ > 0 ? std::sqrt(scatter_ / static_cast<double>(points_)) : 0;
+    return points_ > 0 ? std::sqrt(scatter_.value() / static_cast<double>(points_)) : 0;
 }
 
 std::string_view status_name(OutlineStatus status) {

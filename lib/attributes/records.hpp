@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/elevation_sample.hpp"
+#include "core/exact_sum.hpp"
 #include "core/roof_elevations.hpp"
 #include "dem2buildings/records.hpp"
 #include "levels/level_plan.hpp"
@@ -73,7 +74,8 @@ class RecordMaker {
 };
 
 /// Root mean square of the distances between the points of all stacks and the stacked surface: at a point,
-/// the mean of its highest contour's own points. In the DEM's vertical unit.
+/// the mean of its highest contour's own points. In the DEM's vertical unit. An exact sum: the
+/// order in which contours come does not matter.
 class StackRmse {
   public:
     /// @param own of a contour above level 0
@@ -81,7 +83,7 @@ class StackRmse {
     [[nodiscard]] double value() const;
 
   private:
-    double scatter_ = 0;
+    ExactSum scatter_;
     std::int64_t points_ = 0;
 };
 

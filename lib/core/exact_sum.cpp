@@ -77,6 +77,10 @@ void ExactSum::merge(const ExactSum& other) {
         bins_[i] += other.bins_[i];
 }
 
+double ExactSum::value() const {
+    return static_cast<double>(ldexp(Wide(as_integer(*this)), lowest_exponent));
+}
+
 void Moments::merge(const Moments& other) {
     n += other.n;
     sum.merge(other.sum);

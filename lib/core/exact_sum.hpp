@@ -17,6 +17,8 @@ class ExactSum {
     void add(double value);
     void add_square(double value);
     void merge(const ExactSum& other);
+    /// Rounded once from the exact value.
+    [[nodiscard]] double value() const;
 
     /// The sum is the sum of bin[i] * 2^(32 i + lowest_exponent).
     static constexpr int lowest_exponent = -2176;

@@ -182,6 +182,24 @@ TEST(StackRmse, IsTheRootOfTheMeanSquareDistanceToTheTiers) {
     EXPECT_DOUBLE_EQ(rmse.value(), std::sqrt((8 + 2 * 45 * 45) / 7.0));
 }
 
+TEST(StackRmse, DoesNotDependOnTheOrder) {
+    const FixedPoint fixed(1 << 20);
+    // Scatters of 2^37 and, many times, of 2^-17: doubles drop each of the small ones beside the large one.
+    const PointStats large = holding({0, std::ldexp(1, 19)}, fixed);
+    const PointStats small = holding({0, std::ldexp(1, -8)}, fixed);
+    constexpr int times = 1 << 10;
+    StackRmse first;
+    StackRmse last;
+    first.add(large, fixed);
+    for (int i = 0; i < times; ++i) {
+        first.add(small, fixed);
+        last.add(small, fixed);
+    }
+    last.add(large, fixed);
+    EXPECT_EQ(first.value(), last.value());
+    EXPECT_EQ(first.value(), std::sqrt((std::ldexp(1, 37) + std::ldexp(1, -7)) / (2 + 2 * times)));
+}
+
 TEST(StackRmse, OfNothingIsZero) {
     StackRmse rmse;
     EXPECT_EQ(rmse.value(), 0);

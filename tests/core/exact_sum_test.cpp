@@ -18,6 +18,19 @@ Moments moments_of(const std::vector<double>& values) {
     return moments;
 }
 
+TEST(ExactSum, IsRoundedOnce) {
+    ExactSum sum;
+    EXPECT_EQ(sum.value(), 0);
+    // Doubles lose the 1 beside 1e16.
+    for (const double value : {1e16, 1.0, -1e16, 0.5})
+        sum.add(value);
+    EXPECT_EQ(sum.value(), 1.5);
+    sum.add(-std::ldexp(1, -1074));
+    EXPECT_EQ(sum.value(), 1.5);
+    sum.add(-1.5);
+    EXPECT_EQ(sum.value(), -std::ldexp(1, -1074));
+}
+
 TEST(Moments, OfAFewNumbers) {
     // 2 4 4 4 5 5 7 9: mean 5, squared deviations 9 1 1 1 0 0 4 16 = 32, 32 / 7.
     const Moments moments = moments_of({2, 4, 4, 4, 5, 5, 7, 9});
