@@ -31,10 +31,10 @@ class Village final : public d2b::DemSource {
     [[nodiscard]] const d2b::DemInfo& info() const override { return info_; }
 
     /// Called from several threads at a time.
-    void read(std::int32_t first_row, std::int32_t row_count, std::span<double> elevations) override {
+    void read(const d2b::Window& part, std::span<double> elevations) override {
         std::size_t i = 0;
-        for (std::int32_t row = first_row; row < first_row + row_count; ++row)
-            for (std::int32_t col = 0; col < cols; ++col)
+        for (std::int32_t row = part.row; row < part.end_row(); ++row)
+            for (std::int32_t col = part.col; col < part.end_col(); ++col)
                 elevations[i++] = elevation(row, col);
     }
 

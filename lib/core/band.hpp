@@ -10,7 +10,8 @@
 
 namespace d2b {
 
-/// Whole rows of a window. Rows are numbered as in the whole raster, columns from the window's first.
+/// Whole rows of a window, or of a part of one. Rows are numbered as in the whole raster, columns from the
+/// first of the window or part.
 struct BandShape {
     std::int32_t first_row = 0;
     std::int32_t rows = 0;

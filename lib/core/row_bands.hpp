@@ -55,6 +55,13 @@ template <typename Sum, typename Work>
     return all;
 }
 
+/// Calls work(begin, end) for the indices of all cells of a grid, band by band on all threads.
+template <typename T, typename Work>
+void for_cells(Executor& threads, const Grid<T>& grid, const Work& work) {
+    for_row_bands(threads, grid.rows, grid.cols,
+                  [&](RowBand band) { work(grid.index(band.begin, 0), grid.index(band.end, 0)); });
+}
+
 /// A band of a grid with rows of its neighbours, as they were.
 template <typename T>
 struct BandCopy {

@@ -10,20 +10,12 @@ namespace d2b {
 namespace {
 
 JudgedObjects with_limits_of_the_data(const Scene& scene, const DetectOptions& options, double smallest_m2,
-                                      std::optional<SurfaceQuality>& quality, Executor& threads) {
-    if (!quality) {
-        SurfaceQuality here = surface_quality(scene, options, threads);
-        JudgedObjects first = judged_objects(scene, options, smallest_m2, here, threads);
-        const std::optional<double> strictness =
-            roof_strictness(scene, options, smallest_m2, here, first, threads);
-        if (strictness) {
-            here.strictness = *strictness;
-            quality = here;
-        }
-        if (here.strictness == 1)
-            return first;
-    }
-    return judged_objects(scene, options, smallest_m2, *quality, threads);
+                                      Executor& threads) {
+    SurfaceQuality quality = surface_quality(scene, options, threads);
+    JudgedObjects first = judged_objects(scene, options, smallest_m2, quality, threads);
+    quality.strictness = roof_strictness(scene, options, smallest_m2, quality, first, threads).value_or(1);
+    return quality.strictness == 1 ? std::move(first)
+                                   : judged_objects(scene, options, smallest_m2, quality, threads);
 }
 
 /// Buildings first, then what is doubtful, each in scan order.
@@ -47,20 +39,13 @@ Detection sorted_by_confidence(JudgedObjects&& judged, double least, Executor& t
 }  // namespace
 
 Detection detect_buildings(const Scene& scene, const DetectOptions& options, double smallest_m2,
-                           Context& context, std::optional<SurfaceQuality>& quality) {
+                           Context& context) {
     Executor& threads = *context.threads;
-    Detection result =
-        sorted_by_confidence(with_limits_of_the_data(scene, options, smallest_m2, quality, threads),
-                             options.min_confidence, threads);
+    Detection result = sorted_by_confidence(with_limits_of_the_data(scene, options, smallest_m2, threads),
+                                            options.min_confidence, threads);
     if (options.split_height > 0)
         split_buildings(scene, options.split_height, cells_for(smallest_m2, scene.cell), result, threads);
     return result;
-}
-
-Detection detect_buildings(const Scene& scene, const DetectOptions& options, double smallest_m2,
-                           Context& context) {
-    std::optional<SurfaceQuality> quality;
-    return detect_buildings(scene, options, smallest_m2, context, quality);
 }
 
 }  // namespace d2b

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -10,7 +9,6 @@
 #include "dem2buildings/options.hpp"
 #include "detect/left_out.hpp"
 #include "detect/scene.hpp"
-#include "detect/smoothness.hpp"
 
 namespace d2b {
 
@@ -46,12 +44,7 @@ struct Detection {
 /// @param smallest_m2 what covers less is none
 /// Halo: an object, the segments that it meets, and 11 m and five cells around them. Memory: 5 to 9 bytes
 /// a cell beside the scene, the result's four among them; 9 to 13 where buildings are divided.
-/// @param quality what is known of the surface. Where nothing is it is looked for here, and kept if there is
-/// enough to find it from, see roof_strictness(); until then each strip of a window goes by its own noise. So
-/// strips agree on what lies at their seams, but for those before the first with enough roofs
-[[nodiscard]] Detection detect_buildings(const Scene& scene, const DetectOptions& options, double smallest_m2,
-                                         Context& context, std::optional<SurfaceQuality>& quality);
-/// The same where there is one strip alone.
+/// The noise of the surface, and how smooth a roof must be, see roof_strictness(), are found from the scene.
 [[nodiscard]] Detection detect_buildings(const Scene& scene, const DetectOptions& options, double smallest_m2,
                                          Context& context);
 

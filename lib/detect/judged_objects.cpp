@@ -35,9 +35,9 @@ void leave_plants_out(const Scene& scene, const Grid<std::uint8_t>& flags, Mask&
     });
 }
 
-/// @param small gets the rows of the first cells of what is too small
+/// @param small gets the first cells of what is too small
 DetectedObjects find_objects(const Scene& scene, const Mask& elevated, const SmoothSegments& segments,
-                             std::int64_t least_cells, std::vector<std::int32_t>& small, Executor& threads) {
+                             std::int64_t least_cells, std::vector<FirstCell>& small, Executor& threads) {
     Mask cells = grow_by_majority(mask_of(segments.regions, threads), elevated, scene.cell, threads);
     cells = opened(cells, opening_m, scene.cell, threads);
     cells = grown(std::move(cells), elevated,

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/band.hpp"
@@ -10,6 +11,7 @@
 #include "core/grid.hpp"
 #include "core/row_bands.hpp"
 #include "dem2buildings/spool.hpp"
+#include "detect/unit_grid.hpp"
 
 namespace d2b {
 
@@ -27,31 +29,40 @@ void for_label_runs(std::span<const Label> row, const Use& use) {
     }
 }
 
-/// The labels of a window, row by row, as runs that wait in a spool: 12 bytes a run.
+/// The labels of a window, unit by unit, as runs that wait in a spool: 12 bytes a run and 4 a row of a unit.
 class LabelRows {
   public:
     LabelRows() = default;
-    explicit LabelRows(std::unique_ptr<Spool> spool) : spool_(std::move(spool)) {}
+    /// @param window what labels are of
+    LabelRows(std::unique_ptr<Spool> spool, const Window& window)
+        : spool_(std::move(spool)), window_(window) {}
 
-    /// The next rows: these of a grid.
-    void append(const Grid<Label>& labels, RowBand rows, Executor& threads);
-    /// Gives other labels to all rows. @param number the new label, by the old one
+    /// The own cells of the next unit. Units come row by row. @param labels of what the unit sees
+    void append(const Unit& unit, const Grid<Label>& labels, Executor& threads);
+    /// Gives other labels to all units. @param number the new label, by the old one
     void renumber(std::vector<Label> number) { number_ = std::move(number); }
-    /// From any thread, once all rows are there. @param row first, counted from the window's
-    /// @param labels of whole rows @throws OutputError the spool cannot be read
-    void read(std::int32_t row, std::int32_t cols, std::span<Label> labels) const;
 
-    /// The labels of a band. @param window_row of the window in the whole raster
-    [[nodiscard]] LabelBand band(const BandShape& shape, std::int32_t window_row) const;
+    /// The labels of a band of the window. From any thread, once all units are there.
+    /// @throws OutputError the spool cannot be read
+    [[nodiscard]] LabelBand band(const BandShape& shape) const;
 
   private:
+    /// Cells of the window.
     struct Run {
         std::int32_t begin;
         std::int32_t end;
         Label label;
     };
+    /// The rows of the units that lie side by side.
+    struct UnitRow {
+        RowBand rows;                                ///< of the whole raster
+        std::vector<std::vector<SpoolEntry>> units;  ///< each by slabs of rows
+    };
+    void read_slab(const SpoolEntry& entry, RowBand rows, LabelBand& band) const;
+
     std::unique_ptr<Spool> spool_;
-    std::vector<SpoolEntry> rows_;
+    Window window_;
+    std::vector<UnitRow> unit_rows_;
     std::vector<Label> number_;
 };
 

@@ -13,17 +13,17 @@ constexpr float lowest_roof_m = 1;  // what is lower is a car, a hedge, or an er
 
 /// Of regions that are chosen. They are numbered in the order of their first cells.
 template <typename Chosen>
-std::vector<std::int32_t> first_rows(const Regions& regions, const Chosen& chosen) {
-    std::vector<std::int32_t> rows;
+std::vector<FirstCell> first_cells(const Regions& regions, const Chosen& chosen) {
+    std::vector<FirstCell> cells;
     Label seen = 0;
     for (std::int32_t r = 0; r < regions.rows; ++r)
         for (const RegionRun& run : regions.row(r))
             if (run.label > seen) {
                 seen = run.label;
                 if (chosen(regions.cells[seen]))
-                    rows.push_back(r);
+                    cells.push_back({r, run.begin});
             }
-    return rows;
+    return cells;
 }
 
 Mask low_cells(const Scene& scene, float min_height, Executor& threads) {
@@ -43,24 +43,24 @@ Mask low_cells(const Scene& scene, float min_height, Executor& threads) {
 
 }  // namespace
 
-std::vector<std::int32_t> take_small_out(Regions& regions, std::int64_t least_cells) {
+std::vector<FirstCell> take_small_out(Regions& regions, std::int64_t least_cells) {
     const auto is_small = [&](std::int64_t cells) { return cells < least_cells; };
-    std::vector<std::int32_t> rows = first_rows(regions, is_small);
+    std::vector<FirstCell> cells = first_cells(regions, is_small);
     std::vector<Label> number(regions.cells.size());
     std::iota(number.begin(), number.end(), Label{0});
     for (Label& label : number)
         label = is_small(regions.cells[label]) ? 0 : label;
     relabel(regions, number);
-    return rows;
+    return cells;
 }
 
-std::vector<std::int32_t> low_roofs(const Scene& scene, const Grid<std::uint8_t>& flags, double min_height,
-                                    std::int64_t least_cells, Executor& threads) {
+std::vector<FirstCell> low_roofs(const Scene& scene, const Grid<std::uint8_t>& flags, double min_height,
+                                 std::int64_t least_cells, Executor& threads) {
     if (!(min_height > static_cast<double>(lowest_roof_m)))
         return {};
     const Mask low = low_cells(scene, static_cast<float>(min_height), threads);
-    return first_rows(smooth_regions(scene, low, flags, threads),
-                      [&](std::int64_t cells) { return cells >= least_cells; });
+    return first_cells(smooth_regions(scene, low, flags, threads),
+                       [&](std::int64_t cells) { return cells >= least_cells; });
 }
 
 }  // namespace d2b

@@ -8,21 +8,29 @@
 
 namespace d2b {
 
-/// What options left out before it was judged: each object by the row of its first cell, so that of what
-/// overlapping strips see each counts it once.
-struct LeftOut {
-    std::vector<std::int32_t> small;  ///< objects with fewer cells than a building needs
-    std::vector<std::int32_t> low;    ///< see low_roofs()
+/// The first cell of a region in scan order.
+struct FirstCell {
+    std::int32_t row = 0;
+    std::int32_t col = 0;
+
+    friend bool operator==(const FirstCell&, const FirstCell&) = default;
 };
 
-/// Takes regions with fewer cells out of others. @return the rows of their first cells
-[[nodiscard]] std::vector<std::int32_t> take_small_out(Regions& regions, std::int64_t least_cells);
+/// What options left out before it was judged: each object by its first cell, so that of what overlapping
+/// units see each is counted once.
+struct LeftOut {
+    std::vector<FirstCell> small;  ///< objects with fewer cells than a building needs
+    std::vector<FirstCell> low;    ///< see low_roofs()
+};
+
+/// Takes regions with fewer cells out of others. @return their first cells
+[[nodiscard]] std::vector<FirstCell> take_small_out(Regions& regions, std::int64_t least_cells);
 
 /// What would have been part of a building if it stood higher: smooth pieces of the surface, as large as a
 /// building, that rise above the ground by more than a metre but nowhere by more than `min_height`.
-/// @param flags of smoothness() @return the rows of their first cells
-[[nodiscard]] std::vector<std::int32_t> low_roofs(const Scene& scene, const Grid<std::uint8_t>& flags,
-                                                  double min_height, std::int64_t least_cells,
-                                                  Executor& threads);
+/// @param flags of smoothness() @return their first cells
+[[nodiscard]] std::vector<FirstCell> low_roofs(const Scene& scene, const Grid<std::uint8_t>& flags,
+                                               double min_height, std::int64_t least_cells,
+                                               Executor& threads);
 
 }  // namespace d2b

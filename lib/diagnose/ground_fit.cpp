@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "core/row_bands.hpp"
+
 namespace d2b {
 
 std::size_t GroundFit::bin_of(double height) {
@@ -50,14 +52,16 @@ double GroundFit::middle(std::int64_t cells) const {
     return (static_cast<double>(bin) + 0.5) * bin_m - highest_m;
 }
 
-void add_fit(const MetreGrid& surface, const MetreGrid& ground, RowBand rows, GroundFit& fit,
+void add_fit(const MetreGrid& surface, const MetreGrid& ground, const Window& cells, GroundFit& fit,
              Executor& threads) {
+    const auto col = static_cast<std::size_t>(cells.col);
+    const auto cols = static_cast<std::size_t>(cells.cols);
     const auto add_band = [&](RowBand band, GroundFit& some) {
-        for (std::int32_t r = rows.begin + band.begin; r < rows.begin + band.end; ++r)
-            some.add(surface.row(r), ground.row(r));
+        for (std::int32_t r = cells.row + band.begin; r < cells.row + band.end; ++r)
+            some.add(surface.row(r).subspan(col, cols), ground.row(r).subspan(col, cols));
     };
-    fit.merge(sum_of_row_bands(threads, rows.end - rows.begin, surface.cols, GroundFit(fit.min_height()),
-                               add_band));
+    fit.merge(
+        sum_of_row_bands(threads, cells.rows, cells.cols, GroundFit(fit.min_height()), add_band));
 }
 
 }  // namespace d2b

@@ -7,7 +7,7 @@
 
 #include "core/executor.hpp"
 #include "core/grid.hpp"
-#include "core/row_bands.hpp"
+#include "dem2buildings/dem_source.hpp"
 
 namespace d2b {
 
@@ -46,8 +46,8 @@ class GroundFit {
     std::array<std::int64_t, bins> counts_{};  ///< the first and the last hold what lies beyond them as well
 };
 
-/// Adds how a surface lies above a ground in some of its rows.
-void add_fit(const MetreGrid& surface, const MetreGrid& ground, RowBand rows, GroundFit& fit,
+/// Adds how a surface lies above a ground in some of its cells. @param cells of the grids
+void add_fit(const MetreGrid& surface, const MetreGrid& ground, const Window& cells, GroundFit& fit,
              Executor& threads);
 
 }  // namespace d2b

@@ -7,15 +7,16 @@
 
 namespace d2b {
 
-void add_slope(const MetreGrid& ground, const CellSize& cell, std::int32_t first_row, RowBand rows,
+void add_slope(const MetreGrid& ground, const CellSize& cell, std::int32_t first_row, const Window& cells,
                GroundSlope& slope) {
     constexpr std::int32_t every = 16;
-    for (std::int32_t r = rows.begin; r < std::min(rows.end, ground.rows - 1); ++r) {
+    const auto end_col = static_cast<std::size_t>(std::min(cells.end_col(), ground.cols - 1));
+    for (std::int32_t r = cells.row; r < std::min(cells.end_row(), ground.rows - 1); ++r) {
         if ((first_row + r) % every != 0)
             continue;
         const auto here = ground.row(r);
         const auto below = ground.row(r + 1);
-        for (std::size_t c = 0; c + 1 < here.size(); ++c)
+        for (auto c = static_cast<std::size_t>(cells.col); c < end_col; ++c)
             slope.add(static_cast<double>(here[c + 1] - here[c]) / cell.across,
                       static_cast<double>(below[c] - here[c]) / cell.down);
     }

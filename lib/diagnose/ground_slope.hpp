@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/grid.hpp"
-#include "core/row_bands.hpp"
+#include "dem2buildings/dem_source.hpp"
 
 namespace d2b {
 
@@ -24,11 +24,15 @@ struct GroundSlope {
         ++cells;
         steep_cells += slope > steep ? 1 : 0;
     }
+    void merge(const GroundSlope& other) {
+        cells += other.cells;
+        steep_cells += other.steep_cells;
+    }
 };
 
 /// Adds the slopes of a ground in every sixteenth of the window's rows. @param first_row of the grid in the
-/// window @param rows of the grid
-void add_slope(const MetreGrid& ground, const CellSize& cell, std::int32_t first_row, RowBand rows,
+/// window @param cells of the grid
+void add_slope(const MetreGrid& ground, const CellSize& cell, std::int32_t first_row, const Window& cells,
                GroundSlope& slope);
 
 /// Where most of the ground is steep. Without a full stop; "" where it is not.

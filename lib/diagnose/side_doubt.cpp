@@ -6,21 +6,22 @@ namespace d2b {
 namespace {
 
 template <typename T, typename Counts>
-bool any_known(const MetreGrid& surface, const Grid<T>& grid, RowBand rows, const Counts& counts) {
-    for (std::size_t i = grid.index(rows.begin, 0); i < grid.index(rows.end, 0); ++i)
-        if (!std::isnan(surface.values[i]) && counts(grid.values[i]))
-            return true;
+bool any_known(const MetreGrid& surface, const Grid<T>& grid, const Window& cells, const Counts& counts) {
+    for (std::int32_t r = cells.row; r < cells.end_row(); ++r)
+        for (std::size_t i = grid.index(r, cells.col); i < grid.index(r, cells.end_col()); ++i)
+            if (!std::isnan(surface.values[i]) && counts(grid.values[i]))
+                return true;
     return false;
 }
 
 }  // namespace
 
-bool meets(const MetreGrid& surface, const Mask& mask, RowBand rows) {
-    return any_known(surface, mask, rows, [](std::uint8_t allowed) { return allowed != 0; });
+bool meets(const MetreGrid& surface, const Mask& mask, const Window& cells) {
+    return any_known(surface, mask, cells, [](std::uint8_t allowed) { return allowed != 0; });
 }
 
-bool meets(const MetreGrid& surface, const MetreGrid& values, RowBand rows) {
-    return any_known(surface, values, rows, [](float value) { return !std::isnan(value); });
+bool meets(const MetreGrid& surface, const MetreGrid& values, const Window& cells) {
+    return any_known(surface, values, cells, [](float value) { return !std::isnan(value); });
 }
 
 std::string empty_side_doubt(const SidesKnown& known, const Options& options) {

@@ -15,20 +15,22 @@ void BandCells::append(const Cells& cells) {
     entry = {d2b::append(*spool_, writer), cells.invalid.size()};
 }
 
-void BandCells::apply(std::size_t band, std::int32_t first, ElevationBand& part) const {
+void BandCells::apply(std::size_t band, std::int32_t cols, const Window& part, ElevationBand& cells) const {
     if (band >= bands_.size() || bands_[band].place.size == 0)
         return;
     const Entry& entry = bands_[band];
-    const std::size_t begin = static_cast<std::size_t>(first) * static_cast<std::size_t>(part.shape.cols);
     ByteReader reader(*spool_, entry.place);
     for (std::size_t i = 0; i < entry.place.size / sizeof(std::size_t); ++i) {
-        const std::size_t cell = reader.take<std::size_t>() - begin;  // beyond all where it is above the part
-        if (cell >= part.elevations.size())
+        const auto cell = static_cast<std::int64_t>(reader.take<std::size_t>());
+        const std::int64_t row = cell / cols - part.row;
+        const std::int64_t col = cell % cols - part.col;
+        if (row < 0 || row >= part.rows || col < 0 || col >= part.cols)
             continue;
+        const auto at = static_cast<std::size_t>(row * part.cols + col);
         if (i < entry.invalid)
-            part.elevations[cell] = std::numeric_limits<double>::quiet_NaN();
+            cells.elevations[at] = std::numeric_limits<double>::quiet_NaN();
         else
-            part.spires.push_back(cell);
+            cells.spires.push_back(at);
     }
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/band.hpp"
 #include "core/byte_record.hpp"
+#include "dem2buildings/dem_source.hpp"
 
 namespace d2b {
 
@@ -25,8 +26,9 @@ class BandCells {
     /// Of the next band. @throws OutputError there is no room
     void append(const Cells& cells);
     /// Makes NaN of what is invalid, and marks the spires; nothing where the band's cells are not there yet.
-    /// From any thread. @param first row of the band that is the first of the part @throws OutputError
-    void apply(std::size_t band, std::int32_t first, ElevationBand& part) const;
+    /// From any thread. @param cols of the band @param part of the window that `cells` are; rows and columns
+    /// counted from the band's first @throws OutputError
+    void apply(std::size_t band, std::int32_t cols, const Window& part, ElevationBand& cells) const;
 
   private:
     struct Entry {

@@ -14,11 +14,10 @@ constexpr std::int64_t most_points_a_band = 1 << 21;
 // A thread. Less than three bands let threads wait for each other where one takes longer than the next.
 constexpr std::int64_t points_ahead = 1 << 21;
 
-std::int32_t band_rows(const DemInfo& info, std::int64_t points_a_band) {
-    const std::int32_t cols = std::max(info.window.cols, 1);
+std::int32_t band_rows(std::int32_t block_rows, std::int32_t cols, std::int64_t points_a_band) {
     std::int32_t block = usual_block_rows;
-    if (info.block_rows > block && std::int64_t{info.block_rows} * cols <= most_points_a_band)
-        block = info.block_rows;
+    if (block_rows > block && std::int64_t{block_rows} * cols <= most_points_a_band)
+        block = block_rows;
     const std::int64_t rows = points_a_band / cols / block * block;
     return static_cast<std::int32_t>(std::clamp<std::int64_t>(rows, block, std::max(block, 1 << 16)));
 }
@@ -33,6 +32,17 @@ std::vector<BandShape> shapes_of(const Window& window, std::int32_t rows_a_band)
         row = next;
     }
     return shapes;
+}
+
+/// Adds some cells of a band to others. @param part rows and columns counted from the band's first
+template <typename Values>
+void append(const Values& band, std::int32_t cols, const Window& part, std::vector<double>& to) {
+    const bool whole_rows = part.cols == cols;
+    const std::int64_t length = whole_rows ? part.points() : part.cols;
+    for (std::int32_t row = part.row; row < (whole_rows ? part.row + 1 : part.end_row()); ++row) {
+        const auto from = band.begin() + std::ptrdiff_t{row} * cols + part.col;
+        to.insert(to.end(), from, from + length);
+    }
 }
 
 /// Spikes wait outside of their band until the rows beyond it have been seen.
@@ -63,10 +73,10 @@ class Withheld {
 }  // namespace
 
 ElevationReader::ElevationReader(DemSource& source, Context& context, const BandSize& size)
-    : source_(source), context_(context), keep_bytes_(size.keep_bytes) {
+    : source_(source), context_(context), points_a_band_(size.points), keep_bytes_(size.keep_bytes) {
     const Window& window = source.info().window;
     const std::size_t points = static_cast<std::size_t>(window.rows) * static_cast<std::size_t>(window.cols);
-    const std::int32_t rows = band_rows(source.info(), size.points);
+    const std::int32_t rows = band_rows(source.info().block_rows, std::max(window.cols, 1), size.points);
     keep_ = points <= keep_bytes_ / sizeof(float);
     ahead_ = static_cast<std::size_t>(
         std::clamp<std::int64_t>(points_ahead / (std::int64_t{rows} * std::max(window.cols, 1)), 3, 8));
@@ -75,31 +85,46 @@ ElevationReader::ElevationReader(DemSource& source, Context& context, const Band
         kept_.resize(shapes_.size());
 }
 
-ElevationBand ElevationReader::get(std::size_t i, const BandShape& part, Tally& tally) {
+Window ElevationReader::whole(const BandShape& rows) const {
+    return {rows.first_row, source_.info().window.col, rows.rows, rows.cols};
+}
+
+std::size_t ElevationReader::band_with(std::int32_t row) const {
+    const auto found = std::ranges::lower_bound(
+        shapes_, row, {}, [](const BandShape& shape) { return shape.first_row + (shape.rows - 1); });
+    return static_cast<std::size_t>(found - shapes_.begin());
+}
+
+ElevationBand ElevationReader::get(const Window& part, Tally& tally) {
     const StageClock clock(tally, Stage::read);
-    ElevationBand band{part, {}};
-    const auto take = [&](const auto& kept) {
-        const auto first = static_cast<std::ptrdiff_t>(part.first_row - shapes_[i].first_row) * part.cols;
-        const auto begin = kept.begin() + first;
-        band.elevations.assign(begin, begin + static_cast<std::ptrdiff_t>(part.size()));
-    };
-    if (complete_ && kept_[i].narrow.empty()) {
-        take(kept_[i].wide);
-    } else if (complete_) {
-        take(kept_[i].narrow);
+    const Window& window = source_.info().window;
+    ElevationBand band{{part.row, part.rows, part.cols}, {}};
+    if (complete_) {
+        band.elevations.reserve(band.shape.size());
     } else {
         band = read(part);
         limit(band.elevations, rules_.limits);
     }
-    if (decided_)
-        decided_->apply(i, part.first_row - shapes_[i].first_row, band);
+    for (std::size_t i = band_with(part.row); i < shapes_.size() && shapes_[i].first_row < part.end_row();
+         ++i) {
+        const BandShape& kept = shapes_[i];
+        const std::int32_t first = std::max(part.row, kept.first_row);
+        const std::int32_t end = std::min(part.end_row(), kept.first_row + kept.rows);
+        const Window here{first - kept.first_row, part.col - window.col, end - first, part.cols};
+        if (complete_ && kept_[i].narrow.empty())
+            append(kept_[i].wide, kept.cols, here, band.elevations);
+        else if (complete_)
+            append(kept_[i].narrow, kept.cols, here, band.elevations);
+        if (decided_)
+            decided_->apply(i, kept.cols, {part.row - kept.first_row, here.col, part.rows, part.cols}, band);
+    }
     return band;
 }
 
-ElevationBand ElevationReader::read(const BandShape& part) {
-    ElevationBand band{part, {}};
-    band.elevations.resize(part.size());
-    source_.read(part.first_row, part.rows, band.elevations);
+ElevationBand ElevationReader::read(const Window& part) {
+    ElevationBand band{{part.row, part.rows, part.cols}, {}};
+    band.elevations.resize(band.shape.size());
+    source_.read(part, band.elevations);
     return band;
 }
 
@@ -109,7 +134,7 @@ ElevationBand ElevationReader::get_above(std::size_t i, std::int32_t halo, Tally
     const BandShape& band = shapes_[i];
     const std::int32_t rows = std::min(halo, band.first_row - shapes_.front().first_row);
     const BandShape above{band.first_row - rows, rows, band.cols};
-    return rows > 0 ? get(i - 1, above, tally) : ElevationBand{above, {}};
+    return rows > 0 ? get(whole(above), tally) : ElevationBand{above, {}};
 }
 
 ElevationSurvey ElevationReader::survey(const SiftRules& rules,
@@ -127,7 +152,7 @@ ElevationSurvey ElevationReader::survey(const SiftRules& rules,
     pass(
         [this](std::size_t i, Tally& tally) {
             const StageClock clock(tally, Stage::read);
-            return read(shapes_[i]);
+            return read(whole(shapes_[i]));
         },
         [&](std::size_t, ElevationBand& band, Tally& tally) {
             const StageClock clock(tally, Stage::levels);
@@ -200,15 +225,14 @@ void ElevationReader::for_each(const std::function<void(const ElevationBand&)>& 
              [&](const ElevationBand& band, int) { use(band); });
 }
 
-void ElevationReader::for_rows(std::int32_t first_row, std::int32_t end_row,
-                               const std::function<void(const ElevationBand&)>& use) {
-    std::vector<std::size_t> some;
-    for (std::size_t i = 0; i < shapes_.size(); ++i)
-        if (shapes_[i].first_row < end_row && shapes_[i].first_row + shapes_[i].rows > first_row)
-            some.push_back(i);
-    std::vector<Tally> tallies(some.size());
+void ElevationReader::for_part(const Window& part, const std::function<void(const ElevationBand&)>& use) {
+    const std::int32_t rows = band_rows(source_.info().block_rows, std::max(part.cols, 1), points_a_band_);
+    const std::vector<BandShape> pieces = shapes_of(part, rows);
+    std::vector<Tally> tallies(pieces.size());
     const Merger merger{tallies, context_.report};
-    context_.threads->for_each(some.size(), [&](std::size_t i) { use(get(some[i], tallies[i])); });
+    context_.threads->for_each(pieces.size(), [&](std::size_t i) {
+        use(get({pieces[i].first_row, part.col, pieces[i].rows, part.cols}, tallies[i]));
+    });
 }
 
 }  // namespace d2b

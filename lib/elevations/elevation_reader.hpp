@@ -49,7 +49,7 @@ class ElevationReader {
     /// itself and waits for no other. @param halo so many rows, at most 64; fewer where the window begins
     template <typename Prepare, typename Use>
     void for_each_below(std::int32_t halo, const Prepare& prepare, const Use& use) {
-        pass([this](std::size_t i, Tally& tally) { return get(i, tally); },
+        pass([this](std::size_t i, Tally& tally) { return get(whole(shapes_[i]), tally); },
              [&](std::size_t i, const ElevationBand& band, Tally& tally) {
                  // After the band: whoever reads the one above has decoded these rows by now.
                  return prepare(get_above(i, halo, tally), band, tally);
@@ -58,10 +58,9 @@ class ElevationReader {
     }
     /// Calls `use` for each band, from the first row to the last, on this thread.
     void for_each(const std::function<void(const ElevationBand&)>& use);
-    /// Calls `use` for each band that has some of these rows, on any thread and in any order.
-    /// @param end_row exclusive
-    void for_rows(std::int32_t first_row, std::int32_t end_row,
-                  const std::function<void(const ElevationBand&)>& use);
+    /// Calls `use` for some rows of a part of the window at a time, on any thread and in any order. Columns
+    /// count from the part's first.
+    void for_part(const Window& part, const std::function<void(const ElevationBand&)>& use);
 
   private:
     /// The elevations of a band: as they are, or where nothing is lost by it in half of the room.
@@ -116,12 +115,13 @@ class ElevationReader {
         complete_ = keep_;
     }
     /// What is in the source. @throws InputError
-    [[nodiscard]] ElevationBand read(const BandShape& part);
-    /// What of it is valid. @throws InputError
-    [[nodiscard]] ElevationBand get(std::size_t i, Tally& tally) { return get(i, shapes_[i], tally); }
+    [[nodiscard]] ElevationBand read(const Window& part);
+    /// What of it is valid. @param part of the window @throws InputError
+    [[nodiscard]] ElevationBand get(const Window& part, Tally& tally);
     [[nodiscard]] ElevationBand get_above(std::size_t i, std::int32_t halo, Tally& tally);
-    /// @param part rows of band i
-    [[nodiscard]] ElevationBand get(std::size_t i, const BandShape& part, Tally& tally);
+    [[nodiscard]] Window whole(const BandShape& rows) const;
+    /// The first band that has rows from this one on.
+    [[nodiscard]] std::size_t band_with(std::int32_t row) const;
     /// @param spikes of the next band, all of whose neighbours have been seen
     void settle(const std::vector<Spike>& spikes, ElevationSurvey& survey);
     [[nodiscard]] static Kept keep(const ElevationBand& band);
@@ -129,6 +129,7 @@ class ElevationReader {
 
     DemSource& source_;
     Context& context_;
+    std::int64_t points_a_band_;
     std::size_t keep_bytes_;
     std::size_t kept_bytes_ = 0;
     bool keep_;

@@ -21,17 +21,15 @@ struct GatheredRows {
     std::vector<double> elevations;
 };
 
-GatheredRows gather(const ElevationBand& band, const LabelBand& labels, RowBand rows) {
+GatheredRows gather(const ElevationBand& band, const LabelBand& labels) {
     GatheredRows gathered;
-    for (std::int32_t row = std::max(rows.begin, band.shape.first_row);
-         row < std::min(rows.end, band.shape.first_row + band.shape.rows); ++row) {
-        const auto elevations = band.row(row - band.shape.first_row);
-        for_label_runs(labels.row(row - band.shape.first_row),
-                       [&](std::int32_t begin, std::int32_t end, Label label) {
-                           gathered.runs.push_back({label, {row, begin, end}});
-                           gathered.elevations.insert(gathered.elevations.end(), elevations.begin() + begin,
-                                                      elevations.begin() + end);
-                       });
+    for (std::int32_t row = 0; row < band.shape.rows; ++row) {
+        const auto elevations = band.row(row);
+        for_label_runs(labels.row(row), [&](std::int32_t begin, std::int32_t end, Label label) {
+            gathered.runs.push_back({label, {band.shape.first_row + row, begin, end}});
+            gathered.elevations.insert(gathered.elevations.end(), elevations.begin() + begin,
+                                       elevations.begin() + end);
+        });
     }
     return gathered;
 }
@@ -45,7 +43,7 @@ std::vector<std::int32_t> last_rows(const LabelRows& labels, Label count, const 
         bands.size(),
         [&](std::size_t i, std::size_t) {
             const BandShape shape{window.row + bands[i].begin, bands[i].end - bands[i].begin, window.cols};
-            const LabelBand band = labels.band(shape, window.row);
+            const LabelBand band = labels.band(shape);
             std::map<Label, std::int32_t> here;
             for (std::int32_t row = 0; row < shape.rows; ++row)
                 for_label_runs(band.row(row), [&](std::int32_t, std::int32_t, Label label) {
@@ -109,18 +107,18 @@ CleanRows clean_tiers(ElevationReader& reader, const LabelRows& labels, Label co
         std::clamp<std::int64_t>(points_at_once / std::max(window.cols, 1), 64, 1 << 20));
     const std::int32_t end = window.row + window.rows;
     for (std::int32_t row = window.row; row < end; row += at_once) {
-        const RowBand chunk{row, std::min(end, row + at_once)};
+        const Window chunk{row, window.col, std::min(end - row, at_once), window.cols};
         std::map<std::int32_t, GatheredRows> gathered;
         std::mutex mutex;
-        reader.for_rows(chunk.begin, chunk.end, [&](const ElevationBand& band) {
-            GatheredRows here = gather(band, labels.band(band.shape, window.row), chunk);
+        reader.for_part(chunk, [&](const ElevationBand& band) {
+            GatheredRows here = gather(band, labels.band(band.shape));
             const std::lock_guard lock(mutex);
             gathered.emplace(band.shape.first_row, std::move(here));
         });
         const StageClock clock(context.report, Stage::levels);
         for (const auto& [first, part] : gathered)
             add_to(open, part);
-        std::vector<BuildingCells> ended = take_ended(open, last, chunk.end);
+        std::vector<BuildingCells> ended = take_ended(open, last, chunk.end_row());
         threads.for_each(ended.size(), [&](std::size_t i) { clean(ended[i], regions, threads.stop()); });
         for (const BuildingCells& cells : ended)
             rows.add(cells);

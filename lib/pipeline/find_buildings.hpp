@@ -3,15 +3,9 @@
 #include <vector>
 
 #include "attributes/records.hpp"
-#include "core/grid.hpp"
-#include "dem2buildings/run.hpp"
 #include "detect/label_rows.hpp"
-#include "detect/strips.hpp"
-#include "diagnose/ground_fit.hpp"
-#include "diagnose/ground_slope.hpp"
-#include "diagnose/side_doubt.hpp"
-#include "elevations/elevation_reader.hpp"
-#include "options/run_plan.hpp"
+#include "detect/unit_grid.hpp"
+#include "pipeline/find_in_unit.hpp"
 
 namespace d2b {
 
@@ -27,16 +21,19 @@ struct FoundBuildings {
 
     [[nodiscard]] Label count() const { return static_cast<Label>(footprints.size() - 1); }
     /// The labels of a band of the window. From any thread.
-    [[nodiscard]] LabelBand band(const BandShape& shape, std::int32_t window_row) const {
-        return labels.band(shape, window_row);
-    }
+    [[nodiscard]] LabelBand band(const BandShape& shape) const { return labels.band(shape); }
 };
 
-/// Estimates or reads the terrain, detects buildings above it, and writes the rasters that are asked for. A
-/// large window is looked at in strips of rows, so that memory is bounded.
-/// @param metres in one vertical unit
-[[nodiscard]] FoundBuildings find_buildings(const RunPlan& plan, const Sources& sources, const Sinks& sinks,
-                                            ElevationReader& reader, const CellSize& cell, double metres,
-                                            Context& context, const StripSize& size = {});
+/// Building widths around a unit that it sees: what stands at a seam is seen whole by both units, and so is
+/// the ground around it.
+inline constexpr double widths_around = 5;
+/// The units of a window.
+[[nodiscard]] UnitGrid unit_grid(const RunPlan& plan, const Window& window, const CellSize& cell,
+                                 const UnitSize& size = {});
+
+/// Finds what stands in a window, one unit after the other, so that memory is bounded, and joins what seams
+/// between units cut.
+/// @throws InputError, OutputError, Cancelled
+[[nodiscard]] FoundBuildings find_buildings(const UnitSearch& search, const UnitSize& size = {});
 
 }  // namespace d2b

@@ -59,13 +59,13 @@ ElevationStatistics collect_statistics(ElevationReader& reader, const Options& o
 }
 
 /// The elevations that all else is found in, in metres.
-void write_elevations(ElevationReader& reader, RasterSink& sink, double metres) {
+void write_elevations(ElevationReader& reader, std::int32_t first_col, RasterSink& sink, double metres) {
     std::vector<float> values;
     reader.for_each([&](const ElevationBand& band) {
         values.resize(band.elevations.size());
         std::ranges::transform(band.elevations, values.begin(),
                                [metres](double z) { return static_cast<float>(z * metres); });
-        sink.write(band.shape.rows, values);
+        sink.write({band.shape.first_row, first_col, band.shape.rows, band.shape.cols}, values);
     });
 }
 
@@ -73,7 +73,7 @@ void write_elevations(ElevationReader& reader, RasterSink& sink, double metres) 
 /// @param clean may be null
 LevelPlan plan_levels(ElevationReader& reader, const FoundBuildings& found, const CleanRows* clean,
                       const ElevationStatistics& statistics, const LevelPlan& global, const RunPlan& decided,
-                      double border_price, const Window& window, Context& context) {
+                      double border_price, Context& context) {
     struct Prepared {
         LabelBand labels;
         std::optional<ElevationBand> clean;
@@ -84,7 +84,7 @@ LevelPlan plan_levels(ElevationReader& reader, const FoundBuildings& found, cons
     reader.for_each(
         [&](const ElevationBand& band, Tally& tally) {
             const StageClock clock(tally, Stage::levels);
-            Prepared prepared{found.band(band.shape, window.row), {}};
+            Prepared prepared{found.band(band.shape), {}};
             if (clean != nullptr)
                 prepared.clean = clean->clean(band);
             return prepared;
@@ -164,19 +164,20 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
         within(context, 0, at.read, [&] { return collect_statistics(reader, options, info, context); });
     pass_warnings(sources, sinks, context);
     if (sinks.elevations != nullptr)
-        write_elevations(reader, *sinks.elevations, metres);
+        write_elevations(reader, info.window.col, *sinks.elevations, metres);
     LevelPlan plan = plan_global_levels(statistics, options.levels, decided.levels, context);
     std::optional<FoundBuildings> found;
     std::optional<CleanRows> clean;
     if (decided.detects_buildings()) {
         found = within(context, at.read, at.found, [&] {
-            return find_buildings(decided, sources, sinks, reader, setup.cell, metres, context);
+            return find_buildings(
+                {decided, sources, sinks, reader, {info.window, setup.cell, metres}, context});
         });
         const RegionOptions regions = region_options(decided.detail, setup.cell, metres);
         if (decided.detail > 0)
             clean = clean_tiers(reader, found->labels, found->count(), regions, info.window, context);
         plan = plan_levels(reader, *found, clean ? &*clean : nullptr, statistics, plan, decided,
-                           regions.price, info.window, context);
+                           regions.price, context);
     }
     const TraceFrame frame{info.window, plan.level_count(), statistics.fixed_point(), statistics.range()};
     const auto contours = within(context, at.found, at.traced, [&] {

@@ -6,11 +6,14 @@
 #include <thread>
 
 #include "core/units.hpp"
+#include "dem2buildings/error.hpp"
 #include "diagnose/scale_doubt.hpp"
+#include "diagnose/unit_memory.hpp"
 #include "diagnose/warn_of.hpp"
 #include "features/target_frame.hpp"
 #include "options/option_checks.hpp"
 #include "options/spoken_destination.hpp"
+#include "pipeline/find_buildings.hpp"
 #include "pipeline/provenance.hpp"
 
 namespace d2b {
@@ -66,6 +69,20 @@ void describe(const DemInfo& dem, const RunPlan& plan, const Crs& crs, const Crs
     report.points = report.rows * report.cols;
 }
 
+/// What large rasters are divided into must fit in memory.
+void require_memory(const RunPlan& plan, const Window& window, const CellSize& cell, Context& context) {
+    const UnitGrid units = unit_grid(plan, window, cell);
+    if (units.count() == 1)
+        return;
+    const double width = plan.asked.ground.max_building_width;
+    SeenPoints seen{units.most_seen(), widths_around * width, {}};
+    if (plan.ground == GroundMode::automatic)
+        seen.max_building_width = width;
+    if (const std::string text = unit_memory_refusal(seen); !text.empty())
+        throw OptionError(text);
+    warn_of(unit_memory_notice(seen), context);
+}
+
 void warn_of_scale(const RunSetup& setup, Context& context) {
     const bool on_ground = setup.crs.horizontal_unit() || setup.crs.on_ellipsoid();
     if (on_ground)
@@ -93,6 +110,8 @@ RunSetup set_up_run(const Options& asked, const DemInfo& dem, FeatureSink& sink,
     const SquareArea area =
         make_square_area(georeference, crs, lattice_frame({0, 0, dem.rows, dem.cols}, plan.trace));
     const CellSize cell = plan.detects_buildings() ? cell_steps(dem.window, georeference, crs) : CellSize{};
+    if (plan.detects_buildings())
+        require_memory(plan, dem.window, cell, context);
     RunSetup setup{plan, dem, crs, target, georeference, area, cell, layers};
     warn_of_scale(setup, context);
     return setup;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace d2b {
@@ -11,26 +10,20 @@ namespace {
 
 constexpr std::int32_t rows_at_once = 256;
 
-/// Rows of a grid.
-void write_grid(RasterSink& sink, const MetreGrid& grid, RowBand rows) {
-    for (std::int32_t r = rows.begin; r < rows.end; r += rows_at_once) {
-        const std::int32_t some = std::min(rows_at_once, rows.end - r);
-        sink.write(
-            some, {grid.row(r).data(), static_cast<std::size_t>(some) * static_cast<std::size_t>(grid.cols)});
-    }
-}
-
-/// The same, value(i) for each cell: i is its index in a grid of as many columns.
-void write_values(RasterSink& sink, RowBand rows, std::int32_t cols,
-                  const std::function<float(std::size_t i)>& value) {
+/// The unit's own cells, value(i) for each: i is its index in a grid of what the unit sees.
+template <typename Value>
+void write_values(RasterSink& sink, const Unit& unit, const Value& value) {
     std::vector<float> values;
-    std::size_t next = static_cast<std::size_t>(rows.begin) * static_cast<std::size_t>(cols);
-    for (std::int32_t r = rows.begin; r < rows.end; r += rows_at_once) {
-        const std::int32_t some = std::min(rows_at_once, rows.end - r);
-        values.resize(static_cast<std::size_t>(some) * static_cast<std::size_t>(cols));
-        for (float& each : values)
-            each = value(next++);
-        sink.write(some, values);
+    for (std::int32_t row = unit.own.row; row < unit.own.end_row(); row += rows_at_once) {
+        const Window part{row, unit.own.col, std::min(rows_at_once, unit.own.end_row() - row), unit.own.cols};
+        values.clear();
+        for (std::int32_t r = part.row; r < part.end_row(); ++r) {
+            const auto first = static_cast<std::size_t>(std::int64_t{r - unit.seen.row} * unit.seen.cols +
+                                                        (part.col - unit.seen.col));
+            for (std::size_t i = first; i < first + static_cast<std::size_t>(part.cols); ++i)
+                values.push_back(value(i));
+        }
+        sink.write(part, values);
     }
 }
 
@@ -57,16 +50,14 @@ class Heights {
 }  // namespace
 
 void write_scene_rasters(const Sinks& sinks, const Scene& scene, const Detection& detection,
-                         double min_height, RowBand rows) {
+                         double min_height, const Unit& unit) {
     const Heights heights(scene, detection, min_height);
     if (sinks.ground != nullptr)
-        write_grid(*sinks.ground, scene.terrain, rows);
+        write_values(*sinks.ground, unit, [&](std::size_t i) { return scene.terrain.values[i]; });
     if (sinks.height != nullptr)
-        write_values(*sinks.height, rows, scene.surface.cols,
-                     [&](std::size_t i) { return heights.height(i); });
+        write_values(*sinks.height, unit, [&](std::size_t i) { return heights.height(i); });
     if (sinks.canopy != nullptr)
-        write_values(*sinks.canopy, rows, scene.surface.cols,
-                     [&](std::size_t i) { return heights.canopy(i); });
+        write_values(*sinks.canopy, unit, [&](std::size_t i) { return heights.canopy(i); });
 }
 
 }  // namespace d2b

@@ -23,8 +23,7 @@ struct Tracing {
 LabelBand labels_of(const ElevationBand& band, const Tracing& tracing) {
     Context none;
     const FoundBuildings* found = tracing.image.found;
-    return found == nullptr ? detect_one_label(band, none)
-                            : found->band(band.shape, tracing.frame.window.row);
+    return found == nullptr ? detect_one_label(band, none) : found->band(band.shape);
 }
 
 template <typename Count>

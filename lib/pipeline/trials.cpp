@@ -22,13 +22,17 @@ class KeptSource final : public DemSource {
         const std::int32_t step = std::max(least_rows, info_.block_rows);
         for (std::int32_t row = 0; row < window.rows; row += step) {
             const std::int32_t rows = std::min(step, window.rows - row);
-            source.read(window.row + row, rows, std::span(values_).subspan(cells(row), cells(rows)));
+            source.read({window.row + row, window.col, rows, window.cols},
+                        std::span(values_).subspan(cells(row), cells(rows)));
         }
     }
     [[nodiscard]] const DemInfo& info() const override { return info_; }
-    void read(std::int32_t first_row, std::int32_t rows, std::span<double> elevations) override {
-        std::ranges::copy(std::span(values_).subspan(cells(first_row - info_.window.row), cells(rows)),
-                          elevations.begin());
+    void read(const Window& part, std::span<double> elevations) override {
+        const auto left = static_cast<std::size_t>(part.col - info_.window.col);
+        const auto cols = static_cast<std::size_t>(part.cols);
+        auto to = elevations.begin();
+        for (std::int32_t row = part.row; row < part.end_row(); ++row, to += part.cols)
+            std::ranges::copy(std::span(values_).subspan(cells(row - info_.window.row) + left, cols), to);
     }
     [[nodiscard]] std::vector<std::string> take_warnings() override { return source_.take_warnings(); }
     [[nodiscard]] std::int64_t cells_outside_range() const override { return source_.cells_outside_range(); }

@@ -89,9 +89,9 @@ void Relief::Impl::shade(const std::vector<double>& below) {
 Relief::Relief(const MapFrame& frame) : impl_(std::make_unique<Impl>(frame)) {}
 Relief::~Relief() = default;
 
-void Relief::write(std::int32_t rows, std::span<const float> values) {
-    const auto cols = static_cast<std::size_t>(impl_->frame.ground().dem.window.cols);
-    for (std::int32_t row = 0; row < rows; ++row)
+void Relief::write(const Window& rows, std::span<const float> values) {
+    const auto cols = static_cast<std::size_t>(rows.cols);
+    for (std::int32_t row = 0; row < rows.rows; ++row)
         impl_->gather(values.subspan(static_cast<std::size_t>(row) * cols, cols));
 }
 

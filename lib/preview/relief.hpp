@@ -18,7 +18,8 @@ class Relief final : public RasterSink {
     Relief& operator=(const Relief&) = delete;
     ~Relief() override;
 
-    void write(std::int32_t rows, std::span<const float> values) override;
+    /// @param rows the window's next, whole
+    void write(const Window& rows, std::span<const float> values) override;
     void finish() override {}
 
     struct Impl;

@@ -107,30 +107,29 @@ void AlignedRaster::warn_of_gaps(const std::string& consequence) const {
                       consequence + " there.");
 }
 
-void AlignedRaster::read(std::int32_t first_row, std::int32_t rows, std::span<double> values) {
-    require_rows(info_, first_row, rows, values.size());
+void AlignedRaster::read(const Window& part, std::span<double> values) {
+    require_part(info_, part, values.size());
     if (offset_)
-        copy(first_row, rows, values);
+        copy(part, values);
     else
-        warper_->read(first_row, rows, values);
+        warper_->read(part, values);
 }
 
-void AlignedRaster::copy(std::int32_t first_row, std::int32_t rows, std::span<double> values) {
+void AlignedRaster::copy(const Window& part, std::span<double> values) {
     std::fill(values.begin(), values.end(), std::numeric_limits<double>::quiet_NaN());
-    const Window& w = info_.window;
-    // Where the rows lie in the raster, and what of them is in it.
-    const std::int32_t top = first_row + offset_->rows;
-    const std::int32_t left = w.col + offset_->cols;
-    Window part{std::max(top, 0), std::max(left, 0), 0, 0};
-    part.rows = std::min(top + rows, raster_.rows) - part.row;
-    part.cols = std::min(left + w.cols, raster_.cols) - part.col;
-    if (part.rows <= 0 || part.cols <= 0)
+    // Where the part lies in the raster, and what of it is in it.
+    const std::int32_t top = part.row + offset_->rows;
+    const std::int32_t left = part.col + offset_->cols;
+    Window here{std::max(top, 0), std::max(left, 0), 0, 0};
+    here.rows = std::min(top + part.rows, raster_.rows) - here.row;
+    here.cols = std::min(left + part.cols, raster_.cols) - here.col;
+    if (here.rows <= 0 || here.cols <= 0)
         return;
-    part_.resize(static_cast<std::size_t>(part.rows) * static_cast<std::size_t>(part.cols));
-    reader_.read_part(part, part_, warnings_);
-    for (std::int32_t i = 0; i < part.rows; ++i)
-        std::copy_n(part_.data() + std::ptrdiff_t{i} * part.cols, part.cols,
-                    values.data() + std::ptrdiff_t{part.row - top + i} * w.cols + (part.col - left));
+    part_.resize(static_cast<std::size_t>(here.points()));
+    reader_.read_part(here, part_, warnings_);
+    for (std::int32_t i = 0; i < here.rows; ++i)
+        std::copy_n(part_.data() + std::ptrdiff_t{i} * here.cols, here.cols,
+                    values.data() + std::ptrdiff_t{here.row - top + i} * part.cols + (here.col - left));
 }
 
 }  // namespace d2b

@@ -42,12 +42,12 @@ class AlignedRaster {
     [[nodiscard]] double stored(double value) const { return reader_.stored(value); }
 
     /// As DemSource::read(), in the band's unit, scale and offset applied. @throws InputError
-    void read(std::int32_t first_row, std::int32_t rows, std::span<double> values);
+    void read(const Window& part, std::span<double> values);
 
   private:
     void place(const DemInfo& grid, Resampling resampling);
     [[noreturn]] void refuse_elsewhere() const;
-    void copy(std::int32_t first_row, std::int32_t rows, std::span<double> values);
+    void copy(const Window& part, std::span<double> values);
 
     Warnings& warnings_;
     std::string name_;

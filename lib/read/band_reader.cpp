@@ -85,18 +85,16 @@ std::int32_t BandReader::chunk_rows() const {
         std::min<std::int64_t>(std::max<std::int64_t>(1, fit) * block_rows, info_.rows));
 }
 
-void BandReader::read(std::int32_t first_row, std::int32_t rows, std::span<double> elevations,
-                      Warnings& warnings) {
-    const Window& w = info_.window;
-    const auto cols = static_cast<std::size_t>(w.cols);
-    require_rows(info_, first_row, rows, elevations.size());
+void BandReader::read(const Window& part, std::span<double> elevations, Warnings& warnings) {
+    const auto cols = static_cast<std::size_t>(part.cols);
+    require_part(info_, part, elevations.size());
     // Whole rows of blocks: the mask that GDAL makes of NoData reads the same blocks again, from its cache.
     const std::int32_t step = chunk_rows();
-    const std::int32_t end = first_row + rows;
-    for (std::int32_t row = first_row; row < end;) {
+    const std::int32_t end = part.end_row();
+    for (std::int32_t row = part.row; row < end;) {
         const std::int32_t next = std::min<std::int32_t>(end - row, step - row % step) + row;
-        const std::size_t at = static_cast<std::size_t>(row - first_row) * cols;
-        read_part({row, w.col, next - row, w.cols},
+        const std::size_t at = static_cast<std::size_t>(row - part.row) * cols;
+        read_part({row, part.col, next - row, part.cols},
                   elevations.subspan(at, static_cast<std::size_t>(next - row) * cols), warnings);
         row = next;
     }
@@ -119,38 +117,34 @@ void BandReader::read_part(const Window& part, std::span<double> elevations, War
         if (!std::isfinite(value))
             value = invalid;
     }
-    if (!counted_.empty())
+    if (counted_)
         take_out(part, elevations);
 }
 
 void BandReader::take_only(const ElevationLimits& limits) {
     limits_ = limits;
-    counted_.resize(static_cast<std::size_t>(info_.rows) * columns_of_parts());
-}
-
-/// Parts begin at the same few columns whenever they are read, and may be read more than once.
-std::size_t BandReader::columns_of_parts() const {
-    return static_cast<std::size_t>(info_.cols / part_cols) + 1;
+    counted_.emplace(info_.rows);
 }
 
 void BandReader::take_out(const Window& part, std::span<double> elevations) {
     const auto cols = static_cast<std::size_t>(part.cols);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(part.rows); ++i) {
-        const std::size_t at = (static_cast<std::size_t>(part.row) + i) * columns_of_parts() +
-                               static_cast<std::size_t>(part.col / part_cols);
-        const bool counts = !counted_[at];
-        counted_[at] = true;
-        for (double& value : elevations.subspan(i * cols, cols)) {
-            if (std::isnan(value))
-                continue;
-            const bool within = limits_.hold(value);
-            counts_.within += within && counts ? 1 : 0;
-            if (!within && counts)
-                counts_.outside.add(value);
-            if (!within)
+    for (std::int32_t i = 0; i < part.rows; ++i) {
+        const std::span<double> row = elevations.subspan(static_cast<std::size_t>(i) * cols, cols);
+        counted_->add(part.row + i, part.col, part.end_col(), [&](std::int32_t begin, std::int32_t end) {
+            for (std::int32_t col = begin; col < end; ++col)
+                count(row[static_cast<std::size_t>(col - part.col)]);
+        });
+        for (double& value : row)
+            if (!limits_.hold(value))
                 value = std::numeric_limits<double>::quiet_NaN();
-        }
     }
+}
+
+void BandReader::count(double value) {
+    if (limits_.hold(value))
+        ++counts_.within;
+    else if (!std::isnan(value))
+        counts_.outside.add(value);
 }
 
 void BandReader::load(GDALRasterBandH band, GDALDataType type, const Window& part, void* values,

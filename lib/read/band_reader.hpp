@@ -11,6 +11,7 @@
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/options.hpp"
 #include "read/gdal_handles.hpp"
+#include "read/seen_cells.hpp"
 
 namespace d2b {
 
@@ -42,16 +43,16 @@ class BandReader {
     /// Before scale and offset.
     [[nodiscard]] double stored(double value) const { return stored_value(value, scale_, offset_); }
 
-    /// @param elevations rows * window.cols values @throws InputError with GDAL's reason
-    void read(std::int32_t first_row, std::int32_t rows, std::span<double> elevations, Warnings& warnings);
+    /// A part of the window, a few rows at a time. @param elevations part.rows * part.cols values
+    /// @throws InputError with GDAL's reason
+    void read(const Window& part, std::span<double> elevations, Warnings& warnings);
     /// Any part of the raster, in one piece. @param elevations part.rows * part.cols values
     /// @throws InputError with GDAL's reason
     void read_part(const Window& part, std::span<double> elevations, Warnings& warnings);
 
   private:
-    static constexpr std::int32_t part_cols = 256;  ///< parts begin that far from each other, or are one
-    [[nodiscard]] std::size_t columns_of_parts() const;
     void take_out(const Window& part, std::span<double> elevations);
+    void count(double value);
     void load(GDALRasterBandH band, GDALDataType type, const Window& part, void* values,
               Warnings& warnings) const;
     [[nodiscard]] std::int32_t chunk_rows() const;
@@ -66,7 +67,7 @@ class BandReader {
     std::vector<std::uint8_t> mask_;
     ElevationLimits limits_;
     LimitCounts counts_;
-    std::vector<bool> counted_;  ///< a row of a part; empty where nothing is counted
+    std::optional<SeenCells> counted_;  ///< not set where nothing is counted
 };
 
 }  // namespace d2b

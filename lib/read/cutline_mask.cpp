@@ -10,7 +10,6 @@
 
 #include "dem2buildings/error.hpp"
 #include "read/gdal_messages.hpp"
-#include "read/ring_clip.hpp"
 
 namespace d2b {
 
@@ -37,21 +36,19 @@ int shift(void* argument, int to_source, int count, double* x, double* y, double
     return TRUE;
 }
 
-bool meets(const PixelPolygon& polygon, const Window& w) {
+ClipBox box_of(const PixelPolygon& polygon) {
     constexpr double inf = std::numeric_limits<double>::infinity();
-    double left = inf;
-    double right = -inf;
-    double top = inf;
-    double bottom = -inf;
+    ClipBox box{inf, inf, -inf, -inf};
     for (const WorldRing& ring : polygon)
-        for (const Position& p : ring) {
-            left = std::min(left, p.x);
-            right = std::max(right, p.x);
-            top = std::min(top, p.y);
-            bottom = std::max(bottom, p.y);
-        }
-    return right > w.col && left < static_cast<double>(w.col) + w.cols && bottom > w.row &&
-           top < static_cast<double>(w.row) + w.rows;
+        for (const Position& p : ring)
+            box = {std::min(box.left, p.x), std::min(box.bottom, p.y), std::max(box.right, p.x),
+                   std::max(box.top, p.y)};
+    return box;
+}
+
+bool meets(const ClipBox& box, const Window& w) {
+    return box.right > w.col && box.left < static_cast<double>(w.col) + w.cols && box.top > w.row &&
+           box.bottom < static_cast<double>(w.row) + w.rows;
 }
 
 /// GDAL counts cells in 32 bits; what is farther away than any side is long makes no difference.
@@ -78,47 +75,49 @@ GeometryOwner to_geometry(const PixelPolygon& polygon, const Window& window) {
 
 CutlineMask::CutlineMask(const std::vector<PixelPolygon>& polygons, const Window& window) : window_(window) {
     for (const PixelPolygon& polygon : polygons)
-        if (meets(polygon, window))
-            geometries_.push_back(to_geometry(polygon, window));
+        if (const ClipBox box = box_of(polygon); meets(box, window))
+            shapes_.push_back({box, to_geometry(polygon, window)});
 }
 
-void CutlineMask::burn(std::int32_t first_row) {
-    const std::int64_t fit = std::max<std::int64_t>(1, most_strip_cells / window_.cols);
-    strip_first_ = first_row;
-    strip_rows_ =
-        static_cast<std::int32_t>(std::min<std::int64_t>(fit, window_.row + window_.rows - first_row));
-    strip_.assign(static_cast<std::size_t>(strip_rows_) * static_cast<std::size_t>(window_.cols), 0);
-    if (geometries_.empty())
-        return;
-    const GdalMessages messages;
-    const DatasetOwner strip(
-        GDALCreate(GDALGetDriverByName("MEM"), "", window_.cols, strip_rows_, 1, GDT_Byte, nullptr));
+void CutlineMask::burn(const Window& strip) {
+    strip_ = strip;
+    inside_.assign(static_cast<std::size_t>(strip.points()), 0);
     // Each on its own and not as one geometry: where two polygons overlap a point is inside.
     std::vector<OGRGeometryH> handles;
-    for (const GeometryOwner& geometry : geometries_)
-        handles.push_back(geometry.get());
+    for (const Shape& shape : shapes_)
+        if (meets(shape.box, strip))
+            handles.push_back(shape.geometry.get());
+    if (handles.empty())
+        return;
+    const GdalMessages messages;
+    const DatasetOwner cells(
+        GDALCreate(GDALGetDriverByName("MEM"), "", strip.cols, strip.rows, 1, GDT_Byte, nullptr));
     const std::vector<double> ones(handles.size(), 1.0);
-    Corner corner{static_cast<double>(window_.col), static_cast<double>(first_row)};
+    Corner corner{static_cast<double>(strip.col), static_cast<double>(strip.row)};
     constexpr std::array<int, 1> bands{1};
-    if (!strip ||
-        GDALRasterizeGeometries(strip.get(), 1, bands.data(), static_cast<int>(handles.size()),
+    if (!cells ||
+        GDALRasterizeGeometries(cells.get(), 1, bands.data(), static_cast<int>(handles.size()),
                                 handles.data(), shift, &corner, ones.data(), nullptr, nullptr,
                                 nullptr) != CE_None ||
-        GDALRasterIO(GDALGetRasterBand(strip.get(), 1), GF_Read, 0, 0, window_.cols, strip_rows_,
-                     strip_.data(), window_.cols, strip_rows_, GDT_Byte, 0, 0) != CE_None)
+        GDALRasterIO(GDALGetRasterBand(cells.get(), 1), GF_Read, 0, 0, strip.cols, strip.rows, inside_.data(),
+                     strip.cols, strip.rows, GDT_Byte, 0, 0) != CE_None)
         throw InputError("The polygons of the cutline or mask cannot be rasterised: " + messages.reason() +
                          "; simplify them.");
 }
 
-void CutlineMask::apply(std::int32_t first_row, std::int32_t rows, std::span<double> elevations) {
+void CutlineMask::apply(const Window& part, std::span<double> elevations) {
+    if (part.cols == 0)
+        return;
     const std::lock_guard lock(burning_);
-    const auto cols = static_cast<std::size_t>(window_.cols);
-    for (std::int32_t i = 0; i < rows; ++i) {
-        const std::int32_t row = first_row + i;
-        if (row < strip_first_ || row >= strip_first_ + strip_rows_)
-            burn(row);
-        const std::uint8_t* inside = strip_.data() + static_cast<std::size_t>(row - strip_first_) * cols;
-        const std::span<double> line = elevations.subspan(static_cast<std::size_t>(i) * cols, cols);
+    const auto cols = static_cast<std::size_t>(part.cols);
+    const auto rows_a_strip =
+        static_cast<std::int32_t>(std::max<std::int64_t>(1, most_strip_cells / part.cols));
+    for (std::int32_t row = part.row; row < part.end_row(); ++row) {
+        if (strip_.col != part.col || strip_.cols != part.cols || row < strip_.row || row >= strip_.end_row())
+            burn({row, part.col, std::min(rows_a_strip, window_.end_row() - row), part.cols});
+        const std::uint8_t* inside = inside_.data() + static_cast<std::size_t>(row - strip_.row) * cols;
+        const std::span<double> line =
+            elevations.subspan(static_cast<std::size_t>(row - part.row) * cols, cols);
         for (std::size_t col = 0; col < cols; ++col)
             if (inside[col] == 0)
                 line[col] = std::numeric_limits<double>::quiet_NaN();

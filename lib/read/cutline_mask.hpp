@@ -10,6 +10,7 @@
 #include "dem2buildings/options.hpp"
 #include "read/cutline_polygons.hpp"
 #include "read/gdal_handles.hpp"
+#include "read/ring_clip.hpp"
 
 namespace d2b {
 
@@ -19,21 +20,24 @@ class CutlineMask {
     CutlineMask(const std::vector<PixelPolygon>& polygons, const Window& window);
 
     /// Whether the envelopes of the polygons and the window have anything in common.
-    [[nodiscard]] bool meets_window() const { return !geometries_.empty(); }
-    /// Sets to NaN what lies outside. Any thread may call it. @param elevations rows * window.cols values
-    /// from row first_row on
+    [[nodiscard]] bool meets_window() const { return !shapes_.empty(); }
+    /// Sets to NaN what lies outside. Any thread may call it.
+    /// @param part of the window @param elevations part.rows * part.cols values
     /// @throws InputError with GDAL's reason
-    void apply(std::int32_t first_row, std::int32_t rows, std::span<double> elevations);
+    void apply(const Window& part, std::span<double> elevations);
 
   private:
-    void burn(std::int32_t first_row);
+    struct Shape {
+        ClipBox box;  ///< around it; y is rows
+        GeometryOwner geometry;
+    };
+    void burn(const Window& strip);
 
     Window window_;
     std::mutex burning_;
-    std::vector<GeometryOwner> geometries_;
-    std::vector<std::uint8_t> strip_;  ///< strip_rows_ rows from strip_first_ on, 1 inside
-    std::int32_t strip_first_ = 0;
-    std::int32_t strip_rows_ = 0;
+    std::vector<Shape> shapes_;
+    Window strip_;                      ///< cells that are burnt
+    std::vector<std::uint8_t> inside_;  ///< one a cell of these
 };
 
 /// The cutline that the options name, with a warning where it does not meet the window; null where they name

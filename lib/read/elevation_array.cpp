@@ -96,16 +96,15 @@ class ArrayDemSource final : public DemSource {
 
     [[nodiscard]] const DemInfo& info() const override { return info_; }
 
-    void read(std::int32_t first_row, std::int32_t rows, std::span<double> elevations) override {
-        require_rows(info_, first_row, rows, elevations.size());
-        const Window part{first_row, info_.window.col, rows, info_.window.cols};
+    void read(const Window& part, std::span<double> elevations) override {
+        require_part(info_, part, elevations.size());
         read_values(array_, part, elevations.data());
         for (double& value : elevations)
             if (!std::isfinite(value) || value == nodata_)
                 value = std::numeric_limits<double>::quiet_NaN();
         take_out_masked(part, elevations.data());
         if (cutline_)
-            cutline_->apply(first_row, rows, elevations);
+            cutline_->apply(part, elevations);
     }
 
   private:

@@ -77,10 +77,10 @@ class GdalDemSource final : public WarningSource {
 
     [[nodiscard]] const DemInfo& info() const override { return info_; }
 
-    void read(std::int32_t first_row, std::int32_t rows, std::span<double> elevations) override {
-        readers_.read(first_row, rows, elevations);
+    void read(const Window& part, std::span<double> elevations) override {
+        readers_.read(part, elevations);
         if (cutline_)
-            cutline_->apply(first_row, rows, elevations);
+            cutline_->apply(part, elevations);
     }
 
   private:

@@ -22,8 +22,8 @@ class RasterMask final : public WarningSource {
 
     [[nodiscard]] const DemInfo& info() const override { return raster_.info(); }
 
-    void read(std::int32_t first_row, std::int32_t rows, std::span<double> inside) override {
-        raster_.read(first_row, rows, inside);
+    void read(const Window& part, std::span<double> inside) override {
+        raster_.read(part, inside);
         for (double& value : inside)
             value = std::isnan(value) || value == 0 ? 0 : 1;
     }
@@ -47,10 +47,10 @@ class PolygonMask final : public WarningSource {
 
     [[nodiscard]] const DemInfo& info() const override { return info_; }
 
-    void read(std::int32_t first_row, std::int32_t rows, std::span<double> inside) override {
-        require_rows(info_, first_row, rows, inside.size());
+    void read(const Window& part, std::span<double> inside) override {
+        require_part(info_, part, inside.size());
         std::fill(inside.begin(), inside.end(), 1.0);
-        mask_.apply(first_row, rows, inside);
+        mask_.apply(part, inside);
         for (double& value : inside)
             value = std::isnan(value) ? 0 : 1;
     }

@@ -20,14 +20,14 @@ class NdviSource final : public WarningSource {
         raster_.warn_of_gaps("nothing is known of vegetation");
         // Of another product every row tells, and a run should not fail at its end.
         std::vector<double> row(static_cast<std::size_t>(grid.window.cols));
-        read(grid.window.row + grid.window.rows / 2, 1, row);
+        read({grid.window.row + grid.window.rows / 2, grid.window.col, 1, grid.window.cols}, row);
         warnings().hold();
     }
 
     [[nodiscard]] const DemInfo& info() const override { return raster_.info(); }
 
-    void read(std::int32_t first_row, std::int32_t rows, std::span<double> values) override {
-        raster_.read(first_row, rows, values);
+    void read(const Window& part, std::span<double> values) override {
+        raster_.read(part, values);
         for (double& value : values) {
             if (value < -1 - rounding || value > 1 + rounding)
                 throw InputError(

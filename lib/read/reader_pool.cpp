@@ -87,11 +87,11 @@ ReaderPool::ReaderPtr ReaderPool::take(std::int32_t block_row) {
     return reader;
 }
 
-void ReaderPool::read(std::int32_t first_row, std::int32_t rows, std::span<double> elevations) {
-    const std::int32_t block_row = (first_row + rows - 1) / info_.block_rows;
+void ReaderPool::read(const Window& part, std::span<double> elevations) {
+    const std::int32_t block_row = (part.end_row() - 1) / info_.block_rows;
     Turn turn(*this, block_row);
     turn.reader = take(block_row);
-    turn.reader->bands.read(first_row, rows, elevations, warnings_);
+    turn.reader->bands.read(part, elevations, warnings_);
 }
 
 }  // namespace d2b

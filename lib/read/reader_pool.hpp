@@ -22,7 +22,7 @@ class ReaderPool {
                Warnings& warnings);
 
     /// As BandReader::read().
-    void read(std::int32_t first_row, std::int32_t rows, std::span<double> elevations);
+    void read(const Window& part, std::span<double> elevations);
 
   private:
     struct Reader {

@@ -34,7 +34,10 @@ class TerrainSource final : public WarningSource {
   public:
     TerrainSource(const std::string& path, const DemInfo& grid, double dem_metres,
                   const ElevationLimits& limits, std::unique_ptr<Warnings> own)
-        : WarningSource(std::move(own)), raster_("terrain", path, grid, Resampling::bilinear, warnings()) {
+        : WarningSource(std::move(own)),
+          raster_("terrain", path, grid, Resampling::bilinear, warnings()),
+          read_(grid.window.rows),
+          unread_(grid.window.points()) {
         if (const auto unit = vertical_unit(raster_.raster()))
             factor_ = unit->metres / dem_metres;
         limits_ = limits.times(1 / factor_);
@@ -51,26 +54,37 @@ class TerrainSource final : public WarningSource {
 
     [[nodiscard]] const DemInfo& info() const override { return raster_.info(); }
 
-    void read(std::int32_t first_row, std::int32_t rows, std::span<double> elevations) override {
-        raster_.read(first_row, rows, elevations);
+    void read(const Window& part, std::span<double> elevations) override {
+        raster_.read(part, elevations);
         if (factor_ != 1)
             for (double& elevation : elevations)
                 elevation *= factor_;
-        const Window& window = info().window;
-        if (first_row + rows == window.row + window.rows && !std::exchange(judged_, true))
+        if (is_last(part))
             judge_outside();
     }
     [[nodiscard]] std::int64_t cells_outside_range() const override { return outside_range_; }
 
   private:
+    /// Whether it is with this part that all of the window has been read.
+    [[nodiscard]] bool is_last(const Window& part);
     void judge_outside();
 
     AlignedRaster raster_;
     double factor_ = 1;
     ElevationLimits limits_;
-    bool judged_ = false;
+    SeenCells read_;
+    std::int64_t unread_;  ///< cells of the window
     std::int64_t outside_range_ = 0;
 };
+
+bool TerrainSource::is_last(const Window& part) {
+    if (unread_ == 0)
+        return false;
+    for (std::int32_t row = part.row; row < part.end_row(); ++row)
+        read_.add(row - info().window.row, part.col, part.end_col(),
+                  [this](std::int32_t begin, std::int32_t end) { unread_ -= end - begin; });
+    return unread_ == 0;
+}
 
 void TerrainSource::judge_outside() {
     const auto& [within, outside] = raster_.counts();

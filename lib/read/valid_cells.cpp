@@ -35,9 +35,9 @@ CellMask mask_of(DemSource& dem) {
     const std::int32_t rows_at_once = std::max(1, values_at_once / info.cols);
     std::vector<double> values;
     for (std::int32_t row = 0; row < info.rows; row += rows_at_once) {
-        const std::int32_t rows = std::min(rows_at_once, info.rows - row);
-        values.resize(static_cast<std::size_t>(rows) * static_cast<std::size_t>(info.cols));
-        dem.read(row, rows, values);
+        const Window part{row, 0, std::min(rows_at_once, info.rows - row), info.cols};
+        values.resize(static_cast<std::size_t>(part.points()));
+        dem.read(part, values);
         for (const double value : values)
             mask.valid.push_back(std::isnan(value) ? 0 : 1);
     }

@@ -82,8 +82,7 @@ std::int32_t rows_for(const std::array<double, 2>& cell) {
 
 ValueWarper::ValueWarper(BandReader& reader, const DemInfo& raster, const DemInfo& grid,
                          GridTransform transform, Resampling resampling, Warnings& warnings)
-    : window_(grid.window),
-      name_(raster.name),
+    : name_(raster.name),
       transform_(std::move(transform)),
       cell_(cell_in_raster(transform_, grid)),
       part_cols_(cols_for(cell_)),
@@ -105,19 +104,19 @@ ValueWarper::OperationOwner ValueWarper::make_operation(Resampling resampling, d
     return operation;
 }
 
-void ValueWarper::read(std::int32_t first_row, std::int32_t rows, std::span<double> values) {
-    const std::int32_t end_row = first_row + rows;
-    const std::int32_t end_col = window_.col + window_.cols;
-    for (std::int32_t row = first_row; row < end_row; row += most_rows_)
-        for (std::int32_t col = window_.col - window_.col % part_cols_; col < end_col; col += part_cols_) {
+void ValueWarper::read(const Window& wanted, std::span<double> values) {
+    const std::int32_t end_row = wanted.end_row();
+    const std::int32_t end_col = wanted.end_col();
+    for (std::int32_t row = wanted.row; row < end_row; row += most_rows_)
+        for (std::int32_t col = wanted.col - wanted.col % part_cols_; col < end_col; col += part_cols_) {
             const Window part{row, col, std::min(most_rows_, end_row - row), part_cols_};
             warp(part);
-            const std::int32_t left = std::max(col, window_.col);
+            const std::int32_t left = std::max(col, wanted.col);
             const std::int32_t right = std::min(col + part_cols_, end_col);
             for (std::int32_t i = 0; i < part.rows; ++i)
-                std::copy_n(part_.data() + std::ptrdiff_t{i} * part_cols_ + (left - col), right - left,
-                            values.data() + std::ptrdiff_t{row - first_row + i} * window_.cols +
-                                (left - window_.col));
+                std::copy_n(
+                    part_.data() + std::ptrdiff_t{i} * part_cols_ + (left - col), right - left,
+                    values.data() + std::ptrdiff_t{row - wanted.row + i} * wanted.cols + (left - wanted.col));
         }
 }
 

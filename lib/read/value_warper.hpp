@@ -32,8 +32,9 @@ class ValueWarper {
     ValueWarper& operator=(const ValueWarper&) = delete;
     ~ValueWarper();
 
-    /// @param values rows * window.cols of them, NaN where the raster has none @throws InputError
-    void read(std::int32_t first_row, std::int32_t rows, std::span<double> values);
+    /// @param wanted cells of the DEM @param values one a cell, NaN where the raster has none
+    /// @throws InputError
+    void read(const Window& wanted, std::span<double> values);
 
   private:
     using OperationOwner = GdalOwner<GDALWarpOperationH, GDALDestroyWarpOperation>;
@@ -43,7 +44,6 @@ class ValueWarper {
     [[nodiscard]] bool elsewhere(const Window& part) const;
     void warp(const Window& part);
 
-    Window window_;
     std::string name_;
     GridTransform transform_;
     std::array<double, 2> cell_;  ///< of the DEM, in columns and rows of the raster

@@ -147,13 +147,15 @@ std::string doubt_of_extent(const ReadOptions& options, const DemInfo& info) {
            numbers_text(std::array{a, c, b, d}, " ") + ".";
 }
 
-void require_rows(const DemInfo& info, std::int32_t first_row, std::int32_t rows, std::size_t size) {
+void require_part(const DemInfo& info, const Window& part, std::size_t size) {
     const Window& w = info.window;
-    if (rows < 0 || first_row < w.row || rows > w.rows - (first_row - w.row) ||
-        size != static_cast<std::size_t>(rows) * static_cast<std::size_t>(w.cols))
-        throw InputError("Rows from " + std::to_string(first_row) + " on, " + std::to_string(rows) +
-                         " of them, were asked for outside the window of '" + info.name +
-                         "' or for a buffer of another size; ask for rows of the window.");
+    const bool inside = part.rows >= 0 && part.cols >= 0 && part.row >= w.row && part.col >= w.col &&
+                        part.rows <= w.rows - (part.row - w.row) && part.cols <= w.cols - (part.col - w.col);
+    if (!inside || size != static_cast<std::size_t>(part.points()))
+        throw InputError(std::to_string(part.rows) + " rows from " + std::to_string(part.row) + " on and " +
+                         std::to_string(part.cols) + " columns from " + std::to_string(part.col) +
+                         " on were asked for outside the window of '" + info.name +
+                         "' or for a buffer of another size; ask for a part of the window.");
 }
 
 }  // namespace d2b

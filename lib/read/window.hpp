@@ -19,8 +19,8 @@ namespace d2b {
 /// A sentence where an extent is probably one of QGIS, in which both x come before both y; "" elsewhere.
 [[nodiscard]] std::string doubt_of_extent(const ReadOptions& options, const DemInfo& info);
 
-/// @param size of the buffer for the rows @throws InputError where they are not rows of the window, or the
+/// @param size of the buffer @throws InputError where the part does not lie inside of the window, or the
 /// buffer has another size
-void require_rows(const DemInfo& info, std::int32_t first_row, std::int32_t rows, std::size_t size);
+void require_part(const DemInfo& info, const Window& part, std::size_t size);
 
 }  // namespace d2b

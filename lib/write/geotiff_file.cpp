@@ -34,7 +34,7 @@ AffineTransform transform_of(const DemInfo& grid) {
 
 GeoTiffFile::GeoTiffFile(const WriteTarget& target, const std::string& path, const DemInfo& grid,
                          const RasterMeta& meta)
-    : target_(target), cols_(grid.window.cols) {
+    : target_(target) {
     NameValueList options;
     options.set("TILED", "YES");
     options.set("BLOCKXSIZE", std::to_string(tile));
@@ -43,8 +43,8 @@ GeoTiffFile::GeoTiffFile(const WriteTarget& target, const std::string& path, con
     options.set("PREDICTOR", "3");
     options.set("BIGTIFF", "IF_SAFER");
     OgrCall call(target_);
-    dataset_.reset(GDALCreate(GDALGetDriverByName("GTiff"), path.c_str(), cols_, grid.window.rows, 1,
-                              GDT_Float32, options.get()));
+    dataset_.reset(GDALCreate(GDALGetDriverByName("GTiff"), path.c_str(), grid.window.cols, grid.window.rows,
+                              1, GDT_Float32, options.get()));
     call.check(dataset_ != nullptr, "creating the GeoTIFF");
     place(grid, meta);
     describe(meta);
@@ -73,14 +73,14 @@ void GeoTiffFile::describe(const RasterMeta& meta) {
     call.check(done, "describing it");
 }
 
-void GeoTiffFile::write(std::int32_t first_row, std::int32_t rows, std::span<float> values) {
+void GeoTiffFile::write(const Window& cells, std::span<float> values) {
     OgrCall call(target_);
     const GDALRasterBandH band = GDALGetRasterBand(dataset_.get(), 1);
-    const bool written = GDALRasterIO(band, GF_Write, 0, first_row, cols_, rows, values.data(), cols_, rows,
-                                      GDT_Float32, 0, 0) == CE_None;
+    const bool written = GDALRasterIO(band, GF_Write, cells.col, cells.row, cells.cols, cells.rows,
+                                      values.data(), cells.cols, cells.rows, GDT_Float32, 0, 0) == CE_None;
     // Now, and not when GDAL needs the room for another file, whose reader would hear of a full disk.
     const bool flushed = written && GDALFlushRasterCache(band) == CE_None;
-    call.check(flushed, "writing rows");
+    call.check(flushed, "writing cells");
 }
 
 void GeoTiffFile::close() {

@@ -23,8 +23,9 @@ class GeoTiffFile {
     GeoTiffFile(const WriteTarget& target, const std::string& path, const DemInfo& grid,
                 const RasterMeta& meta);
 
-    /// @param first_row of the window, at a border of tiles @param values whole rows @throws OutputError
-    void write(std::int32_t first_row, std::int32_t rows, std::span<float> values);
+    /// @param cells of a tile; rows and columns counted from the window's first @param values row by row
+    /// @throws OutputError
+    void write(const Window& cells, std::span<float> values);
     /// @throws OutputError: also where only closing fails
     void close();
 
@@ -33,7 +34,6 @@ class GeoTiffFile {
     void describe(const RasterMeta& meta);
 
     const WriteTarget& target_;
-    std::int32_t cols_;
     DatasetOwner dataset_;
 };
 

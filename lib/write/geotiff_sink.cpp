@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -21,27 +23,35 @@ namespace d2b {
 
 namespace {
 
+/// Cells wait until their tile is whole: what is compressed twice leaves a gap in the file.
 class GeoTiffSink final : public RasterSink {
   public:
     GeoTiffSink(RasterPlace place, DemInfo grid, RasterMeta meta)
-        : staged_(std::move(place)), grid_(std::move(grid)), meta_(std::move(meta)) {}
+        : staged_(std::move(place)), grid_(std::move(grid)), meta_(std::move(meta)) {
+        for (std::int32_t row = 0; row < grid_.window.rows; row += GeoTiffFile::tile)
+            for (std::int32_t col = 0; col < grid_.window.cols; col += GeoTiffFile::tile)
+                missing_.push_back(tile_at({row, col, 1, 1}).points());
+    }
     ~GeoTiffSink() override;
 
-    void write(std::int32_t rows, std::span<const float> values) override;
+    void write(const Window& part, std::span<const float> values) override;
     void finish() override;
     [[nodiscard]] std::vector<std::string> take_warnings() override { return staged_.take_warnings(); }
 
   private:
-    [[nodiscard]] std::size_t cols() const { return static_cast<std::size_t>(grid_.window.cols); }
+    // Rows and columns are counted from the window's first.
+    [[nodiscard]] Window tile_at(const Window& cell) const;
+    [[nodiscard]] std::size_t number_of(const Window& tile) const;
+    /// What of a part lies in a tile. @param values of the part
+    void take(const Window& tile, const Window& part, std::span<const float> values);
     void begin();
-    void write_strip();
 
     StagedRaster staged_;
     DemInfo grid_;
     RasterMeta meta_;
-    std::optional<GeoTiffFile> file_;  ///< goes before the folder that it is in
-    std::vector<float> strip_;         ///< rows that do not fill a row of tiles yet
-    std::int32_t written_ = 0;         ///< rows
+    std::optional<GeoTiffFile> file_;                  ///< goes before the folder that it is in
+    std::vector<std::int64_t> missing_;                ///< cells a tile, row by row
+    std::map<std::size_t, std::vector<float>> tiles_;  ///< that have some of their cells
 };
 
 GeoTiffSink::~GeoTiffSink() {
@@ -49,42 +59,72 @@ GeoTiffSink::~GeoTiffSink() {
     file_.reset();
 }
 
+Window GeoTiffSink::tile_at(const Window& cell) const {
+    constexpr std::int32_t side = GeoTiffFile::tile;
+    const Window tile{cell.row / side * side, cell.col / side * side, side, side};
+    return {tile.row, tile.col, std::min(side, grid_.window.rows - tile.row),
+            std::min(side, grid_.window.cols - tile.col)};
+}
+
+std::size_t GeoTiffSink::number_of(const Window& tile) const {
+    constexpr std::int32_t side = GeoTiffFile::tile;
+    const std::int64_t across = (std::int64_t{grid_.window.cols} + side - 1) / side;
+    return static_cast<std::size_t>(tile.row / side * across + tile.col / side);
+}
+
 void GeoTiffSink::begin() {
     const ConfigOption no_sidecar("GDAL_PAM_ENABLED", "NO");
     file_.emplace(staged_.target(), staged_.begin(), grid_, meta_);
 }
 
-void GeoTiffSink::write(std::int32_t rows, std::span<const float> values) {
-    const std::int32_t left =
-        grid_.window.rows - written_ - static_cast<std::int32_t>(strip_.size() / cols());
-    if (rows < 0 || rows > left || values.size() != static_cast<std::size_t>(rows) * cols())
+void GeoTiffSink::write(const Window& part, std::span<const float> values) {
+    const Window& window = grid_.window;
+    const Window here{part.row - window.row, part.col - window.col, part.rows, part.cols};
+    const bool inside = here.row >= 0 && here.col >= 0 && here.rows >= 0 && here.cols >= 0 &&
+                        here.rows <= window.rows - here.row && here.cols <= window.cols - here.col;
+    if (!inside || values.size() != static_cast<std::size_t>(here.points()))
         throw OutputError("Cannot write \"" + staged_.name() + "\": " + std::to_string(values.size()) +
-                          " values were given for " + std::to_string(rows) + " rows, of which it has " +
-                          std::to_string(left) + " of " + std::to_string(cols()) + " columns left.");
-    constexpr auto full = static_cast<std::size_t>(GeoTiffFile::tile);
-    for (std::size_t at = 0; at < values.size(); at += cols()) {
-        for (const float value : values.subspan(at, cols()))
-            strip_.push_back(std::isfinite(value) ? value : GeoTiffFile::nodata);
-        if (strip_.size() == full * cols())
-            write_strip();
-    }
+                          " values were given for " + std::to_string(part.rows) + " rows from " +
+                          std::to_string(part.row) + " on and " + std::to_string(part.cols) +
+                          " columns from " + std::to_string(part.col) + " on, which are no part of it.");
+    Window tile;
+    for (std::int32_t row = here.row; row < here.end_row(); row = tile.end_row())
+        for (std::int32_t col = here.col; col < here.end_col(); col = tile.end_col()) {
+            tile = tile_at({row, col, 1, 1});
+            take(tile, here, values);
+        }
 }
 
-void GeoTiffSink::write_strip() {
+void GeoTiffSink::take(const Window& tile, const Window& part, std::span<const float> values) {
+    const std::int32_t row = std::max(tile.row, part.row);
+    const std::int32_t col = std::max(tile.col, part.col);
+    const Window both{row, col, std::min(tile.end_row(), part.end_row()) - row,
+                      std::min(tile.end_col(), part.end_col()) - col};
+    const std::size_t number = number_of(tile);
+    if (both.points() > missing_[number])
+        throw OutputError("Cannot write \"" + staged_.name() + "\": some of its cells were given twice.");
+    std::vector<float>& cells = tiles_[number];
+    cells.resize(static_cast<std::size_t>(tile.points()));
+    for (std::int32_t r = both.row; r < both.end_row(); ++r) {
+        const auto from = values.begin() + std::ptrdiff_t{r - part.row} * part.cols + (col - part.col);
+        std::transform(from, from + both.cols,
+                       cells.begin() + std::ptrdiff_t{r - tile.row} * tile.cols + (col - tile.col),
+                       [](float value) { return std::isfinite(value) ? value : GeoTiffFile::nodata; });
+    }
+    missing_[number] -= both.points();
+    if (missing_[number] > 0)
+        return;
     if (!file_)
         begin();
-    const auto rows = static_cast<std::int32_t>(strip_.size() / cols());
-    file_->write(written_, rows, strip_);
-    written_ += rows;
-    strip_.clear();
+    file_->write(tile, cells);
+    tiles_.erase(number);
 }
 
 void GeoTiffSink::finish() {
-    if (!strip_.empty())
-        write_strip();
-    if (written_ != grid_.window.rows)
-        throw OutputError("Cannot write \"" + staged_.name() + "\": " + std::to_string(written_) +
-                          " of its " + std::to_string(grid_.window.rows) + " rows were given.");
+    const std::int64_t missing = std::accumulate(missing_.begin(), missing_.end(), std::int64_t{0});
+    if (missing > 0)
+        throw OutputError("Cannot write \"" + staged_.name() + "\": " + std::to_string(missing) + " of its " +
+                          std::to_string(grid_.window.points()) + " cells were not given.");
     const ConfigOption no_sidecar("GDAL_PAM_ENABLED", "NO");
     file_->close();
     staged_.publish("renaming the finished result");

@@ -82,12 +82,13 @@ void PreparedRun::find() {
     if (decided.detects_buildings()) {
         test::MemorySink nothing;
         ElevationReader reader(*source, context);
-        found = find_buildings(decided, {*source}, {nothing}, reader, cell, 1, context);
+        found = find_buildings(
+            {decided, {*source}, {nothing}, reader, {source->info().window, cell, 1}, context});
     }
     for (std::vector<Rows>* all : {&bands, &above})
         for (Rows& rows : *all)
             rows.labels = found.footprints.empty() ? detect_one_label(*rows.elevations, context)
-                                                   : found.band(rows.shape(), 0);
+                                                   : found.band(rows.shape());
 }
 
 void PreparedRun::make_levels() {

@@ -14,7 +14,7 @@ namespace {
 using test::detect;
 using test::Town;
 
-using Rows = std::vector<std::int32_t>;
+using Cells = std::vector<FirstCell>;
 
 /// Three flat roofs of 10 x 10 cells: at rows 5, 25 and 45, of 8, 5 and 1.5 m.
 Town three_roofs() {
@@ -31,34 +31,34 @@ DetectOptions least(double height) {
     return options;
 }
 
-TEST(LeftOut, SmallRegionsGoAndAreToldByTheirFirstRows) {
+TEST(LeftOut, SmallRegionsGoAndAreToldByTheirFirstCells) {
     Regions regions = connected_regions(test::drawn({"##..#",  //
                                                      "##...",  //
                                                      "....#",  //
                                                      ".####"}),
                                         1, 0, test::threads());
-    EXPECT_EQ(take_small_out(regions, 4), (Rows{0}));
+    EXPECT_EQ(take_small_out(regions, 4), (Cells{{0, 4}}));
     EXPECT_EQ(test::drawing(mask_of(regions, test::threads())),
               (std::vector<std::string>{"##...", "##...", "....#", ".####"}));
-    EXPECT_EQ(take_small_out(regions, 5), (Rows{0}));
-    EXPECT_EQ(take_small_out(regions, 6), (Rows{2}));
+    EXPECT_EQ(take_small_out(regions, 5), (Cells{{0, 0}}));
+    EXPECT_EQ(take_small_out(regions, 6), (Cells{{2, 4}}));
 }
 
 TEST(LeftOut, BelowTheSmallestArea) {
     const Town town = three_roofs();
-    EXPECT_EQ(detect(town, least(1), 30).left_out.small, Rows{});
+    EXPECT_EQ(detect(town, least(1), 30).left_out.small, Cells{});
     const Detection none = detect(town, least(1), 500);
-    EXPECT_EQ(none.left_out.small, (Rows{5, 25, 45}));
+    EXPECT_EQ(none.left_out.small, (Cells{{5, 11}, {25, 11}, {45, 11}}));  // corners are rounded off
     EXPECT_TRUE(none.objects.empty());
 }
 
 TEST(LeftOut, BelowTheSmallestHeight) {
     const Town town = three_roofs();
-    EXPECT_EQ(detect(town, least(1), 30).left_out.low, Rows{});
-    EXPECT_EQ(detect(town, least(2), 30).left_out.low, (Rows{45}));
-    EXPECT_EQ(detect(town, least(6), 30).left_out.low, (Rows{25, 45}));
-    EXPECT_EQ(detect(town, least(50), 30).left_out.low, (Rows{5, 25, 45}));
-    EXPECT_EQ(detect(town, least(50), 150).left_out.low, Rows{}) << "smaller than a building";
+    EXPECT_EQ(detect(town, least(1), 30).left_out.low, Cells{});
+    EXPECT_EQ(detect(town, least(2), 30).left_out.low, (Cells{{45, 10}}));
+    EXPECT_EQ(detect(town, least(6), 30).left_out.low, (Cells{{25, 10}, {45, 10}}));
+    EXPECT_EQ(detect(town, least(50), 30).left_out.low, (Cells{{5, 10}, {25, 10}, {45, 10}}));
+    EXPECT_EQ(detect(town, least(50), 150).left_out.low, Cells{}) << "smaller than a building";
 }
 
 TEST(LeftOut, NotWhereNoBuildingMayBe) {
@@ -68,7 +68,7 @@ TEST(LeftOut, NotWhereNoBuildingMayBe) {
     Scene scene = town.scene();
     scene.allowed = &upper;
     Context context;
-    EXPECT_EQ(detect_buildings(scene, least(50), 30, context).left_out.low, (Rows{5, 25}));
+    EXPECT_EQ(detect_buildings(scene, least(50), 30, context).left_out.low, (Cells{{5, 10}, {25, 10}}));
 }
 
 TEST(Scene, CellsForAnArea) {

@@ -1,6 +1,7 @@
 #include "elevations/elevation_reader.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -146,19 +147,71 @@ TEST(ElevationReader, DecidesWhatIsAnElevationAcrossBandsAndForEveryPass) {
         }
 }
 
-TEST(ElevationReader, GivesTheBandsOfSomeRows) {
+TEST(ElevationReader, GivesAnyPartOfTheWindow) {
+    constexpr std::int32_t cols = 30;
+    constexpr std::int32_t rows_a_band = 64;
+    // Elevations that floats hold, and that they do not.
+    for (const double off : {0.0, 0.1})
+        for (const std::size_t room : {std::size_t{1} << 30, std::size_t{0}}) {
+            std::vector<double> z = spiky(1000, cols, rows_a_band);
+            for (std::size_t i = 0; i < z.size(); ++i)
+                z[i] += z[i] == 10 ? static_cast<double>(i % 7) + off : 0;
+            MemorySource source(1000, cols, z);
+            source.edit().window = {30, 4, 900, 25};
+            Context context;
+            context.threads = std::make_unique<Executor>(3);
+            ElevationReader reader(source, context, {.points = 1, .keep_bytes = room});
+            (void)reader.survey({on_land, spikes_m, 1, {}}, [](const ElevationBand&) {});
+            std::vector<double> whole;
+            std::vector<std::size_t> spires;
+            reader.for_each([&](const ElevationBand& band) {
+                for (const std::size_t spire : band.spires)
+                    spires.push_back(whole.size() + spire);
+                whole.insert(whole.end(), band.elevations.begin(), band.elevations.end());
+            });
+            ASSERT_GT(spires.size(), 20U);
+            for (const Window& part : {Window{30, 4, 900, 25}, Window{100, 9, 300, 11}, Window{127, 28, 2, 1},
+                                       Window{640, 4, 1, 25}, Window{650, 8, 280, 4}}) {
+                std::vector<int> seen(static_cast<std::size_t>(part.points()), 0);
+                std::atomic<std::size_t> spires_seen = 0;
+                reader.for_part(part, [&](const ElevationBand& piece) {
+                    ASSERT_EQ(piece.shape.cols, part.cols);
+                    for (std::int32_t r = 0; r < piece.shape.rows; ++r)
+                        for (std::int32_t c = 0; c < part.cols; ++c) {
+                            const std::int32_t row = piece.shape.first_row + r;
+                            ++seen[static_cast<std::size_t>((row - part.row) * part.cols + c)];
+                            const double expected =
+                                whole[static_cast<std::size_t>((row - 30) * 25 + part.col + c - 4)];
+                            const double got = piece.row(r)[static_cast<std::size_t>(c)];
+                            EXPECT_TRUE(got == expected || (std::isnan(got) && std::isnan(expected)));
+                        }
+                    spires_seen += piece.spires.size();
+                    for (const std::size_t spire : piece.spires)
+                        EXPECT_EQ(piece.elevations[spire], 60);
+                });
+                EXPECT_EQ(std::ranges::count(seen, 1), part.points());
+                EXPECT_EQ(static_cast<std::ptrdiff_t>(spires_seen.load()),
+                          std::ranges::count_if(spires, [&](std::size_t i) {
+                              const auto row = static_cast<std::int32_t>(i / 25) + 30;
+                              const auto col = static_cast<std::int32_t>(i % 25) + 4;
+                              return row >= part.row && row < part.end_row() && col >= part.col &&
+                                     col < part.end_col();
+                          }));
+            }
+        }
+}
+
+TEST(ElevationReader, ReadsNoMoreThanThePart) {
     MemorySource source(40000, 30, std::vector<double>(1200000, 1));
     Context context;
-    context.threads = std::make_unique<Executor>(3);
     ElevationReader reader(source, context);
     ASSERT_GT(reader.bands(), 2U);
-    std::vector<int> seen(40000, 0);
-    reader.for_rows(17000, 17500, [&](const ElevationBand& band) {
-        for (std::int32_t row = 0; row < band.shape.rows; ++row)
-            ++seen[static_cast<std::size_t>(band.shape.first_row + row)];
+    reader.for_part({17000, 3, 500, 20}, [&](const ElevationBand& piece) {
+        EXPECT_GE(piece.shape.first_row, 17000);
+        EXPECT_LE(piece.shape.first_row + piece.shape.rows, 17500);
+        EXPECT_EQ(piece.shape.cols, 20);
     });
-    EXPECT_EQ(std::count(seen.begin() + 17000, seen.begin() + 17500, 1), 500);
-    EXPECT_LT(source.reads, static_cast<int>(reader.bands()));
+    EXPECT_EQ(source.reads, 1);
 }
 
 TEST(ElevationReader, BandsReachTheLastRowOfTheLargestRaster) {
@@ -170,9 +223,7 @@ TEST(ElevationReader, BandsReachTheLastRowOfTheLargestRaster) {
             info_.window = {2147483500, 0, 147, 1};
         }
         [[nodiscard]] const DemInfo& info() const override { return info_; }
-        void read(std::int32_t first, std::int32_t rows, std::span<double>) override {
-            read_to = first + rows;
-        }
+        void read(const Window& part, std::span<double>) override { read_to = part.end_row(); }
         std::int32_t read_to = 0;
 
       private:

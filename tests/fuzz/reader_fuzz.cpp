@@ -37,8 +37,8 @@ void read_some(DemSource& source) {
     if (std::int64_t{rows} * window.cols > 1 << 20)
         return;
     std::vector<double> elevations(static_cast<std::size_t>(rows) * static_cast<std::size_t>(window.cols));
-    source.read(window.row, rows, elevations);
-    source.read(window.row + window.rows - rows, rows, elevations);
+    source.read({window.row, window.col, rows, window.cols}, elevations);
+    source.read({window.end_row() - rows, window.col, rows, window.cols}, elevations);
     for (const double z : elevations)
         demand(z - z == 0 || z != z, "elevations are numbers or not known");
 }

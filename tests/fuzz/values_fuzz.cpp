@@ -209,23 +209,27 @@ std::optional<double> reference(const Case& c, const d2b::ReadOptions& options, 
     return std::isfinite(elevation) ? std::optional(elevation) : std::nullopt;
 }
 
-/// Rows are asked for in pieces, as bands are.
+/// Rows are asked for in pieces, as bands are, some of them in two parts, as units do.
 void compare(d2b::DemSource& source, const Case& c, const d2b::ReadOptions& options, Bytes& bytes) {
     const d2b::Window w = source.info().window;
-    const std::int32_t end = w.row + w.rows;
-    for (std::int32_t row = w.row; row < end;) {
-        const std::int32_t rows = std::min(end - row, static_cast<std::int32_t>(1 + bytes.below(16)));
-        std::vector<double> elevations(static_cast<std::size_t>(rows) * static_cast<std::size_t>(w.cols),
-                                       4711);
-        source.read(row, rows, elevations);
-        for (std::size_t i = 0; i < elevations.size(); ++i) {
-            const auto cols = static_cast<std::size_t>(w.cols);
-            const std::size_t cell =
-                (static_cast<std::size_t>(row) + i / cols) * static_cast<std::size_t>(c.cols) +
-                static_cast<std::size_t>(w.col) + i % cols;
-            const std::optional<double> expected = reference(c, options, cell);
-            demand(expected || std::isnan(elevations[i]), "what is not valid is no elevation");
-            demand(!expected || elevations[i] == *expected, "what is valid is read as it is");
+    for (std::int32_t row = w.row; row < w.end_row();) {
+        const std::int32_t rows = std::min(w.end_row() - row, static_cast<std::int32_t>(1 + bytes.below(16)));
+        const auto left = static_cast<std::int32_t>(bytes.below(static_cast<unsigned>(w.cols)));
+        for (const d2b::Window& part :
+             {d2b::Window{row, w.col, rows, left}, d2b::Window{row, w.col + left, rows, w.cols - left}}) {
+            if (part.cols == 0)
+                continue;
+            std::vector<double> elevations(static_cast<std::size_t>(part.points()), 4711);
+            source.read(part, elevations);
+            for (std::size_t i = 0; i < elevations.size(); ++i) {
+                const auto cols = static_cast<std::size_t>(part.cols);
+                const std::size_t cell =
+                    (static_cast<std::size_t>(row) + i / cols) * static_cast<std::size_t>(c.cols) +
+                    static_cast<std::size_t>(part.col) + i % cols;
+                const std::optional<double> expected = reference(c, options, cell);
+                demand(expected || std::isnan(elevations[i]), "what is not valid is no elevation");
+                demand(!expected || elevations[i] == *expected, "what is valid is read as it is");
+            }
         }
         row += rows;
     }

@@ -27,18 +27,18 @@ using Read = std::pair<std::int32_t, int>;
 class FaultySource final : public DemSource {
   public:
     [[nodiscard]] const DemInfo& info() const override { return whole_.info(); }
-    void read(std::int32_t first_row, std::int32_t rows, std::span<double> elevations) override {
-        Read now{first_row, 0};
+    void read(const Window& part, std::span<double> elevations) override {
+        Read now{part.row, 0};
         {
             const std::lock_guard lock(mutex_);
-            now.second = ++seen_[first_row];
+            now.second = ++seen_[part.row];
             reads.push_back(now);
         }
         if (now == at) {
             std::this_thread::sleep_for(std::chrono::milliseconds(3));  // the others get ahead
             fault();
         }
-        whole_.read(first_row, rows, elevations);
+        whole_.read(part, elevations);
     }
 
     Read at{-1, 0};

@@ -24,10 +24,10 @@ using Texts = std::vector<std::string>;
 class TalkingSource final : public DemSource {
   public:
     [[nodiscard]] const DemInfo& info() const override { return town_.info(); }
-    void read(std::int32_t first_row, std::int32_t rows, std::span<double> elevations) override {
-        town_.read(first_row, rows, elevations);
+    void read(const Window& part, std::span<double> elevations) override {
+        town_.read(part, elevations);
         const std::lock_guard lock(mutex_);
-        said_.push_back("row " + std::to_string(first_row));
+        said_.push_back("row " + std::to_string(part.row));
         if (fails)
             throw InputError("a bad block");
     }

@@ -22,7 +22,7 @@ TEST(SideRasters, GroundHeightAndCanopy) {
     const std::vector<double> z = MadeTown::surface();
     for (const auto* raster : {&town.ground, &town.height, &town.canopy}) {
         EXPECT_TRUE(raster->finished);
-        EXPECT_EQ(raster->row_count, MadeTown::rows);
+        EXPECT_EQ(raster->cells, MadeTown::rows * MadeTown::cols);
         ASSERT_EQ(raster->values.size(), z.size());
     }
     int trees = 0;

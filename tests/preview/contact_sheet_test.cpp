@@ -20,7 +20,7 @@ std::vector<TrialPicture> trials(const MapGround& ground, const SheetPlan& plan)
                        {}};
         const std::vector<float> level(
             static_cast<std::size_t>(ground.dem.rows) * static_cast<std::size_t>(ground.dem.cols), 5);
-        map.relief->write(ground.dem.rows, level);
+        map.relief->write(ground.dem.window, level);
         all.push_back({"lod " + std::to_string(i), std::move(map)});
     }
     return all;

@@ -50,7 +50,7 @@ class PreviewTest : public ::testing::Test {
             EXPECT_FALSE(inner.finished);
             map = std::move(taken);
         });
-        sink.relief().write(20, std::vector<float>(400, 5));
+        sink.relief().write({0, 0, 20, 20}, std::vector<float>(400, 5));
         sink.begin(layers, {});
         for (const auto& [index, feature] : features)
             sink.add(index, feature);

@@ -18,8 +18,8 @@ Pixels painted(const MapGround& ground, PixelSize size, const std::vector<float>
     // In two pieces, as bands come.
     const std::int32_t first = ground.dem.rows / 3;
     const auto cells = static_cast<std::size_t>(first * ground.dem.cols);
-    relief.write(first, std::span(z).first(cells));
-    relief.write(ground.dem.rows - first, std::span(z).subspan(cells));
+    relief.write({0, 0, first, ground.dem.cols}, std::span(z).first(cells));
+    relief.write({first, 0, ground.dem.rows - first, ground.dem.cols}, std::span(z).subspan(cells));
     return {size, [&](cairo_t* pen) { paint(relief, pen); }};
 }
 

@@ -163,12 +163,17 @@ TEST_F(ReadCutline, bandsOfRowsAndWindows) {
     options_.source_window = {2, 1, 3, 5};
     const std::unique_ptr<DemSource> source = open("dem.tif");
     std::vector<double> row(3);
-    source->read(4, 1, row);
+    source->read(whole_rows(*source, 4, 1), row);
     expect_values(row, {42, 43, none});
-    source->read(1, 1, row);
+    source->read(whole_rows(*source, 1, 1), row);
     expect_values(row, {none, none, none});
-    source->read(5, 1, row);
+    source->read(whole_rows(*source, 5, 1), row);
     expect_values(row, {52, 53, none});
+    std::vector<double> part(4);
+    source->read({4, 3, 2, 2}, part);
+    expect_values(part, {43, none, 53, none});
+    source->read({1, 2, 2, 2}, part);
+    expect_values(part, {none, none, 22, 23});
 }
 
 TEST_F(ReadCutline, degreesOverMetres) {

@@ -43,7 +43,7 @@ class ReadArray : public testing::Test {
         const Window window = source->info().window;
         std::vector<double> read(static_cast<std::size_t>(window.rows) *
                                  static_cast<std::size_t>(window.cols));
-        source->read(window.row, window.rows, read);
+        source->read(window, read);
         for (double& value : read)
             value = std::isnan(value) ? 99 : value;
         return read;

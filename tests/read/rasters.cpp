@@ -84,8 +84,12 @@ std::string read_bytes(const std::string& path) {
 std::vector<double> read_all(DemSource& source) {
     const Window& w = source.info().window;
     std::vector<double> elevations(static_cast<std::size_t>(w.rows) * static_cast<std::size_t>(w.cols));
-    source.read(w.row, w.rows, elevations);
+    source.read(w, elevations);
     return elevations;
+}
+
+Window whole_rows(const DemSource& source, std::int32_t first, std::int32_t rows) {
+    return {first, source.info().window.col, rows, source.info().window.cols};
 }
 
 void ReadTest::SetUpTestSuite() {

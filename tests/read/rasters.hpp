@@ -81,6 +81,8 @@ class ReadTest : public ::testing::Test {
 };
 
 std::vector<double> read_all(DemSource& source);
+/// Rows of the window of a source, from a row of the whole raster on.
+Window whole_rows(const DemSource& source, std::int32_t first, std::int32_t rows);
 
 }  // namespace d2b::test
 

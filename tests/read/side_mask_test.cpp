@@ -65,11 +65,11 @@ TEST_F(Mask, polygons) {
     EXPECT_EQ(source->info().name, path("side.geojson"));
     EXPECT_EQ(source->info().transform, grid_.transform);
     std::vector<double> row(4);
-    source->read(1, 1, row);
+    source->read(whole_rows(*source, 1, 1), row);
     expect_values(row, {0, 1, 1, 0});
-    EXPECT_EQ(refused<InputError>([&] { source->read(2, 1, row); }),
-              "Rows from 2 on, 1 of them, were asked for outside the window of " + quoted("side.geojson") +
-                  " or for a buffer of another size; ask for rows of the window.");
+    EXPECT_EQ(refused<InputError>([&] { source->read(whole_rows(*source, 2, 1), row); }),
+              "1 rows from 2 on and 4 columns from 0 on were asked for outside the window of " +
+                  quoted("side.geojson") + " or for a buffer of another size; ask for a part of the window.");
 }
 
 TEST_F(Mask, otherPlacesAreRefused) {

@@ -68,7 +68,7 @@ TEST_F(SideRefusal, aSpeckOfARasterIsFound) {
     one_cell(500012, 5538650 - 4321);
     const auto source = open_terrain(path("side.tif"), grid_, 1, on_land, callbacks_);
     std::vector<double> row(5000);
-    source->read(4321, 1, row);
+    source->read(whole_rows(*source, 4321, 1), row);
     EXPECT_EQ(row[12], 100);
     EXPECT_EQ(warnings().at(0), "More than 99 % of " + quoted("dem.tif") + " lies outside of the terrain " +
                                     quoted("side.tif") + "; there is no ground there.");
@@ -158,19 +158,23 @@ TEST_F(SideRefusal, damageIsToldInBothWays) {
     }
 }
 
-TEST_F(SideRefusal, rowsOutsideOfTheWindow) {
-    options_.source_window = {0, 1, 4, 2};
-    dem({.cols = 4, .rows = 4, .transform = {{500000, 1, 0, 5538650, 0, -1}}});
-    std::vector<double> row(4);
+TEST_F(SideRefusal, cellsOutsideOfTheWindow) {
+    options_.source_window = {1, 1, 3, 2};
+    dem({.cols = 5, .rows = 4, .transform = {{500000, 1, 0, 5538650, 0, -1}}});
+    std::vector<double> two(2);
     for (const double x : {500000.0, 499999.7}) {
         write(path("side.tif"),
               {.cols = 6, .rows = 6, .values = counting(36), .transform = {{x, 1, 0, 5538650, 0, -1}}});
         const auto source = open_terrain(path("side.tif"), grid_, 1, on_land, callbacks_);
-        for (const int first : {0, 3, 9})
-            EXPECT_EQ(refused<InputError>([&] { source->read(first, 1, row); }),
-                      "Rows from " + std::to_string(first) + " on, 1 of them, were asked for outside the " +
-                          "window of " + quoted("side.tif") +
-                          " or for a buffer of another size; ask for rows of the window.");
+        source->read({2, 2, 1, 2}, two);
+        for (const Window& part :
+             {Window{0, 1, 1, 2}, Window{3, 1, 1, 2}, Window{9, 1, 1, 2}, Window{1, 0, 1, 2},
+              Window{1, 3, 1, 2}, Window{2, 1, 2, 1}, Window{1, 1, 1, 3}})
+            EXPECT_EQ(refused<InputError>([&] { source->read(part, two); }),
+                      std::to_string(part.rows) + " rows from " + std::to_string(part.row) + " on and " +
+                          std::to_string(part.cols) + " columns from " + std::to_string(part.col) +
+                          " on were asked for outside the window of " + quoted("side.tif") +
+                          " or for a buffer of another size; ask for a part of the window.");
     }
 }
 

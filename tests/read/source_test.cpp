@@ -181,7 +181,7 @@ TEST_F(ReadSource, aRowOfAHugeMosaic) {
     const std::unique_ptr<DemSource> source = open();
     EXPECT_EQ(source->info().window, (Window{0, 0, 1000000, 1000000}));
     std::vector<double> row(1000000, 1.0);
-    source->read(999999, 1, row);
+    source->read(whole_rows(*source, 999999, 1), row);
     expect_values(row, std::vector<double>(1000000, none));
 }
 

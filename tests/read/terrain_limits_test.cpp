@@ -48,17 +48,34 @@ TEST_F(TerrainLimits, itIsSoBeforeItIsResampled) {
     EXPECT_NE(warnings().back().find(" have the elevation -3.4028235e+38, outside of "), std::string::npos);
 }
 
+TEST_F(TerrainLimits, everyCellIsCountedOnceWhereverPartsOverlap) {
+    for (const bool resampled : {false, true}) {
+        if (resampled)
+            terrain_with(45, 9999, 0.98, 0.3);
+        else
+            terrain_with(45, 9999);
+        const auto source = open_terrain(path("side.tif"), grid_, 1, on_land, callbacks_);
+        std::vector<double> cells(12 * 9);
+        for (const std::int32_t row : {8, 4, 0})
+            for (const std::int32_t col : {0, 11, 6}) {
+                EXPECT_EQ(source->cells_outside_range(), 0);  // not known before all has been read
+                source->read({row, col, 12, 9}, cells);
+            }
+        EXPECT_EQ(source->cells_outside_range(), 45) << resampled;
+    }
+}
+
 TEST_F(TerrainLimits, everyCellIsCountedOnceHoweverOftenItIsRead) {
     terrain_with(45, 9999, 0.98, 0.3);
     const auto source = open_terrain(path("side.tif"), grid_, 1, on_land, callbacks_);
     std::vector<double> rows(20 * 12);
     for (const std::int32_t row : {0, 4, 8})
-        source->read(row, 12, rows);
+        source->read(whole_rows(*source, row, 12), rows);
     EXPECT_EQ(source->cells_outside_range(), 45);
     terrain_with(45, 9999);
     const auto same_cells = open_terrain(path("side.tif"), grid_, 1, on_land, callbacks_);
     for (const std::int32_t row : {0, 4, 8})
-        same_cells->read(row, 12, rows);
+        same_cells->read(whole_rows(*same_cells, row, 12), rows);
     EXPECT_EQ(same_cells->cells_outside_range(), 45);
 }
 

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <cstring>
+#include <random>
 
 #include "read/side_fixture.hpp"
 
@@ -59,7 +60,7 @@ TEST_F(Terrain, theSameCellsOfAnotherExtent) {
                                                     "; there is no ground there."}));
     const auto source = open_terrain(path("side.tif"), grid_, 1, on_land, callbacks_);
     std::vector<double> row(4);
-    source->read(2, 1, row);
+    source->read(whole_rows(*source, 2, 1), row);
     expect_values(row, {none, none, 4, 5});
 }
 
@@ -144,8 +145,38 @@ TEST_F(Terrain, bandsAndWindowsGiveTheSameBits) {
     const auto source = open_terrain(path("side.tif"), grid_, 1, on_land, callbacks_);
     std::vector<double> row(601);
     for (int i = 13; i < 22; ++i) {
-        source->read(i, 1, row);
+        source->read(whole_rows(*source, i, 1), row);
         EXPECT_EQ(std::memcmp(row.data(), all.data() + i * 1300 + 500, row.size() * sizeof(double)), 0) << i;
+    }
+}
+
+TEST_F(Terrain, anyPartOfTheWindowHasTheSameBits) {
+    RasterSpec wide = city();
+    wide.cols = 1300;
+    wide.rows = 90;
+    dem(wide);
+    side(
+        {.cols = 900, .rows = 200, .transform = {{70000, 1, 0, 5556000, 0, -1}}, .crs = "EPSG:25833"},
+        [](double x, double y) { return std::sin(x) * std::cos(y); }, "EPSG:25832");
+    const std::vector<double> all = terrain();
+    const auto source = open_terrain(path("side.tif"), grid_, 1, on_land, callbacks_);
+    std::mt19937 random(7);
+    const auto below = [&](std::int32_t n) {
+        return static_cast<std::int32_t>(random() % static_cast<unsigned>(n));
+    };
+    for (int k = 0; k < 60; ++k) {
+        Window part{below(90), below(1300), 0, 0};
+        part.rows = 1 + below(90 - part.row);
+        part.cols = 1 + below(1300 - part.col);
+        std::vector<double> cells(static_cast<std::size_t>(part.points()));
+        source->read(part, cells);
+        for (std::int32_t i = 0; i < part.rows; ++i)
+            ASSERT_EQ(std::memcmp(cells.data() + std::ptrdiff_t{i} * part.cols,
+                                  all.data() + std::ptrdiff_t{part.row + i} * 1300 + part.col,
+                                  static_cast<std::size_t>(part.cols) * sizeof(double)),
+                      0)
+                << "row " << part.row + i << " from column " << part.col << " on, " << part.cols
+                << " of them";
     }
 }
 

@@ -64,7 +64,7 @@ TEST_F(ReadValues, anyBandsOfRowsOfATiledRasterAreTheSame) {
         std::vector<double> got(expected.size());
         for (std::int32_t row = 0; row < rows; row += step) {
             const std::int32_t count = std::min(step, rows - row);
-            source->read(row, count,
+            source->read(whole_rows(*source, row, count),
                          std::span(got).subspan(static_cast<std::size_t>(row * cols),
                                                 static_cast<std::size_t>(count * cols)));
         }
@@ -72,6 +72,10 @@ TEST_F(ReadValues, anyBandsOfRowsOfATiledRasterAreTheSame) {
         wanted[35] = none;
         expect_values(got, wanted);
     }
+    std::vector<double> part(50 * 20);
+    source->read({30, 35, 50, 20}, part);
+    for (std::size_t i = 0; i < part.size(); ++i)
+        ASSERT_EQ(part[i], static_cast<double>((30 + i / 20) * cols + 35 + i % 20));
 }
 
 TEST_F(ReadValues, scaleAndOffsetAreApplied) {
@@ -121,15 +125,16 @@ TEST_F(ReadValues, rowsOutsideTheWindowAreRefused) {
     options_.source_window = {0, 1, 2, 2};
     const std::unique_ptr<DemSource> source = open("dem.tif");
     std::vector<double> row(2);
-    source->read(2, 1, row);
+    source->read(whole_rows(*source, 2, 1), row);
     expect_values(row, {4, 5});
-    EXPECT_THROW(source->read(0, 1, row), InputError);
-    EXPECT_THROW(source->read(3, 1, row), InputError);
-    EXPECT_THROW(source->read(1, 2, row), InputError);  // a buffer that is too small
+    EXPECT_THROW(source->read(whole_rows(*source, 0, 1), row), InputError);
+    EXPECT_THROW(source->read(whole_rows(*source, 3, 1), row), InputError);
+    EXPECT_THROW(source->read(whole_rows(*source, 1, 2), row), InputError);  // a buffer that is too small
     try {
-        source->read(0, 1, row);
+        source->read(whole_rows(*source, 0, 1), row);
     } catch (const InputError& error) {
-        expect_has(error.what(), "Rows from 0 on, 1 of them, were asked for outside the window");
+        expect_has(error.what(),
+                   "1 rows from 0 on and 2 columns from 0 on were asked for outside the window");
     }
 }
 

@@ -23,13 +23,13 @@ class MemorySource : public DemSource {
     }
     DemInfo& edit() { return info_; }
     [[nodiscard]] const DemInfo& info() const override { return info_; }
-    void read(std::int32_t first_row, std::int32_t rows, std::span<double> elevations) override {
+    void read(const Window& part, std::span<double> elevations) override {
         ++std::atomic_ref(reads);  // threads read side by side
-        for (std::int32_t i = 0; i < rows; ++i) {
-            const auto from = elevations_.begin() + static_cast<std::ptrdiff_t>(first_row + i) * info_.cols +
-                              info_.window.col;
-            std::copy(from, from + info_.window.cols,
-                      elevations.begin() + static_cast<std::ptrdiff_t>(i) * info_.window.cols);
+        for (std::int32_t i = 0; i < part.rows; ++i) {
+            const auto from =
+                elevations_.begin() + static_cast<std::ptrdiff_t>(part.row + i) * info_.cols + part.col;
+            std::copy(from, from + part.cols,
+                      elevations.begin() + static_cast<std::ptrdiff_t>(i) * part.cols);
         }
     }
     int reads = 0;
@@ -39,18 +39,36 @@ class MemorySource : public DemSource {
     std::vector<double> elevations_;
 };
 
-/// A raster in memory.
+/// A raster in memory, from row 0 and column 0 to the last that were written.
 class MemoryRaster : public RasterSink {
   public:
-    void write(std::int32_t rows, std::span<const float> more) override {
-        row_count += rows;
-        values.insert(values.end(), more.begin(), more.end());
+    void write(const Window& part, std::span<const float> more) override {
+        cells += part.points();
+        make_room(std::max(rows_, part.end_row()), std::max(cols_, part.end_col()));
+        for (std::int32_t i = 0; i < part.rows; ++i)
+            std::copy_n(more.begin() + static_cast<std::ptrdiff_t>(i) * part.cols, part.cols,
+                        values.begin() + static_cast<std::ptrdiff_t>(part.row + i) * cols_ + part.col);
     }
     void finish() override { finished = true; }
 
-    std::int32_t row_count = 0;
+    std::int64_t cells = 0;  ///< that were written
     std::vector<float> values;
     bool finished = false;
+
+  private:
+    void make_room(std::int32_t rows, std::int32_t cols) {
+        if (rows == rows_ && cols == cols_)
+            return;
+        std::vector<float> larger(static_cast<std::size_t>(rows) * static_cast<std::size_t>(cols));
+        for (std::int32_t i = 0; i < rows_; ++i)
+            std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(i) * cols_, cols_,
+                        larger.begin() + static_cast<std::ptrdiff_t>(i) * cols);
+        values = std::move(larger);
+        rows_ = rows;
+        cols_ = cols;
+    }
+    std::int32_t rows_ = 0;
+    std::int32_t cols_ = 0;
 };
 
 /// Features in memory.

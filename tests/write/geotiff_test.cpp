@@ -51,12 +51,16 @@ class GeoTiffTest : public WriteTest {
         numbers[5] = nan;
         return numbers;
     }
+    /// Rows of the window, counted from its first.
+    [[nodiscard]] Window rows_of(int first, int rows) const {
+        return {grid_.window.row + first, grid_.window.col, rows, grid_.window.cols};
+    }
     /// Gives all rows, 7 at a time, and finishes.
     void write_all(RasterSink& to) {
         const std::vector<float> all = values();
         for (int row = 0; row < grid_.window.rows; row += 7) {
             const int rows = std::min(7, grid_.window.rows - row);
-            to.write(rows, std::span(all).subspan(size(row), size(rows)));
+            to.write(rows_of(row, rows), std::span(all).subspan(size(row), size(rows)));
         }
         to.finish();
     }
@@ -159,7 +163,7 @@ TEST_F(GeoTiffTest, TheVerticalCrsStaysWhereItIsTrue) {
 TEST_F(GeoTiffTest, WhatIsNotFiniteIsNoData) {
     grid_.window = {0, 0, 1, 3};
     const auto to = sink("a.tif");
-    to->write(1, std::vector<float>{nan, std::numeric_limits<float>::infinity(), 2});
+    to->write(grid_.window, std::vector<float>{nan, std::numeric_limits<float>::infinity(), 2});
     to->finish();
     EXPECT_EQ(read(path("a.tif")), (std::vector<float>{-9999, -9999, 2}));
 }
@@ -168,25 +172,56 @@ TEST_F(GeoTiffTest, WhatIsNotFinishedLeavesNothing) {
     {
         const auto to = sink("a.tif");
         EXPECT_TRUE(entries().empty());
-        to->write(grid_.window.rows, values());
+        to->write(grid_.window, values());
     }
     EXPECT_TRUE(entries().empty());
     write_all(*sink("a.tif"));
     const std::string before = bytes("a.tif");
-    sink("a.tif", true)->write(300, std::span<const float>(values()).first(size(300)));
+    sink("a.tif", true)->write(rows_of(0, 300), std::span<const float>(values()).first(size(300)));
     EXPECT_EQ(bytes("a.tif"), before);
     EXPECT_EQ(entries(), (Names{"a.tif"}));
 }
 
-TEST_F(GeoTiffTest, RowsThatAreMissingOrTooMany) {
+TEST_F(GeoTiffTest, PartsInAnyOrder) {
+    write_all(*sink("rows.tif"));
+    const std::vector<float> all = values();
+    // Units of 130 x 170 cells, the last ones smaller, from the last to the first.
+    const auto to = sink("parts.tif");
+    for (int row = 4 * 130; row >= 0; row -= 130)
+        for (int col = 170; col >= 0; col -= 170) {
+            const Window part{10 + row, 20 + col, std::min(130, 600 - row), std::min(170, 300 - col)};
+            std::vector<float> cells;
+            for (int r = row; r < row + part.rows; ++r) {
+                const auto from = all.begin() + r * 300 + col;
+                cells.insert(cells.end(), from, from + part.cols);
+            }
+            to->write(part, cells);
+        }
+    to->finish();
+    EXPECT_EQ(read(path("parts.tif")), read(path("rows.tif")));
+    EXPECT_EQ(bytes("parts.tif").size(), bytes("rows.tif").size());  // no tile was written twice
+}
+
+TEST_F(GeoTiffTest, CellsThatAreMissingOrTooMany) {
     const auto to = sink("a.tif");
-    to->write(300, std::span<const float>(values()).first(size(300)));
+    to->write(rows_of(0, 300), std::span<const float>(values()).first(size(300)));
     const std::string start = "Cannot write \"" + path("a.tif") + "\": ";
-    EXPECT_EQ(thrown<OutputError>([&] { to->write(301, std::vector<float>(size(301))); }),
-              start + "90300 values were given for 301 rows, of which it has 300 of 300 columns left.");
-    EXPECT_EQ(thrown<OutputError>([&] { to->write(2, std::vector<float>(300)); }),
-              start + "300 values were given for 2 rows, of which it has 300 of 300 columns left.");
-    EXPECT_EQ(thrown<OutputError>([&] { to->finish(); }), start + "300 of its 600 rows were given.");
+    const auto refused_part = [&](const Window& part, std::size_t given) {
+        return thrown<OutputError>([&] { to->write(part, std::vector<float>(given)); });
+    };
+    EXPECT_EQ(refused_part(rows_of(300, 301), size(301)),
+              start +
+                  "90300 values were given for 301 rows from 310 on and 300 columns from 20 on, which are "
+                  "no part of it.");
+    for (const Window& part : {Window{9, 20, 1, 300}, Window{400, 19, 1, 300}, Window{400, 21, 1, 300}})
+        EXPECT_EQ(refused_part(part, 300).find(start + "300 values were given for 1 rows from "), 0u);
+    EXPECT_EQ(refused_part(rows_of(300, 2), 300),
+              start +
+                  "300 values were given for 2 rows from 310 on and 300 columns from 20 on, which are no "
+                  "part of it.");
+    EXPECT_EQ(refused_part(rows_of(0, 1), 300), start + "some of its cells were given twice.");
+    EXPECT_EQ(thrown<OutputError>([&] { to->finish(); }),
+              start + "90000 of its 180000 cells were not given.");
 }
 
 TEST_F(GeoTiffTest, AnExistingFileStays) {
@@ -293,7 +328,7 @@ TEST_F(GeoTiffTest, FoldersThatTakeNoFiles) {
 TEST_F(GeoTiffTest, InVirtualFileSystems) {
     const std::string name = "/vsimem/geotiff_sink/a.tif";
     const auto to = [&](bool overwrite) { return open_geotiff_sink({name, overwrite, {}}, grid_, meta_); };
-    to(false)->write(600, values());
+    to(false)->write(grid_.window, values());
     EXPECT_EQ(VSIReadDir("/vsimem/geotiff_sink"), nullptr);
     write_all(*to(false));
     EXPECT_EQ(read(name).at(0), 0);

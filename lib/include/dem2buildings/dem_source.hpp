@@ -17,6 +17,10 @@ struct Window {
     std::int32_t rows = 0;
     std::int32_t cols = 0;
 
+    [[nodiscard]] std::int32_t end_row() const { return row + rows; }
+    [[nodiscard]] std::int32_t end_col() const { return col + cols; }
+    [[nodiscard]] std::int64_t points() const { return std::int64_t{rows} * cols; }
+
     friend bool operator==(const Window&, const Window&) = default;
 };
 
@@ -57,20 +61,19 @@ class DemSource {
 
     [[nodiscard]] virtual const DemInfo& info() const = 0;
 
-    /// Elevations of whole rows of the window, row by row, in the band's vertical unit with scale and offset
+    /// Elevations of a part of the window, row by row, in the band's vertical unit with scale and offset
     /// applied; NaN where a point is not valid (NoData, mask, alpha, NaN, infinite, outside the cutline).
-    /// Several threads may call it at a time.
-    /// @param first_row  of the whole raster; window.row <= first_row
-    /// @param rows       first_row + rows <= window.row + window.rows
-    /// @param elevations rows * window.cols values
+    /// Which part is asked for does not change the value of a point. Several threads may call it at a time.
+    /// @param part       rows and columns of the whole raster, inside the window
+    /// @param elevations part.rows * part.cols values
     /// @throws InputError
-    virtual void read(std::int32_t first_row, std::int32_t rows, std::span<double> elevations) = 0;
+    virtual void read(const Window& part, std::span<double> elevations) = 0;
 
     /// What reading it has shown since the last call, a sentence each, for the run to warn of. Called from
     /// the thread that called run(), while others may read.
     [[nodiscard]] virtual std::vector<std::string> take_warnings() { return {}; }
     /// Of a terrain model, cells that are not valid because no elevation can be what they hold; known when
-    /// the last row has been read.
+    /// all of the window has been read.
     [[nodiscard]] virtual std::int64_t cells_outside_range() const { return 0; }
 };
 

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/options.hpp"
 #include "dem2buildings/records.hpp"
 #include "dem2buildings/report.hpp"
@@ -134,8 +135,9 @@ class FeatureSink {
 };
 
 /// Where a raster goes that lies on the DEM's window: a file (write/), or an array in tests and in other
-/// programs. Rows in order, then finish, from the thread that called run(). A sink that is destroyed without
-/// finish() leaves the destination as it was.
+/// programs. Parts of the window, each cell in one of them, then finish, from the thread that called run().
+/// What is found comes unit by unit, a few rows at a time; elevations (Sinks::elevations) come in whole rows
+/// from the first to the last. A sink that is destroyed without finish() leaves the destination as it was.
 class RasterSink {
   public:
     RasterSink() = default;
@@ -143,8 +145,9 @@ class RasterSink {
     RasterSink& operator=(const RasterSink&) = delete;
     virtual ~RasterSink() = default;
 
-    /// @param values whole rows, NaN where there is no value @throws OutputError
-    virtual void write(std::int32_t rows, std::span<const float> values) = 0;
+    /// @param part rows and columns of the whole raster @param values part.rows * part.cols of them, row by
+    /// row, NaN where there is none @throws OutputError
+    virtual void write(const Window& part, std::span<const float> values) = 0;
     /// Makes the raster visible, all of it or nothing. @throws OutputError
     virtual void finish() = 0;
 

@@ -1,4 +1,4 @@
-#include "detect/merge_strips.hpp"
+#include "detect/merge_units.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace d2b {
 
-Label StripMerger::add(std::span<const SeenObject> objects) {
+Label UnitMerger::add(std::span<const SeenObject> objects) {
     const auto before = static_cast<Label>(seen_.size() - 1);
     for (const SeenObject& object : objects) {
         sets_.add();
@@ -16,23 +16,23 @@ Label StripMerger::add(std::span<const SeenObject> objects) {
     return before;
 }
 
-void StripMerger::compare(std::span<const Label> upper, std::span<const Label> lower) {
+void UnitMerger::compare(std::span<const Label> first, std::span<const Label> second) {
     std::map<std::pair<Label, Label>, std::int64_t> shared;
     std::map<Label, std::int64_t> cells;
-    for (std::size_t i = 0; i < upper.size(); ++i) {
-        for (const Label label : {upper[i], lower[i]})
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        for (const Label label : {first[i], second[i]})
             if (label != 0)
                 ++cells[label];
-        if (upper[i] != 0 && lower[i] != 0)
-            ++shared[{upper[i], lower[i]}];
+        if (first[i] != 0 && second[i] != 0)
+            ++shared[{first[i], second[i]}];
     }
-    // Where strips do not see quite the same, a few cells of a neighbour do not make it the same object.
+    // Where units do not see quite the same, a few cells of a neighbour do not make it the same object.
     for (const auto& [labels, n] : shared)
         if (2 * n >= std::min(cells[labels.first], cells[labels.second]))
             sets_.join(labels.first, labels.second);
 }
 
-StripMerger::Merged StripMerger::finish(std::int64_t least_cells) {
+UnitMerger::Merged UnitMerger::finish(std::int64_t least_cells) {
     Merged merged;
     std::vector<std::int64_t> cells(seen_.size(), 0);  // of a set, by the label that stands for it
     std::vector<Label> told(seen_.size(), 0);          // the one of a set that says what it is

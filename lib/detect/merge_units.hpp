@@ -9,23 +9,24 @@
 
 namespace d2b {
 
-/// An object as one strip of a window saw it.
+/// An object as one unit of a window saw it.
 struct SeenObject {
     DetectedObject object;
     bool is_building = false;
     double ground = 0;           ///< elevation, m; NaN where it is not known
-    std::int64_t own_cells = 0;  ///< of its cells, those in rows that are the strip's own
+    std::int64_t own_cells = 0;  ///< of its cells, those that are the unit's own
 };
 
-/// Objects of a window that was looked at in strips of rows which overlap. Each strip sees more rows than are
-/// its own, so that two strips see the same things on both sides of the seam between them: what covers the
-/// same cells there is one object, and the strip that owns more of it says what it is.
-class StripMerger {
+/// Objects of a window that was looked at in units which overlap. Each unit sees more cells than are its own,
+/// so that two units see the same things on both sides of the seam between them: what covers the same cells
+/// there is one object, and the unit that owns more of it says what it is; of those that own as much the
+/// first.
+class UnitMerger {
   public:
-    /// @param objects of the next strip, by label - 1 @return what to add to its labels other than 0
+    /// @param objects of the next unit, by label - 1 @return what to add to its labels other than 0
     Label add(std::span<const SeenObject> objects);
-    /// A row beside a seam, as the strips on both sides saw it, with labels that have been added to.
-    void compare(std::span<const Label> upper, std::span<const Label> lower);
+    /// A line of cells beside a seam, as the units on both sides saw it, with labels that have been added to.
+    void compare(std::span<const Label> first, std::span<const Label> second);
 
     struct Merged {
         std::vector<SeenObject> objects;  ///< buildings first, then what is doubtful

@@ -1,0 +1,54 @@
+#include "detect/unit_seams.hpp"
+
+#include <utility>
+
+namespace d2b {
+namespace {
+
+/// A unit's own cells in the grid of what it sees.
+struct Own {
+    std::int32_t row;
+    std::int32_t col;
+    std::int32_t end_row;
+    std::int32_t end_col;
+};
+
+using Lines = std::array<std::vector<Label>, 2>;
+
+Lines rows_at(const Grid<Label>& labels, const Own& own, std::int32_t seam) {
+    Lines lines;
+    for (const std::int32_t side : {0, 1})
+        if (seam > 0 && seam < labels.rows) {
+            const auto row = labels.row(seam - 1 + side);
+            lines[static_cast<std::size_t>(side)].assign(row.begin() + own.col, row.begin() + own.end_col);
+        }
+    return lines;
+}
+
+Lines cols_at(const Grid<Label>& labels, const Own& own, std::int32_t seam) {
+    Lines lines;
+    for (const std::int32_t side : {0, 1})
+        if (seam > 0 && seam < labels.cols)
+            for (std::int32_t row = own.row; row < own.end_row; ++row)
+                lines[static_cast<std::size_t>(side)].push_back(labels.at(row, seam - 1 + side));
+    return lines;
+}
+
+void compare(const Lines& first, const Lines& second, UnitMerger& merger) {
+    for (std::size_t side = 0; side < first.size(); ++side)
+        merger.compare(first[side], second[side]);
+}
+
+}  // namespace
+
+void UnitSeams::add(const Unit& unit, std::int32_t col, const Grid<Label>& labels, UnitMerger& merger) {
+    const Own own{unit.own.row - unit.seen.row, unit.own.col - unit.seen.col,
+                  unit.own.end_row() - unit.seen.row, unit.own.end_col() - unit.seen.col};
+    Lines& above = above_[static_cast<std::size_t>(col)];
+    compare(above, rows_at(labels, own, own.row), merger);
+    compare(left_, cols_at(labels, own, own.col), merger);
+    above = rows_at(labels, own, own.end_row);
+    left_ = cols_at(labels, own, own.end_col);
+}
+
+}  // namespace d2b

@@ -1,0 +1,141 @@
+#include "pipeline/find_in_unit.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <utility>
+
+#include "core/row_bands.hpp"
+#include "core/stage_clock.hpp"
+#include "detect/detection.hpp"
+#include "detect/ground_level.hpp"
+#include "detect/label_rows.hpp"
+#include "detect/side_grids.hpp"
+#include "ground/ground.hpp"
+#include "pipeline/scene_rasters.hpp"
+
+namespace d2b {
+namespace {
+
+constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
+
+Executor& threads_of(const UnitSearch& search) {
+    return *search.context.threads;
+}
+
+MetreGrid surface_of(const UnitSearch& search, const Window& seen) {
+    MetreGrid surface(seen.rows, seen.cols, 0, threads_of(search));
+    search.reader.for_part(seen, [&](const ElevationBand& band) {
+        std::ranges::transform(band.elevations, surface.row(band.shape.first_row - seen.row).data(),
+                               [&](double z) { return static_cast<float>(z * search.frame.metres); });
+    });
+    return surface;
+}
+
+/// The terrain as it is given or estimated. Where that finds a cell to be far below the ground, the surface
+/// is not known.
+MetreGrid terrain_of(const UnitSearch& search, const Window& seen, MetreGrid& surface) {
+    if (search.plan.ground == GroundMode::none)
+        return MetreGrid(surface.rows, surface.cols, 0);
+    if (search.plan.ground == GroundMode::given)
+        return read_grid(*search.sources.terrain, seen, search.frame.metres, search.context);
+    const StageClock clock(search.context.report, Stage::ground);
+    Terrain terrain = estimate_ground(surface, search.frame.cell, search.plan.asked.ground, search.context,
+                                      {seen.row, seen.col});
+    for_cells(threads_of(search), surface, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            if ((terrain.flags.values[i] & low_outlier) != 0)
+                surface.values[i] = unknown;  // far below the ground: neither building nor ground
+    });
+    return std::move(terrain.elevation);
+}
+
+/// The terrain that detection stands on is nowhere above the surface.
+void keep_below(const UnitSearch& search, const MetreGrid& surface, MetreGrid& terrain) {
+    if (search.plan.ground != GroundMode::given)
+        return;
+    for_cells(threads_of(search), terrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            if (terrain.values[i] > surface.values[i])
+                terrain.values[i] = surface.values[i];
+    });
+}
+
+/// A unit's own cells in the grid of what it sees.
+Window own_in_seen(const Unit& unit) {
+    return {unit.own.row - unit.seen.row, unit.own.col - unit.seen.col, unit.own.rows, unit.own.cols};
+}
+
+std::vector<SeenObject> seen_objects(const Detection& detection, const std::vector<double>& ground,
+                                     const Window& own, Executor& threads) {
+    std::vector<SeenObject> seen;
+    for (std::size_t i = 0; i < detection.objects.size(); ++i)
+        seen.push_back({detection.objects[i], i < detection.buildings, ground[i + 1], 0});
+    for_row_bands(threads, own.rows, detection.labels.cols, [&](RowBand band) {
+        for (std::int32_t r = own.row + band.begin; r < own.row + band.end; ++r)
+            for_label_runs(detection.labels.row(r).subspan(static_cast<std::size_t>(own.col),
+                                                           static_cast<std::size_t>(own.cols)),
+                           [&](std::int32_t begin, std::int32_t end, Label label) {
+                               std::atomic_ref(seen[label - 1].own_cells)
+                                   .fetch_add(end - begin, std::memory_order_relaxed);
+                           });
+    });
+    return seen;
+}
+
+/// What options left out whose first cells are the unit's own.
+void count_left_out(const LeftOut& left_out, const Window& own, RunReport& report) {
+    const auto count = [&](const std::vector<FirstCell>& cells, Reason reason) {
+        report.count(reason, std::ranges::count_if(cells, [&](const FirstCell& cell) {
+                         return cell.row >= own.row && cell.row < own.end_row() && cell.col >= own.col &&
+                                cell.col < own.end_col();
+                     }));
+    };
+    count(left_out.small, Reason::building_small);
+    count(left_out.low, Reason::building_low);
+}
+
+}  // namespace
+
+FoundInUnit find_in_unit(const UnitSearch& search, const Unit& unit) {
+    const Options& options = search.plan.asked;
+    const Sources& sources = search.sources;
+    const UnitFrame& frame = search.frame;
+    Context& context = search.context;
+    Executor& threads = threads_of(search);
+    const Window own = own_in_seen(unit);
+    FoundInUnit found{{}, {}, GroundFit(options.detect.min_height), {}, {false, false, false}};
+    MetreGrid surface = surface_of(search, unit.seen);
+    MetreGrid terrain = terrain_of(search, unit.seen, surface);
+    add_fit(surface, terrain, own, found.fit, threads);
+    add_slope(terrain, frame.cell, unit.seen.row - frame.window.row, own, found.slope);
+    found.sides.terrain = search.plan.ground != GroundMode::given || found.fit.cells() > 0;
+    keep_below(search, surface, terrain);
+    Mask allowed;
+    MetreGrid ndvi;
+    Scene scene{surface, terrain, frame.cell};
+    if (sources.mask != nullptr) {
+        allowed = read_mask(*sources.mask, unit.seen, context);
+        scene.allowed = &allowed;
+    }
+    found.sides.mask = sources.mask == nullptr || meets(surface, allowed, own);
+    if (sources.ndvi != nullptr) {
+        ndvi = read_grid(*sources.ndvi, unit.seen, 1, context);
+        scene.greenness = &ndvi;
+    }
+    found.sides.ndvi = sources.ndvi == nullptr || meets(surface, ndvi, own);
+    Detection detection = [&] {
+        const StageClock clock(context.report, Stage::detect);
+        return detect_buildings(scene, options.detect, search.plan.building_m2, context);
+    }();
+    count_left_out(detection.left_out, own, context.report);
+    write_scene_rasters(search.sinks, scene, detection, options.detect.min_height, unit);
+    const StageClock clock(context.report, Stage::attributes);
+    const std::vector<double> ground =
+        ground_levels(terrain, detection.labels, static_cast<Label>(detection.objects.size()), threads);
+    found.objects = seen_objects(detection, ground, own, threads);
+    found.labels = std::move(detection.labels);
+    return found;
+}
+
+}  // namespace d2b

@@ -1,0 +1,160 @@
+#include "detect/merge_units.hpp"
+
+#include <gtest/gtest.h>
+
+#include "detect/label_rows.hpp"
+#include "detect/unit_seams.hpp"
+
+namespace d2b {
+namespace {
+
+SeenObject seen(double confidence, std::int64_t own_cells) {
+    return {{confidence, Doubt::rough, 1000}, confidence >= 0.5, 100 * confidence, own_cells};
+}
+
+using Row = std::vector<Label>;
+
+TEST(UnitMerger, OneUnitIsAsItWas) {
+    UnitMerger merger;
+    const std::vector<SeenObject> objects{seen(0.9, 10), seen(0.8, 20), seen(0.2, 30)};
+    EXPECT_EQ(merger.add(objects), 0U);
+    const UnitMerger::Merged merged = merger.finish(1);
+    EXPECT_EQ(merged.buildings, 2U);
+    ASSERT_EQ(merged.objects.size(), 3U);
+    EXPECT_EQ(merged.number, (Row{0, 1, 2, 3}));
+    EXPECT_EQ(merged.objects[1].object.confidence, 0.8);
+    EXPECT_EQ(merged.objects[1].object.cells, 20);
+}
+
+TEST(UnitMerger, WhoOwnsMoreOfItSaysWhatItIs) {
+    UnitMerger merger;
+    EXPECT_EQ(merger.add(std::vector{seen(0.3, 10), seen(0.9, 4)}), 0U);
+    EXPECT_EQ(merger.add(std::vector{seen(0.7, 90), seen(0.1, 80)}), 2U);
+    merger.compare(Row{0, 1, 1, 1, 0, 2, 2}, Row{0, 3, 3, 3, 0, 4, 4});
+    const UnitMerger::Merged merged = merger.finish(1);
+    ASSERT_EQ(merged.objects.size(), 2U);
+    EXPECT_EQ(merged.buildings, 1U);
+    EXPECT_EQ(merged.number, (Row{0, 1, 2, 1, 2}));
+    EXPECT_EQ(merged.objects[0].object.confidence, 0.7);
+    EXPECT_EQ(merged.objects[0].own_cells, 100);
+    EXPECT_EQ(merged.objects[1].object.confidence, 0.1);
+    EXPECT_EQ(merged.objects[1].own_cells, 84);
+}
+
+TEST(UnitMerger, OfThoseThatOwnAsMuchTheFirstSaysWhatItIs) {
+    UnitMerger merger;
+    for (const double confidence : {0.6, 0.9, 0.7})
+        merger.add(std::vector{seen(confidence, 30)});
+    merger.compare(Row{2, 2}, Row{3, 3});
+    merger.compare(Row{1, 1}, Row{2, 2});
+    const UnitMerger::Merged merged = merger.finish(1);
+    ASSERT_EQ(merged.objects.size(), 1U);
+    EXPECT_EQ(merged.objects[0].object.confidence, 0.6);
+    EXPECT_EQ(merged.objects[0].own_cells, 90);
+}
+
+TEST(UnitMerger, AFewCellsOfANeighbourDoNotJoinIt) {
+    UnitMerger merger;
+    merger.add(std::vector{seen(0.9, 50), seen(0.9, 50)});
+    merger.add(std::vector{seen(0.9, 50), seen(0.9, 50)});
+    // The border between the two lies a cell farther to the right as the second unit sees it.
+    merger.compare(Row{1, 1, 1, 1, 2, 2, 2, 2}, Row{3, 3, 3, 3, 3, 4, 4, 4});
+    const UnitMerger::Merged merged = merger.finish(1);
+    EXPECT_EQ(merged.number, (Row{0, 1, 2, 1, 2}));
+}
+
+TEST(UnitMerger, SetsGrowOverSeveralSeams) {
+    UnitMerger merger;
+    for (int unit = 0; unit < 3; ++unit)
+        merger.add(std::vector{seen(0.9, 20), seen(0.8, 10)});
+    merger.compare(Row{1, 0, 2}, Row{3, 0, 3});  // a courtyard is open above
+    merger.compare(Row{3, 3, 0}, Row{5, 5, 0});
+    const UnitMerger::Merged merged = merger.finish(1);
+    EXPECT_EQ(merged.number, (Row{0, 1, 1, 1, 2, 1, 3}));
+    EXPECT_EQ(merged.objects[0].own_cells, 20 + 10 + 20 + 20);
+}
+
+TEST(UnitMerger, SliversAreLeftOut) {
+    UnitMerger merger;
+    merger.add(std::vector{seen(0.9, 50), seen(0.9, 0), seen(0.9, 9)});
+    const UnitMerger::Merged merged = merger.finish(10);
+    EXPECT_EQ(merged.number, (Row{0, 1, 0, 0}));
+    EXPECT_EQ(merged.objects.size(), 1U);
+}
+
+/// A window of 40 x 30 cells at row 100 and column 7, in units of at most 15 cells a side that see it all.
+const Window window{100, 7, 40, 30};
+const UnitGrid units(window, {1, 1}, 0, {0, 15});
+
+/// For each unit, in order.
+template <typename Use>
+void for_units(const Use& use) {
+    for (std::int32_t row = 0; row < units.rows(); ++row)
+        for (std::int32_t col = 0; col < units.cols(); ++col)
+            use(units.unit(row, col), col);
+}
+
+TEST(UnitSeams, AreComparedInBothDirections) {
+    ASSERT_EQ(units.rows(), 3);
+    ASSERT_EQ(units.cols(), 2);
+    // Rows 113 and 126 and column 22 begin units. Of three objects one lies around the first corner, one
+    // crosses the second of the horizontal seams, and one touches the vertical seam from the left.
+    Grid<Label> scene(40, 30);
+    const auto fill = [&](const Window& cells, Label label) {
+        for (std::int32_t r = cells.row; r < cells.end_row(); ++r)
+            for (std::int32_t c = cells.col; c < cells.end_col(); ++c)
+                scene.at(r, c) = label;
+    };
+    fill({10, 12, 6, 6}, 1);
+    fill({20, 3, 10, 4}, 2);
+    fill({30, 10, 5, 5}, 3);
+    UnitMerger merger;
+    UnitSeams seams(units.cols());
+    for_units([&](const Unit& unit, std::int32_t col) {
+        Grid<Label> labels = scene;
+        const Label more = merger.add(std::vector(3, seen(0.9, 10)));
+        for (Label& label : labels.values)
+            label += label != 0 ? more : 0;
+        seams.add(unit, col, labels, merger);
+    });
+    const UnitMerger::Merged merged = merger.finish(1);
+    const auto number = [&](std::size_t unit, std::size_t object) {
+        return merged.number[3 * unit + object];
+    };
+    // The units that meet at a corner have seen the object around it as one: none has been told apart.
+    for (const std::size_t unit : {1U, 2U, 3U})
+        EXPECT_EQ(number(unit, 1), number(0, 1));
+    EXPECT_NE(number(4, 1), number(0, 1));  // nothing of it lies beside that unit's seams
+    EXPECT_EQ(number(4, 2), number(2, 2));
+    EXPECT_EQ(number(5, 3), number(4, 3));
+    EXPECT_NE(number(5, 2), number(4, 2));
+    EXPECT_NE(number(4, 1), number(4, 2));
+    EXPECT_NE(number(4, 2), number(4, 3));
+}
+
+TEST(LabelRows, ComeBackWithOtherNumbers) {
+    Grid<Label> scene(40, 30);
+    std::vector<Label> number(5);
+    for (std::size_t i = 0; i < scene.values.size(); ++i)
+        scene.values[i] = static_cast<Label>(i * i / 7 % 5);
+    number = {0, 7, 0, 9, 2};
+    LabelRows rows(std::make_unique<MemorySpool>(), window);
+    Executor threads(2);
+    for_units([&](const Unit& unit, std::int32_t) {
+        ASSERT_EQ(unit.seen, window);
+        rows.append(unit, scene, threads);
+    });
+    rows.renumber(number);
+    for (const RowBand band : {RowBand{100, 140}, RowBand{100, 101}, RowBand{112, 114}, RowBand{139, 140},
+                               RowBand{115, 117}, RowBand{105, 133}}) {
+        const LabelBand labels = rows.band({band.begin, band.end - band.begin, 30});
+        ASSERT_EQ(labels.labels.size(), static_cast<std::size_t>(band.end - band.begin) * 30);
+        for (std::size_t i = 0; i < labels.labels.size(); ++i)
+            ASSERT_EQ(labels.labels[i],
+                      number[scene.values[static_cast<std::size_t>(band.begin - 100) * 30 + i]])
+                << band.begin << " " << i;
+    }
+}
+
+}  // namespace
+}  // namespace d2b
