@@ -42,7 +42,7 @@ std::vector<double> breaks(const ElevationHistogram& histogram, int lod, const B
 /// and has to take off a share of its error: low buildings get thresholds as well, and high ones not a dozen.
 /// @param border_price of a border as long as a cell, in square metres of a point
 BreakPrice price_of(const PointStats& stats, double border_price) {
-    constexpr double least_share = 0.03;
+    constexpr double least_share = 0.029;
     if (!(border_price > 0))
         return {};
     return {border_price * 2 * std::sqrt(static_cast<double>(stats.n)), least_share};

@@ -7,25 +7,10 @@
 #include "outline/walls/circular_arcs.hpp"
 #include "outline/walls/draw_walls.hpp"
 #include "outline/walls/plan_walls.hpp"
+#include "outline/walls/separate_cells.hpp"
+#include "outline/walls/shift_wall.hpp"
 
 namespace d2b {
-namespace {
-
-/// Moves a wall to the left of the way that the chain runs.
-void shift_wall(WallPiece& piece, const WallSamples& samples, double cells) {
-    const Vec run = samples.at(piece.last) - samples.at(piece.first);
-    if (piece.circle) {
-        const Vec middle = samples.at((piece.first + piece.last) / 2) - piece.circle->centre;
-        const bool whole = piece.last - piece.first == samples.steps();
-        const bool turns_left = whole ? twice_area(samples) > 0 : cross(middle, run) > 0;
-        piece.circle->radius += turns_left ? -cells : cells;
-        return;
-    }
-    const double sign = dot(run, piece.line.along) > 0 ? 1 : -1;
-    piece.line.through = piece.line.through + sign * cells * Vec{-piece.line.along.y, piece.line.along.x};
-}
-
-}  // namespace
 
 WallPiece ChainWalls::piece(std::size_t i) const {
     WallPiece piece = pieces_[i];
@@ -49,6 +34,7 @@ bool ChainWalls::plan(const std::vector<std::size_t>& points, const WallStyle& s
         return false;
     find_circular_arcs(samples_, style, *pieces, stop);
     settle_ends(samples_, *pieces);
+    separate_cells(samples_, higher_, style.tolerance - wall_clearance, *pieces);
     pieces_ = std::move(*pieces);
     shifts_.assign(pieces_.size(), {});
     return true;

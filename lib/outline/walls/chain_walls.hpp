@@ -12,7 +12,8 @@ namespace d2b {
 /// The walls into which a chain is divided, and how far each has been moved since.
 class ChainWalls {
   public:
-    ChainWalls(const Chain& chain, const CellShape& shape) : samples_(chain.trace, chain.closed, shape) {}
+    ChainWalls(const Chain& chain, const CellShape& shape)
+        : samples_(chain.trace, chain.closed, shape), higher_(chain.higher) {}
 
     [[nodiscard]] const WallSamples& samples() const { return samples_; }
     /// Divides the chain into walls. @param points where it may turn
@@ -47,6 +48,7 @@ class ChainWalls {
     };
 
     WallSamples samples_;
+    int higher_;
     std::vector<WallPiece> pieces_;
     std::vector<Shift> shifts_;  // of each
 };

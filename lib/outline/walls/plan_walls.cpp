@@ -103,7 +103,7 @@ void Planner::extend(std::size_t from, std::size_t to, const WallSamples::Sums& 
         const double cost = spent + misfit((*points_)[from], (*points_)[to], line(f, sums), squares);
         if (!(cost < states_[to][f].cost))
             continue;
-        const double limit = style_.tolerance - 0.05;
+        const double limit = style_.tolerance - wall_clearance;
         if (samples_.near((*points_)[from], (*points_)[to], line(f, sums), limit))
             states_[to][f] = {cost, static_cast<std::uint32_t>(from), before, 0};
     }

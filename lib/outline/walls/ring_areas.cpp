@@ -9,7 +9,7 @@ namespace d2b {
 namespace {
 
 constexpr double largest_area_change = 0.02;
-constexpr double largest_shift = 0.05;  // cells by which a ring's border is off on the average
+constexpr double largest_shift = 0.07;  // cells by which a ring's border is off on the average
 constexpr double least_gain =
     0.1;  // share of an area asked for that moving walls has brought: else it is in vain
 

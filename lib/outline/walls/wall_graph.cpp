@@ -27,6 +27,7 @@ class Builder {
 
     [[nodiscard]] std::size_t arcs() const { return walls_.graph.arcs.size(); }
     [[nodiscard]] std::uint32_t node_of(std::uint32_t end) const { return walls_.ends[end / 2][end % 2]; }
+    [[nodiscard]] int higher_side(const Chain& chain) const;
     void walk(std::uint32_t from_end);
 
     const WallCluster& cluster_;
@@ -128,6 +129,17 @@ void Builder::find_mates() {
     }
 }
 
+/// All arcs of a chain have the same.
+int Builder::higher_side(const Chain& chain) const {
+    const auto own = [&](std::int32_t contour) {
+        return contour >= 0 &&
+               2 * cluster_.contours[static_cast<std::size_t>(contour)]->key.level >= chain.rank - 1;
+    };
+    const ArcUse first = chain.arcs.front();
+    const WallGraph::Sides& sides = walls_.sides[first.arc];
+    return (own(sides.left) - own(sides.right)) * (first.reversed ? -1 : 1);
+}
+
 /// @param from_end where the chain begins
 void Builder::walk(std::uint32_t from_end) {
     stop_.check();
@@ -141,6 +153,7 @@ void Builder::walk(std::uint32_t from_end) {
     } while (end != nobody && end != from_end);
     chain.closed = end == from_end;
     tracer_.trace(chain);
+    chain.higher = higher_side(chain);
     for (std::uint32_t k = 0; k < chain.arcs.size(); ++k)
         walls_.place_of[chain.arcs[k].arc] = k;
     walls_.chains.push_back(std::move(chain));

@@ -15,6 +15,7 @@ namespace d2b {
 /// at its first point in scan order and runs along the row from there; but its first arc may begin later.
 struct Chain {
     int rank = 0;
+    int higher = 0;  ///< the side on which contours of its own level lie: 1 the left, -1 the right, 0 both
     bool closed = false;
     std::vector<ArcUse> arcs;
     std::vector<std::uint32_t> nodes;       ///< at which its arcs begin, and the last one's end

@@ -22,6 +22,9 @@ struct WallPiece {
     double cost = 0;
 };
 
+/// Cells that walls stay farther within the tolerance than asked: where two meet is put on the fine lattice.
+constexpr double wall_clearance = 0.05;
+
 struct WallStyle {
     static constexpr double variance = 0.3;  ///< of the middle of a step about its wall, square cells
 

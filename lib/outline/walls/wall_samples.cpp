@@ -19,7 +19,7 @@ Vec CellShape::from_fine(FinePoint point, LatticePoint origin) const {
 }
 
 WallSamples::WallSamples(const std::vector<LatticePoint>& trace, bool closed, const CellShape& shape)
-    : closed_(closed), origin_(trace.front()) {
+    : closed_(closed), shape_(shape), origin_(trace.front()) {
     const std::size_t edges = closed ? trace.size() : trace.size() - 1;
     const auto to = [&](std::size_t i) { return trace[i + 1 < trace.size() ? i + 1 : 0]; };
     for (std::size_t i = 0; i < edges; ++i)
@@ -29,7 +29,7 @@ WallSamples::WallSamples(const std::vector<LatticePoint>& trace, bool closed, co
     corner_steps_.reserve(trace.size());
     corner_at_.reserve(steps_ + 2);
     for (std::size_t i = 0; i < edges; ++i)
-        add_edge(trace[i], to(i), shape);
+        add_edge(trace[i], to(i));
     if (!closed) {
         corner_at_.push_back(static_cast<std::uint32_t>(corner_steps_.size()));
         corner_steps_.push_back(static_cast<std::uint32_t>(steps_));
@@ -38,7 +38,7 @@ WallSamples::WallSamples(const std::vector<LatticePoint>& trace, bool closed, co
     add_up();
 }
 
-void WallSamples::add_edge(LatticePoint from, LatticePoint to, const CellShape& shape) {
+void WallSamples::add_edge(LatticePoint from, LatticePoint to) {
     const std::int32_t n = std::abs(to.row - from.row) + std::abs(to.col - from.col);
     const auto unit = [](std::int32_t way) { return way > 0 ? 1 : (way < 0 ? -1 : 0); };
     const std::int32_t down = unit(to.row - from.row);
@@ -49,7 +49,16 @@ void WallSamples::add_edge(LatticePoint from, LatticePoint to, const CellShape& 
                       static_cast<std::uint32_t>(corner_steps_.size()));
     for (std::int32_t k = 0; k < n; ++k)
         points_.push_back(
-            shape.from_cells(from.row - origin_.row + down * k, from.col - origin_.col + across * k));
+            shape_.from_cells(from.row - origin_.row + down * k, from.col - origin_.col + across * k));
+}
+
+WallSamples::Cells WallSamples::beside(std::size_t step) const {
+    const Vec half = 0.5 * (at(step + 1) - at(step));
+    const double area = cross(shape_.col, shape_.row);
+    const Vec left =
+        (cross(shape_.col, half) / area) * shape_.col - (cross(half, shape_.row) / area) * shape_.row;
+    const Vec middle = at(step) + half;
+    return {middle + left, middle - left};
 }
 
 void WallSamples::add_up() {

@@ -96,6 +96,19 @@ class WallSamples {
         }
     }
 
+    /// The middles of two cells.
+    struct Cells {
+        Vec left;
+        Vec right;
+    };
+    /// Those between which a step runs, as a ring has on its left what it bounds.
+    [[nodiscard]] Cells beside(std::size_t step) const;
+    /// A direction turned to the left of a way. On the ground that is the right where rows run north.
+    [[nodiscard]] Vec left_of(Vec along) const {
+        return mirrored() ? Vec{along.y, -along.x} : Vec{-along.y, along.x};
+    }
+    [[nodiscard]] bool mirrored() const { return cross(shape_.col, shape_.row) > 0; }
+
     struct Sums {
         double n = 0;
         Vec mean;
@@ -124,10 +137,11 @@ class WallSamples {
             step -= steps_;
         return step;
     }
-    void add_edge(LatticePoint from, LatticePoint to, const CellShape& shape);
+    void add_edge(LatticePoint from, LatticePoint to);
     void add_up();
 
     bool closed_;
+    CellShape shape_;
     LatticePoint origin_;
     std::size_t steps_ = 0;
     std::vector<Vec> points_;

@@ -1,0 +1,119 @@
+#include "outline/walls/separate_cells.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "outline/walls/shift_wall.hpp"
+
+namespace d2b {
+namespace {
+
+/// The ground has y to the north: a wall's left is that of the lattice.
+const CellShape north_up{{1, 0}, {0, -1}};
+const CellShape south_up{{1, 0}, {0, 1}};
+
+/// The border of the cells whose middles lie below a line of a slope from 0 to 1, from west to east: rows
+/// count downwards.
+std::vector<LatticePoint> digitised(double at, double slope, std::int32_t n) {
+    std::vector<LatticePoint> trace;
+    const auto row = [&](std::int32_t col) {
+        return static_cast<std::int32_t>(std::ceil(-(at + slope * (col + 0.5)) - 0.5));
+    };
+    trace.push_back({row(0), 0});
+    for (std::int32_t col = 1; col < n; ++col)
+        if (row(col) != row(col - 1)) {
+            trace.push_back({row(col - 1), col});
+            trace.push_back({row(col), col});
+        }
+    trace.push_back({row(n - 1), n});
+    return trace;
+}
+
+std::vector<WallPiece> nearest_line(const WallSamples& samples) {
+    const WallSamples::Sums sums = samples.sums(0, samples.steps());
+    return {{0, samples.steps(), WallPiece::free, {sums.mean, sums.direction()}, {}, 0}};
+}
+
+int wrong_cells(const WallSamples& samples, const Line& wall) {
+    int wrong = 0;
+    for (std::size_t step = 0; step < samples.steps(); ++step) {
+        const WallSamples::Cells cells = samples.beside(step);
+        wrong += wall.off(cells.left) > 0 ? 0 : 1;
+        wrong += wall.off(cells.right) < 0 ? 0 : 1;
+    }
+    return wrong;
+}
+
+TEST(SeparateCells, WhatALineHasDigitisedToItLiesOnItsOwnSide) {
+    int before = 0;
+    int after = 0;
+    for (int i = 1; i <= 50; ++i)
+        for (int k = 0; k < 10; ++k) {
+            const double slope = i / 50.0;
+            const WallSamples samples(digitised(0.1 * k, slope, 23), false, north_up);
+            const Vec along = 1 / std::sqrt(1 + slope * slope) * Vec{1, slope};
+            const Vec first = samples.at(0);
+            // Seen from the first corner; 0.3 too high or too low.
+            const double row = -std::ceil(-(0.1 * k + slope * 0.5) - 0.5);
+            std::vector<WallPiece> wall{{0,
+                                         samples.steps(),
+                                         WallPiece::free,
+                                         {first + Vec{0, 0.1 * k - row + (k % 2 == 0 ? 0.3 : -0.3)}, along},
+                                         {},
+                                         0}};
+            before += wrong_cells(samples, wall[0].line);
+            separate_cells(samples, 0, 2, wall);
+            after += wrong_cells(samples, wall[0].line);
+        }
+    EXPECT_GT(before, 1000);
+    EXPECT_LT(after, before / 50);  // where two middles leave less room than a wall needs
+}
+
+TEST(SeparateCells, AWallOnWhichNoneIsWrongStays) {
+    const WallSamples samples({{0, 0}, {0, 12}}, false, north_up);
+    std::vector<WallPiece> wall = nearest_line(samples);
+    separate_cells(samples, 1, 1, wall);
+    EXPECT_EQ(wall[0].line.through, (Vec{6, 0}));
+}
+
+/// Six cells of the lower row are wrong beside a wall above them, as many of the upper row beside one below.
+class Step : public testing::Test {
+  protected:
+    [[nodiscard]] static double moved(int higher, const CellShape& shape, double limit = 1.5) {
+        const WallSamples samples({{0, 0}, {0, 6}, {-1, 6}, {-1, 12}}, false, shape);
+        // Halfway between both halves, where it passes the middles of all.
+        const Vec left = samples.left_of({1, 0});
+        std::vector<WallPiece> wall{{0, samples.steps(), 0, {{0, 0.5 * left.y}, {1, 0}}, {}, 0}};
+        separate_cells(samples, higher, limit, wall);
+        return dot(left, wall[0].line.through) - 0.5;
+    }
+};
+
+TEST_F(Step, WhatIsHigherGivesAwayRatherThanItTakes) {
+    EXPECT_DOUBLE_EQ(moved(1, north_up), 1.0 / 256);
+    EXPECT_DOUBLE_EQ(moved(-1, north_up), -1.0 / 256);
+}
+
+TEST_F(Step, RowsThatRunNorthChangeNothing) {
+    EXPECT_DOUBLE_EQ(moved(1, south_up), 1.0 / 256);
+    EXPECT_DOUBLE_EQ(moved(-1, south_up), -1.0 / 256);
+}
+
+TEST_F(Step, AWallStaysWithinTheLimit) {
+    EXPECT_EQ(moved(1, north_up, 0.502), 0);
+}
+
+TEST(ShiftWall, GoesToTheLeftOfTheWay) {
+    for (const CellShape& shape : {north_up, south_up}) {
+        // Row -1 lies on the left of a way along a row.
+        const WallSamples samples({{0, 0}, {0, 4}}, false, shape);
+        WallPiece wall{0, 4, 0, {{2, 0}, {-1, 0}}, {}, 0};
+        shift_wall(wall, samples, 0.25);
+        EXPECT_EQ(wall.line.through, shape.from_cells(-0.25, 2));
+    }
+}
+
+}  // namespace
+}  // namespace d2b
