@@ -60,8 +60,7 @@ void add_fit(const MetreGrid& surface, const MetreGrid& ground, const Window& ce
         for (std::int32_t r = cells.row + band.begin; r < cells.row + band.end; ++r)
             some.add(surface.row(r).subspan(col, cols), ground.row(r).subspan(col, cols));
     };
-    fit.merge(
-        sum_of_row_bands(threads, cells.rows, cells.cols, GroundFit(fit.min_height()), add_band));
+    fit.merge(sum_of_row_bands(threads, cells.rows, cells.cols, GroundFit(fit.min_height()), add_band));
 }
 
 }  // namespace d2b
