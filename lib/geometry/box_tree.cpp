@@ -6,6 +6,7 @@
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/index/rtree.hpp>
+#include <boost/geometry/strategies/strategies.hpp>  // which the tree of Boost 1.83 leaves to its user
 #include <boost/iterator/function_output_iterator.hpp>
 #undef BOOST_ALLOW_DEPRECATED_HEADERS
 

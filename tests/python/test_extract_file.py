@@ -54,7 +54,7 @@ class ExtractFile(PythonCase):
 
     def test_an_existing_file(self):
         dem2buildings.extract_file(TOWN, self.target(), **PART)
-        with self.assertRaisesRegex(dem2buildings.OptionError, "say overwrite= to replace .* append= to add"):
+        with self.assertRaisesRegex(dem2buildings.OptionError, "give overwrite= to replace .* append= to add"):
             dem2buildings.extract_file(TOWN, self.target(), **PART)
         dem2buildings.extract_file(TOWN, self.target(), **PART, overwrite=True)
         report = dem2buildings.extract_file(TOWN, self.target(), **PART, append=True)

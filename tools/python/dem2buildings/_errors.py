@@ -1,4 +1,4 @@
-"""What the functions of this package raise: a sentence each that says what is wrong and what to do about it."""
+"""The errors of this package. Each is one sentence that says what is wrong and what to do about it."""
 
 
 class Error(Exception):
@@ -10,11 +10,11 @@ class OptionError(Error, ValueError):
 
 
 class InputError(Error):
-    """What is read cannot be read, or not used as a DEM."""
+    """An input cannot be read, or not be used as a DEM."""
 
 
 class OutputError(Error, OSError):
-    """The result cannot be written; the destination holds what it held before."""
+    """The result cannot be written; the destination keeps its old content."""
 
 
 class Cancelled(Error):

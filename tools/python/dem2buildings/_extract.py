@@ -34,10 +34,10 @@ class _Ears:
 
 @EXTRACT.describe
 def extract(dem, *, transform=None, progress=None, **options):
-    """Finds the buildings of a DEM and gives them back as polygons in memory, a Result.
+    """Finds the buildings of a DEM and returns them as polygons in memory, a Result.
 
     dem: a path of anything that GDAL opens, or a NumPy array of rows and columns: float32, float64 or integers. NaN,
-        infinite values and what a mask masks are not valid. An array is not copied, and must not change meanwhile.
+        infinite values and masked cells are not valid. An array is not copied, and must not change meanwhile.
     transform: of an array, the six terms of GDAL's order, (x of the upper left corner, width of a cell, 0, y of the
         same corner, 0, -height of a cell) where north is up; or an affine.Affine, as rasterio has it. Without it
         coordinates are columns and, upwards, rows.
@@ -71,11 +71,11 @@ def extract_file(src, dst, *, progress=None, **options):
     """Does what the program does: finds the buildings of a raster and writes them to a vector dataset.
 
     src: a path of anything that GDAL opens
-    dst: a path of any format that GDAL writes, by its extension. It holds its old content or the new, never half of
-        it; one that exists is refused without overwrite or append.
+    dst: a path of any format that GDAL writes, by its extension. It keeps its old content or gets the new, never half
+        of it. An existing one is refused without overwrite or append.
     progress: as for extract()
 
-    Gives the report, a dict. Warnings, Ctrl-C and other threads are as with extract().
+    Returns the report, a dict. Warnings, Ctrl-C and other threads are as with extract().
 
     >>> import pathlib, tempfile
     >>> with tempfile.TemporaryDirectory() as folder:
@@ -94,7 +94,7 @@ def score(found, reference, **options):
 
     found, reference: a path of anything that GDAL opens, or a Result of extract(), whose buildings count
 
-    Gives a dict: what dem2buildings_score -json prints.
+    Returns a dict, which dem2buildings_score -json prints as well.
 
     >>> dem = "sample_dems/thesis_50x36.tif"
     >>> result = score(extract(dem), "sample_dems/samples_truth.gpkg", reference_layer="thesis_50x36", dem=dem)

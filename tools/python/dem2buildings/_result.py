@@ -1,4 +1,4 @@
-"""What extract() gives back."""
+"""The result of extract()."""
 
 import json
 
@@ -8,8 +8,8 @@ class Result:
 
     buildings, contours, doubtful, rejected: Layer, or None where it was not asked for
     crs: of the coordinates, as WKT; None where there is none
-    metadata: what the result says of itself, as a dict of texts: source, options, thresholds, units, version
-    report: what the run did, as a dict, as dem2buildings -json prints it
+    metadata: how the result was made, as a dict of texts: source, options, thresholds, units, version
+    report: the report of the run, a dict, as dem2buildings -json prints it
     """
 
     def __init__(self, layers, crs, metadata, report):
