@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "dem2buildings/error.hpp"
 #include "geometry/geos_interrupt.hpp"
 #include "geometry/geos_polygons.hpp"
 #include "geometry/validity.hpp"
@@ -41,6 +42,20 @@ std::vector<FinePolygon> Geos::difference(const FinePolygon& whole, const std::v
     const GeometryPtr less = geos.own(GEOSUnaryUnion_r(geos.context(), pieces.get()));
     const GeometryPtr left = geos.own(GEOSDifference_r(geos.context(), from.get(), less.get()));
     return geos.polygons_of<FinePolygon>(left.get());
+}
+
+std::vector<std::array<FinePoint, 3>> Geos::triangles(const FinePolygon& polygon) {
+    const GeosPolygons& geos = impl_->polygons;
+    const GeosInterrupt::Watch watch(geos.stop());
+    const GeometryPtr whole = geos.polygon(polygon);
+    const GeometryPtr parts = geos.own(GEOSConstrainedDelaunayTriangulation_r(geos.context(), whole.get()));
+    std::vector<std::array<FinePoint, 3>> triangles;
+    for (const FinePolygon& part : geos.polygons_of<FinePolygon>(parts.get())) {
+        if (part.exterior.size() != 3)
+            throw GeometryError("GEOS made a piece of a polygon that is no triangle.");
+        triangles.push_back({part.exterior[0], part.exterior[1], part.exterior[2]});
+    }
+    return triangles;
 }
 
 double Geos::area_outside(const WorldPolygon& inner, const WorldPolygon& outer) {

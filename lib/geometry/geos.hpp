@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -28,6 +29,9 @@ class Geos {
     /// other: then no new point arises, and the result is exact on the lattice. @throws GeometryError
     [[nodiscard]] std::vector<FinePolygon> difference(const FinePolygon& whole,
                                                       const std::vector<FinePolygon>& parts);
+    /// The triangles of a polygon's constrained Delaunay triangulation, on its own corners.
+    /// @throws GeometryError, also for some polygons with holes that are valid
+    [[nodiscard]] std::vector<std::array<FinePoint, 3>> triangles(const FinePolygon& polygon);
     /// Area of what lies in `inner` and not in `outer`: 0 where they are nested exactly. @throws
     /// GeometryError
     [[nodiscard]] double area_outside(const WorldPolygon& inner, const WorldPolygon& outer);

@@ -1,0 +1,182 @@
+#include "surface/partition.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "surface/node_star.hpp"
+#include "surface/outline_sides.hpp"
+
+namespace d2b {
+namespace {
+
+/// A side, or what lies of it between two cuts, seen from its lower node.
+struct Piece {
+    std::uint32_t low = 0;
+    std::uint32_t high = 0;
+    bool forwards = true;  // the contour lies on the left of the way from low to high
+    std::uint32_t contour = 0;
+
+    friend auto operator<=>(const Piece&, const Piece&) = default;
+};
+
+/// What lies on one side of a piece, of all contours whose outlines run there.
+struct Stack {
+    std::int32_t lowest = outside;   // the contour that stands on none of the others
+    std::int32_t highest = outside;  // the one that stands on all of them
+};
+
+class Partitioner {
+  public:
+    explicit Partitioner(std::span<const PlanContour> contours) : contours_(contours) {}
+
+    [[nodiscard]] Partition make();
+
+  private:
+    [[nodiscard]] std::vector<Piece> pieces(const OutlineSides& sides);
+    void add_edge(std::span<const Piece> alike);
+    [[nodiscard]] std::optional<Stack> stack(std::span<const Piece> pieces);
+    [[nodiscard]] std::int32_t below(const Stack& stack) const {
+        return contours_[static_cast<std::size_t>(stack.lowest)].parent;
+    }
+    void look_around_nodes();
+    void refuse(std::int32_t a, std::int32_t b) {
+        result_.at_odds.push_back(static_cast<std::uint32_t>(std::max(a, b)));
+    }
+
+    std::span<const PlanContour> contours_;
+    Partition result_;
+};
+
+std::vector<FinePoint> distinct_ends(const OutlineSides& sides) {
+    std::vector<FinePoint> points;
+    points.reserve(sides.sides.size());
+    for (const OutlineSide& side : sides.sides)
+        points.push_back(side.from);
+    std::ranges::sort(points);
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    return points;
+}
+
+std::vector<Piece> Partitioner::pieces(const OutlineSides& sides) {
+    const std::vector<FinePoint>& nodes = result_.plan.nodes = distinct_ends(sides);
+    const auto node = [&](FinePoint point) {
+        return static_cast<std::uint32_t>(std::ranges::lower_bound(nodes, point) - nodes.begin());
+    };
+    std::vector<Piece> pieces;
+    const auto add = [&](std::uint32_t from, std::uint32_t to, std::uint32_t contour) {
+        pieces.push_back({std::min(from, to), std::max(from, to), from < to, contour});
+    };
+    for (std::size_t i = 0; i < sides.sides.size(); ++i) {
+        const OutlineSide& side = sides.sides[i];
+        std::uint32_t from = node(side.from);
+        for (const FinePoint& cut : sides.cuts[i]) {
+            const std::uint32_t to = node(cut);
+            add(from, to, side.contour);
+            from = to;
+        }
+        add(from, node(side.to), side.contour);
+    }
+    std::ranges::sort(pieces);
+    return pieces;
+}
+
+/// @param pieces of one side, ascending contours @return nothing where they do not stand on each other
+std::optional<Stack> Partitioner::stack(std::span<const Piece> pieces) {
+    Stack stack;
+    for (const Piece& piece : pieces) {
+        const auto contour = static_cast<std::int32_t>(piece.contour);
+        if (stack.lowest == outside) {
+            stack.lowest = contour;
+        } else if (contours_[piece.contour].parent != stack.highest) {
+            refuse(contour, stack.highest);
+            return std::nullopt;
+        }
+        stack.highest = contour;
+    }
+    return stack;
+}
+
+/// @param alike all pieces between two nodes; those that run backwards come first
+void Partitioner::add_edge(std::span<const Piece> alike) {
+    const auto split = std::ranges::partition_point(alike, [](const Piece& p) { return !p.forwards; });
+    const auto before = static_cast<std::size_t>(split - alike.begin());
+    const std::optional<Stack> right = stack(alike.first(before));
+    const std::optional<Stack> left = stack(alike.subspan(before));
+    if (!left || !right)
+        return;
+    const bool both = left->lowest != outside && right->lowest != outside;
+    if (both && below(*left) != below(*right)) {
+        refuse(left->lowest, right->lowest);
+        return;
+    }
+    const PlanEdge edge{alike.front().low, alike.front().high,
+                        left->lowest != outside ? left->highest : below(*right),
+                        right->lowest != outside ? right->highest : below(*left)};
+    if (edge.left != edge.right)
+        result_.plan.edges.push_back(edge);
+}
+
+/// Between two edges that follow each other around a node both must say the same.
+void Partitioner::look_around_nodes() {
+    const NodeStars stars(result_.plan);
+    for (std::uint32_t node = 0; node < result_.plan.nodes.size(); ++node) {
+        const std::vector<NodeArm>& arms = stars.around(node);
+        for (std::size_t i = 0; i < arms.size(); ++i)
+            if (const NodeArm& next = arms[i + 1 == arms.size() ? 0 : i + 1]; arms[i].left != next.right)
+                refuse(arms[i].left, next.right);
+    }
+}
+
+Partition Partitioner::make() {
+    const OutlineSides sides = outline_sides(contours_);
+    for (const auto& [a, b] : sides.crossing)
+        refuse(static_cast<std::int32_t>(a), static_cast<std::int32_t>(b));
+    if (!result_.at_odds.empty())
+        return std::move(result_);
+    const std::vector<Piece> all = pieces(sides);
+    for (std::size_t begin = 0; begin < all.size();) {
+        std::size_t end = begin + 1;
+        while (end < all.size() &&
+               std::tie(all[end].low, all[end].high) == std::tie(all[begin].low, all[begin].high))
+            ++end;
+        add_edge(std::span(all).subspan(begin, end - begin));
+        begin = end;
+    }
+    if (result_.at_odds.empty())
+        look_around_nodes();
+    return std::move(result_);
+}
+
+}  // namespace
+
+Partition make_partition(std::span<const PlanContour> contours) {
+    return Partitioner(contours).make();
+}
+
+std::vector<FinePolygon> noded_outlines(std::span<const PlanContour> contours) {
+    const OutlineSides sides = outline_sides(contours);
+    std::size_t next = 0;
+    const auto noded = [&](const FineRing& ring) {
+        FineRing result;
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            if (ring[i] == ring[i + 1 == ring.size() ? 0 : i + 1])
+                continue;
+            result.push_back(ring[i]);
+            result.insert(result.end(), sides.cuts[next].begin(), sides.cuts[next].end());
+            ++next;
+        }
+        return result;
+    };
+    std::vector<FinePolygon> outlines;
+    for (const PlanContour& contour : contours) {
+        FinePolygon& outline = outlines.emplace_back(FinePolygon{noded(contour.outline.exterior), {}});
+        for (const FineRing& ring : contour.outline.interiors)
+            outline.interiors.push_back(noded(ring));
+    }
+    return outlines;
+}
+
+}  // namespace d2b

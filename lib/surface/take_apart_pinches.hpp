@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "surface/plan.hpp"
+
+namespace d2b {
+
+/// What was done at a node.
+struct PinchMend {
+    FinePoint place;
+    bool filled = false;  ///< a notch within a building, else buildings were cut back from each other
+    std::vector<std::int32_t> contours;  ///< around it
+};
+
+struct PinchesTaken {
+    std::vector<PinchMend> mends;
+    std::vector<std::uint32_t> stuck;  ///< contours at nodes where there is no room; ascending
+};
+
+/// Changes a plan until no vertical line has more than two walls, neither of all buildings together nor of
+/// one alone: where that is so, a run of sectors is moved off the node by two steps of the lattice, or by as
+/// few more as its angle needs, and an edge joins it to the node.
+///
+///      A | B        A and C stand out,         A | B              or, where A and C are      A \  B
+///     ---+---       B and D are low:          ---+  \             of one building, the      ---+\____
+///      D | C        C's corner moves           D  \__+---         notch of B is filled:      D  |  C
+///                                                 D  | C
+///
+/// Corners of nothing else are passed over, so that the plan stays planar, exactly.
+[[nodiscard]] PinchesTaken take_apart_pinches(Plan& plan, std::span<const PlanContour> contours);
+
+}  // namespace d2b

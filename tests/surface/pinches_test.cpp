@@ -1,0 +1,155 @@
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "surface/label_contours.hpp"
+#include "surface/surface_check.hpp"
+
+namespace d2b {
+namespace {
+
+struct Sums {
+    double roofs;
+    double volume;
+};
+
+/// In cells and heights of cells.
+Sums sums_of(const std::vector<SurfacePart>& parts) {
+    constexpr double cell = static_cast<double>(FinePoint::steps) * static_cast<double>(FinePoint::steps);
+    return {static_cast<double>(twice_plan_area(parts, FaceKind::roof)) / 2 / cell,
+            static_cast<double>(six_volumes(parts)) / 6 / cell};
+}
+
+/// Both forms are closed, and little has changed.
+void expect_mended(const MadeSurfaces& made, double cells, double shell_volume, std::size_t filled,
+                   std::size_t cut) {
+    std::size_t fills = 0;
+    for (const PinchMend& mend : made.mends)
+        fills += mend.filled ? 1 : 0;
+    EXPECT_EQ(fills, filled);
+    EXPECT_EQ(made.mends.size() - fills, cut);
+    EXPECT_TRUE(made.left_out.empty());
+    EXPECT_EQ(fault_of(made.shell), "");
+    for (const SurfacePart& solid : made.solids)
+        EXPECT_EQ(fault_of({&solid, 1}), "");
+    const Sums sums = sums_of(made.shell);
+    // A corner of a cell that moves by two steps takes some two thousandths of the cell.
+    const double slack = 0.004 * static_cast<double>(made.mends.size());
+    EXPECT_NEAR(sums.roofs, cells, slack);
+    EXPECT_NEAR(sums.volume, shell_volume, 90 * slack);
+}
+
+/// Two houses that touch in a corner are cut back from each other.
+TEST(Pinches, housesThatTouchInACorner) {
+    const MadeSurfaces made = surfaces_of(blocks_of({{"a ", " b"}}, {20, 30}));
+    expect_mended(made, 2, 50, 0, 1);
+    EXPECT_EQ(made.shell.size(), 2U);
+    EXPECT_LT(sums_of(made.shell).roofs, 2);
+    ASSERT_EQ(made.mends.size(), 1U);
+    EXPECT_EQ(made.mends[0].place, fine(LatticePoint{1, 1}));
+    EXPECT_EQ(made.mends[0].contours, (std::vector<std::int32_t>{0, 1}));
+}
+
+/// Also where they stand at heights that have nothing in common: their edges would meet.
+TEST(Pinches, housesAtOtherHeightsThatTouchInACorner) {
+    const MadeSurfaces made = surfaces_of(blocks_of({{"a ", " b"}}, {20, 90}, {0, 20}));
+    expect_mended(made, 2, 20 + 70, 0, 1);
+}
+
+/// A house that touches itself in a corner: the notch is filled.
+TEST(Pinches, aHouseThatTouchesItself) {
+    const MadeSurfaces made = surfaces_of(blocks_of({{"aaa", "a a", "aa ", "a  "}}, {20}));
+    expect_mended(made, 8, 160, 1, 0);
+    EXPECT_GT(sums_of(made.shell).roofs, 8);
+}
+
+/// Two high roofs and two low ones around a point, of four houses.
+TEST(Pinches, highAndLowRoofsTakeTurns) {
+    const MadeSurfaces made = surfaces_of(blocks_of({{"ab", "cd"}}, {50, 20, 20, 60}));
+    expect_mended(made, 4, 150, 0, 1);
+    EXPECT_EQ(made.shell.size(), 1U);
+}
+
+/// The two high ones are one house, which goes around: its notch is filled.
+TEST(Pinches, aHouseAroundALowerOne) {
+    const MadeSurfaces made = surfaces_of(blocks_of({{"aaa", "aba", "caa"}}, {50, 20, 20}));
+    expect_mended(made, 9, 7 * 50 + 2 * 20, 1, 0);
+}
+
+/// Nothing sticks out of the block at this point, but the solid of the lower house would touch itself.
+TEST(Pinches, aHouseThatTouchesItselfBesideOthers) {
+    const MadeSurfaces made = surfaces_of(blocks_of({{"aaa", "aba", "caa"}}, {20, 50, 10}));
+    expect_mended(made, 9, 7 * 20 + 50 + 10, 1, 0);
+}
+
+/// Tiers of one stack.
+TEST(Pinches, tiersThatTouchInACorner) {
+    const MadeSurfaces made = surfaces_of(stacks_of({{"1111", "1211", "1121", "1111"}}));
+    expect_mended(made, 16, 14 * 10 + 2 * 20, 1, 0);
+}
+
+/// Every inner corner of a checkerboard is one.
+TEST(Pinches, aCheckerboard) {
+    for (const int size : {3, 6, 11}) {
+        LetterGrid grid;
+        for (int row = 0; row < size; ++row) {
+            std::string& line = grid.rows.emplace_back();
+            for (int col = 0; col < size; ++col)
+                line += (row + col) % 2 == 0 ? 'a' : ' ';
+        }
+        const MadeSurfaces made = surfaces_of(blocks_of(grid, {20}));
+        const double cells = (size * size + 1) / 2;
+        expect_mended(made, cells, 20 * cells, 0, static_cast<std::size_t>((size - 1) * (size - 1)));
+    }
+}
+
+/// The same with roofs instead of ground.
+TEST(Pinches, aCheckerboardOfRoofs) {
+    LetterGrid grid;
+    for (int row = 0; row < 8; ++row) {
+        std::string& line = grid.rows.emplace_back();
+        for (int col = 0; col < 8; ++col)
+            line += (row + col) % 2 == 0 ? 'a' : 'b';
+    }
+    const MadeSurfaces made = surfaces_of(blocks_of(grid, {20, 70}));
+    expect_mended(made, 64, 32 * 20 + 32 * 70, 0, 49);
+}
+
+/// Thin wedges from eight sides: where two steps do not fit into an angle the corner moves farther.
+TEST(Pinches, wedgesAroundAPoint) {
+    SurfaceCluster cluster;
+    const std::vector<FinePoint> rim{{0, -2000}, {60, -2000}, {2000, -60}, {2000, 0},
+                                     {60, 2000}, {0, 2000},   {-2000, 60}, {-2000, 0}};
+    for (std::size_t i = 0; i < rim.size(); i += 2) {
+        const auto building = static_cast<std::int32_t>(cluster.buildings.size());
+        cluster.buildings.push_back({building, 0});
+        cluster.contours.push_back({{{{0, 0}, rim[i], rim[i + 1]}, {}}, -1, building, 10 + building});
+    }
+    const MadeSurfaces made = surfaces_of(cluster);
+    EXPECT_EQ(made.mends.size(), 3U);
+    EXPECT_TRUE(made.left_out.empty());
+    EXPECT_EQ(fault_of(made.shell), "");
+    EXPECT_EQ(made.shell.size(), 4U);
+}
+
+/// Where there is no room at all, one of those in the way is left out and named, and the rest is made.
+TEST(Pinches, noRoom) {
+    SurfaceCluster cluster;
+    const std::vector<FineRing> slivers{{{0, 0}, {2000, -60000}, {2001, -60000}},
+                                        {{0, 0}, {-2000, 60001}, {-2001, 60001}}};
+    for (const FineRing& ring : slivers) {
+        const auto building = static_cast<std::int32_t>(cluster.buildings.size());
+        cluster.buildings.push_back({7 + building, 0});
+        cluster.contours.push_back({{ring, {}}, -1, building, 10});
+    }
+    const MadeSurfaces made = surfaces_of(cluster);
+    EXPECT_EQ(made.left_out, (std::vector<std::int64_t>{8}));
+    ASSERT_EQ(made.shell.size(), 1U);
+    EXPECT_EQ(made.shell[0].buildings[0].id, 7);
+    EXPECT_EQ(fault_of(made.shell), "");
+}
+
+}  // namespace
+}  // namespace d2b
