@@ -11,20 +11,20 @@ bool measures_drawn(const RunPlan& plan) {
     return plan.detects_buildings() && plan.trace == TraceMode::cells && plan.layers != Layers::buildings;
 }
 
-Outliner timed_outliner(const FeatureInput& input, Context& context) {
-    const StageClock clock(context.report, Stage::outline);
-    const RunPlan& plan = input.plan;
-    const OutlineRules rules{plan.walls, plan.wall_tolerance(input.cell_size_m), plan.asked.outline.simplify,
-                             input.target_crs.kind() != Crs::Kind::none};
-    return make_outliner(input.contours, rules, input.georeference, input.crs, input.window, context);
-}
-
 }  // namespace
+
+Outliner draw_outlines(const ContourList& contours, const RunPlan& plan, const Georeference& georeference,
+                       const Crs& crs, const Crs& target_crs, const Window& window, double cell_size_m,
+                       Context& context) {
+    const StageClock clock(context.report, Stage::outline);
+    const OutlineRules rules{plan.walls, plan.wall_tolerance(cell_size_m), plan.asked.outline.simplify,
+                             target_crs.kind() != Crs::Kind::none};
+    return make_outliner(contours, rules, georeference, crs, window, context);
+}
 
 ContourDrawer::ContourDrawer(const FeatureInput& input, const RecordMaker& records, Context& context)
     : input_(input),
       records_(records),
-      outliner_(timed_outliner(input, context)),
       children_(input.plan.asked.outline.disjoint ? ContourChildren(input.contours) : ContourChildren()),
       with_cells_(measures_drawn(input.plan)) {
     const PolygonTerms terms{input.plan.asked.outline,
@@ -32,7 +32,7 @@ ContourDrawer::ContourDrawer(const FeatureInput& input, const RecordMaker& recor
                              input.crs,
                              input.target_crs,
                              input.window,
-                             outliner_,
+                             input.outliner,
                              children_,
                              context.threads->stop(),
                              with_cells_};
@@ -53,16 +53,28 @@ DrawnContour ContourDrawer::draw(std::size_t contour, std::size_t thread) {
             drawn.building_record = records_.building(contour, stored.contour, drawn.record, stored.roof);
     }
     const LayerPlaces& places = input_.layers.places;
-    if (is_building && places.of_building(input_.is_doubtful(contour)))
-        drawn.building = maker.footprint(contour);
+    if (is_building)
+        draw_building(contour, maker, drawn);
     if (!places.contours || input_.is_doubtful(contour))
         return drawn;
     if (input_.plan.asked.outline.disjoint)
         drawn.contour = maker.tier(contour);
     else
         drawn.contour =
-            drawn.building && !outliner_.has_own_footprints() ? *drawn.building : maker.whole(contour);
+            drawn.building && !input_.outliner.has_own_footprints() ? *drawn.building : maker.whole(contour);
     return drawn;
+}
+
+/// What became of the outline of a building that no layer has is counted nowhere.
+void ContourDrawer::draw_building(std::size_t contour, PolygonMaker& maker, DrawnContour& drawn) const {
+    const bool is_doubtful = input_.is_doubtful(contour);
+    const bool is_written = input_.layers.places.of_building(is_doubtful).has_value();
+    if (!is_written && (is_doubtful || input_.kept == nullptr))
+        return;
+    const auto counted = maker.tally().dropped;
+    drawn.building = maker.footprint(contour);
+    if (!is_written)
+        maker.tally().dropped = counted;
 }
 
 }  // namespace d2b

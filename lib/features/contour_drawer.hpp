@@ -37,12 +37,19 @@ class ContourDrawer {
     [[nodiscard]] std::vector<PolygonMaker>& makers() { return makers_; }
 
   private:
+    void draw_building(std::size_t contour, PolygonMaker& maker, DrawnContour& drawn) const;
+
     const FeatureInput& input_;
     const RecordMaker& records_;
-    Outliner outliner_;
     ContourChildren children_;
     bool with_cells_;
     std::vector<PolygonMaker> makers_;
 };
+
+/// The outlines of a run, drawn as it was decided. @param target_crs kind none: the DEM's
+/// @param cell_size_m side of a square of a cell's area
+[[nodiscard]] Outliner draw_outlines(const ContourList& contours, const RunPlan& plan,
+                                     const Georeference& georeference, const Crs& crs, const Crs& target_crs,
+                                     const Window& window, double cell_size_m, Context& context);
 
 }  // namespace d2b

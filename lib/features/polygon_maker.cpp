@@ -14,24 +14,6 @@
 namespace d2b {
 namespace {
 
-std::vector<Position> corners_of(const Window& window, const Georeference& georeference) {
-    std::vector<Position> corners;
-    for (const std::int32_t row : {window.row, window.row + window.rows})
-        for (const std::int32_t col : {window.col, window.col + window.cols})
-            corners.push_back(georeference.position(LatticePoint{row, col}));
-    return corners;
-}
-
-/// The longest edge that is brought to another CRS in one piece: straight lines bend there, by L^2 / 8R or
-/// so, which is far below a cell for these. No edge gets more pieces than it passes cells.
-double longest_edge(const Georeference& georeference) {
-    constexpr double cells = 64;
-    const Position row = georeference.step(1, 0);
-    const Position col = georeference.step(0, 1);
-    return std::max(
-        {cells * std::sqrt(georeference.cell_area()), std::hypot(row.x, row.y), std::hypot(col.x, col.y)});
-}
-
 Geodesy::Measure measure(Geodesy& geodesy, const std::vector<WorldPolygon>& parts) {
     Geodesy::Measure sum;
     for (const WorldPolygon& part : parts) {
@@ -62,12 +44,11 @@ Outliner make_outliner(const ContourList& contours, const OutlineRules& rules,
 }
 
 PolygonMaker::PolygonMaker(const PolygonTerms& terms)
-    : terms_(terms), geos_(terms.stop), geodesy_(terms.crs, terms.stop) {
-    if (terms.target_crs.kind() == Crs::Kind::none)
-        return;
-    to_target_.emplace(terms.crs, terms.target_crs, corners_of(terms.window, terms.georeference),
-                       longest_edge(terms.georeference), terms.stop);
-}
+    : terms_(terms),
+      geos_(terms.stop),
+      geodesy_(terms.crs, terms.stop),
+      to_target_(
+          output_transform(terms.crs, terms.target_crs, terms.georeference, terms.window, terms.stop)) {}
 
 PolygonMaker::Parts PolygonMaker::shape(std::size_t contour, bool tier, const Draw& draw) {
     std::vector<FinePolygon> polygons{draw(contour)};

@@ -45,7 +45,33 @@ WorldRing with_short_edges(const WorldRing& ring, double longest) {
     return result;
 }
 
+std::vector<Position> corners_of(const Window& window, const Georeference& georeference) {
+    std::vector<Position> corners;
+    for (const std::int32_t row : {window.row, window.row + window.rows})
+        for (const std::int32_t col : {window.col, window.col + window.cols})
+            corners.push_back(georeference.position(LatticePoint{row, col}));
+    return corners;
+}
+
+/// The longest edge that is brought to another CRS in one piece: straight lines bend there, by L^2 / 8R or
+/// so, which is far below a cell for these. No edge gets more pieces than it passes cells.
+double longest_edge(const Georeference& georeference) {
+    constexpr double cells = 64;
+    const Position row = georeference.step(1, 0);
+    const Position col = georeference.step(0, 1);
+    return std::max(
+        {cells * std::sqrt(georeference.cell_area()), std::hypot(row.x, row.y), std::hypot(col.x, col.y)});
+}
+
 }  // namespace
+
+std::optional<RingTransform> output_transform(const Crs& crs, const Crs& target,
+                                              const Georeference& georeference, const Window& window,
+                                              const StopRequest& stop) {
+    if (target.kind() == Crs::Kind::none)
+        return std::nullopt;
+    return RingTransform(crs, target, corners_of(window, georeference), longest_edge(georeference), stop);
+}
 
 double length_of(std::span<const Position> ring) {
     double sum = 0;

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 
 #include "core/crs.hpp"
+#include "core/georeference.hpp"
 #include "core/stop_request.hpp"
 #include "dem2buildings/sinks.hpp"
 
@@ -51,6 +53,13 @@ class RingTransform {
     double jump_ = 0;       ///< longest edge that has jumped apart
     std::size_t cuts_ = 0;  ///< that were made where edges bend
 };
+
+/// From the CRS of a DEM to that of the output, for outlines in a window.
+/// @param target kind none: that of the DEM @return nothing where both are the same
+/// @throws OptionError where there is no operation between the two
+[[nodiscard]] std::optional<RingTransform> output_transform(const Crs& crs, const Crs& target,
+                                                            const Georeference& georeference,
+                                                            const Window& window, const StopRequest& stop);
 
 /// Length of a closed ring in its own units.
 [[nodiscard]] double length_of(std::span<const Position> ring);

@@ -34,12 +34,13 @@ class FeatureWriter {
   private:
     [[nodiscard]] const LayerPlaces& places() const { return input_.layers.places; }
     void count(std::size_t contour, const DrawnContour& drawn);
+    void measure_building(DrawnContour& drawn);
     void add_building(std::size_t contour, DrawnContour& drawn);
     /// @return whether it is in its layer
     bool add_contour(std::size_t contour, DrawnContour& drawn);
     void warn_of_traced();
     template <typename Record>
-    void write(std::size_t layer, std::span<const Attribute<Record>> attributes, Record& record,
+    void write(std::size_t layer, std::span<const Attribute<Record>> attributes, const Record& record,
                FeaturePolygon&& made, double threshold);
 
     const FeatureInput& input_;
@@ -66,6 +67,13 @@ void add_length(const FeaturePolygon& made, OutlineLength& sum) {
     sum.traced += traced;
 }
 
+template <typename Record>
+void take_measures(const FeaturePolygon& made, Record& record) {
+    record.area_m2 = made.measure.area_m2;
+    record.perimeter_m = made.measure.perimeter_m;
+    record.status = made.status;
+}
+
 FeatureWriter::FeatureWriter(const FeatureInput& input, RecordMaker& records, FeatureSink& sink,
                              Context& context)
     : input_(input),
@@ -90,11 +98,8 @@ void FeatureWriter::begin() {
 }
 
 template <typename Record>
-void FeatureWriter::write(std::size_t layer, std::span<const Attribute<Record>> attributes, Record& record,
-                          FeaturePolygon&& made, double threshold) {
-    record.area_m2 = made.measure.area_m2;
-    record.perimeter_m = made.measure.perimeter_m;
-    record.status = made.status;
+void FeatureWriter::write(std::size_t layer, std::span<const Attribute<Record>> attributes,
+                          const Record& record, FeaturePolygon&& made, double threshold) {
     const StageClock clock(context_.report, Stage::write);
     sink_.add(layer, {field_values(attributes, record), std::move(made.parts), threshold, record});
 }
@@ -109,15 +114,28 @@ void FeatureWriter::count(std::size_t contour, const DrawnContour& drawn) {
         rmse_.add(drawn.own, input_.fixed);
 }
 
+void FeatureWriter::measure_building(DrawnContour& drawn) {
+    BuildingRecord& record = drawn.building_record;
+    const FeaturePolygon& made = *drawn.building;
+    take_measures(made, record);
+    record.deviation_m = made.deviation / std::sqrt(input_.georeference.cell_area()) * input_.cell_size_m;
+    record.area_change = made.area_change;
+}
+
 void FeatureWriter::add_building(std::size_t contour, DrawnContour& drawn) {
     FeaturePolygon& made = *drawn.building;
+    const bool doubtful = input_.is_doubtful(contour);
+    measure_building(drawn);
+    if (input_.kept != nullptr && !doubtful && !made.parts.empty())
+        input_.kept->put(input_.contours.head(contour).building, drawn.building_record);
+    if (!places().of_building(doubtful))
+        return;
     invalid_.note("Building", drawn.building_record.id, made);
     torn_.note("building", drawn.building_record.id, made);
     if (rejected_)
         rejected_->note(contour, LayerRole::buildings, drawn.building_record.id, made);
     if (made.parts.empty())
         return;
-    const bool doubtful = input_.is_doubtful(contour);
     ++(doubtful ? context_.report.doubtful : context_.report.buildings);
     if (!doubtful)
         add_length(made, context_.report.building_outlines);
@@ -126,8 +144,6 @@ void FeatureWriter::add_building(std::size_t contour, DrawnContour& drawn) {
     if (stack_ && !doubtful)
         stack_->add_building(made.cells);
     BuildingRecord& record = drawn.building_record;
-    record.deviation_m = made.deviation / std::sqrt(input_.georeference.cell_area()) * input_.cell_size_m;
-    record.area_change = made.area_change;
     if (input_.plan.detects_buildings() && !doubtful)
         odd_heights_.note(record, drawn.record);
     write(*places().of_building(doubtful), building_attributes(), record, std::move(made),
@@ -149,6 +165,7 @@ bool FeatureWriter::add_contour(std::size_t contour, DrawnContour& drawn) {
     if (stack_)
         stack_->add_contour(drawn.contour->cells, drawn.record.tier_z);
     context_.report.vertices += vertices_of(drawn.contour->parts);
+    take_measures(*drawn.contour, drawn.record);
     write(*places().contours, contour_attributes(), drawn.record, std::move(*drawn.contour),
           drawn.record.threshold);
     return true;

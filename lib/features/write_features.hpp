@@ -6,11 +6,13 @@
 #include "core/crs.hpp"
 #include "core/georeference.hpp"
 #include "dem2buildings/sinks.hpp"
+#include "features/building_records.hpp"
 #include "features/drawn_stack.hpp"
 #include "features/layer_specs.hpp"
 #include "filter/contour_store.hpp"
 #include "geometry/geos.hpp"
 #include "options/run_plan.hpp"
+#include "outline/outline.hpp"
 
 namespace d2b {
 
@@ -21,6 +23,7 @@ struct FeatureInput {
     const Crs& crs;
     const Crs& target_crs;  ///< kind none: the DEM's
     const StoredContours& contours;
+    const Outliner& outliner;
     const LayerSpecs& layers;  ///< without their styles
     Provenance provenance;
     Window window;
@@ -29,6 +32,7 @@ struct FeatureInput {
     FixedPoint fixed;
     /// Goes through the elevations once more.
     std::function<StackError(const DrawnStack&)> compare;
+    BuildingRecords* kept = nullptr;  ///< gets the records of all buildings, whether or not they are written
 
     [[nodiscard]] bool is_doubtful(std::size_t contour) const {
         return contours.head(contour).label > buildings;

@@ -93,6 +93,7 @@ OptionRow number_row(std::string name, std::string values, NumberRange range, Fi
 }
 
 using Two = std::array<double, 2>;
+using Three = std::array<double, 3>;
 using Four = std::array<double, 4>;
 
 /// Some numbers. @param range what they must be, as text @param fits the same as a function

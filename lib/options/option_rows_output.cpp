@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+
 #include "options/option_rows.hpp"
 
 namespace d2b::rows {
@@ -45,6 +48,62 @@ std::vector<OptionRow> dataset() {
                                .help = "Add to layers of the same names in an existing output.",
                                .python = Python::extract_file,
                                .repeats = false}));
+    return rows;
+}
+
+/// The surface of the buildings.
+std::vector<OptionRow> surface() {
+    const Choices<SurfaceOf> of{{"buildings", SurfaceOf::buildings}, {"contours", SurfaceOf::contours}};
+    const Choices<SurfaceRoof> roofs{{"p50", SurfaceRoof::p50},
+                                     {"p70", SurfaceRoof::p70},
+                                     {"p90", SurfaceRoof::p90},
+                                     {"p95", SurfaceRoof::p95},
+                                     {"max", SurfaceRoof::max}};
+    const auto whole = [](const Three& metres) {
+        return std::ranges::all_of(metres, [](double m) { return std::isfinite(m) && m == std::round(m); });
+    };
+    std::vector<OptionRow> rows;
+    OptionRow files = texts_row(
+        "surface", "<file.obj>", "", [](auto& r) -> auto& { return r.options.write.surfaces; },
+        {.title = "Surface of the buildings",
+         .section = DialogSection::output,
+         .help = "Also write the buildings as one closed surface, an OBJ.",
+         .details =
+             "Touching buildings are one block without walls between them; each building is an object with "
+             "the groups roof, wall and ground, in metres from a local origin.",
+         .python = Python::extract_file,
+         .repeats = false});
+    files.kind = OptionKind::surface;
+    rows.push_back(std::move(files));
+    rows.push_back(choice_row(
+        "surface_of", of, [](auto& r) -> auto& { return r.options.write.surface_of; },
+        {.title = "What the surface is made of",
+         .section = DialogSection::output,
+         .help = "What the surface is made of.",
+         .details = "buildings: a block with a flat roof each; contours: the tiers of each building's stack. "
+                    "By default buildings, and contours with -preset thesis.",
+         .python = Python::extract_file,
+         .repeats = false}));
+    rows.push_back(choice_row(
+        "surface_roof", roofs, [](auto& r) -> auto& { return r.options.write.surface_roof; },
+        {.title = "Height of the flat roofs",
+         .section = DialogSection::output,
+         .help = "Height of the flat roofs of -surface_of buildings.",
+         .details = "p70 is the height that 70 % of a building's points do not exceed, as models of level of "
+                    "detail 1.2 have it.",
+         .python = Python::extract_file,
+         .repeats = false}));
+    rows.push_back(several_row<3>(
+        "surface_origin", OptionKind::numbers, "<x> <y> <z>", "three whole numbers", whole,
+        [](auto& r) -> auto& { return r.options.write.surface_origin; },
+        {.title = "Origin of the surface",
+         .help = "Where the local coordinates of the surface begin, in metres.",
+         .details =
+             "By default the middle of the window, below the lowest elevation. Coordinates in feet are "
+             "metres before it is taken off.",
+         .unit = "m",
+         .python = Python::extract_file,
+         .repeats = false}));
     return rows;
 }
 
@@ -101,6 +160,8 @@ std::vector<OptionRow> also_written() {
                   .scope = where_buildings_are_found(),
                   .python = Python::extract_file,
                   .repeats = false}));
+    for (OptionRow& row : surface())
+        rows.push_back(std::move(row));
     rows.push_back(text_row(
         "preview", OptionKind::picture, "<file>", [](auto& r) -> auto& { return r.options.write.preview; },
         {.title = "Picture of the result",

@@ -72,6 +72,12 @@ constexpr std::array rules{
     no_effect(given("max_building_width"), is_not("ground", "auto"),
               "it helps to find the ground, which is given"),
 
+    // The surface.
+    no_effect(given("surface_roof"), is("surface_of", "contours"), "tiers have heights of their own"),
+    no_effect(given("surface_roof"), is("preset", "thesis"),
+              "its surface is that of the contours unless -surface_of buildings is given",
+              given("surface_of")),
+
     // -sweep.
     no_effect(names("sweep", "detail"), is("preset", "thesis"), "it detects no buildings"),
     no_effect(given("layers"), given("sweep"), no_layers),
@@ -88,6 +94,7 @@ constexpr std::array rules{
     no_effect(given("write_ground"), given("sweep"), no_layers),
     no_effect(given("write_height"), given("sweep"), no_layers),
     no_effect(given("write_canopy"), given("sweep"), no_layers),
+    no_effect(given("surface"), given("sweep"), no_layers),
     no_effect(given("overwrite"), given("sweep"), "it writes a picture at most, with -preview",
               given("preview")),
 };
@@ -96,6 +103,9 @@ constexpr std::array needs{
     OptionNeed{"off", "i", "it is the elevation that the intervals count from"},
     OptionNeed{"cutline_layer", "cutline", "it names the layer of its polygons"},
     OptionNeed{"preview_size", "preview", "it is the size of its picture"},
+    OptionNeed{"surface_of", "surface", "it says what the surface is made of"},
+    OptionNeed{"surface_roof", "surface", "it is the height of its flat roofs"},
+    OptionNeed{"surface_origin", "surface", "its coordinates begin there"},
     OptionNeed{"mask_layer", "mask", "it names the layer of its polygons"},
 };
 

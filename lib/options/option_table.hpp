@@ -73,11 +73,12 @@ enum class OptionKind {
     terrain,   ///< one of OptionRow::choices, or a raster that is read
     geotiff,   ///< a file that is written
     picture,   ///< a PNG, SVG or PDF that is written
+    surface,   ///< a surface that is written
     text
 };
-inline constexpr std::array<std::string_view, 14> option_kind_names{
-    "switch", "choice", "whole",   "number",  "numbers",  "extent",           "crs",
-    "raster", "vector", "dataset", "terrain", "file:tif", "file:png,svg,pdf", "text"};
+inline constexpr std::array<std::string_view, 15> option_kind_names{
+    "switch", "choice",  "whole",   "number",   "numbers",          "extent",   "crs", "raster",
+    "vector", "dataset", "terrain", "file:tif", "file:png,svg,pdf", "file:obj", "text"};
 
 inline constexpr std::array every_preset{Preset::buildings, Preset::thesis};
 [[nodiscard]] constexpr std::string_view preset_name(Preset preset) {

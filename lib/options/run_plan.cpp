@@ -44,6 +44,7 @@ Options RunPlan::settled() const {
     options.outline.walls = walls;
     options.filter.min_area_m2 = detects_buildings() ? building_m2 : contour_m2;
     options.write.layers = layers;
+    options.write.surface_of = surface_of;
     return options;
 }
 
@@ -60,7 +61,9 @@ RunPlan make_run_plan(Options options, Layers layers) {
         .walls = options.outline.walls.value_or(straightens ? Walls::automatic : Walls::off),
         .building_m2 = options.filter.min_area_m2.value_or(smallest_building_m2),
         .contour_m2 = detects ? 0 : options.filter.min_area_m2.value_or(0),  // tiers may be smaller
-        .layers = layers};
+        .layers = layers,
+        .surface_of =
+            options.write.surface_of.value_or(detects ? SurfaceOf::buildings : SurfaceOf::contours)};
     plan.asked = std::move(options);
     return plan;
 }

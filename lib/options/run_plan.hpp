@@ -36,6 +36,7 @@ struct RunPlan {
     double building_m2;  ///< smallest area of what is taken for a building
     double contour_m2;   ///< smallest area of a contour
     Layers layers;
+    SurfaceOf surface_of;
 
     [[nodiscard]] bool detects_buildings() const { return d2b::detects_buildings(asked); }
     /// Cells. @param cell_m side of a cell in metres; 0 where it is not known
@@ -53,6 +54,7 @@ struct RunPlan {
 ///   -trace        cells                        points
 ///   -regularize   auto, off if simplified      off
 ///   -min_area     30 m2, of buildings          0, of all contours
+///   -surface_of   buildings                    contours
 ///
 /// @param options as check_options() takes them @param layers what the destination gets
 /// @throws OptionError where an option speaks of a layer that the destination does not get

@@ -7,9 +7,11 @@
 
 namespace d2b {
 
-/// The names of the rasters that are written beside the layers; "" for those that are not.
-[[nodiscard]] inline std::vector<std::string> side_rasters_of(const WriteOptions& write) {
-    return {write.ground, write.height, write.canopy};
+/// The names of the rasters and surfaces that are written beside the layers; "" for those that are not.
+[[nodiscard]] inline std::vector<std::string> side_files_of(const WriteOptions& write) {
+    std::vector<std::string> names{write.ground, write.height, write.canopy};
+    names.insert(names.end(), write.surfaces.begin(), write.surfaces.end());
+    return names;
 }
 
 }  // namespace d2b

@@ -96,6 +96,20 @@ FinePolygon Outliner::footprint(std::size_t contour) const {
     return impl_->walls ? impl_->walls->footprint(contour) : outline(contour);
 }
 
+/// What does not touch in its trace does not where it is simplified.
+std::vector<std::vector<std::uint32_t>> Outliner::groups(const StopRequest& stop) const {
+    std::vector<std::vector<std::uint32_t>> groups;
+    const auto add = [&](const std::vector<ClusterPlan>& clusters) {
+        for (const ClusterPlan& cluster : clusters)
+            groups.push_back(cluster.numbers);
+    };
+    if (impl_->walls)
+        add(impl_->walls->clusters());
+    else
+        add(wall_clusters(impl_->contours, {Walls::off, 0, {{1, 0}, {0, 1}}}, stop));
+    return groups;
+}
+
 FinePolygon Outliner::traced(std::size_t contour) const {
     if (impl_->walls)
         return impl_->walls->traced(contour);

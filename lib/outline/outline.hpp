@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "core/context.hpp"
 #include "core/georeference.hpp"
+#include "core/stop_request.hpp"
 #include "dem2buildings/options.hpp"
 #include "dem2buildings/records.hpp"
 #include "trace/contour_list.hpp"
@@ -60,6 +63,9 @@ class Outliner {
     [[nodiscard]] OutlineQuality footprint_quality(std::size_t contour) const;
     /// Whether footprints may differ from outlines at all.
     [[nodiscard]] bool has_own_footprints() const;
+    /// Divides the contours into groups whose outlines nowhere meet those of other groups, but that outlines
+    /// of level 0 may meet all. @return the contours of each, ascending; sorted by their first contours
+    [[nodiscard]] std::vector<std::vector<std::uint32_t>> groups(const StopRequest& stop) const;
     /// The outline without simplification: the way back where a polygon would be invalid.
     [[nodiscard]] FinePolygon traced(std::size_t contour) const;
 

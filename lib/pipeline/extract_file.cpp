@@ -24,6 +24,13 @@ std::unique_ptr<DemSource> open_source(const Options& options, const Callbacks& 
     }
 }
 
+std::vector<SurfaceSink*> pointers(const std::vector<std::unique_ptr<SurfaceSink>>& sinks) {
+    std::vector<SurfaceSink*> all;
+    for (const auto& sink : sinks)
+        all.push_back(sink.get());
+    return all;
+}
+
 }  // namespace
 
 Inputs open_inputs(const Options& options, const Callbacks& callbacks) {
@@ -52,10 +59,10 @@ RunReport extract_file(const Options& options, const Callbacks& callbacks) {
     const auto sink = open_sink(options.write, heard);
     const SideSinks side = open_side_sinks(options, inputs.dem->info());
     Preview preview(options, *sink, inputs.dem->info());
-    RunReport report = run(
-        options, inputs.sources(),
-        {preview.features(), side.ground.get(), side.height.get(), side.canopy.get(), preview.elevations()},
-        heard);
+    RunReport report = run(options, inputs.sources(),
+                           {preview.features(), side.ground.get(), side.height.get(), side.canopy.get(),
+                            preview.elevations(), pointers(side.surfaces)},
+                           heard);
     preview.publish(heard);
     report.warnings = std::move(warnings);
     return report;

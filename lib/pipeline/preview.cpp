@@ -43,7 +43,7 @@ MapGround ground_of(const Options& options, const DemInfo& dem) {
 RasterTarget picture_target(const Options& options) {
     const WriteOptions& write = options.write;
     RasterTarget target{write.preview, write.overwrite, {options.read.source}, RasterFormat::picture};
-    std::vector<std::string> others = side_rasters_of(write);
+    std::vector<std::string> others = side_files_of(write);
     others.insert(others.end(),
                   {write.destination, options.ground.terrain, options.detect.mask, options.detect.ndvi});
     for (const std::string& name : others)

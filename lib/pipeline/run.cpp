@@ -13,13 +13,16 @@
 #include "diagnose/warn_of.hpp"
 #include "elevations/elevation_reader.hpp"
 #include "elevations/sift_rules.hpp"
+#include "features/contour_drawer.hpp"
 #include "features/target_frame.hpp"
 #include "features/write_features.hpp"
+#include "features/write_surfaces.hpp"
 #include "levels/building_levels.hpp"
 #include "levels/clean_tiers.hpp"
 #include "pipeline/find_buildings.hpp"
 #include "pipeline/provenance.hpp"
 #include "pipeline/run_setup.hpp"
+#include "pipeline/set_up_surfaces.hpp"
 #include "pipeline/trace_contours.hpp"
 
 namespace d2b {
@@ -134,6 +137,8 @@ void pass_warnings(const Sources& sources, const Sinks& sinks, Context& context)
     for (DemSource* source : {&sources.dem, sources.terrain, sources.mask, sources.ndvi})
         pass(source);
     pass(&sinks.features);
+    for (SurfaceSink* surface : sinks.surfaces)
+        pass(surface);
     for (RasterSink* raster : {sinks.ground, sinks.height, sinks.canopy, sinks.elevations})
         pass(raster);
 }
@@ -143,6 +148,8 @@ void finish(const Sinks& sinks, Context& context) {
     for (RasterSink* raster : {sinks.ground, sinks.height, sinks.canopy, sinks.elevations})
         if (raster != nullptr)
             raster->finish();
+    for (SurfaceSink* surface : sinks.surfaces)
+        surface->finish();
     sinks.features.take_report(context.report);
     sinks.features.finish();
     if (context.on_progress)
@@ -158,11 +165,14 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
     RunReport& report = context.report;
     const double metres = report.units.vertical_metres;
 
+    std::optional<SurfaceLattice> lattice = set_up_surfaces(setup, sinks, report.units);
     ElevationReader reader(sources.dem, context, size);
     const Milestones at = decided.detects_buildings() ? of_buildings : of_thesis;
     const ElevationStatistics statistics =
         within(context, 0, at.read, [&] { return collect_statistics(reader, options, info, context); });
     pass_warnings(sources, sinks, context);
+    if (lattice)
+        set_heights(*lattice, statistics.range(), sinks);
     if (sinks.elevations != nullptr)
         write_elevations(reader, info.window.col, *sinks.elevations, metres);
     LevelPlan plan = plan_global_levels(statistics, options.levels, decided.levels, context);
@@ -197,19 +207,34 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
         warn_of_search({info, decided, report, found->fit, found->sides, setup.cell,
                         setup.crs.kind() != Crs::Kind::none, found->slope},
                        buildings_kept > 0, context);
+    const double cell_m = cell_size_m(info.window, setup.area);
+    const Outliner outliner = draw_outlines(*contours, decided, setup.georeference, setup.crs, setup.target,
+                                            info.window, cell_m, context);
+    std::optional<BuildingRecords> kept;
+    if (lattice)
+        kept.emplace(context.make_spool());
     const FeatureInput input{decided,
                              setup.georeference,
                              setup.crs,
                              setup.target,
                              *contours,
+                             outliner,
                              setup.layers,
                              make_provenance(decided, info, setup.crs, setup.target, report),
                              info.window,
                              last_building,
-                             cell_size_m(info.window, setup.area),
+                             cell_m,
                              frame.fixed,
-                             [&](const DrawnStack& stack) { return compare(stack, frame.fixed, reader); }};
-    within(context, at.traced, at.drawn, [&] { write_features(input, records, sinks.features, context); });
+                             [&](const DrawnStack& stack) { return compare(stack, frame.fixed, reader); },
+                             kept ? &*kept : nullptr};
+    const double written = lattice ? (at.traced + 3 * at.drawn) / 4 : at.drawn;
+    within(context, at.traced, written, [&] { write_features(input, records, sinks.features, context); });
+    if (lattice)
+        within(context, written, at.drawn, [&] {
+            write_surfaces({input, records, *kept, *lattice, decided.surface_of, options.write.surface_roof},
+                           surface_meta(decided, *lattice, setup.written(), report.units.vertical),
+                           sinks.surfaces, context);
+        });
     context.progress(at.drawn);
     finish(sinks, context);
 }

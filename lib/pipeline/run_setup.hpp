@@ -20,6 +20,9 @@ struct RunSetup {
     SquareArea area;
     CellSize cell;      ///< known where buildings are looked for
     LayerSpecs layers;  ///< without their styles
+
+    /// The CRS of what is written.
+    [[nodiscard]] const Crs& written() const { return target.kind() == Crs::Kind::none ? crs : target; }
 };
 
 /// Checks what was asked for, decides what was left open, starts the threads, and asks the destination

@@ -1,5 +1,6 @@
 #include "read/side_rasters.hpp"
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "options/given_words.hpp"
 #include "read/start_gdal.hpp"
 #include "write/geotiff_sink.hpp"
+#include "write/obj_sink.hpp"
 
 namespace d2b {
 namespace {
@@ -22,6 +24,12 @@ DemInfo in_its_crs(DemInfo dem, const Options& options) {
     if (!options.read.crs.empty())
         dem.crs_wkt = Crs(options.read.crs).wkt();
     return dem;
+}
+
+std::unique_ptr<SurfaceSink> open_surface(const std::string& destination, bool overwrite,
+                                          const std::vector<std::string>& in_use) {
+    RasterPlace place = locate_raster({destination, overwrite, in_use, RasterFormat::surface});
+    return open_obj_sink(std::move(place));
 }
 
 }  // namespace
@@ -67,6 +75,10 @@ SideSinks open_side_sinks(const Options& options, const DemInfo& dem) {
     sinks.ground = open(write.ground, "elevation of the ground", true);
     sinks.height = open(write.height, "height above the ground", false);
     sinks.canopy = open(write.canopy, "height of everything that is no building", false);
+    for (const std::string& destination : write.surfaces) {
+        sinks.surfaces.push_back(open_surface(destination, write.overwrite, in_use));
+        in_use.push_back(destination);
+    }
     return sinks;
 }
 

@@ -25,10 +25,10 @@ class Extruder {
 
   private:
     [[nodiscard]] std::int64_t height(std::int32_t contour) const {
-        return contour == outside ? standing_.base : standing_.tops[static_cast<std::size_t>(contour)];
+        return contour == open_ground ? standing_.base : standing_.tops[static_cast<std::size_t>(contour)];
     }
     [[nodiscard]] std::int32_t building(std::int32_t contour) const {
-        return contour == outside ? outside : standing_.building[static_cast<std::size_t>(contour)];
+        return contour == open_ground ? open_ground : standing_.building[static_cast<std::size_t>(contour)];
     }
     void add_roofs(Extrusion& result) const;
     void add_grounds(Extrusion& result) const;

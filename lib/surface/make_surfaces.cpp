@@ -22,7 +22,7 @@ using Places = std::vector<std::int32_t>;  ///< of buildings
 class Chosen {
   public:
     Chosen(const SurfaceCluster& cluster, const std::vector<bool>& is_out) {
-        std::vector<std::int32_t> place(cluster.contours.size(), outside);
+        std::vector<std::int32_t> place(cluster.contours.size(), open_ground);
         for (std::size_t i = 0; i < cluster.contours.size(); ++i) {
             const PlanContour& contour = cluster.contours[i];
             if (is_out[static_cast<std::size_t>(contour.building)])
@@ -94,14 +94,14 @@ class SurfaceMaker {
 /// Of roofs that are no higher than the base of their building nothing stands out.
 void SurfaceMaker::drop_what_is_flat() {
     const auto is_flat = [&](std::int32_t contour) {
-        if (contour == outside)
+        if (contour == open_ground)
             return false;
         const auto c = static_cast<std::size_t>(contour);
         return tops_[c] <= cluster_.buildings[static_cast<std::size_t>(building_of_[c])].base;
     };
     for (PlanEdge& edge : plan_.edges) {
-        edge.left = is_flat(edge.left) ? outside : edge.left;
-        edge.right = is_flat(edge.right) ? outside : edge.right;
+        edge.left = is_flat(edge.left) ? open_ground : edge.left;
+        edge.right = is_flat(edge.right) ? open_ground : edge.right;
     }
     std::erase_if(plan_.edges, [](const PlanEdge& edge) { return edge.left == edge.right; });
 }
@@ -131,7 +131,7 @@ bool SurfaceMaker::draw_plan() {
 std::vector<std::uint32_t> SurfaceMaker::blocks() const {
     DisjointSets sets(static_cast<std::uint32_t>(cluster_.buildings.size()));
     for (const PlanEdge& edge : plan_.edges)
-        if (edge.left != outside && edge.right != outside)
+        if (edge.left != open_ground && edge.right != open_ground)
             sets.join(static_cast<std::uint32_t>(chosen_.building(edge.left)),
                       static_cast<std::uint32_t>(chosen_.building(edge.right)));
     std::vector<std::uint32_t> block(cluster_.buildings.size());
@@ -148,9 +148,10 @@ std::vector<SurfaceMaker::Edges> SurfaceMaker::edges_by(const std::vector<std::u
     };
     for (std::uint32_t e = 0; e < plan_.edges.size(); ++e) {
         const PlanEdge& edge = plan_.edges[e];
-        if (edge.left != outside)
+        if (edge.left != open_ground)
             edges[group_of(edge.left)].push_back(e);
-        if (edge.right != outside && (edge.left == outside || group_of(edge.left) != group_of(edge.right)))
+        if (edge.right != open_ground &&
+            (edge.left == open_ground || group_of(edge.left) != group_of(edge.right)))
             edges[group_of(edge.right)].push_back(e);
     }
     return edges;
@@ -165,7 +166,7 @@ Standing SurfaceMaker::standing(const Edges& edges, const std::vector<std::uint3
                     tops_, building_of_, std::numeric_limits<std::int64_t>::max()};
     for (const PlanEdge& edge : result.plan.edges)
         for (const std::int32_t contour : {edge.left, edge.right})
-            if (contour != outside)
+            if (contour != open_ground)
                 result.base =
                     std::min(result.base,
                              cluster_.buildings[static_cast<std::size_t>(chosen_.building(contour))].base);

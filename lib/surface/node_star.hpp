@@ -12,8 +12,8 @@ namespace d2b {
 struct NodeArm {
     std::uint32_t edge = 0;
     std::uint32_t end = 0;  ///< node at its other end
-    std::int32_t left = outside;
-    std::int32_t right = outside;
+    std::int32_t left = open_ground;
+    std::int32_t right = open_ground;
 };
 
 /// The edges around each node of a plan, counter-clockwise (y up).

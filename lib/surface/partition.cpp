@@ -24,8 +24,8 @@ struct Piece {
 
 /// What lies on one side of a piece, of all contours whose outlines run there.
 struct Stack {
-    std::int32_t lowest = outside;   // the contour that stands on none of the others
-    std::int32_t highest = outside;  // the one that stands on all of them
+    std::int32_t lowest = open_ground;   // the contour that stands on none of the others
+    std::int32_t highest = open_ground;  // the one that stands on all of them
 };
 
 class Partitioner {
@@ -88,7 +88,7 @@ std::optional<Stack> Partitioner::stack(std::span<const Piece> pieces) {
     Stack stack;
     for (const Piece& piece : pieces) {
         const auto contour = static_cast<std::int32_t>(piece.contour);
-        if (stack.lowest == outside) {
+        if (stack.lowest == open_ground) {
             stack.lowest = contour;
         } else if (contours_[piece.contour].parent != stack.highest) {
             refuse(contour, stack.highest);
@@ -107,14 +107,14 @@ void Partitioner::add_edge(std::span<const Piece> alike) {
     const std::optional<Stack> left = stack(alike.subspan(before));
     if (!left || !right)
         return;
-    const bool both = left->lowest != outside && right->lowest != outside;
+    const bool both = left->lowest != open_ground && right->lowest != open_ground;
     if (both && below(*left) != below(*right)) {
         refuse(left->lowest, right->lowest);
         return;
     }
     const PlanEdge edge{alike.front().low, alike.front().high,
-                        left->lowest != outside ? left->highest : below(*right),
-                        right->lowest != outside ? right->highest : below(*left)};
+                        left->lowest != open_ground ? left->highest : below(*right),
+                        right->lowest != open_ground ? right->highest : below(*left)};
     if (edge.left != edge.right)
         result_.plan.edges.push_back(edge);
 }

@@ -69,7 +69,7 @@ std::optional<Pinch> find_pinch(const Arms& arms, const Heights& heights) {
     std::vector<std::int64_t> levels{anything};
     std::vector<std::int32_t> buildings;
     for (const NodeArm& arm : arms)
-        if (arm.left != outside) {
+        if (arm.left != open_ground) {
             levels.push_back(heights.contours[static_cast<std::size_t>(arm.left)].top);
             buildings.push_back(heights.building(arm.left));
         }

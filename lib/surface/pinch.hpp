@@ -27,10 +27,10 @@ struct Heights {
     std::span<const PlanContour> contours;
 
     [[nodiscard]] bool exceeds(std::int32_t contour, std::int64_t height) const {
-        return contour != outside && contours[static_cast<std::size_t>(contour)].top > height;
+        return contour != open_ground && contours[static_cast<std::size_t>(contour)].top > height;
     }
     [[nodiscard]] std::int32_t building(std::int32_t contour) const {
-        return contour == outside ? outside : contours[static_cast<std::size_t>(contour)].building;
+        return contour == open_ground ? open_ground : contours[static_cast<std::size_t>(contour)].building;
     }
 };
 

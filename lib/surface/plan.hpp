@@ -18,14 +18,14 @@ struct PlanContour {
 };
 
 /// In place of a contour: nothing stands there.
-inline constexpr std::int32_t outside = -1;
+inline constexpr std::int32_t open_ground = -1;
 
 /// A piece of the border between two areas. It runs straight and touches others at its ends alone.
 struct PlanEdge {
     std::uint32_t from = 0;  ///< node
     std::uint32_t to = 0;
-    std::int32_t left = outside;  ///< contour that is on top there; never the same on both sides
-    std::int32_t right = outside;
+    std::int32_t left = open_ground;  ///< contour that is on top there; never the same on both sides
+    std::int32_t right = open_ground;
 
     friend auto operator<=>(const PlanEdge&, const PlanEdge&) = default;
 };

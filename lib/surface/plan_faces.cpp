@@ -15,7 +15,7 @@ namespace {
 using Ring = std::vector<std::uint32_t>;
 
 struct OwnedRing {
-    std::int32_t owner = outside;
+    std::int32_t owner = open_ground;
     Ring ring;
     Int128 twice_area = 0;
 };
@@ -37,7 +37,7 @@ class RingWalker {
             for (const bool forwards : {true, false}) {
                 const PlanEdge& edge = plan_.edges[e];
                 const std::int32_t owner = forwards ? edge.left : edge.right;
-                if (owner != outside && !done_[e][forwards ? 1 : 0])
+                if (owner != open_ground && !done_[e][forwards ? 1 : 0])
                     split(walk(e, forwards), owner);
             }
         return std::move(rings_);

@@ -19,7 +19,7 @@ struct PlanFace {
 
 /// A face and the contour that is on top in it.
 struct OwnedFace {
-    std::int32_t owner = outside;
+    std::int32_t owner = open_ground;
     PlanFace face;
 };
 

@@ -14,8 +14,8 @@ Plan plan_part(const Plan& plan, std::span<const std::uint32_t> edges,
     for (const std::uint32_t e : edges) {
         PlanEdge edge = plan.edges[e];
         for (std::int32_t* contour : {&edge.left, &edge.right})
-            if (*contour != outside && !belongs(*contour))
-                *contour = outside;
+            if (*contour != open_ground && !belongs(*contour))
+                *contour = open_ground;
         if (edge.left == edge.right)
             continue;
         part.edges.push_back(edge);

@@ -47,7 +47,7 @@ class Straightener {
     [[nodiscard]] bool goes_straight_on(std::uint32_t node, Straighten what) const {
         const auto [a, b] = ends_[node].edges;
         const PlanEdge& edge = plan_.edges[a];
-        if (what == Straighten::inside && (edge.left == outside || edge.right == outside))
+        if (what == Straighten::inside && (edge.left == open_ground || edge.right == open_ground))
             return false;
         return side(plan_.nodes[other_end(a, node)], plan_.nodes[node], plan_.nodes[other_end(b, node)]) == 0;
     }

@@ -197,7 +197,7 @@ bool PinchTaker::move_one(std::uint32_t node, const Pinch& pinch) {
 std::vector<std::int32_t> PinchTaker::contours_at(std::uint32_t node) const {
     std::vector<std::int32_t> contours;
     for (const NodeArm& arm : around_[node])
-        if (arm.left != outside)
+        if (arm.left != open_ground)
             contours.push_back(arm.left);
     std::ranges::sort(contours);
     contours.erase(std::unique(contours.begin(), contours.end()), contours.end());

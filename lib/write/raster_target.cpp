@@ -15,6 +15,7 @@
 #include "write/existing_dataset.hpp"
 #include "write/local_path.hpp"
 #include "write/ogr_handles.hpp"
+#include "write/surface_format.hpp"
 
 namespace d2b {
 
@@ -29,10 +30,30 @@ std::string quoted(const std::string& text) {
     return "\"" + text + "\"";
 }
 
+/// What messages say of a format.
+struct FormatWords {
+    const char* is_written;
+    const char* is_none;
+};
+
+FormatWords words_of(RasterFormat format) {
+    switch (format) {
+        case RasterFormat::picture:
+            return {"a picture is written as", "no PNG, SVG or PDF"};
+        case RasterFormat::surface:
+            return {"a surface is written as", "no surface of this format"};
+        case RasterFormat::geotiff:
+            break;
+    }
+    return {"GeoTIFF writes", "not a dataset of format GTiff"};
+}
+
 void require_name(const std::string& name, RasterFormat format) {
     if (format == RasterFormat::picture && !picture_format_of(name))
         throw OptionError("Pictures are written as PNG, SVG or PDF; give " + quoted(name) +
                           " a name that ends in .png, .svg or .pdf.");
+    if (format == RasterFormat::surface && !surface_format_of(name))
+        throw OptionError("Surfaces are written as " + surface_formats_advice(name) + ".");
     std::string extension = fs::path(name).extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -79,13 +100,16 @@ std::string beginning_of(const std::string& path) {
     return beginning;
 }
 
-bool is_of(RasterFormat format, const std::string& path) {
+/// @param place of a file that is there
+bool is_of(RasterFormat format, const RasterPlace& place) {
     const GdalMessages quiet;
     if (format == RasterFormat::picture)
-        return begins_a_picture(beginning_of(path));
+        return begins_a_picture(beginning_of(place.path));
+    if (format == RasterFormat::surface)
+        return begins_a_surface(*surface_format_of(place.name), beginning_of(place.path));
     const std::array<const char*, 2> drivers{"GTiff", nullptr};
-    return DatasetOwner(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers.data(), nullptr,
-                                   nullptr)) != nullptr;
+    return DatasetOwner(GDALOpenEx(place.path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers.data(),
+                                   nullptr, nullptr)) != nullptr;
 }
 
 void check_local(const RasterPlace& place, RasterFormat format) {
@@ -94,8 +118,7 @@ void check_local(const RasterPlace& place, RasterFormat format) {
     if (fs::exists(status) && !fs::is_regular_file(status))
         throw OptionError(quoted(place.name) + " is " +
                           (fs::is_directory(status) ? "a folder" : "not a regular file") + ", and " +
-                          (format == RasterFormat::picture ? "a picture is written as" : "GeoTIFF writes") +
-                          " a file; choose another name.");
+                          words_of(format).is_written + " a file; choose another name.");
     check_parent_folder(place.name, place.path);
     if (fs::exists(status))
         return;
@@ -131,10 +154,8 @@ RasterPlace locate_raster(const RasterTarget& target) {
         return place;
     if (!target.overwrite)
         throw OptionError(quoted(name) + " exists; give -overwrite to replace it.");
-    if (!is_of(target.format, place.path))
-        throw OptionError(quoted(name) + " exists and is " +
-                          (target.format == RasterFormat::picture ? "no PNG, SVG or PDF"
-                                                                  : "not a dataset of format GTiff") +
+    if (!is_of(target.format, place))
+        throw OptionError(quoted(name) + " exists and is " + words_of(target.format).is_none +
                           "; remove it first.");
     place.old_files = {place.path};
     std::error_code error;

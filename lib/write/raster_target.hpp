@@ -6,11 +6,13 @@
 
 namespace d2b {
 
-enum class RasterFormat { geotiff, picture };
+/// What a file beside the layers is.
+enum class RasterFormat { geotiff, picture, surface };
 
 /// Where a raster is to go.
 struct RasterTarget {
-    std::string destination;  ///< a file name that ends in .tif or .tiff, or in .png, .svg or .pdf
+    /// A file name that ends in .tif or .tiff, in .png, .svg or .pdf, or as surface_format_of() knows it.
+    std::string destination;
     bool overwrite = false;
     std::vector<std::string> in_use;  ///< names of what else the run reads and writes
     RasterFormat format = RasterFormat::geotiff;

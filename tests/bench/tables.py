@@ -6,7 +6,7 @@ from pathlib import Path
 
 from rows import processor_ratio
 
-STAGES = ["read", "ground", "detect", "levels", "trace", "filter", "outline", "attributes", "write"]
+STAGES = ["read", "ground", "detect", "levels", "trace", "filter", "outline", "attributes", "surface", "write"]
 
 
 def table(head, lines):

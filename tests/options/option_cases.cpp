@@ -51,6 +51,8 @@ const std::map<std::string, std::vector<Texts>>& values() {
         {"write_ground", {{"g.tif"}}},
         {"write_height", {{"h.tif"}}},
         {"write_canopy", {{"c.tif"}}},
+        {"surface", {{"s.obj"}}},
+        {"surface_origin", {{"391000", "5820000", "7"}}},
         {"preview", {{"p.png"}}},
         {"preview_size", {{"800"}}},
         {"sweep", {{"lod=1..2"}, {"nf=5..10"}, {"detail=0..2"}}},
@@ -60,7 +62,10 @@ const std::map<std::string, std::vector<Texts>>& values() {
 }
 
 const std::map<std::string, Texts>& needs() {
-    static const std::map<std::string, Texts> all{{"cutline_layer", {"-cutline", "/vsimem/scene/areas.gpkg"}},
+    static const std::map<std::string, Texts> all{{"surface_of", {"-surface", "s.obj"}},
+                                                  {"surface_roof", {"-surface", "s.obj"}},
+                                                  {"surface_origin", {"-surface", "s.obj"}},
+                                                  {"cutline_layer", {"-cutline", "/vsimem/scene/areas.gpkg"}},
                                                   {"preview_size", {"-preview", "p.png"}},
                                                   {"mask_layer", {"-mask", "/vsimem/scene/masks.gpkg"}},
                                                   {"off", {"-i", "2.5"}}};

@@ -232,6 +232,16 @@ class Writer {
                 add(static_cast<double>(value));
     }
 
+    void add(const MemorySurface& surface) {
+        add("surface " + surface.meta.lod);
+        for (const double metres : surface.meta.frame.origin)
+            add(metres);
+        for (const SurfacePart& part : surface.parts)
+            for (const SurfacePoint& point : part.points)
+                for (const double metres : surface.meta.frame.local(point))
+                    add(metres);
+    }
+
     Outcome outcome;
 };
 
@@ -244,8 +254,12 @@ void run_into(Writer& writer, const Texts& words) {
     MemoryRaster ground_raster;
     MemoryRaster height;
     MemoryRaster canopy;
+    MemorySurface surface;
+    std::vector<SurfaceSink*> surfaces;
+    if (!options.write.surfaces.empty())
+        surfaces.push_back(&surface);
     run(options, {*source, sides.terrain.get(), sides.mask.get(), sides.ndvi.get()},
-        {sink, &ground_raster, &height, &canopy});
+        {sink, &ground_raster, &height, &canopy, nullptr, surfaces});
     const auto given = sink.provenance.metadata.find("D2B_OPTIONS");
     if (given != sink.provenance.metadata.end())
         writer.outcome.options = given->second;
@@ -253,6 +267,8 @@ void run_into(Writer& writer, const Texts& words) {
     writer.add(options.write.ground, ground_raster);
     writer.add(options.write.height, height);
     writer.add(options.write.canopy, canopy);
+    if (!surfaces.empty())
+        writer.add(surface);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/sinks.hpp"
+#include "dem2buildings/surfaces.hpp"
 
 namespace d2b::test {
 
@@ -69,6 +70,23 @@ class MemoryRaster : public RasterSink {
     }
     std::int32_t rows_ = 0;
     std::int32_t cols_ = 0;
+};
+
+/// A surface in memory.
+class MemorySurface : public SurfaceSink {
+  public:
+    explicit MemorySurface(SurfaceForm of = SurfaceForm::shell) : form_(of) {}
+    [[nodiscard]] SurfaceForm form() const override { return form_; }
+    void begin(const SurfaceMeta& what) override { meta = what; }
+    void add(const SurfacePart& part) override { parts.push_back(part); }
+    void finish() override { finished = true; }
+
+    SurfaceMeta meta;
+    std::vector<SurfacePart> parts;
+    bool finished = false;
+
+  private:
+    SurfaceForm form_;
 };
 
 /// Features in memory.

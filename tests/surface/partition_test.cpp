@@ -23,7 +23,7 @@ TEST(MakePartition, edgesAreCutWhereOthersEnd) {
     ASSERT_EQ(partition.plan.edges.size(), 9U);
     std::size_t common = 0;
     for (const PlanEdge& edge : partition.plan.edges)
-        common += edge.left != outside && edge.right != outside ? 1 : 0;
+        common += edge.left != open_ground && edge.right != open_ground ? 1 : 0;
     EXPECT_EQ(common, 1U);
     const std::vector<FinePolygon> noded = noded_outlines(contours);
     EXPECT_EQ(noded[0].exterior.size(), 6U);
@@ -41,7 +41,7 @@ TEST(MakePartition, whatStandsOnAnotherTakesItsPlace) {
         if (a.col == 0 && b.col == 0) {  // the western border
             const bool upper = std::max(a.row, b.row) <= 5;
             EXPECT_EQ(std::max(edge.left, edge.right), upper ? 2 : 0);
-            EXPECT_EQ(std::min(edge.left, edge.right), outside);
+            EXPECT_EQ(std::min(edge.left, edge.right), open_ground);
         }
     }
 }

@@ -39,6 +39,7 @@ RunReport filled() {
     report.count(Reason::contour_short, 5);
     report.count(Reason::polygon_repaired, 6);
     report.seconds[0] = 0.25;
+    report.surface = SurfaceReport{{391000, 5820000, -3}, 5, 4, 100, 184};
     report.peak_memory_bytes[8] = 1LL << 40;
     report.warnings = {"first", "second"};
     return report;
@@ -47,6 +48,12 @@ RunReport filled() {
 TEST(JsonReport, readsBackAsItWas) {
     const Json json = Json::parse(json_report(filled()));
     EXPECT_EQ(json["version"], version);
+    EXPECT_EQ(json["surface"], (Json{{"origin", {391000, 5820000, -3}},
+                                     {"buildings", 5},
+                                     {"blocks", 4},
+                                     {"points", 100},
+                                     {"triangles", 184}}));
+    EXPECT_FALSE(Json::parse(json_report({})).contains("surface"));
     EXPECT_EQ(json["input"], (Json{{"name", "in \"quoted\".tif"},
                                    {"driver", "GTiff"},
                                    {"crs", "ETRS89 / UTM zone 32N"},

@@ -94,6 +94,10 @@ TEST(OptionTable, holdsTheseOptions) {
                                          "write_ground",
                                          "write_height",
                                          "write_canopy",
+                                         "surface",
+                                         "surface_of",
+                                         "surface_roof",
+                                         "surface_origin",
                                          "preview",
                                          "preview_size",
                                          "sweep"};
@@ -149,6 +153,7 @@ TEST(OptionTable, saysWhatAValueIs) {
                                                                       {"ground", OptionKind::terrain},
                                                                       {"write_canopy", OptionKind::geotiff},
                                                                       {"preview", OptionKind::picture},
+                                                                      {"surface", OptionKind::surface},
                                                                       {"zunit", OptionKind::text},
                                                                       {"arcs", OptionKind::toggle}})
         EXPECT_EQ(find_option(name)->kind, kind) << name;
@@ -233,6 +238,7 @@ TEST(OptionTable, defaultsAreThoseOfTheOptions) {
     EXPECT_EQ(find_option("regularize_tolerance")->standard, "");
     EXPECT_EQ(find_option("split_height")->standard, "0");
     EXPECT_EQ(find_option("fields")->standard, "own");
+    EXPECT_EQ(find_option("surface_roof")->standard, "p70");
     EXPECT_EQ(find_option("off")->standard, "0");
     EXPECT_EQ(find_option("simplify")->standard, "0");
     for (const char* name : {"ground",
@@ -248,6 +254,9 @@ TEST(OptionTable, defaultsAreThoseOfTheOptions) {
                              "write_ground",
                              "write_height",
                              "write_canopy",
+                             "surface",
+                             "surface_of",  // what the preset decides
+                             "surface_origin",
                              "fl",
                              "i",
                              "oo",
@@ -401,6 +410,13 @@ TEST(Options, ofTheOutput) {
     EXPECT_EQ(write({"-write_ground", "g.tif"}).ground, "g.tif");
     EXPECT_EQ(write({"-write_height", "h.tif"}).height, "h.tif");
     EXPECT_EQ(write({"-write_canopy", "c.tif"}).canopy, "c.tif");
+    EXPECT_EQ(write({"-surface", "a.obj", "-surface", "b.obj"}).surfaces, (Texts{"a.obj", "b.obj"}));
+    EXPECT_EQ(write({"-surface", "a.obj", "-surface_of", "contours"}).surface_of, SurfaceOf::contours);
+    EXPECT_EQ(write({"-surface", "a.obj", "-surface_of", "buildings"}).surface_of, SurfaceOf::buildings);
+    EXPECT_EQ(write({"-surface", "a.obj", "-surface_roof", "p50"}).surface_roof, SurfaceRoof::p50);
+    EXPECT_EQ(write({"-surface", "a.obj", "-surface_roof", "max"}).surface_roof, SurfaceRoof::max);
+    EXPECT_EQ(write({"-surface", "a.obj", "-surface_origin", "1", "-2", "3"}).surface_origin,
+              (std::array<double, 3>{1, -2, 3}));
     EXPECT_EQ(find_option("p")->show(parse({"-p"})), "");  // accepted, changes nothing
 }
 
@@ -540,6 +556,10 @@ TEST(Options, everyOptionChangesWhatItShows) {
                                            {"-write_rejected"},
                                            {"-write_ground", "x"},
                                            {"-write_height", "x"},
+                                           {"-surface", "x"},
+                                           {"-surface", "x", "-surface_of", "contours"},
+                                           {"-surface", "x", "-surface_roof", "p90"},
+                                           {"-surface", "x", "-surface_origin", "1", "2", "3"},
                                            {"-preview", "x"},
                                            {"-preview", "x", "-preview_size", "800"},
                                            {"-sweep", "lod=1..2"},
@@ -547,8 +567,9 @@ TEST(Options, everyOptionChangesWhatItShows) {
     std::set<std::string> seen{"p"};  // no effect
     for (const Texts& arguments : command_lines) {
         const bool needs_the_first =
-            arguments.size() == 4 &&
-            (arguments[2] == "-off" || arguments[2] == "-preview_size" || arguments[2].ends_with("_layer"));
+            arguments.size() >= 4 &&
+            (arguments[2] == "-off" || arguments[2] == "-preview_size" ||
+             arguments[2].starts_with("-surface_") || arguments[2].ends_with("_layer"));
         const OptionRow& row = *find_option(arguments[needs_the_first ? 2 : 0]);
         EXPECT_NE(row.show(parse(arguments)), row.standard) << row.name;
         seen.insert(row.name);

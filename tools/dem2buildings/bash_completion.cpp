@@ -22,6 +22,7 @@ bool names_a_file(OptionKind kind) {
         case OptionKind::terrain:
         case OptionKind::geotiff:
         case OptionKind::picture:
+        case OptionKind::surface:
             return true;
         default:
             return false;

@@ -70,9 +70,9 @@ void take_file_names(const std::vector<std::string>& names, Options& options) {
     options.write.destination = names[1];
 }
 
-/// Rasters and pictures that are written beside the layers.
+/// Rasters, surfaces and pictures that are written beside the layers.
 void check_side_files(const WriteOptions& write) {
-    std::vector<std::string> names = side_rasters_of(write);
+    std::vector<std::string> names = side_files_of(write);
     names.push_back(write.preview);
     for (const std::string& name : names)
         if (name.starts_with("/vsimem/"))

@@ -63,6 +63,14 @@ Json output_of(const RunReport& report) {
               {"contours", length_of(report.contour_outlines)}}}};
 }
 
+Json surface_of(const SurfaceReport& surface) {
+    return {{"origin", surface.origin},
+            {"buildings", surface.buildings},
+            {"blocks", surface.blocks},
+            {"points", surface.points},
+            {"triangles", surface.triangles}};
+}
+
 Json dropped_of(const RunReport& report) {
     Json dropped = Json::object();
     for (std::size_t reason = 0; reason < reason_names.size(); ++reason)
@@ -81,10 +89,11 @@ Json stages_of(const RunReport& report) {
 }  // namespace
 
 std::string json_report(const RunReport& report) {
-    const Json json{
-        {"version", version},          {"input", input_of(report)},   {"units", units_of(report.units)},
-        {"levels", levels_of(report)}, {"output", output_of(report)}, {"dropped", dropped_of(report)},
-        {"threads", report.threads},   {"stages", stages_of(report)}, {"warnings", report.warnings}};
+    Json json{{"version", version},          {"input", input_of(report)},   {"units", units_of(report.units)},
+              {"levels", levels_of(report)}, {"output", output_of(report)}, {"dropped", dropped_of(report)},
+              {"threads", report.threads},   {"stages", stages_of(report)}, {"warnings", report.warnings}};
+    if (report.surface)
+        json["surface"] = surface_of(*report.surface);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -2,11 +2,13 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "dem2buildings/callbacks.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/options.hpp"
 #include "dem2buildings/sinks.hpp"
+#include "dem2buildings/surfaces.hpp"
 
 namespace d2b {
 
@@ -30,9 +32,10 @@ struct SideSinks {
     std::unique_ptr<RasterSink> ground;
     std::unique_ptr<RasterSink> height;
     std::unique_ptr<RasterSink> canopy;
+    std::vector<std::unique_ptr<SurfaceSink>> surfaces;
 };
 
-/// GeoTIFFs, which appear whole or not at all. @throws OptionError, OutputError
+/// GeoTIFFs and files of surfaces, which appear whole or not at all. @throws OptionError, OutputError
 [[nodiscard]] SideSinks open_side_sinks(const Options& options, const DemInfo& dem);
 
 }  // namespace d2b

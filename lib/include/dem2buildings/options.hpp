@@ -96,6 +96,12 @@ struct OutlineOptions {
 enum class Layers { both, buildings, contours };
 enum class LayerRole { buildings, contours, doubtful, rejected };
 
+/// What a surface is made of: one block a building, or the tiers of its stack.
+enum class SurfaceOf { buildings, contours };
+
+/// The height of a block: what so many of its points do not exceed, in percent, or its highest.
+enum class SurfaceRoof { p50, p70, p90, p95, max };
+
 /// Whose names the fields of buildings have.
 enum class FieldNames { own, urock, city4cfd, osm };
 
@@ -112,9 +118,15 @@ struct WriteOptions {
     bool doubtful = false;  ///< also a layer of what may be a building
     bool rejected = false;  ///< also a layer of what was dropped or changed, with the reason
     FieldNames fields = FieldNames::own;
-    std::string ground;   ///< GeoTIFF of the terrain; "": none
-    std::string height;   ///< GeoTIFF of the heights above it
-    std::string canopy;   ///< GeoTIFF of the heights of what is no building
+    std::string ground;                   ///< GeoTIFF of the terrain; "": none
+    std::string height;                   ///< GeoTIFF of the heights above it
+    std::string canopy;                   ///< GeoTIFF of the heights of what is no building
+    std::vector<std::string> surfaces;    ///< files of the surface of the buildings
+    std::optional<SurfaceOf> surface_of;  ///< as the preset has it where it is not given
+    /// 70 as models of LoD 1.2 have it: a flat roof of that height encloses what a pitched one does, about.
+    SurfaceRoof surface_roof = SurfaceRoof::p70;
+    /// x, y, z in metres that local coordinates begin at; a place in the middle where it is not given
+    std::optional<std::array<double, 3>> surface_origin;
     std::string preview;  ///< picture of the result over the shaded relief, PNG, SVG or PDF by its extension
     int preview_size = 1600;  ///< pixels of its longer side
 };

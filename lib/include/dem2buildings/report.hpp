@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,9 +14,9 @@
 namespace d2b {
 
 /// The stages, in the order in which they run.
-enum class Stage { read, ground, detect, levels, trace, filter, outline, attributes, write };
-inline constexpr std::array<std::string_view, 9> stage_names{
-    "read", "ground", "detect", "levels", "trace", "filter", "outline", "attributes", "write"};
+enum class Stage { read, ground, detect, levels, trace, filter, outline, attributes, surface, write };
+inline constexpr std::array<std::string_view, 10> stage_names{
+    "read", "ground", "detect", "levels", "trace", "filter", "outline", "attributes", "surface", "write"};
 
 /// Why something that was found is not in the result, or not in its traced form.
 enum class Reason {
@@ -39,8 +40,11 @@ enum class Reason {
     elevation_not_roof,          ///< above all around it: not the height of a building
     terrain_outside_range,       ///< no elevation of the terrain model
     outline_torn,                ///< the CRS of the output tears it apart: it is not written
+    surface_notch_filled,        ///< a building of the surface touched itself in an edge
+    surface_corner_cut,          ///< buildings of the surface touched in an edge
+    surface_lost,                ///< a building that no closed surface was found for
 };
-inline constexpr std::array<std::string_view, 20> reason_names{"threshold_not_above_minimum",
+inline constexpr std::array<std::string_view, 23> reason_names{"threshold_not_above_minimum",
                                                                "threshold_not_below_maximum",
                                                                "threshold_repeated",
                                                                "contour_short",
@@ -59,7 +63,10 @@ inline constexpr std::array<std::string_view, 20> reason_names{"threshold_not_ab
                                                                "elevation_above_neighbours",
                                                                "elevation_not_roof",
                                                                "terrain_outside_range",
-                                                               "outline_torn"};
+                                                               "outline_torn",
+                                                               "surface_notch_filled",
+                                                               "surface_corner_cut",
+                                                               "surface_lost"};
 
 struct LevelReport {
     int level = 0;
@@ -86,6 +93,15 @@ struct UnitReport {
     std::string vertical_decided_by;
     double vertical_metres = 1;
     std::string areas;  ///< "geodesic" or "planar"
+};
+
+/// The surface of the buildings.
+struct SurfaceReport {
+    std::array<double, 3> origin{};  ///< of local coordinates, x, y and z in metres
+    std::int64_t buildings = 0;
+    std::int64_t blocks = 0;     ///< of touching buildings; none where no format has them
+    std::int64_t points = 0;     ///< of the shell; none likewise
+    std::int64_t triangles = 0;  ///< likewise
 };
 
 /// What stages count. Threads that work at the same time have one each.
@@ -137,7 +153,8 @@ struct RunReport : Tally {
                                 ///< closing ones not counted
     OutlineLength building_outlines;  ///< of the layers as written; nothing where one is not
     OutlineLength contour_outlines;
-    int threads = 1;  ///< that worked on it
+    std::optional<SurfaceReport> surface;  ///< where one was asked for
+    int threads = 1;                       ///< that worked on it
     std::vector<std::string> warnings;
 };
 

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <vector>
+
 #include "dem2buildings/callbacks.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/options.hpp"
 #include "dem2buildings/report.hpp"
 #include "dem2buildings/sinks.hpp"
+#include "dem2buildings/surfaces.hpp"
 
 namespace d2b {
 
@@ -21,11 +24,13 @@ struct Sinks {
     FeatureSink& features;
     RasterSink* ground = nullptr;
     RasterSink* height = nullptr;
-    RasterSink* canopy = nullptr;      ///< heights of what is no building, 0 elsewhere
-    RasterSink* elevations = nullptr;  ///< of the DEM, without what is no elevation; with every preset
+    RasterSink* canopy = nullptr;             ///< heights of what is no building, 0 elsewhere
+    RasterSink* elevations = nullptr;         ///< of the DEM, without what is no elevation; with every preset
+    std::vector<SurfaceSink*> surfaces = {};  ///< each gets the surface in the form that it holds
 };
 
-/// The whole job: read -> ground -> detect -> levels -> trace -> filter -> outline -> attributes -> write.
+/// The whole job: read -> ground -> detect -> levels -> trace -> filter -> outline -> attributes ->
+/// surface -> write.
 /// Reads the DEM twice (statistics, then contours), or once where it fits in memory. What sources and sinks
 /// notice meanwhile is warned of with the rest; what they warned of when they were opened is not told again.
 /// @param options  are checked first: what contradicts itself, or has no effect, is an OptionError

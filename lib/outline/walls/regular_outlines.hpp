@@ -31,6 +31,8 @@ class RegularOutlines {
     /// Of a contour of level 0 or 1, as if nothing stood on it.
     [[nodiscard]] FinePolygon footprint(std::size_t contour) const { return fetch(low(contour)); }
     [[nodiscard]] WallQuality footprint_quality(std::size_t contour) const { return low(contour).quality; }
+    /// Contours whose walls were fitted together.
+    [[nodiscard]] const std::vector<ClusterPlan>& clusters() const { return clusters_; }
     /// A contour's outline as it was traced, with every corner that another one has on it.
     [[nodiscard]] FinePolygon traced(std::size_t contour) const;
 

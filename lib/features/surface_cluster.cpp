@@ -1,0 +1,154 @@
+#include "features/surface_cluster.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "surface/partition.hpp"
+
+namespace d2b {
+namespace {
+
+class ClusterDrawer {
+  public:
+    ClusterDrawer(const SurfaceInput& input, std::optional<RingTransform>& transform)
+        : input_(input), transform_(transform) {}
+
+    [[nodiscard]] DrawnCluster draw(std::span<const std::uint32_t> contours);
+
+  private:
+    [[nodiscard]] const ContourHead& head(std::uint32_t contour) const {
+        return input_.features.contours.head(contour);
+    }
+    [[nodiscard]] bool is_wanted(std::uint32_t contour) const;
+    void add_building(std::uint32_t contour);
+    void add_contour(std::uint32_t contour);
+    [[nodiscard]] double top(std::uint32_t contour, const BuildingRecord& record) const;
+    void place();
+    void drop(const std::vector<bool>& is_lost);
+
+    const SurfaceInput& input_;
+    std::optional<RingTransform>& transform_;
+    DrawnCluster drawn_;
+    std::map<std::int64_t, std::int32_t> building_place_;  // by number
+    std::map<std::int64_t, std::int32_t> contour_place_;   // likewise
+};
+
+bool ClusterDrawer::is_wanted(std::uint32_t contour) const {
+    const ContourHead& of = head(contour);
+    return of.building >= 0 && !input_.features.is_doubtful(contour) &&
+           (of.key.level == 1 || input_.of == SurfaceOf::contours);
+}
+
+/// Of a flat roof, or of the part of a stack.
+double ClusterDrawer::top(std::uint32_t contour, const BuildingRecord& record) const {
+    if (input_.of == SurfaceOf::contours)
+        return input_.records.top(contour);
+    if (input_.roof == SurfaceRoof::max)
+        return record.roof;
+    const auto share = static_cast<std::size_t>(input_.roof);
+    return record.ground + record.heights_m[share] / input_.lattice.frame().vertical_metres;
+}
+
+/// What stands no higher than its ground is no building of a surface.
+void ClusterDrawer::add_building(std::uint32_t contour) {
+    const std::int64_t number = head(contour).building;
+    const auto record = input_.buildings.of(number);
+    if (!record)
+        return;  // it is in no layer, and its loss was told
+    const double base = input_.of == SurfaceOf::contours ? input_.records.base(contour) : record->ground;
+    const double roof = top(contour, *record);
+    const bool flat =
+        input_.of == SurfaceOf::buildings && !(input_.lattice.height(roof) > input_.lattice.height(base));
+    if (!std::isfinite(base) || !std::isfinite(roof) || flat) {
+        drawn_.lost.push_back(record->id);
+        return;
+    }
+    building_place_[number] = static_cast<std::int32_t>(drawn_.buildings.size());
+    drawn_.cluster.buildings.push_back({record->id, input_.lattice.height(base)});
+    drawn_.buildings.push_back(*record);
+}
+
+void ClusterDrawer::add_contour(std::uint32_t contour) {
+    if (head(contour).key.level == 1)
+        add_building(contour);
+    const auto building = building_place_.find(head(contour).building);
+    if (building == building_place_.end())
+        return;
+    const Outliner& outliner = input_.features.outliner;
+    PlanContour plan;
+    plan.outline = input_.of == SurfaceOf::contours ? outliner.outline(contour) : outliner.footprint(contour);
+    plan.building = building->second;
+    plan.top = input_.lattice.height(top(contour, drawn_.buildings[static_cast<std::size_t>(plan.building)]));
+    if (const auto parent = contour_place_.find(head(contour).parent); parent != contour_place_.end())
+        plan.parent = parent->second;
+    contour_place_[contour] = static_cast<std::int32_t>(drawn_.cluster.contours.size());
+    drawn_.cluster.contours.push_back(std::move(plan));
+}
+
+/// Corners that touch edges of others become corners of these before anything is rounded.
+void ClusterDrawer::place() {
+    std::vector<PlanContour>& contours = drawn_.cluster.contours;
+    if (!input_.lattice.is_exact()) {
+        std::vector<FinePolygon> noded = noded_outlines(contours);
+        for (std::size_t i = 0; i < contours.size(); ++i)
+            contours[i].outline = std::move(noded[i]);
+    }
+    std::vector<bool> is_lost(drawn_.buildings.size());
+    for (PlanContour& contour : contours)
+        if (auto placed = input_.lattice.place(contour.outline, transform_))
+            contour.outline = std::move(*placed);
+        else
+            is_lost[static_cast<std::size_t>(contour.building)] = true;
+    if (std::ranges::find(is_lost, true) != is_lost.end())
+        drop(is_lost);
+}
+
+/// @param is_lost by building
+void ClusterDrawer::drop(const std::vector<bool>& is_lost) {
+    DrawnCluster rest;
+    std::vector<std::int32_t> building(is_lost.size(), -1);
+    for (std::size_t i = 0; i < is_lost.size(); ++i) {
+        if (is_lost[i]) {
+            drawn_.lost.push_back(drawn_.buildings[i].id);
+            continue;
+        }
+        building[i] = static_cast<std::int32_t>(rest.buildings.size());
+        rest.buildings.push_back(drawn_.buildings[i]);
+        rest.cluster.buildings.push_back(drawn_.cluster.buildings[i]);
+    }
+    std::vector<std::int32_t> place(drawn_.cluster.contours.size(), -1);
+    for (std::size_t i = 0; i < place.size(); ++i) {
+        PlanContour& contour = drawn_.cluster.contours[i];
+        contour.building = building[static_cast<std::size_t>(contour.building)];
+        if (contour.building < 0)
+            continue;
+        if (contour.parent >= 0)
+            contour.parent = place[static_cast<std::size_t>(contour.parent)];
+        place[i] = static_cast<std::int32_t>(rest.cluster.contours.size());
+        rest.cluster.contours.push_back(std::move(contour));
+    }
+    rest.lost = std::move(drawn_.lost);
+    drawn_ = std::move(rest);
+}
+
+DrawnCluster ClusterDrawer::draw(std::span<const std::uint32_t> contours) {
+    for (const std::uint32_t contour : contours)
+        if (is_wanted(contour))
+            add_contour(contour);
+    place();
+    std::ranges::sort(drawn_.lost);
+    return std::move(drawn_);
+}
+
+}  // namespace
+
+DrawnCluster draw_cluster(const SurfaceInput& input, std::span<const std::uint32_t> contours,
+                          std::optional<RingTransform>& transform) {
+    return ClusterDrawer(input, transform).draw(contours);
+}
+
+}  // namespace d2b

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "attributes/records.hpp"
+#include "features/surface_lattice.hpp"
+#include "features/write_features.hpp"
+#include "surface/make_surfaces.hpp"
+
+namespace d2b {
+
+/// What surfaces are made from.
+struct SurfaceInput {
+    const FeatureInput& features;
+    const RecordMaker& records;
+    const BuildingRecords& buildings;
+    const SurfaceLattice& lattice;
+    SurfaceOf of;
+    SurfaceRoof roof;
+};
+
+/// What a group of contours has to give.
+struct DrawnCluster {
+    SurfaceCluster cluster;
+    std::vector<BuildingRecord> buildings;  ///< of the cluster's, in their order
+    std::vector<std::int64_t> lost;  ///< ids of those that have no ground, no height or no place in the CRS
+};
+
+/// The outlines and heights of the buildings in a group, on the lattice of the surface.
+/// @param contours ascending @param transform to the CRS of the output; one a thread
+[[nodiscard]] DrawnCluster draw_cluster(const SurfaceInput& input, std::span<const std::uint32_t> contours,
+                                        std::optional<RingTransform>& transform);
+
+}  // namespace d2b

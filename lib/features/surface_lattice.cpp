@@ -1,0 +1,168 @@
+#include "features/surface_lattice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/number_text.hpp"
+#include "dem2buildings/error.hpp"
+
+namespace d2b {
+namespace {
+
+constexpr double millimetre = 0.001;
+
+/// The largest power of two that is no larger.
+double power_of_two_below(double value) {
+    return std::exp2(std::floor(std::log2(value)));
+}
+
+/// Below this distance neighbouring numbers of single precision are half a step apart or less.
+double single_precision_reach(double step) {
+    constexpr double numbers = 0x1p24;  // between a power of two and its double, twice
+    return power_of_two_below(step / 2) * numbers;
+}
+
+double metres_of(const Crs& crs) {
+    const auto unit = crs.horizontal_unit();
+    return unit ? unit->metres : 1;
+}
+
+WorldRing corners_of(const LatticeBox& frame, const Georeference& georeference) {
+    const auto& [low, high] = frame;
+    WorldRing corners;
+    for (const LatticePoint corner :
+         {low, LatticePoint{high.row, low.col}, high, LatticePoint{low.row, high.col}})
+        corners.push_back(georeference.position(corner));
+    return corners;
+}
+
+void require_lengths(const Crs& crs) {
+    if (crs.turn() > 0)
+        throw OptionError("-surface needs coordinates in a unit of length, and those of '" + crs.name() +
+                          "' are angles; bring them to a projected CRS with -t_srs, such as the UTM zone of "
+                          "the area.");
+}
+
+}  // namespace
+
+SurfaceLattice::SurfaceLattice(const SurfaceTerms& terms)
+    : terms_(terms),
+      is_exact_(terms.georeference.axis_parallel() && terms.target_crs.kind() == Crs::Kind::none),
+      east_(terms.georeference.step(0, 1).x > 0),
+      south_(terms.georeference.step(1, 0).y < 0),
+      corner_(fine(LatticePoint{south_ ? terms.frame.high.row : terms.frame.low.row,
+                                east_ ? terms.frame.low.col : terms.frame.high.col})) {
+    require_lengths(terms.written());
+    frame_.horizontal_metres = metres_of(terms.written());
+    frame_.vertical_metres = terms.vertical_metres;
+    frame_.scale[2] = millimetre / terms.vertical_metres;
+    WorldRing corners = corners_of(terms.frame, terms.georeference);
+    auto transform = output_transform(terms.crs, terms.target_crs, terms.georeference, terms.window, {});
+    if (transform)
+        static_cast<void>(transform->apply_to_positions(corners));
+    std::erase_if(corners, [](const Position& p) { return !std::isfinite(p.x) || !std::isfinite(p.y); });
+    const auto [west, east] = std::ranges::minmax(corners, {}, &Position::x);
+    const auto [south, north] = std::ranges::minmax(corners, {}, &Position::y);
+    if (is_exact_) {
+        const Position corner = terms.georeference.position(corner_);
+        frame_.scale[0] = std::abs(terms.georeference.step(0, 1).x) / FinePoint::steps;
+        frame_.scale[1] = std::abs(terms.georeference.step(1, 0).y) / FinePoint::steps;
+        frame_.translate = {corner.x, corner.y, 0};
+    } else {
+        frame_.scale[0] = frame_.scale[1] =
+            power_of_two_below(terms.cell_size_m / frame_.horizontal_metres / FinePoint::steps);
+        frame_.translate = {std::floor(west.x), std::floor(south.y), 0};
+    }
+    const double metres = frame_.horizontal_metres;
+    frame_.origin = terms.origin.value_or(std::array<double, 3>{
+        std::round((west.x + east.x) / 2 * metres), std::round((south.y + north.y) / 2 * metres), 0});
+    for (const double x : {west.x, east.x})
+        reach_ = std::max(reach_, std::abs(x * metres - frame_.origin[0]));
+    for (const double y : {south.y, north.y})
+        reach_ = std::max(reach_, std::abs(y * metres - frame_.origin[1]));
+}
+
+std::int64_t SurfaceLattice::height(double elevation) const {
+    return std::llround(elevation * frame_.vertical_metres / millimetre);
+}
+
+void SurfaceLattice::set_lowest(double lowest) {
+    if (!terms_.origin)
+        frame_.origin[2] = std::floor(lowest * frame_.vertical_metres);
+}
+
+FineRing SurfaceLattice::exact_ring(const FineRing& ring) const {
+    FineRing placed;
+    placed.reserve(ring.size());
+    for (const FinePoint& point : ring)
+        placed.push_back({south_ ? point.row - corner_.row : corner_.row - point.row,
+                          east_ ? point.col - corner_.col : corner_.col - point.col});
+    if (east_ != south_)  // mirrored
+        std::ranges::reverse(placed);
+    return placed;
+}
+
+std::optional<FinePolygon> SurfaceLattice::place(const FinePolygon& outline,
+                                                 std::optional<RingTransform>& transform) const {
+    if (is_exact_) {
+        FinePolygon placed{exact_ring(outline.exterior), {}};
+        for (const FineRing& ring : outline.interiors)
+            placed.interiors.push_back(exact_ring(ring));
+        return placed;
+    }
+    WorldPolygon world = terms_.georeference.polygon(FinePolygon{outline.exterior, outline.interiors});
+    const auto rounded = [&](WorldRing& ring) -> std::optional<FineRing> {
+        if (transform && transform->apply(ring) != RingFate::whole)
+            return std::nullopt;
+        FineRing placed;
+        for (const Position& p : ring)
+            placed.push_back({-std::llround((p.y - frame_.translate[1]) / frame_.scale[1]),
+                              std::llround((p.x - frame_.translate[0]) / frame_.scale[0])});
+        return placed;
+    };
+    FinePolygon placed;
+    std::vector<WorldRing*> rings{&world.exterior};
+    for (WorldRing& ring : world.interiors)
+        rings.push_back(&ring);
+    for (WorldRing* ring : rings) {
+        auto one = rounded(*ring);
+        if (!one)
+            return std::nullopt;
+        if (ring == &world.exterior)
+            placed.exterior = std::move(*one);
+        else
+            placed.interiors.push_back(std::move(*one));
+    }
+    return placed;
+}
+
+void SurfaceLattice::require_single_precision() const {
+    const double step = std::min(frame_.scale[0], frame_.scale[1]) * frame_.horizontal_metres;
+    const double reach = single_precision_reach(step);
+    if (reach_ <= reach)
+        return;
+    // From the middle, which lies up to half a metre from the window's.
+    const auto cells = static_cast<std::int64_t>(2 * (reach - 1) / terms_.cell_size_m);
+    const std::string size = std::to_string(cells);
+    throw OptionError("-surface has coordinates up to " + number_text(std::ceil(reach_)) +
+                      " m from their origin, where single precision, in which OBJ, STL and glTF are read, "
+                      "does not tell steps of " +
+                      number_text(step) + " m apart; use a window of at most " + size + " x " + size +
+                      " cells (-srcwin, -projwin or -te)" +
+                      (terms_.origin ? " with an origin in its middle (-surface_origin)." : "."));
+}
+
+void SurfaceLattice::require_single_precision(double lowest, double highest) const {
+    const double reach = single_precision_reach(millimetre);
+    for (const double elevation : {lowest, highest})
+        if (const double z = elevation * frame_.vertical_metres - frame_.origin[2]; !(std::abs(z) <= reach))
+            throw OptionError("-surface has heights " + number_text(std::ceil(std::abs(z))) +
+                              " m from their origin, where single precision, in which OBJ, STL and glTF are "
+                              "read, does not tell millimetres apart; give an origin within " +
+                              number_text(reach) + " m of them with -surface_origin.");
+}
+
+}  // namespace d2b

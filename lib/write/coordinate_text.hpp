@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "dem2buildings/surfaces.hpp"
+
+namespace d2b {
+
+/// Local coordinates as text, in metres, with as many decimals as tell neighbouring steps apart sixteen times
+/// over, so that rounding to decimals adds next to nothing to that of a reader's single precision.
+class CoordinateText {
+  public:
+    explicit CoordinateText(const SurfaceFrame& frame);
+
+    /// "12.3457 -3.2500 7.123"
+    [[nodiscard]] std::string operator()(const SurfacePoint& point) const;
+
+  private:
+    SurfaceFrame frame_;
+    int decimals_;  ///< of x and y; heights are whole millimetres
+};
+
+/// "84000 446000 -2", whole metres.
+[[nodiscard]] std::string origin_text(const SurfaceFrame& frame);
+
+}  // namespace d2b

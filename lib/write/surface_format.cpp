@@ -1,0 +1,58 @@
+#include "write/surface_format.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace d2b {
+namespace {
+
+/// The first word of a line says what the line holds; lines of comments and empty ones may come first.
+bool begins_an_obj(std::string_view text) {
+    constexpr std::array<std::string_view, 9> words{"v", "vn", "vt", "f", "o", "g", "s", "mtllib", "usemtl"};
+    while (!text.empty()) {
+        const std::string_view line = text.substr(0, text.find('\n'));
+        text.remove_prefix(std::min(text.size(), line.size() + 1));
+        const std::string_view word = line.substr(0, line.find_first_of(" \t\r"));
+        if (!word.empty() && !word.starts_with('#'))
+            return std::ranges::find(words, word) != words.end();
+    }
+    return true;  // comments alone
+}
+
+struct SurfaceRow {
+    SurfaceFormat format;
+    std::string_view name;
+    std::string_view ending;
+    bool (*begins)(std::string_view);
+};
+
+constexpr std::array surface_rows{SurfaceRow{SurfaceFormat::obj, "OBJ", ".obj", begins_an_obj}};
+
+}  // namespace
+
+std::optional<SurfaceFormat> surface_format_of(const std::string& name) {
+    std::string lower = name;
+    std::ranges::transform(lower, lower.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    for (const SurfaceRow& row : surface_rows)
+        if (lower.ends_with(row.ending))
+            return row.format;
+    return std::nullopt;
+}
+
+bool begins_a_surface(SurfaceFormat format, std::string_view beginning) {
+    return std::ranges::find(surface_rows, format, &SurfaceRow::format)->begins(beginning);
+}
+
+std::string surface_formats_advice(const std::string& name) {
+    std::string names;
+    std::string endings;
+    for (const SurfaceRow& row : surface_rows) {
+        names += (names.empty() ? "" : ", ") + std::string(row.name);
+        endings += (endings.empty() ? "" : ", ") + std::string(row.ending);
+    }
+    return names + "; give \"" + name + "\" a name that ends in " + endings;
+}
+
+}  // namespace d2b

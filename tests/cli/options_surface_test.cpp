@@ -1,0 +1,238 @@
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "cli/option_effect.hpp"
+#include "cli/read_obj.hpp"
+#include "cli/town_files.hpp"
+
+namespace d2b::test {
+namespace {
+
+using Names = std::vector<std::string>;
+
+void expect_closed(const ReadObj& obj) {
+    EXPECT_EQ(obj.open_edges(), 0);
+    EXPECT_EQ(obj.flat_triangles(), 0);
+}
+
+/// Of the layer, in the plane of the CRS.
+double areas(const Layer& buildings) {
+    double sum = 0;
+    for (const Record& record : buildings.records)
+        sum += record.area();
+    return sum;
+}
+
+double volumes(const Layer& buildings, const std::string& height) {
+    double sum = 0;
+    for (const Record& record : buildings.records)
+        sum += record.area() * record.number(height);
+    return sum;
+}
+
+}  // namespace
+
+TEST_F(OptionEffect, surface) {
+    find({"-surface", "town.obj", "-surface", "again.obj"});
+    const ReadObj obj = read_obj(path("town.obj"));
+    expect_closed(obj);
+    EXPECT_EQ(obj.objects(), (Names{"building_1", "building_2", "building_3"}));
+    const Layer layer = buildings();
+    EXPECT_NEAR(obj.plan_area("/roof"), areas(layer), 0.001 * areas(layer));
+    EXPECT_NEAR(obj.plan_area("/ground"), -areas(layer), 0.001 * areas(layer));
+    EXPECT_EQ(obj.plan_area("/wall"), 0);
+    EXPECT_NEAR(obj.volume(), volumes(layer, "p70"), 0.002 * volumes(layer, "p70"));
+    // Coordinates begin in the middle of the window, below the lowest point.
+    ASSERT_GE(obj.comments.size(), 3U);
+    EXPECT_EQ(obj.comments[1], "# origin: 391085 5819930 99");
+    EXPECT_EQ(obj.comments[2], "# crs: ETRS89 / UTM zone 33N");
+    for (const Record& record : layer.records) {
+        const std::string object = "building_" + std::to_string(static_cast<int>(record.number("bldg_id")));
+        const auto [low, high] = obj.heights(object);
+        EXPECT_NEAR(low, record.number("ground") - 99, 0.001);
+        EXPECT_NEAR(high - low, record.number("p70"), 0.006);
+    }
+    std::ifstream one(path("town.obj"));
+    std::ifstream other(path("again.obj"));
+    EXPECT_TRUE(
+        std::equal(std::istreambuf_iterator<char>(one), {}, std::istreambuf_iterator<char>(other), {}));
+}
+
+/// A tower on its podium, divided: two buildings in one block.
+TEST_F(OptionEffect, surface__ofTouchingBuildings) {
+    find({"-split_height", "3", "-surface", "town.obj"});
+    const ReadObj obj = read_obj(path("town.obj"));
+    expect_closed(obj);
+    const Layer layer = buildings();
+    EXPECT_EQ(obj.objects().size(), layer.records.size());
+    EXPECT_GE(layer.records.size(), 4U);
+    EXPECT_NEAR(obj.plan_area("/roof"), areas(layer), 0.001 * areas(layer));
+}
+
+/// Layers limit what is written as features alone.
+TEST_F(OptionEffect, surface__doesNotDependOnLayers) {
+    find({"-surface", "both.obj"});
+    find({"-surface", "contours.obj", "-layers", "contours"});
+    std::ifstream both(path("both.obj"));
+    std::ifstream contours(path("contours.obj"));
+    const auto without_comments = [](std::istream& in) {
+        std::vector<std::string> lines;
+        for (std::string line; std::getline(in, line);)
+            if (!line.starts_with("#"))
+                lines.push_back(line);
+        return lines;
+    };
+    EXPECT_EQ(without_comments(both), without_comments(contours));
+}
+
+TEST_F(OptionEffect, surface_of) {
+    find({"-surface", "tiers.obj", "-surface_of", "contours"});
+    const ReadObj obj = read_obj(path("tiers.obj"));
+    expect_closed(obj);
+    const Layer tiers = contours();
+    double volume = 0;
+    double footprints = 0;
+    for (const Record& record : tiers.records) {
+        volume += record.area() * (record.number("top") - record.number("base"));
+        footprints += record.number("level") == 1 ? record.area() : 0;
+    }
+    // The prisms of a stack stand on each other.
+    EXPECT_NEAR(obj.volume(), volume, 0.001 * volume);
+    EXPECT_NEAR(obj.plan_area("/roof"), footprints, 0.001 * footprints);
+    find({"-surface", "blocks.obj", "-surface_of", "buildings"});
+    EXPECT_LT(read_obj(path("blocks.obj")).groups.at("building_2/roof").size(),
+              obj.groups.at("building_2/roof").size());
+}
+
+/// The thesis's preset makes its stack a surface.
+TEST_F(OptionEffect, surface_of__inTheThesis) {
+    trace({"-surface", "thesis.obj"});
+    const ReadObj obj = read_obj(path("thesis.obj"));
+    expect_closed(obj);
+    EXPECT_NEAR(obj.plan_area("/roof"), 63 + 6 + 1, 1e-3);
+    trace({"-overwrite", "-surface", "thesis.obj", "-surface_of", "buildings"});
+    expect_closed(read_obj(path("thesis.obj")));
+}
+
+TEST_F(OptionEffect, surface_roof) {
+    for (const std::string roof : {"p50", "p70", "p90", "p95"}) {
+        find({"-surface", "town.obj", "-surface_roof", roof});
+        const ReadObj obj = read_obj(path("town.obj"));
+        EXPECT_NEAR(obj.volume(), volumes(buildings(), roof), 0.002 * volumes(buildings(), roof)) << roof;
+    }
+    find({"-surface", "town.obj", "-surface_roof", "max"});
+    const ReadObj highest = read_obj(path("town.obj"));
+    EXPECT_NEAR(highest.volume(), volumes(buildings(), "height_m"), 0.002 * highest.volume());
+}
+
+TEST_F(OptionEffect, surface_origin) {
+    find({"-surface", "town.obj", "-surface_origin", "391000", "5820000", "-50"});
+    const ReadObj obj = read_obj(path("town.obj"));
+    expect_closed(obj);
+    EXPECT_EQ(obj.comments[1], "# origin: 391000 5820000 -50");
+    for (const auto& [name, triangles] : obj.groups)
+        for (const ReadObj::Triangle& triangle : triangles)
+            for (const ReadObj::Corner& corner : triangle) {
+                EXPECT_GT(corner[0], 0);
+                EXPECT_LT(corner[0], MadeTown::cols);
+                EXPECT_LT(corner[1], 0);
+                EXPECT_GT(corner[1], -MadeTown::rows);
+                EXPECT_GT(corner[2], 149);
+            }
+}
+
+/// Rows to the north, another CRS: rounded to a grid, and as closed.
+TEST_F(OptionEffect, surface__ofOtherGrids) {
+    const auto looked_for = [&](const Arguments& more) {
+        std::filesystem::remove(path("out.gpkg"));
+        Arguments arguments{"-preset", "buildings", "-q", "-overwrite", "-surface", "o.obj"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        run_well(arguments);
+        return read_obj(path("o.obj"));
+    };
+    RasterSpec turned = town_raster(MadeTown::surface());
+    turned.transform = std::array<double, 6>{391000, 0.8, 0.6, 5820000, 0.6, -0.8};
+    write(path("turned.tif"), turned);
+    ReadObj obj = looked_for({"-split_height", "3", "--", "turned.tif", "out.gpkg"});
+    expect_closed(obj);
+    EXPECT_NEAR(obj.plan_area("/roof"), areas(buildings()), 0.001 * areas(buildings()));
+    RasterSpec south_up = town_raster(MadeTown::surface());
+    south_up.transform = std::array<double, 6>{391000, 1, 0, 5820000, 0, 1};
+    write(path("south_up.tif"), south_up);
+    obj = looked_for({"-split_height", "3", "--", "south_up.tif", "out.gpkg"});
+    expect_closed(obj);
+    EXPECT_NEAR(obj.plan_area("/roof"), areas(buildings()), 0.001 * areas(buildings()));
+    obj = looked_for({"-split_height", "3", "-t_srs", "EPSG:25832", "--", "town.tif", "out.gpkg"});
+    expect_closed(obj);
+    EXPECT_NEAR(obj.plan_area("/roof"), areas(buildings()), 0.001 * areas(buildings()));
+    EXPECT_EQ(obj.comments[2], "# crs: ETRS89 / UTM zone 32N");
+    // Feet are metres in the file.
+    RasterSpec feet = town_raster(MadeTown::surface());
+    for (double& z : feet.values)
+        z /= 0.3048;
+    write(path("feet.tif"), feet);
+    obj = looked_for({"-zunit", "ft", "--", "feet.tif", "out.gpkg"});
+    EXPECT_NEAR(obj.volume(), volumes(buildings(), "p70"), 0.002 * obj.volume());
+}
+
+class SurfaceErrors : public OptionEffect {
+  protected:
+    void refused(int status, const std::string& part, const Arguments& options) const {
+        Arguments arguments{"-preset", "buildings", "-q"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        arguments.insert(arguments.end(), {"--", "town.tif", "o.gpkg"});
+        expect_error(status, part, arguments);
+    }
+};
+
+TEST_F(SurfaceErrors, names) {
+    refused(2, "Surfaces are written as OBJ; give \"a.ply\" a name that ends in .obj.",
+            {"-surface", "a.ply"});
+    refused(2, "\"a.obj\" is read or written by this run already; choose another name.",
+            {"-surface", "a.obj", "-surface", "a.obj"});
+    refused(1, "there is no folder \"no/such\"; make it first.", {"-surface", "no/such/a.obj"});
+    std::ofstream(path("there.obj")) << "# made by hand\nv 1 2 3\n";
+    refused(2, "\"there.obj\" exists; give -overwrite to replace it.", {"-surface", "there.obj"});
+    std::ofstream(path("other.obj")) << "Dear diary\n";
+    refused(2, "\"other.obj\" exists and is no surface of this format; remove it first.",
+            {"-overwrite", "-surface", "other.obj"});
+    std::filesystem::create_directory(path("folder.obj"));
+    refused(2, "is a folder, and a surface is written as a file", {"-surface", "folder.obj"});
+    run_well(
+        {"-preset", "buildings", "-q", "-overwrite", "-surface", "there.obj", "--", "town.tif", "o.gpkg"});
+    EXPECT_EQ(read_obj(path("there.obj")).objects().size(), 3U);
+}
+
+TEST_F(SurfaceErrors, coordinates) {
+    refused(2,
+            "-surface needs coordinates in a unit of length, and those of 'WGS 84' are angles; bring them to "
+            "a projected CRS with -t_srs, such as the UTM zone of the area.",
+            {"-surface", "a.obj", "-t_srs", "EPSG:4326"});
+    refused(2,
+            "-surface has coordinates up to 391170 m from their origin, where single precision, in which "
+            "OBJ, STL and glTF are read, does not tell steps of 0.0009765625 m apart; use a window of at "
+            "most 16382 x 16382 cells (-srcwin, -projwin or -te) with an origin in its middle "
+            "(-surface_origin).",
+            {"-surface", "a.obj", "-surface_origin", "0", "5820000", "0"});
+    refused(2, "-surface has heights 99",
+            {"-surface", "a.obj", "-surface_origin", "391000", "5820000", "-9900"});
+    refused(2, "-surface_origin must be three whole numbers, not '1 2 3.5'.",
+            {"-surface", "a.obj", "-surface_origin", "1", "2", "3.5"});
+    refused(2, "-surface_roof needs -surface <file.obj>; it is the height of its flat roofs.",
+            {"-surface_roof", "p90"});
+    refused(2, "-surface_roof has no effect with -surface_of contours; tiers have heights of their own.",
+            {"-surface", "a.obj", "-surface_of", "contours", "-surface_roof", "p90"});
+}
+
+/// A file without objects, and the warning that there is nothing.
+TEST_F(SurfaceErrors, nothingFound) {
+    run_warned({"-preset", "buildings", "-q", "-min_building_height", "80", "-surface", "none.obj", "--",
+                "town.tif", "o.gpkg"},
+               {"No buildings"});
+    const ReadObj obj = read_obj(path("none.obj"));
+    EXPECT_TRUE(obj.groups.empty());
+    EXPECT_GE(obj.comments.size(), 3U);
+}
+
+}  // namespace d2b::test

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace d2b::test {
+
+/// A Wavefront OBJ as a program reads it that knows nothing of ours. Coordinates have single precision.
+struct ReadObj {
+    using Corner = std::array<float, 3>;
+    using Triangle = std::array<Corner, 3>;
+
+    std::vector<std::string> comments;
+    /// The triangles of each group of each object: "building_7/roof".
+    std::map<std::string, std::vector<Triangle>> groups;
+
+    /// How many edges are not passed once each way, where equal corners are one.
+    [[nodiscard]] int open_edges() const;
+    [[nodiscard]] int flat_triangles() const;
+    /// What the triangles enclose.
+    [[nodiscard]] double volume() const;
+    /// As seen from above, of the groups whose names end so.
+    [[nodiscard]] double plan_area(const std::string& ending) const;
+    /// The lowest and the highest corner of the groups whose names begin so.
+    [[nodiscard]] std::array<float, 2> heights(const std::string& beginning) const;
+    [[nodiscard]] std::vector<std::string> objects() const;
+};
+
+/// Fails the test where a line is none of an OBJ.
+[[nodiscard]] ReadObj read_obj(const std::string& path);
+
+}  // namespace d2b::test
