@@ -144,8 +144,11 @@ void SurfaceLattice::require_single_precision() const {
     const double reach = single_precision_reach(step);
     if (reach_ <= reach)
         return;
-    // From the middle, which lies up to half a metre from the window's.
-    const auto cells = static_cast<std::int64_t>(2 * (reach - 1) / terms_.cell_size_m);
+    const double cell =
+        is_exact_ ? std::max(frame_.scale[0], frame_.scale[1]) * frame_.horizontal_metres * FinePoint::steps
+                  : terms_.cell_size_m;
+    // From the middle in whole metres, which lies up to half a metre from the window's.
+    const auto cells = static_cast<std::int64_t>(2 * (reach - 1) / cell);
     const std::string size = std::to_string(cells);
     throw OptionError("-surface has coordinates up to " + number_text(std::ceil(reach_)) +
                       " m from their origin, where single precision, in which OBJ, STL and glTF are read, "

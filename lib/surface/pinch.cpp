@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <utility>
 
 namespace d2b {
 namespace {
@@ -61,6 +62,13 @@ std::optional<Pinch> pinch_of(const Arms& arms, const Stands& stands, const Heig
     return pinch;
 }
 
+template <typename Number>
+std::vector<Number> distinct(std::vector<Number> numbers) {
+    std::ranges::sort(numbers);
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    return numbers;
+}
+
 }  // namespace
 
 std::optional<Pinch> find_pinch(const Arms& arms, const Heights& heights) {
@@ -68,20 +76,18 @@ std::optional<Pinch> find_pinch(const Arms& arms, const Heights& heights) {
         return std::nullopt;
     std::vector<std::int64_t> levels{anything};
     std::vector<std::int32_t> buildings;
+    std::vector<std::int32_t> contours;
     for (const NodeArm& arm : arms)
         if (arm.left != open_ground) {
             levels.push_back(heights.contours[static_cast<std::size_t>(arm.left)].top);
             buildings.push_back(heights.building(arm.left));
+            contours.push_back(arm.left);
         }
-    std::ranges::sort(buildings);
-    buildings.erase(std::unique(buildings.begin(), buildings.end()), buildings.end());
-    std::ranges::sort(levels);
-    for (const std::int64_t level : levels)
+    for (const std::int64_t level : distinct(std::move(levels))) {
         if (auto pinch = pinch_of(
                 arms, [&](std::int32_t c) { return heights.exceeds(c, level); }, heights))
             return pinch;
-    for (const std::int32_t building : buildings)
-        for (const std::int64_t level : levels)
+        for (const std::int32_t building : distinct(buildings))
             if (auto pinch = pinch_of(
                     arms,
                     [&](std::int32_t c) {
@@ -89,6 +95,11 @@ std::optional<Pinch> find_pinch(const Arms& arms, const Heights& heights) {
                     },
                     heights))
                 return pinch;
+    }
+    for (const std::int32_t contour : distinct(std::move(contours)))
+        if (auto pinch = pinch_of(
+                arms, [&](std::int32_t c) { return c == contour; }, heights))
+            return pinch;
     return std::nullopt;
 }
 

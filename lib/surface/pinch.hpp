@@ -34,9 +34,9 @@ struct Heights {
     }
 };
 
-/// Looks for what makes the vertical line over a node the edge of more than two walls: at some height what
-/// stands there comes in more than one run of sectors. It is looked for in all that stands there, whether
-/// high or low, then above each height, and then in each building alone, which has a solid of its own.
+/// Looks for what makes the vertical line over a node the edge of more than two walls: above some height what
+/// stands there comes in more than one run of sectors, of all buildings or of one alone, which has a solid of
+/// its own. A roof that touches itself is taken for one, too: its polygon would be one that few can divide.
 /// @param arms around the node, counter-clockwise @return the first that is found
 [[nodiscard]] std::optional<Pinch> find_pinch(const std::vector<NodeArm>& arms, const Heights& heights);
 

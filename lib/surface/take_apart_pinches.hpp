@@ -21,13 +21,14 @@ struct PinchesTaken {
 };
 
 /// Changes a plan until no vertical line has more than two walls, neither of all buildings together nor of
-/// one alone: where that is so, a run of sectors is moved off the node by two steps of the lattice, or by as
-/// few more as its angle needs, and an edge joins it to the node.
+/// one alone, and no face touches itself: where one does, a run of sectors is moved off the node by two steps
+/// of the lattice, or by as few more as its angle needs, and an edge joins it to the node.
 ///
-///      A | B        A and C stand out,         A | B              or, where A and C are      A \  B
-///     ---+---       B and D are low:          ---+  \             of one building, the      ---+\____
-///      D | C        C's corner moves           D  \__+---         notch of B is filled:      D  |  C
-///                                                 D  | C
+///                   A and C stand out,                      or, where A and C are of
+///      A | B        B and D are low:           A | B        one building, a corner      A \ B
+///     ---+---       a corner of C            ---+           of B moves, and so fills   ---+ +---
+///      D | C        moves                      D \ +---      the notch between them      D | C
+///                                                 | C
 ///
 /// Corners of nothing else are passed over, so that the plan stays planar, exactly.
 [[nodiscard]] PinchesTaken take_apart_pinches(Plan& plan, std::span<const PlanContour> contours);

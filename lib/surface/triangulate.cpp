@@ -7,6 +7,7 @@
 
 #include "dem2buildings/error.hpp"
 #include "outline/fine_geometry.hpp"
+#include "surface/divide_face.hpp"
 
 namespace d2b {
 namespace {
@@ -99,10 +100,9 @@ std::vector<FineTriangle> exchanged(std::vector<FineTriangle> triangles) {
     return triangles;
 }
 
-}  // namespace
-
-std::optional<std::vector<PlanTriangle>> triangulate_face(const PlanFace& face, const Plan& plan,
-                                                          const Triangulate& triangulate) {
+/// As it is, and once more turned.
+std::optional<std::vector<PlanTriangle>> in_one_piece(const PlanFace& face, const Plan& plan,
+                                                      const Triangulate& triangulate) {
     const FinePolygon polygon = polygon_of(face, plan);
     const NodesByPlace nodes(face, plan);
     const std::vector<Way> border = border_of(face);
@@ -118,6 +118,22 @@ std::optional<std::vector<PlanTriangle>> triangulate_face(const PlanFace& face, 
             return triangles;
     }
     return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::vector<PlanTriangle>> triangulate_face(const PlanFace& face, const Plan& plan,
+                                                          const Triangulate& triangulate) {
+    if (auto triangles = in_one_piece(face, plan, triangulate))
+        return triangles;
+    std::vector<PlanTriangle> all;
+    for (const PlanFace& piece : divide_face(face, plan)) {
+        const auto triangles = in_one_piece(piece, plan, triangulate);
+        if (!triangles)
+            return std::nullopt;
+        all.insert(all.end(), triangles->begin(), triangles->end());
+    }
+    return all;
 }
 
 }  // namespace d2b

@@ -22,7 +22,7 @@ using PlanTriangle = std::array<std::uint32_t, 3>;
 
 /// The triangles of a face, checked: each has an area, and what is left of their edges, where those that two
 /// of them pass in opposite directions go, is the border of the face. What fails is tried once more with rows
-/// and columns exchanged. @return nothing where both fail
+/// and columns exchanged, and then in pieces without interiors. @return nothing where all fail
 [[nodiscard]] std::optional<std::vector<PlanTriangle>> triangulate_face(const PlanFace& face,
                                                                         const Plan& plan,
                                                                         const Triangulate& triangulate);

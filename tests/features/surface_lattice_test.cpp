@@ -79,7 +79,7 @@ TEST_F(SurfaceLatticeTest, isAsFineOnOtherGrids) {
     EXPECT_NEAR(at[1], 5820000 + 20 * 0.3 - 10 * 0.4, turned.frame().scale[1] / 2);
     const SurfaceLattice feet = lattice({391000, 1, 0, 5820000, 0, -1}, "EPSG:25832", "EPSG:2263", 1);
     EXPECT_FALSE(feet.is_exact());
-    EXPECT_EQ(feet.frame().horizontal_metres, 1200.0 / 3937);
+    EXPECT_DOUBLE_EQ(feet.frame().horizontal_metres, 1200.0 / 3937);
     EXPECT_EQ(feet.frame().scale[0], 2.0 / 1024);  // of feet
 }
 

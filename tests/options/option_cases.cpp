@@ -43,7 +43,7 @@ const std::map<std::string, std::vector<Texts>>& values() {
         {"min_area", {{"150"}}},
         {"regularize_tolerance", {{"0.8"}}},
         {"simplify", {{"1.2"}}},
-        {"t_srs", {{"EPSG:4326"}}},
+        {"t_srs", {{"EPSG:25832"}}},
         {"f", {{"GPKG"}}},
         {"dsco", {{"VERSION=1.3"}}},
         {"lco", {{"FID=fid"}}},

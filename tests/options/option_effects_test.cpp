@@ -11,7 +11,9 @@ namespace {
 /// What says again what the other implies is taken: it misleads nobody.
 bool says_again(const std::string& one, const std::string& other) {
     static const std::map<std::string, std::set<std::string>> implied{
-        {"-preset thesis", {"-ground none", "-levels global", "-trace points", "-regularize off"}},
+        {"-preset thesis",
+         {"-ground none", "-levels global", "-trace points", "-regularize off",
+          "-surface s.obj -surface_of contours"}},
         {"-simplify 1.2", {"-regularize off"}}};
     const auto found = implied.find(other);
     return found != implied.end() && found->second.contains(one);

@@ -40,7 +40,7 @@ RunReport filled() {
     report.count(Reason::polygon_repaired, 6);
     report.seconds[0] = 0.25;
     report.surface = SurfaceReport{{391000, 5820000, -3}, 5, 4, 100, 184};
-    report.peak_memory_bytes[8] = 1LL << 40;
+    report.peak_memory_bytes[static_cast<std::size_t>(Stage::write)] = 1LL << 40;
     report.warnings = {"first", "second"};
     return report;
 }

@@ -1,0 +1,102 @@
+#include "surface/divide_face.hpp"
+
+#include <random>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "outline/fine_geometry.hpp"
+#include "surface/label_contours.hpp"
+#include "surface/partition.hpp"
+#include "surface/take_apart_pinches.hpp"
+#include "surface/triangulate.hpp"
+
+namespace d2b {
+namespace {
+
+Int128 twice_area(const PlanFace& face, const Plan& plan) {
+    Int128 sum = 0;
+    FinePolygon polygon = polygon_of(face, plan);
+    std::vector<FineRing> rings = std::move(polygon.interiors);
+    rings.push_back(std::move(polygon.exterior));
+    for (const FineRing& ring : rings)
+        for (std::size_t i = 1; i + 1 < ring.size(); ++i)
+            sum += turn(ring[0], ring[i], ring[i + 1]);
+    return sum;
+}
+
+/// Rows go down once and up once along the exterior.
+bool is_monotone(const PlanFace& face, const Plan& plan) {
+    const std::size_t n = face.exterior.size();
+    int lowest = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        const FinePoint before = plan.nodes[face.exterior[(i + n - 1) % n]];
+        const FinePoint at = plan.nodes[face.exterior[i]];
+        const FinePoint after = plan.nodes[face.exterior[(i + 1) % n]];
+        lowest += before < at && after < at ? 1 : 0;
+    }
+    return lowest == 1;
+}
+
+/// The pieces have no interiors, are of the face's area together, and what divides pieces alone divides it.
+void expect_divided(const PlanFace& face, const Plan& plan) {
+    Int128 sum = 0;
+    for (const PlanFace& piece : divide_face(face, plan)) {
+        ASSERT_TRUE(piece.interiors.empty());
+        ASSERT_TRUE(is_monotone(piece, plan));
+        ASSERT_TRUE(twice_area(piece, plan) > 0);
+        sum += twice_area(piece, plan);
+    }
+    ASSERT_TRUE(sum == twice_area(face, plan));
+    const auto refuses_holes = [](const FinePolygon& polygon) {
+        return polygon.interiors.empty() ? with_geos(polygon) : std::vector<FineTriangle>{};
+    };
+    const auto triangles = triangulate_face(face, plan, refuses_holes);
+    ASSERT_TRUE(triangles);
+    std::size_t corners = face.exterior.size();
+    for (const auto& ring : face.interiors)
+        corners += ring.size();
+    ASSERT_EQ(triangles->size(), corners + 2 * face.interiors.size() - 2);
+}
+
+TEST(DivideFace, aCourtyard) {
+    const SurfaceCluster cluster = blocks_of({{"aaa", "a a", "aaa"}}, {10});
+    const Partition partition = make_partition(cluster.contours);
+    const std::vector<OwnedFace> faces = plan_faces(partition.plan);
+    ASSERT_EQ(faces.size(), 1U);
+    ASSERT_EQ(faces[0].face.interiors.size(), 1U);
+    expect_divided(faces[0].face, partition.plan);
+}
+
+/// Ragged ones, straight and turned, with corners on straight edges.
+TEST(DivideFace, randomFaces) {
+    std::mt19937 random(3);
+    int divided = 0;
+    for (int run = 0; run < 300; ++run) {
+        LetterGrid grid;
+        for (int row = 0; row < 12; ++row) {
+            std::string& line = grid.rows.emplace_back();
+            for (int col = 0; col < 12; ++col)
+                line += random() % 5 == 0 ? 'b' : 'a';
+        }
+        SurfaceCluster cluster = blocks_of(grid, {10});
+        for (PlanContour& contour : cluster.contours) {
+            std::vector<FineRing*> rings{&contour.outline.exterior};
+            for (FineRing& ring : contour.outline.interiors)
+                rings.push_back(&ring);
+            for (FineRing* ring : rings)
+                for (FinePoint& p : *ring)
+                    p = run % 2 == 0 ? p : FinePoint{3 * p.row - 4 * p.col, 4 * p.row + 3 * p.col};
+        }
+        Partition partition = make_partition(cluster.contours);
+        static_cast<void>(take_apart_pinches(partition.plan, cluster.contours));
+        for (const OwnedFace& owned : plan_faces(partition.plan)) {
+            expect_divided(owned.face, partition.plan);
+            divided += owned.face.interiors.empty() ? 0 : 1;
+        }
+    }
+    EXPECT_GT(divided, 100);
+}
+
+}  // namespace
+}  // namespace d2b
