@@ -181,11 +181,4 @@ Int128 twice_plan_area(std::span<const SurfacePart> parts, FaceKind kind) {
     return sum < 0 ? -sum : sum;
 }
 
-std::size_t corners_of(std::span<const SurfacePart> parts) {
-    std::size_t sum = 0;
-    for (const SurfacePart& part : parts)
-        sum += part.points.size();
-    return sum;
-}
-
 }  // namespace d2b

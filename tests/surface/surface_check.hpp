@@ -21,6 +21,5 @@ namespace d2b {
 [[nodiscard]] Int128 six_volumes(std::span<const SurfacePart> parts);
 /// Twice the area of faces of a kind as seen from above.
 [[nodiscard]] Int128 twice_plan_area(std::span<const SurfacePart> parts, FaceKind kind);
-[[nodiscard]] std::size_t corners_of(std::span<const SurfacePart> parts);
 
 }  // namespace d2b

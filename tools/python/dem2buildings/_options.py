@@ -37,7 +37,9 @@ class Option:
                   "extent": "Sequence[float]", "crs": "_Crs", "choice": f"Literal[{words}]"}
         if kind in simple:
             return simple[kind]
-        return "_Texts" if self._repeatable else "str" if kind == "text" else "_Path"
+        if kind == "text":
+            return "_Texts" if self._repeatable else "str"
+        return "_Path | Sequence[_Path]" if self._repeatable else "_Path"
 
     @property
     def takes(self):
@@ -45,7 +47,8 @@ class Option:
         kind = self.row["kind"]
         simple = {"switch": "bool", "whole": "int", "number": "float", "numbers": "numbers", "extent": "4 numbers",
                   "crs": "CRS", "choice": " or ".join(map(repr, self.row.get("choices", []))), "text": "str"}
-        return simple.get(kind, "path") + (", one or several" if self._repeatable and kind == "text" else "")
+        several = self._repeatable and (kind == "text" or kind not in simple)
+        return simple.get(kind, "path") + (", one or several" if several else "")
 
     @property
     def _repeatable(self):
