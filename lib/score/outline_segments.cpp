@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#define BOOST_ALLOW_DEPRECATED_HEADERS  // which Boost 1.74 itself includes
+#define BOOST_ALLOW_DEPRECATED_HEADERS             // which Boost 1.74 itself includes
+#include <boost/geometry/algorithms/distance.hpp>  // which the tree of Boost 1.83 leaves to its user
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/register/point.hpp>
 #include <boost/geometry/geometries/register/segment.hpp>

@@ -4,6 +4,8 @@
 make_root() {
     mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' | head -1)
     debootstrap --variant=minbase "$1" "$2" "$mirror" >/dev/null
+    # mktemp -d keeps all others out, and in there are others: apt's user, that of PostgreSQL.
+    chmod 755 "$2"
     # How packages are reached from here: proxies, certificates.
     cp -r /etc/apt/apt.conf.d/. "$2/etc/apt/apt.conf.d/"
     cp /etc/resolv.conf "$2/etc/resolv.conf"
