@@ -25,8 +25,12 @@ class TooLarge : public CliTest {
 
 TEST_F(TooLarge, moreThanTheMemoryHolds) {
     write_large("1073741824", "1048576");
-    for (const char* preset : {"thesis", "buildings"})
-        expect_error(1, no_memory_, {"-preset", preset, "-q", "large.vrt", "out.gpkg"});
+    expect_error(1, no_memory_, {"-preset", "thesis", "-q", "large.vrt", "out.gpkg"});
+}
+
+TEST_F(TooLarge, moreThanAUnitMaySee) {
+    write_large("1073741824", "1048576");
+    expect_error(2, "are not held, so give a smaller -max_building_width.", {"-q", "large.vrt", "out.gpkg"});
 }
 
 // 2^60 doubles: the library refuses them before it asks for memory.
