@@ -1,5 +1,7 @@
 #include "outline/walls/chain_drawing.hpp"
 
+#include <utility>
+
 #include "outline/walls/compose_chain.hpp"
 
 namespace d2b {
@@ -60,7 +62,11 @@ bool ChainDrawing::is_sound(const DrawnChain& drawn) const {
 }
 
 DrawnChain ChainDrawing::draw(ChainForm& form, const std::optional<ChainEnds>& ends) {
-    const DrawnChain planned = form.has_walls() ? draw_planned(ends) : DrawnChain();
+    DrawnChain planned;
+    if (form.has_walls()) {
+        draw_planned(ends);
+        planned = *std::exchange(planned_, {});  // few chains are drawn twice, and many wait for the others
+    }
     const auto compose = [&] {
         return compose_chain(samples(), shape_, origin_, form, middles_, planned, ends);
     };

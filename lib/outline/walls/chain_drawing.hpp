@@ -51,7 +51,7 @@ class ChainDrawing {
     ChainWalls walls_;
     std::vector<std::size_t> turning_points_;  // steps
     Middles middles_;
-    std::optional<DrawnChain> planned_;         // all with walls, unless these have changed since
+    std::optional<DrawnChain> planned_;         // all with walls, until that is used or these change
     std::optional<ChainEnds> ends_of_planned_;  // for which that was drawn
 };
 
