@@ -1,5 +1,7 @@
 #include "write/obj_sink.hpp"
 
+#include <charconv>
+
 #include "dem2buildings/error.hpp"
 #include "write/coordinate_text.hpp"
 #include "write/surface_format.hpp"
@@ -87,6 +89,13 @@ TEST_F(ObjSinkTest, aFileThatHasChangedMeanwhileIsLeftAlone) {
     EXPECT_EQ(bytes("a.obj"), "of somebody else");
 }
 
+/// With a point, whatever the locale says.
+float first_number(const std::string& text) {
+    float number = 0;
+    std::from_chars(text.data(), text.data() + text.size(), number);
+    return number;
+}
+
 /// Neighbouring steps stay apart in single precision, as far out as the lattice allows.
 TEST(CoordinateText, tellsStepsApart) {
     for (const double cell : {0.1, 0.25, 0.5, 1.0, 2.5, 30.0}) {
@@ -96,8 +105,8 @@ TEST(CoordinateText, tellsStepsApart) {
         const CoordinateText text(frame);
         for (const std::int64_t x : {std::int64_t{0}, std::int64_t{12345}, std::int64_t{8191} * 1024})
             for (std::int64_t step = 0; step < 64; ++step) {
-                const float here = std::stof(text({x + step, 0, 0}));
-                const float next = std::stof(text({x + step + 1, 0, 0}));
+                const float here = first_number(text({x + step, 0, 0}));
+                const float next = first_number(text({x + step + 1, 0, 0}));
                 EXPECT_LT(here, next) << cell << " " << x;
             }
     }
