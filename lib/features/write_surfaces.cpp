@@ -29,16 +29,24 @@ struct GroupSurfaces {
     std::vector<std::int64_t> lost;
 };
 
+/// @param records by ascending ids
+void fill_values(const std::vector<BuildingRecord>& records, std::vector<SurfacePart>& parts) {
+    for (SurfacePart& part : parts)
+        for (SurfaceBuilding& building : part.buildings) {
+            const auto record = std::ranges::lower_bound(records, building.id, {}, &BuildingRecord::id);
+            building.values = field_values(building_attributes(), *record);
+        }
+}
+
 class SurfaceWriter {
   public:
     SurfaceWriter(const SurfaceInput& input, std::span<SurfaceSink* const> sinks, Context& context);
 
     [[nodiscard]] GroupSurfaces make(std::span<const std::uint32_t> group, std::size_t thread);
-    void add(GroupSurfaces group);
+    void add(const GroupSurfaces& group);
     void finish();
 
   private:
-    void fill_values(const std::vector<BuildingRecord>& records, std::vector<SurfacePart>& parts) const;
     void count(const MadeSurfaces& made);
     void warn_of_lost(const std::vector<std::int64_t>& ids);
 
@@ -61,16 +69,6 @@ SurfaceWriter::SurfaceWriter(const SurfaceInput& input, std::span<SurfaceSink* c
                                            features.window, context.threads->stop()),
                           Geos(context.threads->stop())});
     report_.origin = input.lattice.frame().origin;
-}
-
-/// @param records by ascending ids
-void SurfaceWriter::fill_values(const std::vector<BuildingRecord>& records,
-                                std::vector<SurfacePart>& parts) const {
-    for (SurfacePart& part : parts)
-        for (SurfaceBuilding& building : part.buildings) {
-            const auto record = std::ranges::lower_bound(records, building.id, {}, &BuildingRecord::id);
-            building.values = field_values(building_attributes(), *record);
-        }
 }
 
 GroupSurfaces SurfaceWriter::make(std::span<const std::uint32_t> group, std::size_t thread) {
@@ -110,7 +108,7 @@ void SurfaceWriter::warn_of_lost(const std::vector<std::int64_t>& ids) {
     context_.report.count(Reason::surface_lost, static_cast<std::int64_t>(ids.size()));
 }
 
-void SurfaceWriter::add(GroupSurfaces group) {
+void SurfaceWriter::add(const GroupSurfaces& group) {
     count(group.made);
     warn_of_lost(group.lost);
     const StageClock clock(context_.report, Stage::write);
@@ -148,8 +146,8 @@ void write_surfaces(const SurfaceInput& input, SurfaceMeta meta, std::span<Surfa
     SurfaceWriter writer(input, sinks, context);
     context.threads->in_order(
         groups.size(), [&](std::size_t i, std::size_t thread) { return writer.make(groups[i], thread); },
-        [&](std::size_t i, GroupSurfaces made) {
-            writer.add(std::move(made));
+        [&](std::size_t i, const GroupSurfaces& made) {
+            writer.add(made);
             context.progress(static_cast<double>(i) / static_cast<double>(groups.size()));
         });
     writer.finish();

@@ -26,6 +26,7 @@ std::unique_ptr<DemSource> open_source(const Options& options, const Callbacks& 
 
 std::vector<SurfaceSink*> pointers(const std::vector<std::unique_ptr<SurfaceSink>>& sinks) {
     std::vector<SurfaceSink*> all;
+    all.reserve(sinks.size());
     for (const auto& sink : sinks)
         all.push_back(sink.get());
     return all;

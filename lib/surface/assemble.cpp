@@ -49,6 +49,7 @@ class PartBuilder {
 SurfaceFace level_face(const LevelFace& level, FaceKind kind, PartBuilder& builder) {
     const auto ring_of = [&](const std::vector<std::uint32_t>& nodes) {
         std::vector<std::uint32_t> ring;
+        ring.reserve(nodes.size());
         for (const std::uint32_t node : nodes)
             ring.push_back(builder.corner(node, level.z));
         if (kind == FaceKind::ground)
@@ -65,6 +66,7 @@ SurfaceFace level_face(const LevelFace& level, FaceKind kind, PartBuilder& build
 std::vector<std::uint32_t> column(std::uint32_t node, const std::vector<std::int64_t>& heights,
                                   PartBuilder& builder) {
     std::vector<std::uint32_t> corners;
+    corners.reserve(heights.size());
     for (const std::int64_t z : heights)
         corners.push_back(builder.corner(node, z));
     return corners;

@@ -100,7 +100,7 @@ class FaceSweep {
 
 /// Both neighbours lie further down.
 void FaceSweep::visit_highest(const RingCorner& corner, bool splits) {
-    const Open east = east_of(corner.node);
+    const auto east = east_of(corner.node);
     if (splits) {
         OpenEdge& west = *(east - 1);
         join(west.helper, corner.node);
@@ -112,9 +112,9 @@ void FaceSweep::visit_highest(const RingCorner& corner, bool splits) {
 
 /// Both neighbours lie further up.
 void FaceSweep::visit_lowest(const RingCorner& corner, bool merges) {
-    const Open ended = ending_at(corner.node);
+    const auto ended = ending_at(corner.node);
     join_where_it_merges(*ended, corner.node);
-    const Open east = open_.erase(ended);
+    const auto east = open_.erase(ended);
     if (merges)
         help(*(east - 1), corner.node, true);
 }

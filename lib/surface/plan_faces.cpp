@@ -116,9 +116,11 @@ std::size_t holder_of(const OwnedRing& hole, std::span<const OwnedRing> exterior
 
 /// @param rings of one owner
 void add_faces(std::span<OwnedRing> rings, const Plan& plan, std::vector<OwnedFace>& faces) {
-    const auto holes =
-        std::ranges::stable_partition(rings, [](const OwnedRing& r) { return r.twice_area > 0; });
-    const auto exteriors = rings.first(rings.size() - holes.size());
+    // By iterators: of a range Clang 14 cannot compile it.
+    const auto first_hole = std::stable_partition(rings.begin(), rings.end(),
+                                                  [](const OwnedRing& r) { return r.twice_area > 0; });
+    const auto exteriors = rings.first(static_cast<std::size_t>(first_hole - rings.begin()));
+    const auto holes = rings.subspan(exteriors.size());
     const std::size_t first = faces.size();
     for (const OwnedRing& ring : exteriors)
         faces.push_back({ring.owner, {ring.ring, {}}});
