@@ -39,6 +39,12 @@ bool Georeference::is_exact(const Window& window) const {
            keeps_apart(transform_[3], transform_[5], std::int64_t{window.row} + window.rows);
 }
 
+WorldRing Georeference::corners(const LatticeBox& box) const {
+    const auto& [low, high] = box;
+    return {position(low), position(LatticePoint{high.row, low.col}), position(high),
+            position(LatticePoint{low.row, high.col})};
+}
+
 WorldRing Georeference::ring(const FineRing& ring) const {
     WorldRing result;
     result.reserve(ring.size());

@@ -17,6 +17,8 @@ class Georeference {
 
     [[nodiscard]] Position position(FinePoint point) const;
     [[nodiscard]] Position position(LatticePoint point) const { return position(fine(point)); }
+    /// Of a box, around it from the low one, along the column first.
+    [[nodiscard]] WorldRing corners(const LatticeBox& box) const;
     /// Exterior rings counter-clockwise with y up, whichever way the raster's rows run.
     [[nodiscard]] WorldPolygon polygon(const FinePolygon& polygon) const;
     [[nodiscard]] WorldPolygon polygon(const LatticePolygon& traced) const { return polygon(fine(traced)); }

@@ -30,15 +30,6 @@ double metres_of(const Crs& crs) {
     return unit ? unit->metres : 1;
 }
 
-WorldRing corners_of(const LatticeBox& frame, const Georeference& georeference) {
-    const auto& [low, high] = frame;
-    WorldRing corners;
-    for (const LatticePoint corner :
-         {low, LatticePoint{high.row, low.col}, high, LatticePoint{low.row, high.col}})
-        corners.push_back(georeference.position(corner));
-    return corners;
-}
-
 void require_lengths(const Crs& crs) {
     if (crs.turn() > 0)
         throw OptionError("-surface needs coordinates in a unit of length, and those of '" + crs.name() +
@@ -59,7 +50,7 @@ SurfaceLattice::SurfaceLattice(const SurfaceTerms& terms)
     frame_.horizontal_metres = metres_of(terms.written());
     frame_.vertical_metres = terms.vertical_metres;
     frame_.scale[2] = millimetre / terms.vertical_metres;
-    WorldRing corners = corners_of(terms.frame, terms.georeference);
+    WorldRing corners = terms.georeference.corners(terms.frame);
     auto transform = output_transform(terms.crs, terms.target_crs, terms.georeference, terms.window, {});
     if (transform)
         static_cast<void>(transform->apply_to_positions(corners));

@@ -23,16 +23,6 @@ double twice_area(const WorldRing& ring) {
     return sum;
 }
 
-WorldRing frame_of(const Window& window, TraceMode mode, const Georeference& georeference) {
-    const LatticeBox box = lattice_frame(window, mode);
-    const auto& [low, high] = box;
-    WorldRing frame;
-    for (const LatticePoint corner :
-         {low, LatticePoint{high.row, low.col}, high, LatticePoint{low.row, high.col}})
-        frame.push_back(georeference.position(corner));
-    return frame;
-}
-
 double longest_side(const WorldRing& frame) {
     double longest = 0;
     for (std::size_t i = 1; i < frame.size(); ++i)
@@ -89,7 +79,7 @@ Position require_whole_frame(const DemInfo& info, const RunPlan& plan, const Crs
     Position middle = georeference.position(LatticePoint{w.row + w.rows / 2, w.col + w.cols / 2});
     if (target.kind() == Crs::Kind::none)
         return middle;
-    const WorldRing frame = frame_of(w, mode, georeference);
+    const WorldRing frame = georeference.corners(lattice_frame(w, mode));
     constexpr double pieces = 64;  // of a side, to begin with
     const double longest = longest_side(frame) / pieces;
     RingTransform transform(crs, target, frame, longest);

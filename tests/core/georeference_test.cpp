@@ -39,6 +39,12 @@ TEST(Georeference, UsesAllSixTerms) {
     EXPECT_DOUBLE_EQ(georeference.step(0, 1).y, 0.8);
 }
 
+TEST(Georeference, CornersRunAroundABox) {
+    const Georeference grid({100, 2, 0, 500, 0, -1}, TraceMode::cells);
+    EXPECT_EQ(grid.corners({{10, 20}, {13, 25}}),
+              (WorldRing{{140, 490}, {140, 487}, {150, 487}, {150, 490}}));
+}
+
 TEST(Georeference, IsExactWhereRoundingKeepsLinesApart) {
     const Window window{0, 0, 1000, 1000};
     const auto exact = [&](const AffineTransform& transform) {
