@@ -34,6 +34,9 @@ class Crs {
     [[nodiscard]] Kind kind() const;
     [[nodiscard]] std::string name() const;  ///< "" for none
     [[nodiscard]] std::string wkt() const;   ///< WKT2:2019, "" for none
+    /// "https://www.opengis.net/def/crs/EPSG/0/25833", of the whole, else of its horizontal part; "" where
+    /// neither has a code of an authority.
+    [[nodiscard]] std::string url() const;
     /// Of the horizontal axes; empty where they are angles, or there is no CRS.
     [[nodiscard]] std::optional<LengthUnit> horizontal_unit() const;
     /// Units of the horizontal axes in a full circle of longitude; 0 where they are lengths, or there is no

@@ -62,6 +62,7 @@ void resolve_vertical(UnitReport& report, const DemInfo& info, const Crs& crs, s
         set_vertical(report, *horizontal, "horizontal unit of the CRS");
     } else {
         set_vertical(report, {"metre", 1}, "assumption");
+        report.vertical_is_known = false;
     }
 }
 

@@ -112,10 +112,12 @@ void SurfaceWriter::add(const GroupSurfaces& group) {
     count(group.made);
     warn_of_lost(group.lost);
     const StageClock clock(context_.report, Stage::write);
-    for (SurfaceSink* sink : sinks_)
+    for (SurfaceSink* sink : sinks_) {
         for (const SurfacePart& part :
              sink->form() == SurfaceForm::solids ? group.made.solids : group.made.shell)
             sink->add(part);
+        sink->end_group();
+    }
 }
 
 void SurfaceWriter::finish() {
@@ -129,11 +131,12 @@ void SurfaceWriter::finish() {
 }  // namespace
 
 SurfaceMeta surface_meta(const RunPlan& plan, const SurfaceLattice& lattice, const Crs& written,
-                         const std::string& vertical_unit) {
+                         const UnitReport& units) {
     const bool tiers = plan.surface_of == SurfaceOf::contours || plan.asked.detect.split_height > 0;
     return {lattice.frame(),
             tiers ? "1.3" : "1.2",
-            field_specs(building_attributes(), vertical_unit, plan.asked.write.fields),
+            field_specs(building_attributes(), units.vertical, plan.asked.write.fields),
+            units.vertical_is_known ? units.vertical : "",
             {written.wkt(), {}}};
 }
 

@@ -10,7 +10,7 @@ namespace d2b {
 
 /// What surfaces say of themselves. Fields are those of the layer of buildings.
 [[nodiscard]] SurfaceMeta surface_meta(const RunPlan& plan, const SurfaceLattice& lattice, const Crs& written,
-                                       const std::string& vertical_unit);
+                                       const UnitReport& units);
 
 /// Makes the surfaces of all groups of contours, on all threads, and hands them to the sinks in the order of
 /// the groups, each in the form that it holds. What was found is added to the report. The sinks are not

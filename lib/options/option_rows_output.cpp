@@ -64,13 +64,16 @@ std::vector<OptionRow> surface() {
     };
     std::vector<OptionRow> rows;
     OptionRow files = texts_row(
-        "surface", "<file.obj>", "", [](auto& r) -> auto& { return r.options.write.surfaces; },
+        "surface", "<file>", "", [](auto& r) -> auto& { return r.options.write.surfaces; },
         {.title = "Surface of the buildings",
          .section = DialogSection::output,
-         .help = "Also write the buildings as one closed surface, an OBJ.",
+         .help = "Also write the buildings as closed surfaces.",
          .details =
-             "Touching buildings are one block without walls between them; each building is an object with "
-             "the groups roof, wall and ground, in metres from a local origin.",
+             "The name ends in .city.json, .obj or .stl. A CityJSON has a solid a building, with its "
+             "attributes, in the "
+             "CRS. In the others touching buildings are one block without walls between them, in metres from "
+             "a local "
+             "origin; in an OBJ each is an object with the groups roof, wall and ground, in an STL a solid.",
          .python = Python::extract_file,
          .repeats = false});
     files.kind = OptionKind::surface;

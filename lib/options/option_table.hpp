@@ -77,8 +77,9 @@ enum class OptionKind {
     text
 };
 inline constexpr std::array<std::string_view, 15> option_kind_names{
-    "switch", "choice",  "whole",   "number",   "numbers",          "extent",   "crs", "raster",
-    "vector", "dataset", "terrain", "file:tif", "file:png,svg,pdf", "file:obj", "text"};
+    "switch", "choice", "whole",   "number",  "numbers",  "extent",           "crs",
+    "raster", "vector", "dataset", "terrain", "file:tif", "file:png,svg,pdf", "file:city.json,obj,stl",
+    "text"};
 
 inline constexpr std::array every_preset{Preset::buildings, Preset::thesis};
 [[nodiscard]] constexpr std::string_view preset_name(Preset preset) {

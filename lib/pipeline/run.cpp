@@ -232,8 +232,8 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
     if (lattice)
         within(context, written, at.drawn, [&] {
             write_surfaces({input, records, *kept, *lattice, decided.surface_of, options.write.surface_roof},
-                           surface_meta(decided, *lattice, setup.written(), report.units.vertical),
-                           sinks.surfaces, context);
+                           surface_meta(decided, *lattice, setup.written(), report.units), sinks.surfaces,
+                           context);
         });
     context.progress(at.drawn);
     finish(sinks, context);

@@ -27,7 +27,7 @@ std::optional<SurfaceLattice> set_up_surfaces(const RunSetup& setup, const Sinks
     if (has_shells(sinks))
         lattice.require_single_precision();
     for (SurfaceSink* sink : sinks.surfaces)
-        sink->rehearse(surface_meta(setup.plan, lattice, setup.written(), units.vertical));
+        sink->rehearse(surface_meta(setup.plan, lattice, setup.written(), units));
     return lattice;
 }
 

@@ -14,7 +14,7 @@
 #include "options/given_words.hpp"
 #include "read/start_gdal.hpp"
 #include "write/geotiff_sink.hpp"
-#include "write/obj_sink.hpp"
+#include "write/surface_sinks.hpp"
 
 namespace d2b {
 namespace {
@@ -29,7 +29,7 @@ DemInfo in_its_crs(DemInfo dem, const Options& options) {
 std::unique_ptr<SurfaceSink> open_surface(const std::string& destination, bool overwrite,
                                           const std::vector<std::string>& in_use) {
     RasterPlace place = locate_raster({destination, overwrite, in_use, RasterFormat::surface});
-    return open_obj_sink(std::move(place));
+    return open_surface_sink(std::move(place));
 }
 
 }  // namespace

@@ -2,27 +2,25 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
+
+#include "core/number_text.hpp"
 
 namespace d2b {
 namespace {
 
-/// Zeroes at the end are left out: "0.5", "12".
-void append_fixed(double value, int decimals, std::string& text) {
-    std::array<char, 400> buffer{};
-    const auto end =
-        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, decimals)
-            .ptr;
-    std::string number(buffer.data(), end);
+constexpr int millimetres = 3;
+
+}  // namespace
+
+std::string short_text(double value, int decimals) {
+    std::string number = fixed_text(value, decimals);
     if (decimals > 0)
         number.erase(number.find_last_not_of('0') + 1);
     if (number.ends_with('.'))
         number.pop_back();
-    text += number == "-0" ? "0" : number;
+    return number == "-0" ? "0" : number;
 }
-
-}  // namespace
 
 CoordinateText::CoordinateText(const SurfaceFrame& frame) : frame_(frame) {
     constexpr double parts = 16;  // of a step
@@ -31,23 +29,15 @@ CoordinateText::CoordinateText(const SurfaceFrame& frame) : frame_(frame) {
 }
 
 std::string CoordinateText::operator()(const SurfacePoint& point) const {
-    constexpr int millimetres = 3;
     const std::array<double, 3> at = frame_.local(point);
-    std::string text;
-    append_fixed(at[0], decimals_, text);
-    text += ' ';
-    append_fixed(at[1], decimals_, text);
-    text += ' ';
-    append_fixed(at[2], millimetres, text);
-    return text;
+    return short_text(at[0], decimals_) + " " + short_text(at[1], decimals_) + " " +
+           short_text(at[2], millimetres);
 }
 
 std::string origin_text(const SurfaceFrame& frame) {
     std::string text;
-    for (const double metres : frame.origin) {
-        text += text.empty() ? "" : " ";
-        append_fixed(metres, 0, text);
-    }
+    for (const double metres : frame.origin)
+        text += (text.empty() ? "" : " ") + short_text(metres, 0);
     return text;
 }
 

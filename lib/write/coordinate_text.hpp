@@ -20,6 +20,9 @@ class CoordinateText {
     int decimals_;  ///< of x and y; heights are whole millimetres
 };
 
+/// With no more than so many decimals, without zeroes at the end: "0.5", "12".
+[[nodiscard]] std::string short_text(double value, int decimals);
+
 /// "84000 446000 -2", whole metres.
 [[nodiscard]] std::string origin_text(const SurfaceFrame& frame);
 

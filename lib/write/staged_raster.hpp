@@ -20,6 +20,8 @@ class StagedRaster {
     ~StagedRaster();
 
     [[nodiscard]] const std::string& name() const { return place_.name; }
+    /// Whether there is an old one in its place.
+    [[nodiscard]] bool replaces() const { return !place_.old_files.empty(); }
     /// For messages about it.
     [[nodiscard]] const WriteTarget& target() const { return target_; }
     /// @return the path of the file to write

@@ -78,6 +78,15 @@ void SurfaceFile::publish() {
     impl_->staged.publish("renaming the finished surface");
 }
 
+void SurfaceFile::leave_out(const std::string& why) {
+    warn("There is no building for \"" + impl_->staged.name() + "\", and " + why + "; no file is written" +
+         (impl_->staged.replaces() ? ", and the old one stays as it was." : "."));
+}
+
+void SurfaceFile::warn(const std::string& sentence) {
+    impl_->staged.target().warnings->add(sentence);
+}
+
 std::vector<std::string> SurfaceFile::take_warnings() {
     return impl_->staged.take_warnings();
 }

@@ -22,6 +22,10 @@ class SurfaceFile {
     void write(std::string_view bytes);
     /// Makes it visible. @throws OutputError
     void publish();
+    /// In its place, where there is nothing to be published: warns of it. @param why "an STL without a solid
+    /// is none"
+    void leave_out(const std::string& why);
+    void warn(const std::string& sentence);
     /// What has been noticed since the last call, a sentence each.
     [[nodiscard]] std::vector<std::string> take_warnings();
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstddef>
 
 namespace d2b {
 namespace {
@@ -20,6 +21,18 @@ bool begins_an_obj(std::string_view text) {
     return true;  // comments alone
 }
 
+/// Its type is most often the first of its names.
+bool begins_a_cityjson(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    return first != std::string_view::npos && text[first] == '{' &&
+           text.find("\"CityJSON\"") != std::string_view::npos;
+}
+
+/// Of text; one of bytes has 80 of them that may be anything.
+bool begins_an_stl(std::string_view text) {
+    return text.starts_with("solid");
+}
+
 struct SurfaceRow {
     SurfaceFormat format;
     std::string_view name;
@@ -27,7 +40,10 @@ struct SurfaceRow {
     bool (*begins)(std::string_view);
 };
 
-constexpr std::array surface_rows{SurfaceRow{SurfaceFormat::obj, "OBJ", ".obj", begins_an_obj}};
+constexpr std::array surface_rows{
+    SurfaceRow{SurfaceFormat::cityjson, "CityJSON", ".city.json", begins_a_cityjson},
+    SurfaceRow{SurfaceFormat::obj, "OBJ", ".obj", begins_an_obj},
+    SurfaceRow{SurfaceFormat::stl, "STL", ".stl", begins_an_stl}};
 
 }  // namespace
 
@@ -49,8 +65,9 @@ std::string surface_formats_advice(const std::string& name) {
     std::string names;
     std::string endings;
     for (const SurfaceRow& row : surface_rows) {
-        names += (names.empty() ? "" : ", ") + std::string(row.name);
-        endings += (endings.empty() ? "" : ", ") + std::string(row.ending);
+        const char* between = names.empty() ? "" : row.format == surface_rows.back().format ? " or " : ", ";
+        names += between + std::string(row.name);
+        endings += between + std::string(row.ending);
     }
     return names + "; give \"" + name + "\" a name that ends in " + endings;
 }

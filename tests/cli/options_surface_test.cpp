@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "cli/option_effect.hpp"
+#include "cli/read_cityjson.hpp"
 #include "cli/read_obj.hpp"
 #include "cli/town_files.hpp"
 
@@ -68,6 +69,77 @@ TEST_F(OptionEffect, surface__ofTouchingBuildings) {
     EXPECT_EQ(obj.objects().size(), layer.records.size());
     EXPECT_GE(layer.records.size(), 4U);
     EXPECT_NEAR(obj.plan_area("/roof"), areas(layer), 0.001 * areas(layer));
+}
+
+/// The same triangles in the same coordinates, a solid a building.
+TEST_F(OptionEffect, surface__asStl) {
+    find({"-split_height", "3", "-surface", "town.stl", "-surface", "town.obj"});
+    const ReadObj stl = read_stl(path("town.stl"));
+    const ReadObj obj = read_obj(path("town.obj"));
+    expect_closed(stl);
+    EXPECT_EQ(stl.objects(), obj.objects());
+    for (const std::string& name : stl.objects()) {
+        std::vector<ReadObj::Triangle> triangles;
+        for (const std::string group : {"/roof", "/wall", "/ground"})
+            if (const auto found = obj.groups.find(name + group); found != obj.groups.end())
+                triangles.insert(triangles.end(), found->second.begin(), found->second.end());
+        std::vector<ReadObj::Triangle> others = stl.groups.at(name);
+        std::ranges::sort(triangles);
+        std::ranges::sort(others);
+        EXPECT_EQ(others, triangles) << name;
+    }
+    ASSERT_FALSE(stl.comments.empty());
+    for (const std::string& line : stl.comments)
+        EXPECT_TRUE(line.ends_with(" origin 391085 5819930 99")) << line;
+}
+
+/// Solids as they stand in the layer, in its coordinates, with its attributes.
+TEST_F(OptionEffect, surface__asCityJson) {
+    find({"-split_height", "3", "-surface", "town.city.json"});
+    const ReadCityJson city = read_cityjson(path("town.city.json"));
+    const Layer layer = buildings();
+    EXPECT_EQ(city.solids.size(), layer.records.size());
+    EXPECT_NEAR(city.plan_area(FaceKind::roof), areas(layer), 0.001 * areas(layer));
+    EXPECT_NEAR(city.plan_area(FaceKind::ground), areas(layer), 0.001 * areas(layer));
+    EXPECT_NEAR(city.volume(), volumes(layer, "p70"), 0.001 * volumes(layer, "p70"));
+    EXPECT_EQ(city.root["metadata"]["referenceSystem"], "https://www.opengis.net/def/crs/EPSG/0/25833");
+    for (const SurfacePart& solid : city.solids)
+        for (const SurfacePoint& point : solid.points) {
+            const auto at = city.frame().coordinates(point);
+            EXPECT_GT(at[0], 391000);
+            EXPECT_LT(at[0], 391000 + MadeTown::cols);
+            EXPECT_LT(at[1], 5820000);
+            EXPECT_GT(at[1], 5820000 - MadeTown::rows);
+        }
+    for (const Record& record : layer.records) {
+        const auto id = static_cast<std::int64_t>(record.number("id"));
+        const nlohmann::json& attributes = city.attributes(id);
+        for (const std::string field : {"id", "ground", "p70", "p90", "n_points", "area_m2", "confidence"})
+            EXPECT_EQ(attributes.at(field).get<double>(), record.number(field)) << field;
+        EXPECT_TRUE(attributes.at("doubt").is_null());
+        EXPECT_EQ(attributes.size(), layer.fields.size());
+        for (const std::string& field : layer.fields)
+            EXPECT_TRUE(attributes.contains(field)) << field;
+    }
+    EXPECT_EQ(city.root["CityObjects"]["building_1"]["geometry"][0]["lod"], "1.3");
+    find({"-surface", "town.city.json", "-fields", "osm"});
+    const ReadCityJson whole = read_cityjson(path("town.city.json"));
+    EXPECT_EQ(whole.root["CityObjects"]["building_1"]["geometry"][0]["lod"], "1.2");
+    EXPECT_TRUE(whole.attributes(1).contains("building:levels"));
+}
+
+/// Of tiers a solid is their union.
+TEST_F(OptionEffect, surface_of__asCityJson) {
+    find({"-surface", "tiers.city.json", "-surface_of", "contours"});
+    const ReadCityJson city = read_cityjson(path("tiers.city.json"));
+    double volume = 0;
+    for (const Record& record : contours().records)
+        volume += record.area() * (record.number("top") - record.number("base"));
+    EXPECT_NEAR(city.volume(), volume, 0.001 * volume);
+    EXPECT_EQ(city.solids.size(), buildings().records.size());
+    EXPECT_EQ(city.root["CityObjects"]["building_1"]["geometry"][0]["lod"], "1.3");
+    trace({"-overwrite", "-surface", "thesis.city.json"});
+    EXPECT_NEAR(read_cityjson(path("thesis.city.json")).plan_area(FaceKind::roof), 63 + 6, 1e-3);
 }
 
 /// Layers limit what is written as features alone.
@@ -147,7 +219,8 @@ TEST_F(OptionEffect, surface_origin) {
 TEST_F(OptionEffect, surface__ofOtherGrids) {
     const auto looked_for = [&](const Arguments& more) {
         std::filesystem::remove(path("out.gpkg"));
-        Arguments arguments{"-preset", "buildings", "-q", "-overwrite", "-surface", "o.obj"};
+        Arguments arguments{"-preset",  "buildings",   "-q",       "-overwrite",
+                            "-surface", "o.city.json", "-surface", "o.obj"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         run_well(arguments);
         return read_obj(path("o.obj"));
@@ -169,12 +242,16 @@ TEST_F(OptionEffect, surface__ofOtherGrids) {
     expect_closed(obj);
     EXPECT_NEAR(obj.plan_area("/roof"), areas(buildings()), 0.001 * areas(buildings()));
     EXPECT_EQ(obj.comments[2], "# crs: ETRS89 / UTM zone 32N");
+    EXPECT_NEAR(read_cityjson(path("o.city.json")).plan_area(FaceKind::roof), areas(buildings()),
+                0.001 * areas(buildings()));
     // Feet are metres in the file.
     RasterSpec feet = town_raster(MadeTown::surface());
     for (double& z : feet.values)
         z /= 0.3048;
     write(path("feet.tif"), feet);
-    obj = looked_for({"-zunit", "ft", "--", "feet.tif", "out.gpkg"});
+    run_well({"-preset", "buildings", "-q", "-overwrite", "-surface", "o.obj", "-zunit", "ft", "--",
+              "feet.tif", "out.gpkg"});
+    obj = read_obj(path("o.obj"));
     EXPECT_NEAR(obj.volume(), volumes(buildings(), "p70"), 0.002 * obj.volume());
 }
 
@@ -193,7 +270,9 @@ class SurfaceErrors : public OptionEffect {
 };
 
 TEST_F(SurfaceErrors, names) {
-    refused(2, "Surfaces are written as OBJ; give \"a.ply\" a name that ends in .obj.",
+    refused(2,
+            "Surfaces are written as CityJSON, OBJ or STL; give \"a.ply\" a name that ends in .city.json, "
+            ".obj or .stl.",
             {"-surface", "a.ply"});
     refused(2, "\"a.obj\" is read or written by this run already; choose another name.",
             {"-surface", "a.obj", "-surface", "a.obj"});
@@ -208,6 +287,27 @@ TEST_F(SurfaceErrors, names) {
     run_well(
         {"-preset", "buildings", "-q", "-overwrite", "-surface", "there.obj", "--", "town.tif", "o.gpkg"});
     EXPECT_EQ(read_obj(path("there.obj")).objects().size(), 3U);
+}
+
+/// CityJSON has one unit for all three coordinates.
+TEST_F(SurfaceErrors, units) {
+    refused(
+        2,
+        "CityJSON has heights in the unit of x and y, which is the metre in 'ETRS89 / UTM zone 33N', and the "
+        "elevations are in the unit 'foot'; give a CRS in that unit with -t_srs.",
+        {"-surface", "a.city.json", "-zunit", "ft"});
+    RasterSpec nowhere = town_raster(MadeTown::surface());
+    nowhere.crs = "";
+    write(path("nowhere.tif"), nowhere);
+    expect_error(2, "that of the elevations is not known; give it with -zunit",
+                 {"-preset", "buildings", "-q", "-surface", "a.city.json", "--", "nowhere.tif", "o.gpkg"}, {},
+                 1);
+    run_warned({"-preset", "buildings", "-q", "-surface", "a.city.json", "-zunit", "m", "--", "nowhere.tif",
+                "o.gpkg"},
+               {"has no coordinate reference system"});
+    EXPECT_EQ(read_cityjson(path("a.city.json")).solids.size(), 3U);
+    run_well({"-preset", "buildings", "-q", "-overwrite", "-surface", "a.city.json", "-zunit", "us-ft",
+              "-t_srs", "EPSG:2225", "--", "town.tif", "o.gpkg"});
 }
 
 TEST_F(SurfaceErrors, coordinates) {
@@ -225,7 +325,7 @@ TEST_F(SurfaceErrors, coordinates) {
             {"-surface", "a.obj", "-surface_origin", "391000", "5820000", "-9900"});
     refused(2, "-surface_origin must be three whole numbers, not '1 2 3.5'.",
             {"-surface", "a.obj", "-surface_origin", "1", "2", "3.5"});
-    refused(2, "-surface_roof needs -surface <file.obj>; it is the height of its flat roofs.",
+    refused(2, "-surface_roof needs -surface <file>; it is the height of its flat roofs.",
             {"-surface_roof", "p90"});
     refused(2, "-surface_roof has no effect with -surface_of contours; tiers have heights of their own.",
             {"-surface", "a.obj", "-surface_of", "contours", "-surface_roof", "p90"});
@@ -236,6 +336,13 @@ TEST_F(SurfaceErrors, nothingFound) {
     run_warned({"-preset", "buildings", "-q", "-min_building_height", "80", "-surface", "none.obj", "--",
                 "town.tif", "o.gpkg"},
                {"No building was found"});
+    run_warned(
+        {"-preset", "buildings", "-q", "-overwrite", "-min_building_height", "80", "-surface", "none.stl",
+         "-surface", "none.city.json", "--", "town.tif", "o.gpkg"},
+        {"No building was found",
+         "There is no building for \"none.stl\", and an STL without a solid is none; no file is written."});
+    EXPECT_FALSE(std::filesystem::exists(path("none.stl")));
+    EXPECT_TRUE(read_cityjson(path("none.city.json")).solids.empty());
     const ReadObj obj = read_obj(path("none.obj"));
     EXPECT_TRUE(obj.groups.empty());
     EXPECT_GE(obj.comments.size(), 3U);

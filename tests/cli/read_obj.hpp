@@ -31,4 +31,8 @@ struct ReadObj {
 /// Fails the test where a line is none of an OBJ.
 [[nodiscard]] ReadObj read_obj(const std::string& path);
 
+/// An ASCII STL: a solid is a group, its `solid` line a comment. Fails the test where it is none, or where a
+/// normal is not that of its facet.
+[[nodiscard]] ReadObj read_stl(const std::string& path);
+
 }  // namespace d2b::test

@@ -49,6 +49,17 @@ TEST(Crs, KindIsThatOfTheHorizontalPart) {
         EXPECT_EQ(Crs(text).kind(), kind) << text;
 }
 
+TEST(Crs, HasTheUrlOfItsCode) {
+    const std::string epsg = "https://www.opengis.net/def/crs/EPSG/0/";
+    EXPECT_EQ(Crs("EPSG:25832").url(), epsg + "25832");
+    EXPECT_EQ(Crs("EPSG:7415").url(), epsg + "7415");
+    EXPECT_EQ(Crs(Crs("EPSG:25832").wkt()).url(), epsg + "25832");
+    EXPECT_EQ(Crs("EPSG:25832+7837").url(), epsg + "25832");  // this pair has none of its own
+    EXPECT_EQ(Crs("ESRI:102003").url(), "https://www.opengis.net/def/crs/ESRI/0/102003");
+    EXPECT_EQ(Crs("+proj=tmerc +lon_0=9 +ellps=GRS80 +type=crs").url(), "");
+    EXPECT_EQ(Crs().url(), "");
+}
+
 TEST(Crs, ReadsEveryNotation) {
     const std::string name = "ETRS89 / UTM zone 32N";
     const std::string json =

@@ -16,6 +16,18 @@
 #include "dem2buildings/error.hpp"
 
 namespace d2b {
+namespace {
+
+/// As the OGC names it; "" where it has no code.
+std::string url_of(const PJ* crs) {
+    const char* authority = proj_get_id_auth_name(crs, 0);
+    const char* code = proj_get_id_code(crs, 0);
+    if (authority == nullptr || code == nullptr)
+        return "";
+    return "https://www.opengis.net/def/crs/" + std::string(authority) + "/0/" + code;
+}
+
+}  // namespace
 
 void Crs::Impl::read(std::string_view text) {
     context = std::make_unique<ProjContext>();
@@ -31,6 +43,9 @@ void Crs::Impl::read(std::string_view text) {
     horizontal = horizontal_part(pj_context, given.get());
     const PjPtr base = unbound(pj_context, PjPtr(proj_clone(pj_context, horizontal.get())));
     kind = kind_of(pj_context, base.get());
+    url = url_of(given.get());
+    if (url.empty())
+        url = url_of(base.get());
     const std::optional<AxisUnit> unit = axis_unit(pj_context, base.get(), 0);
     if (kind == Kind::geographic && unit)
         angular_unit = to_degrees(unit->factor);
@@ -59,6 +74,9 @@ std::string Crs::name() const {
 }
 std::string Crs::wkt() const {
     return impl_->wkt;
+}
+std::string Crs::url() const {
+    return impl_->url;
 }
 std::optional<LengthUnit> Crs::horizontal_unit() const {
     return impl_->horizontal_unit;

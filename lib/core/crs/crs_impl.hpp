@@ -18,6 +18,7 @@ struct Crs::Impl {
     Kind kind = Kind::none;
     std::string name;
     std::string wkt;
+    std::string url;
     std::optional<LengthUnit> horizontal_unit;
     std::optional<LengthUnit> vertical_unit;
     bool on_ellipsoid = false;

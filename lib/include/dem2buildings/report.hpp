@@ -92,7 +92,8 @@ struct UnitReport {
     std::string vertical;
     std::string vertical_decided_by;
     double vertical_metres = 1;
-    std::string areas;  ///< "geodesic" or "planar"
+    std::string areas;              ///< "geodesic" or "planar"
+    bool vertical_is_known = true;  ///< not taken for metres since nothing says what it is
 };
 
 /// The surface of the buildings.

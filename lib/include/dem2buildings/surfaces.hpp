@@ -84,6 +84,7 @@ struct SurfaceMeta {
     SurfaceFrame frame;
     std::string lod;                ///< level of detail after Biljecki et al. (2016): "1.2" or "1.3"
     std::vector<FieldSpec> fields;  ///< of a building; the first is its number
+    std::string vertical_unit;      ///< its name; "" where nothing says what it is
     Provenance provenance;          ///< with the CRS of the coordinates; "" for none
 };
 
@@ -107,6 +108,8 @@ class SurfaceSink {
     virtual void begin(const SurfaceMeta& meta) = 0;
     /// @param part a building, or a block of touching ones @throws OutputError
     virtual void add(const SurfacePart& part) = 0;
+    /// Called when no part that comes later touches those that came before.
+    virtual void end_group() {}
     /// Makes the result visible, all of it or nothing; of no part at all as well. @throws OutputError
     virtual void finish() = 0;
 

@@ -1,0 +1,99 @@
+#include "write/stl_sink.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "write/coordinate_text.hpp"
+#include "write/surface_file.hpp"
+
+namespace d2b {
+namespace {
+
+using Vector = std::array<double, 3>;
+
+Vector minus(const Vector& a, const Vector& b) {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+/// Of length one, to the side from which the corners run counter-clockwise.
+Vector normal(const Vector& a, const Vector& b, const Vector& c) {
+    const Vector u = minus(b, a);
+    const Vector v = minus(c, a);
+    Vector n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    const double length = std::hypot(n[0], n[1], n[2]);
+    for (double& part : n)
+        part /= length;
+    return n;
+}
+
+class StlSink final : public SurfaceSink {
+  public:
+    explicit StlSink(RasterPlace place) : file_(std::move(place)) {}
+
+    [[nodiscard]] SurfaceForm form() const override { return SurfaceForm::shell; }
+    void begin(const SurfaceMeta& meta) override {
+        frame_ = meta.frame;
+        text_.emplace(meta.frame);
+    }
+    void add(const SurfacePart& part) override;
+    void finish() override;
+    [[nodiscard]] std::vector<std::string> take_warnings() override { return file_.take_warnings(); }
+
+  private:
+    void add_building(const SurfacePart& part, const SurfaceBuilding& building);
+    [[nodiscard]] std::string facet(const SurfacePart& part, const SurfaceTriangle& triangle) const;
+
+    SurfaceFile file_;
+    SurfaceFrame frame_;
+    std::optional<CoordinateText> text_;
+    bool has_any_ = false;
+};
+
+void StlSink::add(const SurfacePart& part) {
+    for (const SurfaceBuilding& building : part.buildings)
+        add_building(part, building);
+}
+
+void StlSink::add_building(const SurfacePart& part, const SurfaceBuilding& building) {
+    const std::string name = "building_" + std::to_string(building.id);
+    std::string text = "solid " + name + " origin " + origin_text(frame_) + "\n";
+    for (const SurfaceTriangle& triangle : building.triangles)
+        text += facet(part, triangle);
+    file_.write(text + "endsolid " + name + "\n");
+    has_any_ = true;
+}
+
+std::string StlSink::facet(const SurfacePart& part, const SurfaceTriangle& triangle) const {
+    constexpr int digits = 6;
+    std::array<Vector, 3> at;
+    std::string vertices;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        const SurfacePoint& point = part.points[triangle.corners[i]];
+        at[i] = frame_.local(point);
+        vertices += "vertex " + (*text_)(point) + "\n";
+    }
+    std::string text = "facet normal";
+    for (const double part_of : normal(at[0], at[1], at[2]))
+        text += " " + short_text(part_of, digits);
+    return text + "\nouter loop\n" + vertices + "endloop\nendfacet\n";
+}
+
+void StlSink::finish() {
+    if (has_any_)
+        file_.publish();
+    else
+        file_.leave_out("an STL without a solid is none");
+}
+
+}  // namespace
+
+std::unique_ptr<SurfaceSink> open_stl_sink(RasterPlace place) {
+    return std::make_unique<StlSink>(std::move(place));
+}
+
+}  // namespace d2b

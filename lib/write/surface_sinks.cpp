@@ -1,0 +1,24 @@
+#include "write/surface_sinks.hpp"
+
+#include <utility>
+
+#include "write/cityjson_sink.hpp"
+#include "write/obj_sink.hpp"
+#include "write/stl_sink.hpp"
+#include "write/surface_format.hpp"
+
+namespace d2b {
+
+std::unique_ptr<SurfaceSink> open_surface_sink(RasterPlace place) {
+    switch (*surface_format_of(place.name)) {
+        case SurfaceFormat::cityjson:
+            return open_cityjson_sink(std::move(place));
+        case SurfaceFormat::stl:
+            return open_stl_sink(std::move(place));
+        case SurfaceFormat::obj:
+            break;
+    }
+    return open_obj_sink(std::move(place));
+}
+
+}  // namespace d2b

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <memory>
+
+#include "dem2buildings/surfaces.hpp"
+#include "write/raster_target.hpp"
+
+namespace d2b {
+
+/// A file of a surface, in the format that its name ends in. @param place of RasterFormat::surface
+[[nodiscard]] std::unique_ptr<SurfaceSink> open_surface_sink(RasterPlace place);
+
+}  // namespace d2b

@@ -1,0 +1,47 @@
+#include "write/coordinate_text.hpp"
+
+#include <charconv>
+
+#include <gtest/gtest.h>
+
+namespace d2b {
+namespace {
+
+/// With a point, whatever the locale says.
+float first_number(const std::string& text) {
+    float number = 0;
+    std::from_chars(text.data(), text.data() + text.size(), number);
+    return number;
+}
+
+/// Neighbouring steps stay apart in single precision, as far out as the lattice allows.
+TEST(CoordinateText, tellsStepsApart) {
+    for (const double cell : {0.1, 0.25, 0.5, 1.0, 2.5, 30.0}) {
+        SurfaceFrame frame;
+        frame.scale = {cell / 1024, cell / 1024, 0.001};
+        frame.translate = {0.3, 0.7, 0};
+        const CoordinateText text(frame);
+        for (const std::int64_t x : {std::int64_t{0}, std::int64_t{12345}, std::int64_t{8191} * 1024})
+            for (std::int64_t step = 0; step < 64; ++step) {
+                const float here = first_number(text({x + step, 0, 0}));
+                const float next = first_number(text({x + step + 1, 0, 0}));
+                EXPECT_LT(here, next) << cell << " " << x;
+            }
+    }
+}
+
+TEST(CoordinateText, hasNoMoreDigitsThanItNeeds) {
+    SurfaceFrame frame;
+    frame.scale = {1 / 1024.0, 1 / 1024.0, 0.001};
+    const CoordinateText text(frame);
+    EXPECT_EQ(text({0, 0, 0}), "0 0 0");
+    EXPECT_EQ(text({-1024, 512, -1500}), "-1 0.5 -1.5");
+    EXPECT_EQ(text({1, -1, 1}), "0.00098 -0.00098 0.001");
+    frame.horizontal_metres = 0.3048;
+    frame.origin = {100, 0, -2};
+    EXPECT_EQ(origin_text(frame), "100 0 -2");
+    EXPECT_EQ(CoordinateText(frame)({1024 * 1000, 0, 0}), "204.8 0 2");
+}
+
+}  // namespace
+}  // namespace d2b

@@ -1,0 +1,72 @@
+#include "write/surface_sinks.hpp"
+
+#include <optional>
+
+#include "dem2buildings/error.hpp"
+#include "write/surface_format.hpp"
+#include "write/surface_sink_case.hpp"
+
+namespace d2b::test {
+namespace {
+
+/// Of each format.
+class EachSurfaceSink : public SurfaceSinkCase, public ::testing::WithParamInterface<std::string> {};
+
+INSTANTIATE_TEST_SUITE_P(Formats, EachSurfaceSink, ::testing::Values("a.city.json", "a.obj", "a.stl"));
+
+/// Nothing is left of one that is not finished, however much was written.
+TEST_P(EachSurfaceSink, isThereWholeOrNotAtAll) {
+    {
+        const auto sink = open_surface_sink(place(GetParam()));
+        sink->begin(meta_);
+        for (int i = 0; i < 20000; ++i)
+            sink->add(part(i));
+        EXPECT_EQ(entries().size(), 1U);  // a hidden folder
+    }
+    EXPECT_EQ(entries(), Names{});
+}
+
+TEST_P(EachSurfaceSink, aFileThatHasChangedMeanwhileIsLeftAlone) {
+    const auto sink = open_surface_sink(place(GetParam()));
+    put(GetParam(), "of somebody else");
+    sink->begin(meta_);
+    sink->add(part(1));
+    EXPECT_NE(thrown<OutputError>([&] { sink->finish(); }).find(GetParam()), std::string::npos);
+    EXPECT_EQ(bytes(GetParam()), "of somebody else");
+}
+
+TEST(SurfaceFormats, byTheEndOfAName) {
+    EXPECT_EQ(surface_format_of("a/b.obj"), SurfaceFormat::obj);
+    EXPECT_EQ(surface_format_of("B.OBJ"), SurfaceFormat::obj);
+    EXPECT_EQ(surface_format_of("a.city.json"), SurfaceFormat::cityjson);
+    EXPECT_EQ(surface_format_of("A.City.JSON"), SurfaceFormat::cityjson);
+    EXPECT_EQ(surface_format_of("a.json"), std::nullopt);
+    EXPECT_EQ(surface_format_of("a.stl"), SurfaceFormat::stl);
+    EXPECT_EQ(surface_format_of("obj"), std::nullopt);
+    EXPECT_EQ(surface_format_of("a.obj.gz"), std::nullopt);
+}
+
+TEST(SurfaceFormats, whatMayBeReplaced) {
+    const auto is_obj = [](const char* text) { return begins_a_surface(SurfaceFormat::obj, text); };
+    EXPECT_TRUE(is_obj("# of another program\n\nmtllib a.mtl\n"));
+    EXPECT_TRUE(is_obj("v 1 2 3\n"));
+    EXPECT_TRUE(is_obj("o\tone\r\n"));
+    EXPECT_TRUE(is_obj("# a comment alone"));
+    EXPECT_TRUE(is_obj(""));
+    EXPECT_FALSE(is_obj("vertex 1 2 3\n"));
+    EXPECT_FALSE(is_obj("# a\nDear diary\n"));
+}
+
+TEST(SurfaceFormats, whatMayBeReplacedOfOtherFormats) {
+    EXPECT_TRUE(begins_a_surface(SurfaceFormat::stl, "solid of another program\n facet"));
+    EXPECT_FALSE(begins_a_surface(SurfaceFormat::stl, "Dear diary, a solid day\n"));
+    const auto is_city = [](const char* text) { return begins_a_surface(SurfaceFormat::cityjson, text); };
+    EXPECT_TRUE(is_city("\n{ \"type\" : \"CityJSON\", "));
+    EXPECT_TRUE(is_city("{\"version\": \"1.1\", \"type\": \"CityJSON\""));
+    EXPECT_FALSE(is_city("{\"type\": \"FeatureCollection\""));
+    EXPECT_FALSE(is_city("\"CityJSON\""));
+    EXPECT_FALSE(is_city(""));
+}
+
+}  // namespace
+}  // namespace d2b::test
