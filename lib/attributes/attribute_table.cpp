@@ -250,6 +250,10 @@ template std::vector<FieldSpec> field_specs(std::span<const Attribute<ContourRec
                                             FieldNames);
 template std::vector<FieldSpec> field_specs(std::span<const Attribute<RejectedRecord>>, const std::string&,
                                             FieldNames);
+template std::vector<FieldSpec> field_specs(std::span<const Attribute<ProblemRecord>>, const std::string&,
+                                            FieldNames);
+template std::vector<FieldValue> field_values(std::span<const Attribute<ProblemRecord>>,
+                                              const ProblemRecord&);
 template std::vector<FieldValue> field_values(std::span<const Attribute<RejectedRecord>>,
                                               const RejectedRecord&);
 template std::vector<FieldValue> field_values(std::span<const Attribute<BuildingRecord>>,
@@ -259,7 +263,8 @@ template std::vector<FieldValue> field_values(std::span<const Attribute<ContourR
 
 std::string schema_markdown() {
     return "## buildings\n\n" + markdown(building_attributes()) + "\n## contours\n\n" +
-           markdown(contour_attributes()) + "\n## rejected\n\n" + markdown(rejected_attributes());
+           markdown(contour_attributes()) + "\n## rejected\n\n" + markdown(rejected_attributes()) +
+           "\n## problems\n\n" + markdown(problem_attributes());
 }
 
 }  // namespace d2b

@@ -29,6 +29,7 @@ struct Attribute {
 [[nodiscard]] std::span<const Attribute<BuildingRecord>> building_attributes();
 [[nodiscard]] std::span<const Attribute<ContourRecord>> contour_attributes();
 [[nodiscard]] std::span<const Attribute<RejectedRecord>> rejected_attributes();
+[[nodiscard]] std::span<const Attribute<ProblemRecord>> problem_attributes();
 
 /// @param vertical_unit name of the DEM's vertical unit
 template <typename Record>
@@ -38,6 +39,11 @@ template <typename Record>
 template <typename Record>
 [[nodiscard]] std::vector<FieldValue> field_values(std::span<const Attribute<Record>> attributes,
                                                    const Record& record);
+
+/// NULL where there is none.
+[[nodiscard]] inline FieldValue id_or_null(std::int64_t id) {
+    return id > 0 ? FieldValue{id} : FieldValue{};
+}
 
 /// The schema of the layers as Markdown tables: docs/output.md holds it.
 [[nodiscard]] std::string schema_markdown();

@@ -8,10 +8,6 @@ namespace {
 
 using Unit = AttributeUnit;
 
-FieldValue id_or_null(std::int64_t id) {
-    return id > 0 ? FieldValue{id} : FieldValue{};
-}
-
 constexpr std::array rejected_table{
     Attribute<RejectedRecord>{"id", "Number", FieldType::integer, Unit::none, "number in this layer, from 1",
                               [](const RejectedRecord& r) -> FieldValue { return r.id; }},

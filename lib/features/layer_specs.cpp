@@ -37,6 +37,14 @@ LayerSpecs layer_specs(const RunPlan& plan, const std::string& source, const std
             add(LayerRole::rejected, "Rejected",
                 "Contours and holes that were dropped, filled or kept as traced, with the reason, from ",
                 field_specs(rejected_attributes(), vertical_unit), false);
+    if (write.problems && sink.takes_points()) {
+        specs.places.problems =
+            add(LayerRole::problems, "Problems",
+                "Places at which outlines stood in the way of a surface, and what became of them, from ",
+                field_specs(problem_attributes(), vertical_unit), false);
+        specs.layers.back().points = true;
+        specs.layers.back().with_z = false;
+    }
     return specs;
 }
 

@@ -16,6 +16,7 @@ struct LayerPlaces {
     std::optional<std::size_t> contours;
     std::optional<std::size_t> doubtful;
     std::optional<std::size_t> rejected;
+    std::optional<std::size_t> problems;
 
     [[nodiscard]] std::optional<std::size_t> of_building(bool is_doubtful) const {
         return is_doubtful ? doubtful : buildings;

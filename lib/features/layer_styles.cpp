@@ -74,6 +74,8 @@ void give_styles(std::vector<LayerSpec>& layers, const FeatureInput& input, doub
     if (places.rejected)
         layers[*places.rejected].style =
             reason_style("Dropped, filled or kept as traced", "reason", parts_scale);
+    if (places.problems)
+        layers[*places.problems].style = reason_style("In the way of a surface", "kind", parts_scale);
     for (LayerSpec& layer : layers) {
         layer.style.metre_scale = 1 / map_metres(input);
         layer.style.vertical_scale = vertical_metres / map_metres(input);

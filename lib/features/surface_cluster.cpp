@@ -64,7 +64,9 @@ void ClusterDrawer::add_building(std::uint32_t contour) {
     const bool flat =
         input_.of == SurfaceOf::buildings && !(input_.lattice.height(roof) > input_.lattice.height(base));
     if (!std::isfinite(base) || !std::isfinite(roof) || flat) {
-        drawn_.lost.push_back(record->id);
+        const auto placed = input_.lattice.place(input_.features.outliner.footprint(contour), transform_);
+        drawn_.lost.push_back(
+            {record->id, record->area_m2, placed ? std::optional(placed->exterior.front()) : std::nullopt});
         return;
     }
     building_place_[number] = static_cast<std::int32_t>(drawn_.buildings.size());
@@ -113,7 +115,7 @@ void ClusterDrawer::drop(const std::vector<bool>& is_lost) {
     std::vector<std::int32_t> building(is_lost.size(), -1);
     for (std::size_t i = 0; i < is_lost.size(); ++i) {
         if (is_lost[i]) {
-            drawn_.lost.push_back(drawn_.buildings[i].id);
+            drawn_.lost.push_back({drawn_.buildings[i].id, drawn_.buildings[i].area_m2, std::nullopt});
             continue;
         }
         building[i] = static_cast<std::int32_t>(rest.buildings.size());
@@ -140,7 +142,6 @@ DrawnCluster ClusterDrawer::draw(std::span<const std::uint32_t> contours) {
         if (is_wanted(contour))
             add_contour(contour);
     place();
-    std::ranges::sort(drawn_.lost);
     return std::move(drawn_);
 }
 

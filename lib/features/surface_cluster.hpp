@@ -11,6 +11,8 @@
 
 namespace d2b {
 
+class ProblemLayer;
+
 /// What surfaces are made from.
 struct SurfaceInput {
     const FeatureInput& features;
@@ -19,13 +21,21 @@ struct SurfaceInput {
     const SurfaceLattice& lattice;
     SurfaceOf of;
     SurfaceRoof roof;
+    ProblemLayer* problems = nullptr;  ///< gets what was in the way, where it is asked for
+};
+
+/// A building that is in no surface.
+struct LostBuilding {
+    std::int64_t id = 0;
+    double area_m2 = 0;
+    std::optional<FinePoint> corner;  ///< one of it, on the lattice of the surface; nothing where it is torn
 };
 
 /// What a group of contours has to give.
 struct DrawnCluster {
     SurfaceCluster cluster;
     std::vector<BuildingRecord> buildings;  ///< of the cluster's, in their order
-    std::vector<std::int64_t> lost;  ///< ids of those that have no ground, no height or no place in the CRS
+    std::vector<LostBuilding> lost;         ///< those that have no ground, no height or no place in the CRS
 };
 
 /// The outlines and heights of the buildings in a group, on the lattice of the surface.

@@ -9,12 +9,14 @@
 
 #include "attributes/attribute_table.hpp"
 #include "core/stage_clock.hpp"
+#include "features/problem_layer.hpp"
+#include "features/surface_problems.hpp"
 #include "geometry/geos.hpp"
 
 namespace d2b {
 namespace {
 
-constexpr std::int64_t most_named = 10;
+constexpr std::int64_t most_lost_named = 10;
 
 /// What a thread needs of its own.
 struct SurfaceRoom {
@@ -26,7 +28,8 @@ struct SurfaceRoom {
 /// What was made of a group.
 struct GroupSurfaces {
     MadeSurfaces made;
-    std::vector<std::int64_t> lost;
+    std::vector<LostBuilding> lost;
+    std::vector<PlacedProblem> problems;  // where they are asked for
 };
 
 /// @param records by ascending ids
@@ -43,12 +46,12 @@ class SurfaceWriter {
     SurfaceWriter(const SurfaceInput& input, std::span<SurfaceSink* const> sinks, Context& context);
 
     [[nodiscard]] GroupSurfaces make(std::span<const std::uint32_t> group, std::size_t thread);
-    void add(const GroupSurfaces& group);
+    void add(GroupSurfaces&& group);
     void finish();
 
   private:
     void count(const MadeSurfaces& made);
-    void warn_of_lost(const std::vector<std::int64_t>& ids);
+    void warn_of_lost(const std::vector<LostBuilding>& lost);
 
     const SurfaceInput& input_;
     std::span<SurfaceSink* const> sinks_;
@@ -81,8 +84,10 @@ GroupSurfaces SurfaceWriter::make(std::span<const std::uint32_t> group, std::siz
     fill_values(drawn.buildings, result.made.solids);
     fill_values(drawn.buildings, result.made.shell);
     result.lost = std::move(drawn.lost);
-    result.lost.insert(result.lost.end(), result.made.left_out.begin(), result.made.left_out.end());
-    std::ranges::sort(result.lost);
+    add_left_out(drawn, result.made, result.lost);
+    std::ranges::sort(result.lost, {}, &LostBuilding::id);
+    if (input_.problems != nullptr)
+        result.problems = surface_problems(drawn.cluster, result.made, result.lost, input_.lattice.frame());
     return result;
 }
 
@@ -99,18 +104,20 @@ void SurfaceWriter::count(const MadeSurfaces& made) {
         report_.buildings += static_cast<std::int64_t>(part.buildings.size());
 }
 
-void SurfaceWriter::warn_of_lost(const std::vector<std::int64_t>& ids) {
-    for (const std::int64_t id : ids)
-        if (++lost_ <= most_named)
-            context_.warn("Building " + std::to_string(id) +
+void SurfaceWriter::warn_of_lost(const std::vector<LostBuilding>& lost) {
+    for (const LostBuilding& building : lost)
+        if (++lost_ <= most_lost_named)
+            context_.warn("Building " + std::to_string(building.id) +
                           " is not in the surface: it has no height above its ground, or no closed surface "
                           "was found for it.");
-    context_.report.count(Reason::surface_lost, static_cast<std::int64_t>(ids.size()));
+    context_.report.count(Reason::surface_lost, static_cast<std::int64_t>(lost.size()));
 }
 
-void SurfaceWriter::add(const GroupSurfaces& group) {
+void SurfaceWriter::add(GroupSurfaces&& group) {
     count(group.made);
     warn_of_lost(group.lost);
+    if (input_.problems != nullptr)
+        input_.problems->note(std::move(group.problems));
     const StageClock clock(context_.report, Stage::write);
     for (SurfaceSink* sink : sinks_) {
         for (const SurfacePart& part :
@@ -121,8 +128,8 @@ void SurfaceWriter::add(const GroupSurfaces& group) {
 }
 
 void SurfaceWriter::finish() {
-    if (lost_ > most_named)
-        context_.warn(std::to_string(lost_ - most_named) + " more buildings are not in the surface.");
+    if (lost_ > most_lost_named)
+        context_.warn(std::to_string(lost_ - most_lost_named) + " more buildings are not in the surface.");
     for (SurfaceRoom& room : rooms_)
         context_.report.merge(room.tally);
     context_.report.surface = report_;
@@ -149,8 +156,8 @@ void write_surfaces(const SurfaceInput& input, SurfaceMeta meta, std::span<Surfa
     SurfaceWriter writer(input, sinks, context);
     context.threads->in_order(
         groups.size(), [&](std::size_t i, std::size_t thread) { return writer.make(groups[i], thread); },
-        [&](std::size_t i, const GroupSurfaces& made) {
-            writer.add(made);
+        [&](std::size_t i, GroupSurfaces made) {
+            writer.add(std::move(made));
             context.progress(static_cast<double>(i) / static_cast<double>(groups.size()));
         });
     writer.finish();

@@ -136,6 +136,14 @@ std::vector<OptionRow> also_written() {
                                .help = "Also write a layer of contours and holes that were dropped, filled "
                                        "or kept as traced, with the reason.",
                                .details = "Its name is rejected, or that of -nln with _rejected after it."}));
+    rows.push_back(switch_row(
+        "write_problems", [](auto& r) -> auto& { return r.options.write.problems; },
+        {.title = "Also write the problems of the surface",
+         .help = "Also write a layer of points where outlines stood in the way of a surface.",
+         .details =
+             "Each has its kind, its buildings, its size before and after, and whether it was changed or "
+             "left. Its name is problems, or that of -nln with _problems after it.",
+         .repeats = false}));
     rows.push_back(text_row("write_ground", OptionKind::geotiff, "<file.tif>",
                             [](auto& r) -> auto& { return r.options.write.ground; },
                             {.title = "Terrain as a GeoTIFF",

@@ -91,6 +91,7 @@ constexpr std::array rules{
     no_effect(given("arcs"), given("sweep"), no_layers),
     no_effect(given("write_doubtful"), given("sweep"), no_layers),
     no_effect(given("write_rejected"), given("sweep"), no_layers),
+    no_effect(given("write_problems"), given("sweep"), no_layers),
     no_effect(given("write_ground"), given("sweep"), no_layers),
     no_effect(given("write_height"), given("sweep"), no_layers),
     no_effect(given("write_canopy"), given("sweep"), no_layers),
@@ -106,6 +107,7 @@ constexpr std::array needs{
     OptionNeed{"surface_of", "surface", "it says what the surface is made of"},
     OptionNeed{"surface_roof", "surface", "it is the height of its flat roofs"},
     OptionNeed{"surface_origin", "surface", "its coordinates begin there"},
+    OptionNeed{"write_problems", "surface", "what it writes was in the way of the surface"},
     OptionNeed{"mask_layer", "mask", "it names the layer of its polygons"},
 };
 

@@ -14,6 +14,7 @@
 #include "elevations/elevation_reader.hpp"
 #include "elevations/sift_rules.hpp"
 #include "features/contour_drawer.hpp"
+#include "features/problem_layer.hpp"
 #include "features/target_frame.hpp"
 #include "features/write_features.hpp"
 #include "features/write_surfaces.hpp"
@@ -229,12 +230,15 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
                              kept ? &*kept : nullptr};
     const double written = lattice ? (at.traced + 3 * at.drawn) / 4 : at.drawn;
     within(context, at.traced, written, [&] { write_features(input, records, sinks.features, context); });
+    ProblemLayer problems(setup.layers.places.problems);
     if (lattice)
         within(context, written, at.drawn, [&] {
-            write_surfaces({input, records, *kept, *lattice, decided.surface_of, options.write.surface_roof},
+            write_surfaces({input, records, *kept, *lattice, decided.surface_of, options.write.surface_roof,
+                            options.write.problems ? &problems : nullptr},
                            surface_meta(decided, *lattice, setup.written(), report.units), sinks.surfaces,
                            context);
         });
+    problems.write(sinks.features, context);
     context.progress(at.drawn);
     finish(sinks, context);
 }

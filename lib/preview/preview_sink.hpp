@@ -39,6 +39,7 @@ class PreviewSink final : public FeatureSink {
     void finish() override;
     [[nodiscard]] std::vector<std::string> take_warnings() override { return features_.take_warnings(); }
     [[nodiscard]] std::int64_t first_id() const override { return features_.first_id(); }
+    [[nodiscard]] bool takes_points() const override { return features_.takes_points(); }
     [[nodiscard]] Layers layers(std::optional<Layers> asked) const override {
         return features_.layers(asked);
     }

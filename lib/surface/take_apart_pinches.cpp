@@ -187,7 +187,7 @@ bool PinchTaker::move_one(std::uint32_t node, const Pinch& pinch) {
     for (const std::int64_t reach : reaches)
         for (const SectorRun& run : pinch.runs)
             if (const auto place = place_for(node, arms_of(node, run), reach)) {
-                taken_.mends.push_back({plan_.nodes[node], pinch.fills, contours_at(node)});
+                taken_.mends.push_back({plan_.nodes[node], *place, pinch.fills, contours_at(node)});
                 move(node, run, *place);
                 return true;
             }

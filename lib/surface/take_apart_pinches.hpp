@@ -11,6 +11,7 @@ namespace d2b {
 /// What was done at a node.
 struct PinchMend {
     FinePoint place;
+    FinePoint moved;      ///< where the corner that moved is now
     bool filled = false;  ///< a notch within a building, else buildings were cut back from each other
     std::vector<std::int32_t> contours;  ///< around it
 };

@@ -31,6 +31,8 @@ std::string name_of(const WriteOptions& options, const VectorFormat& format, Lay
             return options.layer_name + "_doubtful";
         if (role == LayerRole::rejected)
             return options.layer_name + "_rejected";
+        if (role == LayerRole::problems)
+            return options.layer_name + "_problems";
         return options.layer_name +
                (layers == Layers::both && role == LayerRole::contours ? "_contours" : "");
     }
@@ -47,9 +49,11 @@ std::string name_of(const WriteOptions& options, const VectorFormat& format, Lay
         case LayerRole::doubtful:
             return "doubtful";
         case LayerRole::rejected:
+            return "rejected";
+        case LayerRole::problems:
             break;
     }
-    return "rejected";
+    return "problems";
 }
 
 std::vector<std::string> names_of(const WriteOptions& options, const VectorFormat& format, Layers layers) {
@@ -62,6 +66,8 @@ std::vector<std::string> names_of(const WriteOptions& options, const VectorForma
         names.push_back(name_of(options, format, LayerRole::doubtful, layers));
     if (options.rejected)
         names.push_back(name_of(options, format, LayerRole::rejected, layers));
+    if (options.problems && format.several_layers)
+        names.push_back(name_of(options, format, LayerRole::problems, layers));
     return names;
 }
 

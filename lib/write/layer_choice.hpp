@@ -13,8 +13,9 @@ namespace d2b {
 [[nodiscard]] Layers resolve_layers(const WriteOptions& options, const VectorFormat& format);
 
 /// The name of a layer: -nln, with "_contours" after it for the contours where both layers are written, and
-/// "_doubtful" and "_rejected" for what is that; without -nln "buildings", "contours", "doubtful" or
-/// "rejected", or the stem of the file where a file is a layer. @param layers what resolve_layers() gave
+/// "_doubtful", "_rejected" and "_problems" for what is that; without -nln "buildings", "contours",
+/// "doubtful", "rejected" or "problems", or the stem of the file where a file is a layer. @param layers what
+/// resolve_layers() gave
 [[nodiscard]] std::string name_of(const WriteOptions& options, const VectorFormat& format, LayerRole role,
                                   Layers layers);
 

@@ -72,6 +72,8 @@ FieldOwner field_of(const FieldSpec& spec, GDALDriverH driver) {
 }
 
 OGRwkbGeometryType geometry_type(const LayerSpec& spec, GDALDriverH driver) {
+    if (spec.points)
+        return wkbPoint;
     const bool curves =
         spec.with_arcs && GDALGetMetadataItem(driver, GDAL_DCAP_CURVE_GEOMETRIES, nullptr) != nullptr;
     if (curves)

@@ -10,8 +10,8 @@ namespace d2b {
 /// @return null where there is none @throws OutputError
 [[nodiscard]] CrsOwner srs_of(const std::string& wkt, const WriteTarget& target);
 
-/// A new layer of MultiPolygons with title and description where the format has a place for them; options of
-/// the user's go first. Warns where the format keeps no geometries. @throws OutputError
+/// A new layer of MultiPolygons, or of points, with title and description where the format has a place for
+/// them; options of the user's go first. Warns where the format keeps no geometries. @throws OutputError
 [[nodiscard]] OGRLayerH create_layer(GDALDatasetH dataset, const LayerSpec& spec,
                                      const LayerSetting& setting);
 

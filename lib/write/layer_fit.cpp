@@ -37,16 +37,18 @@ bool type_fits(FieldType wanted, OGRFieldType there) {
 }
 
 /// Empty where it fits.
-std::string geometry_misfit(OGRLayerH layer, bool with_z) {
+std::string geometry_misfit(OGRLayerH layer, const LayerSpec& spec) {
     const OGRwkbGeometryType type = OGR_L_GetGeomType(layer);
     const OGRwkbGeometryType flat = wkbFlatten(type);
     if (flat == wkbUnknown || flat == wkbNone)
         return "";
-    if (flat != wkbMultiPolygon && flat != wkbPolygon && flat != wkbMultiSurface)
-        return "holds geometries of type " + std::string(OGRGeometryTypeToName(type)) +
-               " and not MultiPolygons";
-    if ((OGR_GT_HasZ(type) != FALSE) != with_z)
-        return with_z ? "has no Z, and the result has" : "has Z, and the result has none";
+    const bool fits = spec.points ? flat == wkbPoint
+                                  : flat == wkbMultiPolygon || flat == wkbPolygon || flat == wkbMultiSurface;
+    if (!fits)
+        return "holds geometries of type " + std::string(OGRGeometryTypeToName(type)) + " and not " +
+               (spec.points ? "points" : "MultiPolygons");
+    if ((OGR_GT_HasZ(type) != FALSE) != spec.with_z)
+        return spec.with_z ? "has no Z, and the result has" : "has Z, and the result has none";
     return "";
 }
 
@@ -60,7 +62,7 @@ std::vector<int> fitting_fields(OGRLayerH layer, const LayerSpec& spec, const La
     OGRSpatialReferenceH there = OGR_L_GetSpatialRef(layer);
     if (setting.format.keeps_crs && !same_srs(there, setting.srs))
         throw misfit("is in " + srs_name(there) + " and the result in " + srs_name(setting.srs));
-    const std::string geometry = geometry_misfit(layer, spec.with_z);
+    const std::string geometry = geometry_misfit(layer, spec);
     if (!geometry.empty())
         throw misfit(geometry);
     std::vector<int> indices;

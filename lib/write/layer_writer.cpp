@@ -106,7 +106,7 @@ void LayerWriter::add(const Feature& feature) {
         call.fail("writing " + text_of(feature));
     call.pass_warnings();
     if (index_)
-        index_->add(OGR_F_GetFID(feature_.get()), feature.parts);
+        index_->add(OGR_F_GetFID(feature_.get()), feature);
     ++expected_;
 }
 

@@ -45,6 +45,7 @@ class OgrFeatureSink final : public FeatureSink {
     void finish() override;
     [[nodiscard]] std::vector<std::string> take_warnings() override { return warnings_.take(); }
     [[nodiscard]] std::int64_t first_id() const override { return writer_ ? writer_->first_id() : 1; }
+    [[nodiscard]] bool takes_points() const override { return format_.several_layers; }
     [[nodiscard]] Layers layers(std::optional<Layers> asked) const override {
         WriteOptions options = options_;
         options.layers = asked;

@@ -40,9 +40,21 @@ std::string area(const std::string& colour, const std::string& edge, const std::
                         defined);
 }
 
-std::string symbol(std::size_t number, const std::string& layers) {
-    return "   <symbol type=\"fill\" name=\"" + std::to_string(number) +
+std::string symbol(std::size_t number, const std::string& layers, const std::string& type = "fill") {
+    return "   <symbol type=\"" + type + "\" name=\"" + std::to_string(number) +
            "\" alpha=\"1\" clip_to_extent=\"1\" force_rhr=\"0\">\n" + layers + "   </symbol>\n";
+}
+
+/// A ring, so that what lies below it is seen.
+std::string dot() {
+    return symbol_layer("SimpleMarker", {{"name", "circle"},
+                                         {"color", "255,255,255,0"},
+                                         {"outline_color", "174,1,126,255"},
+                                         {"outline_style", "solid"},
+                                         {"outline_width", "0.5"},
+                                         {"outline_width_unit", "MM"},
+                                         {"size", "3"},
+                                         {"size_unit", "MM"}});
 }
 
 /// Lines in millimetres, which a print shows as a screen does, on a veil that hides the relief.
@@ -104,12 +116,15 @@ std::string by_height(const LayerStyle& style, const Columns& columns) {
 
 }  // namespace
 
-std::string renderer(const LayerStyle& style, const Columns& columns) {
+std::string renderer(const LayerSpec& spec, const Columns& columns) {
+    const LayerStyle& style = spec.style;
     const bool ordered = !columns.order.empty();
     const std::string order = ordered ? "1" : "0";
     std::string text =
         " <renderer-v2 forceraster=\"0\" symbollevels=\"0\" enableorderby=\"" + order + "\" type=\"";
-    if (columns.colour.empty())
+    if (spec.points)
+        text += "singleSymbol\">\n  <symbols>\n" + symbol(0, dot(), "marker") + "  </symbols>\n";
+    else if (columns.colour.empty())
         text += "singleSymbol\">\n  <symbols>\n" + symbol(0, hatched()) + "  </symbols>\n";
     else
         text += "RuleRenderer\">\n" + by_height(style, columns);

@@ -37,7 +37,9 @@ std::string labeling(const LayerSpec& spec, const Columns& columns) {
            "bufferColor=\"255,255,255,255\" bufferOpacity=\"0.9\" bufferJoinStyle=\"128\"/>\n"
            "   </text-style>\n"
            "   <text-format/>\n"
-           "   <placement placement=\"1\" placementFlags=\"10\" centroidInside=\"1\" centroidWhole=\"1\" "
+           "   <placement placement=\"" +
+           (spec.points ? "0" : "1") +
+           "\" placementFlags=\"10\" centroidInside=\"1\" centroidWhole=\"1\" "
            "fitInPolygonOnly=\"0\" quadOffset=\"4\" priority=\"5\" polygonPlacementFlags=\"2\"/>\n"
            "   <rendering scaleVisibility=\"1\" scaleMin=\"1\" scaleMax=\"" +
            number_text(spec.style.label_scale) +

@@ -24,7 +24,7 @@ struct Columns {
 };
 
 /// Colours the layer by height, in a legend that says so, or gives all of it one look.
-[[nodiscard]] std::string renderer(const LayerStyle& style, const Columns& columns);
+[[nodiscard]] std::string renderer(const LayerSpec& spec, const Columns& columns);
 /// What is written on the features, on maps of large scale.
 [[nodiscard]] std::string labeling(const LayerSpec& spec, const Columns& columns);
 /// Solids in the colours of the renderer. They stand at their elevations, whatever the terrain of the scene.

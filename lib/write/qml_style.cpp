@@ -54,11 +54,11 @@ std::string qml_style(const LayerSpec& spec, const std::vector<std::string>& col
             "\" hasScaleBasedVisibilityFlag=\"0\">\n";
     if (!(fields.top + fields.bottom).empty() && !fields.height.empty())
         text += qml::renderer_3d(spec, fields);
-    text += qml::renderer(style, fields);
+    text += qml::renderer(spec, fields);
     if (!fields.label.empty())
         text += qml::labeling(spec, fields);
     text += aliases(spec, columns) + map_tip(fields);
-    return text + " <layerGeometryType>2</layerGeometryType>\n</qgis>\n";
+    return text + " <layerGeometryType>" + (spec.points ? "0" : "2") + "</layerGeometryType>\n</qgis>\n";
 }
 
 }  // namespace d2b

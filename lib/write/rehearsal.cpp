@@ -39,13 +39,17 @@ void refuse_cut_names(const Draft& draft, const DatasetWriter& writer) {
     }
 }
 
-/// A small square with a value in every field.
+/// A small square, or a point, with a value in every field.
 Feature trial_feature(const LayerSpec& layer, const Position& place) {
     Feature feature;
     for (const FieldSpec& field : layer.fields)
         feature.values.push_back(field.type == FieldType::integer ? FieldValue(std::int64_t{1})
                                  : field.type == FieldType::real  ? FieldValue(1.0)
                                                                   : FieldValue(std::string("trial")));
+    if (layer.points) {
+        feature.place = place;
+        return feature;
+    }
     const double side = 1e-6 * std::max({std::abs(place.x), std::abs(place.y), 1.0});
     const double right = place.x + side;
     const double top = place.y + side;

@@ -104,18 +104,21 @@ void SpatialIndex::rest_triggers(const std::string& table) {
         static_cast<void>(run("DROP TRIGGER " + sql_name(name)));
 }
 
-void SpatialIndex::add(std::int64_t id, const std::vector<WorldPolygon>& parts) {
+void SpatialIndex::add(std::int64_t id, const Feature& feature) {
     double low_x = std::numeric_limits<double>::infinity();
     double low_y = low_x;
     double high_x = -low_x;
     double high_y = -low_x;
-    for (const WorldPolygon& part : parts)
-        for (const Position& p : part.exterior) {
-            low_x = std::min(low_x, p.x);
-            high_x = std::max(high_x, p.x);
-            low_y = std::min(low_y, p.y);
-            high_y = std::max(high_y, p.y);
-        }
+    const auto cover = [&](const Position& p) {
+        low_x = std::min(low_x, p.x);
+        high_x = std::max(high_x, p.x);
+        low_y = std::min(low_y, p.y);
+        high_y = std::max(high_y, p.y);
+    };
+    for (const WorldPolygon& part : feature.parts)
+        std::ranges::for_each(part.exterior, cover);
+    if (feature.place)
+        cover(*feature.place);
     boxes_.push_back({id, below(low_x), above(high_x), below(low_y), above(high_y)});
 }
 

@@ -25,7 +25,7 @@ class SpatialIndex {
     [[nodiscard]] static std::optional<SpatialIndex> begin(GDALDatasetH dataset, OGRLayerH layer,
                                                            const WriteTarget& target);
 
-    void add(std::int64_t id, const std::vector<WorldPolygon>& parts);
+    void add(std::int64_t id, const Feature& feature);
     /// @throws OutputError
     void finish();
 

@@ -11,6 +11,7 @@ namespace d2b {
 
 namespace {
 
+constexpr std::uint32_t point_type = 1;
 constexpr std::uint32_t line_string_type = 2;
 constexpr std::uint32_t polygon_type = 3;
 constexpr std::uint32_t multi_polygon_type = 6;
@@ -33,6 +34,13 @@ void MultiPolygonWkb::head(std::uint32_t flat_type, std::size_t count) {
     put(static_cast<std::uint8_t>(std::endian::native == std::endian::little ? 1 : 0));
     put(with_z_ ? flat_type + z_types : flat_type);
     put(static_cast<std::uint32_t>(count));
+}
+
+void MultiPolygonWkb::point(const Position& place) {
+    put(static_cast<std::uint8_t>(std::endian::native == std::endian::little ? 1 : 0));
+    put(point_type);
+    put(place.x);
+    put(place.y);
 }
 
 /// Every step-th position of a ring, round its end.
@@ -93,9 +101,13 @@ void MultiPolygonWkb::curve_polygon(const WorldPolygon& polygon, double z) {
 }
 
 std::span<const std::byte> MultiPolygonWkb::encode(const Feature& feature) {
+    bytes_.clear();
+    if (feature.place) {
+        point(*feature.place);
+        return bytes_;
+    }
     if (feature.parts.empty())
         throw OutputError("A feature without a polygon cannot be written.");
-    bytes_.clear();
     head(with_arcs_ ? multi_surface_type : multi_polygon_type, feature.parts.size());
     for (const WorldPolygon& polygon : feature.parts) {
         if (with_arcs_ && !polygon.arcs.empty()) {

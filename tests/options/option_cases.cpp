@@ -65,6 +65,7 @@ const std::map<std::string, Texts>& needs() {
     static const std::map<std::string, Texts> all{{"surface_of", {"-surface", "s.obj"}},
                                                   {"surface_roof", {"-surface", "s.obj"}},
                                                   {"surface_origin", {"-surface", "s.obj"}},
+                                                  {"write_problems", {"-surface", "s.obj"}},
                                                   {"cutline_layer", {"-cutline", "/vsimem/scene/areas.gpkg"}},
                                                   {"preview_size", {"-preview", "p.png"}},
                                                   {"mask_layer", {"-mask", "/vsimem/scene/masks.gpkg"}},

@@ -91,6 +91,8 @@ TEST(OptionTable, holdsTheseOptions) {
                                          "fields",
                                          "write_doubtful",
                                          "write_rejected",
+                                         "write_problems",
+                                         "write_problems",
                                          "write_ground",
                                          "write_height",
                                          "write_canopy",
@@ -407,6 +409,7 @@ TEST(Options, ofTheOutput) {
     EXPECT_EQ(write({"-fields", "osm"}).fields, FieldNames::osm);
     EXPECT_TRUE(write({"-write_doubtful"}).doubtful);
     EXPECT_TRUE(write({"-write_rejected"}).rejected);
+    EXPECT_TRUE(write({"-surface", "a.obj", "-write_problems"}).problems);
     EXPECT_EQ(write({"-write_ground", "g.tif"}).ground, "g.tif");
     EXPECT_EQ(write({"-write_height", "h.tif"}).height, "h.tif");
     EXPECT_EQ(write({"-write_canopy", "c.tif"}).canopy, "c.tif");
@@ -560,6 +563,7 @@ TEST(Options, everyOptionChangesWhatItShows) {
                                            {"-surface", "x", "-surface_of", "contours"},
                                            {"-surface", "x", "-surface_roof", "p90"},
                                            {"-surface", "x", "-surface_origin", "1", "2", "3"},
+                                           {"-surface", "x", "-write_problems"},
                                            {"-preview", "x"},
                                            {"-preview", "x", "-preview_size", "800"},
                                            {"-sweep", "lod=1..2"},
@@ -567,9 +571,9 @@ TEST(Options, everyOptionChangesWhatItShows) {
     std::set<std::string> seen{"p"};  // no effect
     for (const Texts& arguments : command_lines) {
         const bool needs_the_first =
-            arguments.size() >= 4 &&
-            (arguments[2] == "-off" || arguments[2] == "-preview_size" ||
-             arguments[2].starts_with("-surface_") || arguments[2].ends_with("_layer"));
+            arguments.size() >= 3 && (arguments[2] == "-off" || arguments[2] == "-preview_size" ||
+                                      arguments[2].starts_with("-surface_") ||
+                                      arguments[2] == "-write_problems" || arguments[2].ends_with("_layer"));
         const OptionRow& row = *find_option(arguments[needs_the_first ? 2 : 0]);
         EXPECT_NE(row.show(parse(arguments)), row.standard) << row.name;
         seen.insert(row.name);

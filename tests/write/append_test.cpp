@@ -177,6 +177,10 @@ TEST_F(AppendTest, WhatDoesNotFitIsRefused) {
     spec.fields[2].type = FieldType::real;
     spec = layer_spec("buildings", true);
     EXPECT_EQ(refusal(more("a.gpkg"), spec, provenance()), start + "has no Z, and the result has" + end);
+    spec = layer_spec("buildings");
+    spec.points = true;
+    EXPECT_EQ(refusal(more("a.gpkg"), spec, provenance()),
+              start + "holds geometries of type Multi Polygon and not points" + end);
     WriteOptions z = to("z.gpkg");
     z.with_z = true;
     write(z, 1);

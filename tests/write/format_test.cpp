@@ -122,6 +122,7 @@ TEST_F(FormatTest, LayerNames) {
     EXPECT_EQ(name_of(options, LayerRole::contours, Layers::contours), "blocks");
     EXPECT_EQ(name_of(options, LayerRole::doubtful, Layers::both), "blocks_doubtful");
     EXPECT_EQ(name_of(options, LayerRole::rejected, Layers::both), "blocks_rejected");
+    EXPECT_EQ(name_of(options, LayerRole::problems, Layers::both), "blocks_problems");
     EXPECT_EQ(name_of(options, LayerRole::doubtful, Layers::buildings), "blocks_doubtful");
     for (const char* name : {"x/city.shp", "x/city.geojson", "city.fgb", "/vsimem/city.csv"})
         EXPECT_EQ(name_of(named(name), LayerRole::buildings, Layers::buildings), "city") << name;

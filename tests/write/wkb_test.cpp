@@ -25,6 +25,12 @@ std::string as_wkt(const d2b::Feature& feature, bool with_z, bool with_arcs = fa
     return wkt;
 }
 
+TEST(MultiPolygonWkb, APlaceIsAPoint) {
+    d2b::Feature feature;
+    feature.place = d2b::Position{1.5, -2};
+    EXPECT_EQ(as_wkt(feature, false), "POINT (1.5 -2)");
+}
+
 d2b::Feature two_parts() {
     d2b::Feature feature;
     feature.parts = {{{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{{1, 1}, {1, 2}, {2, 2}}, {{5, 5}, {5, 6}, {6, 6}}}},

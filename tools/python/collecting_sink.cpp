@@ -53,6 +53,7 @@ void CollectingSink::add(std::size_t layer, const Feature& feature) {
     Feature& copy = kept.features.emplace_back();
     copy.parts = feature.parts;
     copy.z = feature.z;
+    copy.place = feature.place;
 }
 
 }  // namespace d2b

@@ -68,6 +68,12 @@ py::tuple coordinates(const WorldRing& ring, const CollectedLayer& layer, double
 }
 
 py::dict geometry_of(const CollectedLayer& layer, const Feature& feature) {
+    py::dict geometry;
+    if (feature.place) {
+        geometry["type"] = "Point";
+        geometry["coordinates"] = py::make_tuple(feature.place->x, feature.place->y);
+        return geometry;
+    }
     py::tuple polygons(feature.parts.size());
     for (std::size_t p = 0; p < feature.parts.size(); ++p) {
         const WorldPolygon& polygon = feature.parts[p];
@@ -77,7 +83,6 @@ py::dict geometry_of(const CollectedLayer& layer, const Feature& feature) {
             rings[r + 1] = coordinates(polygon.interiors[r], layer, feature.z);
         polygons[p] = std::move(rings);
     }
-    py::dict geometry;
     geometry["type"] = "MultiPolygon";
     geometry["coordinates"] = std::move(polygons);
     return geometry;
@@ -164,7 +169,7 @@ void define_layer(py::module_& module) {
         .def("__repr__", &repr)
         .def_property_readonly(
             "name", [](const CollectedLayer& layer) { return layer.spec.name; },
-            "buildings, contours, doubtful or rejected")
+            "buildings, contours, doubtful, rejected or problems")
         .def_property_readonly(
             "crs",
             [](const CollectedLayer& layer) -> py::object {
@@ -179,7 +184,9 @@ void define_layer(py::module_& module) {
             "None. Arrays of numbers "
             "look into the layer and cannot be changed.")
         .def_property_readonly(
-            "wkb", &wkb_of, "A NumPy array of bytes, the MultiPolygon of each feature as well-known binary.")
+            "wkb", &wkb_of,
+            "A NumPy array of bytes, the MultiPolygon (of problems the Point) of each feature as "
+            "well-known binary.")
         .def_property_readonly("__geo_interface__", &collection_of,
                                "All features as a GeoJSON-like FeatureCollection.");
 }

@@ -94,7 +94,7 @@ struct OutlineOptions {
 };
 
 enum class Layers { both, buildings, contours };
-enum class LayerRole { buildings, contours, doubtful, rejected };
+enum class LayerRole { buildings, contours, doubtful, rejected, problems };
 
 /// What a surface is made of: one block a building, or the tiers of its stack.
 enum class SurfaceOf { buildings, contours };
@@ -117,6 +117,7 @@ struct WriteOptions {
     bool with_z = false;
     bool doubtful = false;  ///< also a layer of what may be a building
     bool rejected = false;  ///< also a layer of what was dropped or changed, with the reason
+    bool problems = false;  ///< also a layer of the places that closed surfaces had to be changed at
     FieldNames fields = FieldNames::own;
     std::string ground;                   ///< GeoTIFF of the terrain; "": none
     std::string height;                   ///< GeoTIFF of the heights above it

@@ -73,7 +73,19 @@ struct RejectedRecord {
     double perimeter_m = 0;
 };
 
+/// A place at which outlines stand in the way of a surface, and what became of it.
+struct ProblemRecord {
+    std::int64_t id = 0;
+    std::string_view kind;      ///< as in the report
+    std::int64_t building = 0;  ///< 0: none
+    std::int64_t other = 0;     ///< the other one of two; 0: none
+    double before = 0;          ///< in the unit of the kind: m, m2 or degrees
+    double after = 0;           ///< likewise
+    bool changed = false;       ///< else it was left as it is
+};
+
 /// What a feature is. The fields of its layer are made from it; std::monostate where a sink is fed by others.
-using FeatureRecord = std::variant<std::monostate, BuildingRecord, ContourRecord, RejectedRecord>;
+using FeatureRecord =
+    std::variant<std::monostate, BuildingRecord, ContourRecord, RejectedRecord, ProblemRecord>;
 
 }  // namespace d2b

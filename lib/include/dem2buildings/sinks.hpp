@@ -62,6 +62,7 @@ struct LayerSpec {
     bool with_arcs =
         false;  ///< runs of vertices that stand for arcs are written as such where the format has curves
     LayerStyle style = {};
+    bool points = false;  ///< features are places, else polygons
 };
 
 /// std::monostate is NULL.
@@ -71,7 +72,8 @@ struct Feature {
     std::vector<FieldValue> values;   ///< one a field, in their order
     std::vector<WorldPolygon> parts;  ///< at least one; written as a MultiPolygon (with arcs a MultiSurface)
     double z = 0;
-    FeatureRecord record = {};  ///< what it is
+    FeatureRecord record = {};           ///< what it is
+    std::optional<Position> place = {};  ///< of a layer of points, in place of the parts
 };
 
 /// What a dataset says of itself.
@@ -122,6 +124,9 @@ class FeatureSink {
         return asked.value_or(Layers::both);
     }
 
+    /// Whether there is room for a layer of points beside the others.
+    [[nodiscard]] virtual bool takes_points() const { return true; }
+
     /// What it has noticed since the last call, a sentence each, for the run to warn of.
     [[nodiscard]] virtual std::vector<std::string> take_warnings() { return {}; }
 
@@ -130,7 +135,8 @@ class FeatureSink {
         return role == LayerRole::buildings  ? "buildings"
                : role == LayerRole::contours ? "contours"
                : role == LayerRole::doubtful ? "doubtful"
-                                             : "rejected";
+               : role == LayerRole::rejected ? "rejected"
+                                             : "problems";
     }
 };
 

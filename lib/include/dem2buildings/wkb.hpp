@@ -11,7 +11,8 @@ namespace d2b {
 
 /// Well-known binary of MultiPolygons, in one buffer that is used again and again. Rings are closed here, and
 /// stand in the order and direction in which they are given. With arcs, of MultiSurfaces: polygons that have
-/// arcs are CurvePolygons, whose rings with arcs are CompoundCurves of CircularStrings and LineStrings.
+/// arcs are CurvePolygons, whose rings with arcs are CompoundCurves of CircularStrings and LineStrings. A
+/// feature that is a place is a Point, without Z.
 class MultiPolygonWkb {
   public:
     explicit MultiPolygonWkb(bool with_z, bool with_arcs = false) : with_z_(with_z), with_arcs_(with_arcs) {}
@@ -21,6 +22,7 @@ class MultiPolygonWkb {
 
   private:
     void head(std::uint32_t flat_type, std::size_t count);
+    void point(const Position& place);
     void ring(const WorldRing& positions, double z);
     void points(const WorldRing& positions, std::size_t first, std::size_t step, std::size_t count, double z);
     void curve_ring(const WorldRing& positions, std::vector<CircularArc> arcs, double z);

@@ -6,7 +6,7 @@ import json
 class Result:
     """Buildings and contours in memory.
 
-    buildings, contours, doubtful, rejected: Layer, or None where it was not asked for
+    buildings, contours, doubtful, rejected, problems: Layer, or None where it was not asked for
     crs: of the coordinates, as WKT; None where there is none
     metadata: how the result was made, as a dict of texts: source, options, thresholds, units, version
     report: the report of the run, a dict, as dem2buildings -json prints it
@@ -18,11 +18,12 @@ class Result:
         self.contours = by_name.get("contours")
         self.doubtful = by_name.get("doubtful")
         self.rejected = by_name.get("rejected")
+        self.problems = by_name.get("problems")
         self.crs = crs or None
         self.metadata = metadata
         self.report = json.loads(report)
 
     def __repr__(self):
-        layers = (self.buildings, self.contours, self.doubtful, self.rejected)
+        layers = (self.buildings, self.contours, self.doubtful, self.rejected, self.problems)
         counts = ", ".join(f"{len(layer)} {layer.name}" for layer in layers if layer is not None)
         return f"<dem2buildings.Result: {counts}>"

@@ -65,6 +65,7 @@ class Result:
     contours: Layer | None
     doubtful: Layer | None
     rejected: Layer | None
+    problems: Layer | None
     crs: str | None
     metadata: dict[str, str]
     report: dict[str, Any]

@@ -13,7 +13,7 @@ from . import parameters, program
 
 INPUT, OUTPUT = "INPUT", "OUTPUT"
 ICON = str(pathlib.Path(__file__).with_name("icon.svg"))
-LAYERS = ("buildings", "contours", "doubtful", "rejected")
+LAYERS = ("buildings", "contours", "doubtful", "rejected", "problems")
 
 
 def icon():

@@ -1,0 +1,69 @@
+#include "features/surface_problems.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <set>
+
+namespace d2b {
+namespace {
+
+std::string_view kind_of(Reason reason) {
+    return reason_names[static_cast<std::size_t>(reason)];
+}
+
+Position position_of(FinePoint point, const SurfaceFrame& frame) {
+    const auto at = frame.coordinates({point.col, -point.row, 0});
+    return {at[0], at[1]};
+}
+
+ProblemRecord record_of(const PinchMend& mend, const SurfaceCluster& cluster, const SurfaceFrame& frame) {
+    std::set<std::int64_t> ids;
+    for (const std::int32_t contour : mend.contours)
+        ids.insert(cluster
+                       .buildings[static_cast<std::size_t>(
+                           cluster.contours[static_cast<std::size_t>(contour)].building)]
+                       .id);
+    ProblemRecord record;
+    record.kind = kind_of(mend.filled ? Reason::surface_notch_filled : Reason::surface_corner_cut);
+    record.building = *ids.begin();
+    record.other = ids.size() > 1 ? *std::next(ids.begin()) : 0;
+    const Position from = position_of(mend.place, frame);
+    const Position to = position_of(mend.moved, frame);
+    record.after = std::hypot(to.x - from.x, to.y - from.y) * frame.horizontal_metres;
+    record.changed = true;
+    return record;
+}
+
+}  // namespace
+
+void add_left_out(const DrawnCluster& drawn, const MadeSurfaces& made, std::vector<LostBuilding>& lost) {
+    for (const std::int64_t id : made.left_out) {
+        const auto building = std::ranges::find(drawn.cluster.buildings, id, &PlanBuilding::id);
+        const auto place = building - drawn.cluster.buildings.begin();
+        const auto contour = std::ranges::find(drawn.cluster.contours, static_cast<std::int32_t>(place),
+                                               &PlanContour::building);
+        lost.push_back({id, drawn.buildings[static_cast<std::size_t>(place)].area_m2,
+                        contour->outline.exterior.front()});
+    }
+}
+
+std::vector<PlacedProblem> surface_problems(const SurfaceCluster& cluster, const MadeSurfaces& made,
+                                            const std::vector<LostBuilding>& lost,
+                                            const SurfaceFrame& frame) {
+    std::vector<PlacedProblem> problems;
+    for (const PinchMend& mend : made.mends)
+        problems.push_back({record_of(mend, cluster, frame), position_of(mend.place, frame)});
+    for (const LostBuilding& building : lost) {
+        if (!building.corner)
+            continue;
+        ProblemRecord record;
+        record.kind = kind_of(Reason::surface_lost);
+        record.building = building.id;
+        record.before = building.area_m2;
+        problems.push_back({record, position_of(*building.corner, frame)});
+    }
+    return problems;
+}
+
+}  // namespace d2b
