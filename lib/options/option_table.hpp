@@ -78,7 +78,7 @@ enum class OptionKind {
 };
 inline constexpr std::array<std::string_view, 15> option_kind_names{
     "switch", "choice", "whole",   "number",  "numbers",  "extent",           "crs",
-    "raster", "vector", "dataset", "terrain", "file:tif", "file:png,svg,pdf", "file:city.json,obj,stl",
+    "raster", "vector", "dataset", "terrain", "file:tif", "file:png,svg,pdf", "file:city.json,obj,stl,glb",
     "text"};
 
 inline constexpr std::array every_preset{Preset::buildings, Preset::thesis};

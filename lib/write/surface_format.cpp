@@ -33,6 +33,10 @@ bool begins_an_stl(std::string_view text) {
     return text.starts_with("solid");
 }
 
+bool begins_a_glb(std::string_view text) {
+    return text.starts_with("glTF");
+}
+
 struct SurfaceRow {
     SurfaceFormat format;
     std::string_view name;
@@ -43,7 +47,8 @@ struct SurfaceRow {
 constexpr std::array surface_rows{
     SurfaceRow{SurfaceFormat::cityjson, "CityJSON", ".city.json", begins_a_cityjson},
     SurfaceRow{SurfaceFormat::obj, "OBJ", ".obj", begins_an_obj},
-    SurfaceRow{SurfaceFormat::stl, "STL", ".stl", begins_an_stl}};
+    SurfaceRow{SurfaceFormat::stl, "STL", ".stl", begins_an_stl},
+    SurfaceRow{SurfaceFormat::glb, "glTF", ".glb", begins_a_glb}};
 
 }  // namespace
 

@@ -7,7 +7,7 @@
 namespace d2b {
 
 /// Formats of surfaces.
-enum class SurfaceFormat { cityjson, obj, stl };
+enum class SurfaceFormat { cityjson, obj, stl, glb };
 
 /// By the end of a file's name, in letters of either case; nothing where it is none of theirs.
 [[nodiscard]] std::optional<SurfaceFormat> surface_format_of(const std::string& name);

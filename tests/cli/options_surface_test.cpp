@@ -93,6 +93,32 @@ TEST_F(OptionEffect, surface__asStl) {
         EXPECT_TRUE(line.ends_with(" origin 391085 5819930 99")) << line;
 }
 
+/// The same surface with numbers of single precision, and attributes.
+TEST_F(OptionEffect, surface__asGltf) {
+    find({"-split_height", "3", "-surface", "town.glb", "-surface", "town.obj"});
+    const ReadObj glb = read_glb(path("town.glb"));
+    const ReadObj obj = read_obj(path("town.obj"));
+    expect_closed(glb);
+    EXPECT_EQ(glb.objects(), obj.objects());
+    EXPECT_NEAR(glb.volume(), obj.volume(), 1e-5 * obj.volume());
+    for (const auto& [name, triangles] : obj.groups)
+        EXPECT_EQ(glb.groups.at(name).size(), triangles.size()) << name;
+    for (const std::string ending : {"/roof", "/ground"})
+        EXPECT_NEAR(glb.plan_area(ending), obj.plan_area(ending), 1e-3);
+    for (const std::string& object : obj.objects())
+        EXPECT_EQ(glb.heights(object), obj.heights(object));
+    const auto asset = nlohmann::json::parse(glb.comments.at(0));
+    EXPECT_EQ(asset.at("origin"), (nlohmann::json{391085.0, 5819930.0, 99.0}));
+    const Layer layer = buildings();
+    ASSERT_EQ(glb.comments.size(), layer.records.size() + 1);
+    for (std::size_t i = 1; i < glb.comments.size(); ++i) {
+        const auto extras = nlohmann::json::parse(glb.comments[i]);
+        const Record& record = layer.where("id", extras.at("id").get<double>());
+        EXPECT_EQ(extras.at("p90").get<double>(), record.number("p90"));
+        EXPECT_EQ(extras.size(), layer.fields.size());
+    }
+}
+
 /// Solids as they stand in the layer, in its coordinates, with its attributes.
 TEST_F(OptionEffect, surface__asCityJson) {
     find({"-split_height", "3", "-surface", "town.city.json"});
@@ -270,10 +296,11 @@ class SurfaceErrors : public OptionEffect {
 };
 
 TEST_F(SurfaceErrors, names) {
-    refused(2,
-            "Surfaces are written as CityJSON, OBJ or STL; give \"a.ply\" a name that ends in .city.json, "
-            ".obj or .stl.",
-            {"-surface", "a.ply"});
+    refused(
+        2,
+        "Surfaces are written as CityJSON, OBJ, STL or glTF; give \"a.ply\" a name that ends in .city.json, "
+        ".obj, .stl or .glb.",
+        {"-surface", "a.ply"});
     refused(2, "\"a.obj\" is read or written by this run already; choose another name.",
             {"-surface", "a.obj", "-surface", "a.obj"});
     refused(1, "there is no folder \"no/such\"; make it first.", {"-surface", "no/such/a.obj"});
@@ -282,11 +309,37 @@ TEST_F(SurfaceErrors, names) {
     std::ofstream(path("other.obj")) << "Dear diary\n";
     refused(2, "\"other.obj\" exists and is no surface of this format; remove it first.",
             {"-overwrite", "-surface", "other.obj"});
+    for (const std::string name : {"other.stl", "other.glb", "other.city.json"}) {
+        std::ofstream(path(name)) << "Dear diary\n";
+        refused(2, "\"" + name + "\" exists; give -overwrite to replace it.", {"-append", "-surface", name});
+        refused(2, "\"" + name + "\" exists and is no surface of this format; remove it first.",
+                {"-overwrite", "-surface", name});
+    }
     std::filesystem::create_directory(path("folder.obj"));
     refused(2, "is a folder, and a surface is written as a file", {"-surface", "folder.obj"});
     run_well(
         {"-preset", "buildings", "-q", "-overwrite", "-surface", "there.obj", "--", "town.tif", "o.gpkg"});
     EXPECT_EQ(read_obj(path("there.obj")).objects().size(), 3U);
+}
+
+/// A run that adds to the layers writes its own buildings alone.
+TEST_F(SurfaceErrors, append) {
+    const Arguments west{"-preset", "buildings", "-q", "-srcwin", "0", "0", "85", "140"};
+    const auto with = [](Arguments arguments, const Arguments& more) {
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return arguments;
+    };
+    run_well(with(west, {"-surface", "west.city.json", "--", "town.tif", "o.gpkg"}));
+    const std::size_t first = layer("o.gpkg", "buildings").records.size();
+    run_well({"-preset", "buildings", "-q", "-srcwin", "85", "0", "85", "140", "-append", "-surface",
+              "east.city.json", "-surface", "east.glb", "--", "town.tif", "o.gpkg"});
+    const std::size_t all = layer("o.gpkg", "buildings").records.size();
+    EXPECT_GT(first, 0U);
+    EXPECT_GT(all, first);
+    EXPECT_EQ(read_cityjson(path("west.city.json")).solids.size(), first);
+    const ReadCityJson east = read_cityjson(path("east.city.json"));
+    EXPECT_EQ(east.solids.size(), all - first);
+    EXPECT_EQ(read_glb(path("east.glb")).objects().size(), all - first);
 }
 
 /// CityJSON has one unit for all three coordinates.
@@ -338,10 +391,13 @@ TEST_F(SurfaceErrors, nothingFound) {
                {"No building was found"});
     run_warned(
         {"-preset", "buildings", "-q", "-overwrite", "-min_building_height", "80", "-surface", "none.stl",
-         "-surface", "none.city.json", "--", "town.tif", "o.gpkg"},
+         "-surface", "none.glb", "-surface", "none.city.json", "--", "town.tif", "o.gpkg"},
         {"No building was found",
-         "There is no building for \"none.stl\", and an STL without a solid is none; no file is written."});
+         "There is no building for \"none.stl\", and an STL without a solid is none; no file is written.",
+         "There is no building for \"none.glb\", and a glTF without a mesh shows nothing; no file is "
+         "written."});
     EXPECT_FALSE(std::filesystem::exists(path("none.stl")));
+    EXPECT_FALSE(std::filesystem::exists(path("none.glb")));
     EXPECT_TRUE(read_cityjson(path("none.city.json")).solids.empty());
     const ReadObj obj = read_obj(path("none.obj"));
     EXPECT_TRUE(obj.groups.empty());

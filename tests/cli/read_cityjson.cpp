@@ -14,9 +14,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-class Reader {
+class CityJsonReader {
   public:
-    explicit Reader(const Json& vertices) {
+    explicit CityJsonReader(const Json& vertices) {
         for (const Json& at : vertices)
             points_.push_back(
                 {at.at(0).get<std::int64_t>(), at.at(1).get<std::int64_t>(), at.at(2).get<std::int64_t>()});
@@ -106,7 +106,7 @@ ReadCityJson read_cityjson(const std::string& path) {
     city.root = Json::parse(file);
     EXPECT_EQ(city.root.at("type"), "CityJSON");
     EXPECT_EQ(city.root.at("version"), "2.0");
-    Reader reader(city.root.at("vertices"));
+    CityJsonReader reader(city.root.at("vertices"));
     for (const auto& [name, object] : city.root.at("CityObjects").items()) {
         EXPECT_EQ(object.at("type"), "Building");
         EXPECT_EQ(object.at("geometry").size(), 1U);

@@ -35,4 +35,9 @@ struct ReadObj {
 /// normal is not that of its facet.
 [[nodiscard]] ReadObj read_stl(const std::string& path);
 
+/// A binary glTF, with z up as in the others: groups are nodes and the materials of their primitives,
+/// comments the extras of the asset and then of each node, as JSON. Fails the test where it is none of
+/// version 2.0, or a number in it is not that of anything.
+[[nodiscard]] ReadObj read_glb(const std::string& path);
+
 }  // namespace d2b::test

@@ -1,0 +1,257 @@
+#include "write/glb_sink.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "core/crs.hpp"
+#include "dem2buildings/error.hpp"
+#include "write/field_json.hpp"
+#include "write/held_bytes.hpp"
+#include "write/surface_file.hpp"
+
+namespace d2b {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Numbers of glTF 2.0.
+constexpr int type_float = 5126;
+constexpr int type_unsigned_int = 5125;
+constexpr int target_vertices = 34962;
+constexpr int target_indices = 34963;
+
+struct Look {
+    const char* name;
+    std::array<double, 4> colour;  ///< linear red, green, blue, and opaque
+};
+/// By FaceKind.
+constexpr std::array looks{Look{"roof", {0.45, 0.09, 0.05, 1}}, Look{"wall", {0.6, 0.57, 0.5, 1}},
+                           Look{"ground", {0.2, 0.2, 0.2, 1}}};
+
+/// Four bytes, the lowest first.
+void append_number(std::uint32_t number, std::string& bytes) {
+    for (int shift = 0; shift < 32; shift += 8)
+        bytes += static_cast<char>(number >> shift & 0xFFU);
+}
+
+/// A list in the JSON, which is as long as there are buildings: text, with commas.
+class JsonList {
+  public:
+    /// @return its number
+    std::uint64_t add(const Json& item) {
+        text_.add((count_ == 0 ? "" : ",") + json_text(item));
+        return count_++;
+    }
+    [[nodiscard]] std::uint64_t count() const { return count_; }
+    [[nodiscard]] HeldBytes& text() { return text_; }
+
+  private:
+    HeldBytes text_;
+    std::uint64_t count_ = 0;
+};
+
+/// What a building needs of the corners of its part.
+struct Corners {
+    std::vector<std::uint32_t> used;  ///< ascending places in the part
+
+    explicit Corners(const SurfaceBuilding& building) {
+        for (const SurfaceTriangle& triangle : building.triangles)
+            used.insert(used.end(), triangle.corners.begin(), triangle.corners.end());
+        std::ranges::sort(used);
+        used.erase(std::unique(used.begin(), used.end()), used.end());
+    }
+    [[nodiscard]] std::uint32_t number(std::uint32_t corner) const {
+        return static_cast<std::uint32_t>(std::ranges::lower_bound(used, corner) - used.begin());
+    }
+};
+
+class GlbSink final : public SurfaceSink {
+  public:
+    GlbSink(RasterPlace place, std::uint64_t most)
+        : name_(place.name), most_(most), file_(std::move(place)) {}
+
+    [[nodiscard]] SurfaceForm form() const override { return SurfaceForm::shell; }
+    void begin(const SurfaceMeta& meta) override { meta_ = meta; }
+    void add(const SurfacePart& part) override {
+        for (const SurfaceBuilding& building : part.buildings)
+            add_building(part, building);
+    }
+    void finish() override;
+    [[nodiscard]] std::vector<std::string> take_warnings() override { return file_.take_warnings(); }
+
+  private:
+    void add_building(const SurfacePart& part, const SurfaceBuilding& building);
+    [[nodiscard]] std::uint64_t add_positions(const SurfacePart& part, const Corners& corners);
+    [[nodiscard]] std::uint64_t add_indices(const SurfaceBuilding& building, FaceKind kind,
+                                            const Corners& corners);
+    [[nodiscard]] Json asset() const;
+    [[nodiscard]] std::string views() const;
+    [[nodiscard]] std::string scene() const;
+    void require_room(std::uint64_t bytes) const;
+
+    std::string name_;
+    std::uint64_t most_;
+    SurfaceFile file_;
+    SurfaceMeta meta_;
+    JsonList nodes_;
+    JsonList meshes_;
+    JsonList accessors_;
+    HeldBytes positions_;
+    HeldBytes indices_;
+};
+
+void GlbSink::require_room(std::uint64_t bytes) const {
+    if (bytes > most_)
+        throw OutputError(
+            "\"" + name_ + "\" would be longer than the " + std::to_string(most_) +
+            " bytes that a .glb can have; use a smaller window (-srcwin, -projwin or -te), or write an OBJ.");
+}
+
+/// @return the number of the accessor
+std::uint64_t GlbSink::add_positions(const SurfacePart& part, const Corners& corners) {
+    std::array<float, 3> low{};
+    std::array<float, 3> high{};
+    const std::uint64_t begin = positions_.size();
+    std::string bytes;
+    for (const std::uint32_t corner : corners.used) {
+        const std::array<double, 3> local = meta_.frame.local(part.points[corner]);
+        const std::array<float, 3> at{static_cast<float>(local[0]), static_cast<float>(local[2]),
+                                      static_cast<float>(0 - local[1])};
+        for (std::size_t i = 0; i < at.size(); ++i) {
+            low[i] = bytes.empty() ? at[i] : std::min(low[i], at[i]);
+            high[i] = bytes.empty() ? at[i] : std::max(high[i], at[i]);
+        }
+        for (const float number : at)
+            append_number(std::bit_cast<std::uint32_t>(number), bytes);
+    }
+    positions_.add(bytes);
+    return accessors_.add({{"bufferView", 0},
+                           {"byteOffset", begin},
+                           {"componentType", type_float},
+                           {"count", corners.used.size()},
+                           {"type", "VEC3"},
+                           {"min", low},
+                           {"max", high}});
+}
+
+/// @return the number of the accessor
+std::uint64_t GlbSink::add_indices(const SurfaceBuilding& building, FaceKind kind, const Corners& corners) {
+    const std::uint64_t begin = indices_.size();
+    std::string bytes;
+    for (const SurfaceTriangle& triangle : building.triangles)
+        if (triangle.kind == kind)
+            for (const std::uint32_t corner : triangle.corners)
+                append_number(corners.number(corner), bytes);
+    indices_.add(bytes);
+    return accessors_.add({{"bufferView", 1},
+                           {"byteOffset", begin},
+                           {"componentType", type_unsigned_int},
+                           {"count", bytes.size() / sizeof(std::uint32_t)},
+                           {"type", "SCALAR"}});
+}
+
+void GlbSink::add_building(const SurfacePart& part, const SurfaceBuilding& building) {
+    const Corners corners(building);
+    const std::uint64_t positions = add_positions(part, corners);
+    Json primitives = Json::array();
+    for (std::size_t kind = 0; kind < looks.size(); ++kind)
+        if (std::ranges::find(building.triangles, static_cast<FaceKind>(kind), &SurfaceTriangle::kind) !=
+            building.triangles.end())
+            primitives.push_back({{"attributes", {{"POSITION", positions}}},
+                                  {"indices", add_indices(building, static_cast<FaceKind>(kind), corners)},
+                                  {"material", kind}});
+    const std::uint64_t mesh = meshes_.add({{"primitives", std::move(primitives)}});
+    nodes_.add({{"name", "building_" + std::to_string(building.id)},
+                {"mesh", mesh},
+                {"extras", field_json(meta_.fields, building.values)}});
+    require_room(positions_.size() + indices_.size());
+}
+
+Json GlbSink::asset() const {
+    Json extras{{"origin", meta_.frame.origin}};
+    if (!meta_.provenance.crs_wkt.empty())
+        extras["crs"] = Crs(meta_.provenance.crs_wkt).name();
+    for (const auto& [name, value] : meta_.provenance.metadata)
+        extras[name] = value;
+    return {{"version", "2.0"}, {"generator", "dem2buildings"}, {"extras", std::move(extras)}};
+}
+
+/// Where the numbers of all buildings lie, and what faces look like.
+std::string GlbSink::views() const {
+    const Json buffers = Json::array({{{"byteLength", positions_.size() + indices_.size()}}});
+    const Json views = Json::array({{{"buffer", 0},
+                                     {"byteLength", positions_.size()},
+                                     {"byteStride", 3 * sizeof(float)},
+                                     {"target", target_vertices}},
+                                    {{"buffer", 0},
+                                     {"byteOffset", positions_.size()},
+                                     {"byteLength", indices_.size()},
+                                     {"target", target_indices}}});
+    Json materials = Json::array();
+    for (const Look& look : looks)
+        materials.push_back(
+            {{"name", look.name},
+             {"pbrMetallicRoughness",
+              {{"baseColorFactor", look.colour}, {"metallicFactor", 0}, {"roughnessFactor", 1}}}});
+    return "\"buffers\":" + json_text(buffers) + ",\"bufferViews\":" + json_text(views) +
+           ",\"materials\":" + json_text(materials);
+}
+
+std::string GlbSink::scene() const {
+    std::string text = "\"scene\":0,\"scenes\":[{\"nodes\":[";
+    for (std::uint64_t node = 0; node < nodes_.count(); ++node)
+        text += (node == 0 ? "" : ",") + std::to_string(node);
+    return text + "]}]";
+}
+
+/// A header, then a chunk of JSON and one of numbers, each a multiple of four bytes long.
+void GlbSink::finish() {
+    if (nodes_.count() == 0) {
+        file_.leave_out("a glTF without a mesh shows nothing");
+        return;
+    }
+    const std::string begin = "{\"asset\":" + json_text(asset()) + "," + scene() + "," + views();
+    std::string end = "]}";
+    const std::array<std::pair<const char*, JsonList*>, 3> lists{
+        {{",\"nodes\":[", &nodes_}, {"],\"meshes\":[", &meshes_}, {"],\"accessors\":[", &accessors_}}};
+    std::uint64_t json_size = begin.size() + end.size();
+    for (const auto& [name, list] : lists)
+        json_size += std::string(name).size() + list->text().size();
+    end.append((4 - json_size % 4) % 4, ' ');
+    json_size += (4 - json_size % 4) % 4;
+    const std::uint64_t bin_size = positions_.size() + indices_.size();
+    const std::uint64_t size = 12 + 8 + json_size + 8 + bin_size;
+    require_room(size);
+
+    std::string header = "glTF";
+    append_number(2, header);
+    append_number(static_cast<std::uint32_t>(size), header);
+    append_number(static_cast<std::uint32_t>(json_size), header);
+    file_.write(header + "JSON" + begin);
+    for (const auto& [name, list] : lists) {
+        file_.write(name);
+        list->text().write_to(file_);
+    }
+    append_number(static_cast<std::uint32_t>(bin_size), end);
+    file_.write(end + "BIN" + '\0');
+    positions_.write_to(file_);
+    indices_.write_to(file_);
+    file_.publish();
+}
+
+}  // namespace
+
+std::unique_ptr<SurfaceSink> open_glb_sink(RasterPlace place, std::uint64_t most) {
+    return std::make_unique<GlbSink>(std::move(place), most);
+}
+
+}  // namespace d2b
