@@ -1,5 +1,5 @@
 # `cpack -G DEB` in the build folder: a package with what users run and, where it is built, one with the package for
-# Python; each with the libraries that it needs as dpkg-shlibdeps finds them.
+# Python and, where CGAL is found, one with dem2buildings_mesh, which has a license of its own; each with the libraries that it needs as dpkg-shlibdeps finds them.
 set(CPACK_PACKAGE_NAME dem2buildings)
 set(CPACK_PACKAGE_VENDOR "dem2buildings")
 set(CPACK_PACKAGE_CONTACT "The authors of dem2buildings <none@example.org>")
@@ -34,6 +34,17 @@ for GeoPandas, Shapely and all else that reads GeoJSON or WKB.")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-geopandas, python3-matplotlib")
   if(BUILD_SHARED_LIBS)
     string(APPEND CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS ", dem2buildings (= ${PROJECT_VERSION})")
+  endif()
+endif()
+if(TARGET dem2buildings_mesh_tool)
+  list(APPEND CPACK_COMPONENTS_ALL mesh)
+  set(CPACK_COMPONENT_MESH_DESCRIPTION "Meshes of buildings and terrain for flow solvers: one closed surface of
+good triangles, of what dem2buildings has found. GPL-3-or-later, on CGAL.")
+  set(CPACK_DEBIAN_MESH_PACKAGE_NAME dem2buildings-mesh)
+  set(CPACK_DEBIAN_MESH_FILE_NAME DEB-DEFAULT)
+  set(CPACK_DEBIAN_MESH_PACKAGE_SUGGESTS "dem2buildings, openfoam")
+  if(BUILD_SHARED_LIBS)
+    set(CPACK_DEBIAN_MESH_PACKAGE_DEPENDS "proj-data, dem2buildings (= ${PROJECT_VERSION})")
   endif()
 endif()
 set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_CURRENT_LIST_DIR}/d2b_package_needs.cmake)

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "common/tool_line.hpp"
 #include "dem2buildings/score.hpp"
 
 namespace d2b {
@@ -18,11 +19,7 @@ struct ScoreCommand : ScoreRequest {
 };
 
 /// One option. Parser, help and man page are all made from these rows.
-struct ScoreOption {
-    std::string name;   ///< without dash
-    std::string value;  ///< "<name>"; "" for a switch
-    std::string kind;   ///< one of option_kind_names
-    std::string help;
+struct ScoreOption : ToolOption {
     std::function<void(ScoreCommand&, const std::string&)> apply;  ///< @throws OptionError
 };
 

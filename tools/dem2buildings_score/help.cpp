@@ -14,10 +14,6 @@ constexpr std::string_view description =
     "Measures how well building footprints agree with a reference: area and objects that were found, the "
     "distance of outlines, overlaps, invalid polygons, the number of vertices, and heights.";
 
-std::string heading(const ScoreOption& option) {
-    return "-" + option.name + (option.value.empty() ? "" : " ") + option.value;
-}
-
 }  // namespace
 
 std::string score_short_usage() {
@@ -34,7 +30,7 @@ std::string score_help() {
             0) +
         "\nOptions:\n";
     for (const ScoreOption& option : score_options())
-        text += help_entry(heading(option), option.help);
+        text += help_entry(option_heading(option), option.help);
     text += "\nGDAL:\n";
     for (const auto& [synopsis, help] : gdal_switches())
         text += help_entry(std::string(synopsis), std::string(help));
@@ -56,7 +52,7 @@ std::string score_man_page() {
             "equals sign. After -- only file names follow.") +
         roff_section("OPTIONS");
     for (const ScoreOption& option : score_options())
-        text += roff_item(heading(option), option.help);
+        text += roff_item(option_heading(option), option.help);
     text += ".SS GDAL\n";
     for (const auto& [synopsis, help] : gdal_switches())
         text += roff_item(synopsis, help);

@@ -5,7 +5,7 @@ cd "$(dirname "$0")/../.."
 . tools/dev/setup.sh
 . tools/dev/watched.sh
 
-install_packages $build_packages libgtest-dev gdal-bin $python_packages $python_test_packages
+install_packages $build_packages $mesh_packages libgtest-dev gdal-bin $python_packages $python_test_packages
 mkdir -p build
 : >build/test.log
 echo "Building; the whole log is in $PWD/build/test.log"

@@ -1,0 +1,73 @@
+#include "dem2buildings_mesh/mesh_text.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace d2b::test {
+namespace {
+
+using namespace mesh;
+
+/// A roof and a piece of terrain, a step of a quarter of a metre.
+class MeshText : public ::testing::Test {
+  protected:
+    MeshText() {
+        frame_.scale = {0.25, 0.25, 0.001};
+        frame_.translate = {1000, 2000, 0};
+        frame_.origin = {1001, 2000, -1};
+        city_.lod = "1.2";
+        city_.reference_system = "https://www.opengis.net/def/crs/EPSG/0/25832";
+        city_.buildings.push_back({"building_7", R"({"height":5})", {}, 0});
+        shell_.points = {{0, 0, 1500}, {4, 0, 1500}, {0, 4, 1500}, {4, 4, 1500}};
+        shell_.triangles = {{ShellPart::roof, 0, {0, 1, 2}}, {ShellPart::terrain, -1, {2, 1, 3}}};
+    }
+    [[nodiscard]] std::string text(void (*write)(const NamedShell&, const TextSink&)) const {
+        std::string all;
+        write({city_, frame_, shell_}, [&](const std::string& piece) { all += piece; });
+        return all;
+    }
+    SurfaceFrame frame_;
+    CityModel city_;
+    Shell shell_;
+};
+
+TEST_F(MeshText, writesStl) {
+    EXPECT_EQ(text(write_stl),
+              "solid building_7 origin 1001 2000 -1\n"
+              "facet normal 0 0 1\nouter loop\n"
+              "vertex -1 0 2.5\nvertex 0 0 2.5\nvertex -1 1 2.5\nendloop\nendfacet\n"
+              "endsolid building_7\n"
+              "solid terrain origin 1001 2000 -1\n"
+              "facet normal 0 0 1\nouter loop\n"
+              "vertex -1 1 2.5\nvertex 0 0 2.5\nvertex 0 1 2.5\nendloop\nendfacet\n"
+              "endsolid terrain\n");
+}
+
+TEST_F(MeshText, writesObj) {
+    EXPECT_EQ(text(write_obj),
+              "# dem2buildings_mesh: metres from the origin, x to the east, y to the north, z up\n"
+              "# origin: 1001 2000 -1\n"
+              "v -1 0 2.5\nv 0 0 2.5\nv -1 1 2.5\nv 0 1 2.5\n"
+              "o building_7\ng roof\nf 1 2 3\no terrain\ng terrain\nf 3 2 4\n");
+}
+
+TEST_F(MeshText, writesCityJson) {
+    const nlohmann::json city = nlohmann::json::parse(text(write_city_json));
+    EXPECT_EQ(city["version"], "2.0");
+    EXPECT_EQ(city["transform"]["scale"], (std::vector<double>{0.25, 0.25, 0.001}));
+    EXPECT_EQ(city["metadata"]["geographicalExtent"],
+              (std::vector<double>{1000, 2000, 1.5, 1001, 2001, 1.5}));
+    EXPECT_EQ(city["metadata"]["referenceSystem"], city_.reference_system);
+    EXPECT_EQ(city["vertices"][3], (std::vector<int>{4, 4, 1500}));
+    const nlohmann::json& building = city["CityObjects"]["building_7"];
+    EXPECT_EQ(building["attributes"]["height"], 5);
+    EXPECT_EQ(building["geometry"][0]["type"], "MultiSurface");
+    EXPECT_EQ(building["geometry"][0]["boundaries"], nlohmann::json::parse("[[[0,1,2]]]"));
+    EXPECT_EQ(building["geometry"][0]["semantics"]["values"], (std::vector<int>{0}));
+    EXPECT_EQ(city["CityObjects"]["terrain"]["type"], "TINRelief");
+    EXPECT_EQ(city["CityObjects"]["terrain"]["geometry"][0]["boundaries"],
+              nlohmann::json::parse("[[[2,1,3]]]"));
+}
+
+}  // namespace
+}  // namespace d2b::test

@@ -1,0 +1,54 @@
+#include "mesh/mesh_tool.hpp"
+
+namespace d2b::test {
+namespace {
+
+/// From a raster to a mesh, with the files that the program itself writes.
+class MeshTown : public MeshTool {
+  protected:
+    MeshTown() { preset_ = ""; }
+    void make(const Arguments& arguments) const {
+        const ToolResult made = run(arguments);
+        ASSERT_EQ(made.status, 0) << made.err;
+    }
+    /// All angles, all edges; and none is smaller than the input makes it.
+    void expect_good(const std::string& dem) const {
+        make({"-q", "-split_height", "3", "-layers", "buildings", "-write_ground", "g.tif", "-surface",
+              "in.city.json", dem, "out.gpkg"});
+        for (const Arguments& more : {Arguments{}, Arguments{"-ground", "g.tif"}}) {
+            Arguments arguments{"-overwrite", "in.city.json", "out.obj", "-json"};
+            arguments.insert(arguments.begin(), more.begin(), more.end());
+            const ToolResult result = mesh(arguments);
+            ASSERT_EQ(result.status, 0) << result.err;
+            const nlohmann::json report = nlohmann::json::parse(result.out);
+            EXPECT_TRUE(read("out.obj").is_closed());
+            EXPECT_EQ(report["pinches"].size(), 0U);
+            if (more.empty()) {
+                EXPECT_EQ(report["small"].size(), 0U);
+                EXPECT_LE(report["plan_points"], 5 * report["plan_points_before"].get<int>());
+            }
+        }
+    }
+};
+
+TEST_F(MeshTown, ofTheSample) {
+    expect_good(sample("town.tif"));
+}
+
+TEST_F(MeshTown, ofDelft) {
+    const std::string dem = D2B_SHARED "/cities/delft/dsm.tif";
+    if (!std::filesystem::exists(dem))
+        GTEST_SKIP() << missing_shared(dem);
+    expect_good(dem);
+}
+
+TEST_F(MeshTown, asStl) {
+    make({"-q", "-surface", "in.city.json", sample("town.tif"), "out.gpkg"});
+    mesh_well({"in.city.json", "out.stl"});
+    const std::string text = read_bytes(path("out.stl"));
+    EXPECT_TRUE(text.starts_with("solid building_1 origin 391"));
+    EXPECT_TRUE(text.ends_with("\n"));
+}
+
+}  // namespace
+}  // namespace d2b::test

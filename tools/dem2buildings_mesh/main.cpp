@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CGAL/version.h>
+#include <algorithm>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "common/exit_codes.hpp"
+#include "common/own_stdout.hpp"
+#include "common/run_guarded.hpp"
+#include "core/crs.hpp"
+#include "dem2buildings/open_sources.hpp"
+#include "dem2buildings/version.hpp"
+#include "dem2buildings_mesh/command_line.hpp"
+#include "dem2buildings_mesh/help.hpp"
+#include "dem2buildings_mesh/mesh_city.hpp"
+#include "dem2buildings_mesh/report.hpp"
+#include "read/gdal_command_line.hpp"
+#include "read/start_gdal.hpp"
+
+namespace d2b::mesh {
+namespace {
+
+void make_mesh(const MeshCommand& command) {
+    OwnStdout own_stdout;
+    std::vector<std::string> warnings;
+    Callbacks callbacks;
+    callbacks.on_warning = [&](const std::string& text) {
+        warnings.push_back(text);
+        print_line("Warning: ", text);
+    };
+    start_gdal();
+    const MeshReport report = mesh_city(command, callbacks);
+    if (!command.quiet)
+        std::cout << (command.json ? mesh_json(command, report, warnings) : mesh_text(command, report));
+    own_stdout.finish();
+}
+
+int run_tool(const std::vector<std::string>& arguments) {
+    if (arguments.empty()) {
+        std::cerr << mesh_short_usage();
+        return exit_code::wrong_usage;
+    }
+    const auto left = apply_gdal_switches(arguments);
+    if (!left)
+        return exit_code::done;
+    const MeshCommand command = parse_mesh_command_line(*left);
+    if (command.help)
+        std::cout << mesh_help();
+    else if (command.version)
+        std::cout << "dem2buildings_mesh " << version << ", GDAL " << gdal_version() << ", PROJ "
+                  << proj_version() << ", CGAL " << CGAL_VERSION_STR << '\n';
+    else if (command.man_page)
+        std::cout << mesh_man_page();
+    else if (command.bash_completion)
+        std::cout << mesh_bash_completion();
+    else
+        make_mesh(command);
+    return exit_code::done;
+}
+
+}  // namespace
+}  // namespace d2b::mesh
+
+int main(int argc, char* argv[]) {
+    return d2b::run_guarded({argv + std::min(argc, 1), argv + argc}, "mesh a smaller part of the city",
+                            d2b::mesh::run_tool);
+}

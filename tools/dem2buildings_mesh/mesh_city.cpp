@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem2buildings_mesh/mesh_city.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "core/crs.hpp"
+#include "core/number_text.hpp"
+#include "dem2buildings/error.hpp"
+#include "dem2buildings_mesh/check_shell.hpp"
+#include "dem2buildings_mesh/city_plan.hpp"
+#include "dem2buildings_mesh/measure_shell.hpp"
+#include "dem2buildings_mesh/mesh_file.hpp"
+#include "dem2buildings_mesh/read_city.hpp"
+#include "dem2buildings_mesh/read_ground.hpp"
+#include "dem2buildings_mesh/refine_plan.hpp"
+#include "dem2buildings_mesh/stand_up.hpp"
+#include "dem2buildings_mesh/terrain.hpp"
+
+namespace d2b::mesh {
+namespace {
+
+std::string at_text(double x, double y) {
+    return fixed_text(x, 3) + " " + fixed_text(y, 3);
+}
+
+Crs crs_of(const CityModel& city) {
+    Crs crs;
+    try {
+        crs = Crs(city.reference_system);
+    } catch (const OptionError&) {
+        throw InputError("'" + city.name + "' has a referenceSystem that PROJ does not know, '" +
+                         city.reference_system + "'; give a file that -surface has written.");
+    }
+    if (!city.reference_system.empty() && !crs.horizontal_unit())
+        throw InputError("'" + city.name +
+                         "' is in degrees, which are no lengths; make it again with -t_srs and a projected "
+                         "coordinate reference system.");
+    return crs;
+}
+
+PlanFrame frame_of(const CityModel& city, const CityPlan& plan, const Crs& crs) {
+    PlanFrame frame;
+    frame.corner = plan.plan.nodes.front();
+    for (const FinePoint& node : plan.plan.nodes)
+        frame.corner = {std::max(frame.corner.row, node.row), std::min(frame.corner.col, node.col)};
+    frame.ratio = city.scale[1] / city.scale[0];
+    frame.surface.scale = city.scale;
+    for (std::size_t axis : {0U, 1U})
+        frame.surface.scale[axis] /= static_cast<double>(parts_a_step);
+    frame.surface.translate = city.translate;
+    if (const auto unit = crs.horizontal_unit())
+        frame.surface.horizontal_metres = frame.surface.vertical_metres = unit->metres;
+    return frame;
+}
+
+/// The middle of what is there, below its lowest point, in whole metres.
+std::array<double, 3> middle_of(const Shell& shell, const SurfaceFrame& frame) {
+    std::array<double, 3> low = frame.local(shell.points.front());
+    std::array<double, 3> high = low;
+    for (const SurfacePoint& point : shell.points) {
+        const std::array<double, 3> at = frame.local(point);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            low[axis] = std::min(low[axis], at[axis]);
+            high[axis] = std::max(high[axis], at[axis]);
+        }
+    }
+    return {std::round((low[0] + high[0]) / 2), std::round((low[1] + high[1]) / 2), std::floor(low[2])};
+}
+
+PlanDrawing drawing_of(const CityPlan& plan, const PlanFrame& frame) {
+    PlanDrawing drawing;
+    for (const FinePoint& node : plan.plan.nodes)
+        drawing.nodes.push_back(frame.plane(node));
+    drawing.edges = plan.plan.edges;
+    return drawing;
+}
+
+/// The terrain around the footprints.
+void add_ground(const MeshRequest& request, const CityModel& city, const PlanFrame& frame, GroundGrid& ground,
+                PlanDrawing& drawing, const Callbacks& callbacks) {
+    const std::size_t corners = drawing.nodes.size();
+    const std::size_t outside = lay_ground(drawing, ground, request.margin, frame);
+    if (outside == corners)
+        throw InputError("The terrain '" + request.ground + "' and '" + city.name +
+                         "' do not meet; check the files and their coordinate reference systems.");
+    if (outside > 0 && callbacks.on_warning)
+        callbacks.on_warning(std::to_string(outside) + " of " + std::to_string(corners) + " corners of '" +
+                             city.name + "' lie outside of the terrain '" + request.ground +
+                             "', which goes on level from its edge there.");
+}
+
+PlanMesh divide(PlanDrawing& drawing, const MeshRequest& request, const std::optional<GroundGrid>& ground,
+                const CityModel& city, const PlanFrame& frame) {
+    RefineRules rules{request.min_angle, request.max_edge / frame.metres()};
+    if (request.max_edge > 0)
+        split_long_edges(drawing, rules.max_edge / std::numbers::sqrt2);
+    if (ground)
+        rules.too_coarse = too_far_from(*ground, request, frame);
+    try {
+        return refine_plan(drawing, rules);
+    } catch (const PlanFault& fault) {
+        const Position at = frame.world(fault.at);
+        throw InputError("'" + city.name + "' has two roofs over one place at " + at_text(at.x, at.y) +
+                         "; the file is damaged.");
+    }
+}
+
+void require_closed(const CityModel& city, const Shell& shell, const SurfaceFrame& frame, bool single) {
+    if (const auto fault = fault_of(shell)) {
+        const std::array<double, 3> at = frame.coordinates(shell.points[fault->point]);
+        throw InputError("The surface of '" + city.name + "' " + fault->what + " at " +
+                         at_text(at[0], at[1]) +
+                         "; make the file again with -surface, which takes such places apart.");
+    }
+    if (!single)
+        return;
+    if (const auto point = merged_in_single(shell, frame)) {
+        const std::array<double, 3> at = frame.coordinates(shell.points[*point]);
+        throw InputError("Corners at " + at_text(at[0], at[1]) +
+                         " would be one in single precision; give an -origin near them, a smaller part of "
+                         "the city, or .city.json as output.");
+    }
+}
+
+}  // namespace
+
+MeshReport mesh_city(const MeshRequest& request, const Callbacks& callbacks) {
+    RasterPlace place = locate_mesh(request);
+    const CityModel city = read_city(request.city);
+    if (city.buildings.empty())
+        throw InputError("'" + city.name + "' has no buildings; there is nothing to mesh.");
+    const CityPlan plan = make_city_plan(city);
+    const Crs crs = crs_of(city);
+    PlanFrame frame = frame_of(city, plan, crs);
+    MeshReport report;
+    report.buildings = static_cast<std::int64_t>(city.buildings.size());
+    report.plan_points_before = static_cast<std::int64_t>(plan.plan.nodes.size());
+    for (const FinePoint& pinch : plan.pinches)
+        report.pinches.push_back({frame.world(frame.plane(pinch)), 0, ""});
+
+    PlanDrawing drawing = drawing_of(plan, frame);
+    std::optional<GroundGrid> ground;
+    if (!request.ground.empty()) {
+        ground = read_ground(request.ground, city, crs, frame, callbacks);
+        add_ground(request, city, frame, *ground, drawing, callbacks);
+    }
+    const PlanMesh mesh = divide(drawing, request, ground, city, frame);
+    report.plan_points = static_cast<std::int64_t>(mesh.nodes.size());
+    PlanHeights heights{plan.regions, {}, 0};
+    if (ground) {
+        heights = heights_over(mesh, plan.regions, *ground, request, frame, city, report);
+        measure_terrain(mesh, heights, *ground, request, frame, report);
+    }
+    const Shell shell = stand_up(mesh, heights, frame, request.max_edge);
+    frame.surface.origin = request.origin.value_or(middle_of(shell, frame.surface));
+    require_closed(city, shell, frame.surface, is_local(request.destination));
+    const NamedShell named{city, frame.surface, shell};
+    measure_shell(named, request.min_angle, report);
+    for (const std::string& warning : write_mesh(named, std::move(place)))
+        if (callbacks.on_warning)
+            callbacks.on_warning(warning);
+    return report;
+}
+
+}  // namespace d2b::mesh

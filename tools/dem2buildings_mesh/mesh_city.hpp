@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "dem2buildings/callbacks.hpp"
+#include "dem2buildings_mesh/mesh_request.hpp"
+
+namespace d2b::mesh {
+
+/// city file -> plan -> triangles of the plan -> heights -> one closed surface -> file
+/// @throws OptionError, InputError, OutputError
+[[nodiscard]] MeshReport mesh_city(const MeshRequest& request, const Callbacks& callbacks);
+
+}  // namespace d2b::mesh

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dem2buildings_mesh/city_model.hpp"
+#include "dem2buildings_mesh/mesh_request.hpp"
+#include "dem2buildings_mesh/plan_frame.hpp"
+#include "dem2buildings_mesh/shell.hpp"
+#include "write/raster_target.hpp"
+
+namespace d2b::mesh {
+
+/// A shell and what it is of.
+struct NamedShell {
+    const CityModel& city;
+    const SurfaceFrame& frame;
+    const Shell& shell;
+};
+
+/// Where it is to go. @throws OptionError: not .stl, .obj or .city.json, exists, is read by this run.
+/// @throws OutputError
+[[nodiscard]] RasterPlace locate_mesh(const MeshRequest& request);
+
+/// Whether local coordinates are written, in metres from an origin.
+[[nodiscard]] bool is_local(const std::string& destination);
+
+/// Writes it whole or not at all. @return warnings @throws OutputError
+[[nodiscard]] std::vector<std::string> write_mesh(const NamedShell& shell, RasterPlace place);
+
+}  // namespace d2b::mesh

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem2buildings_mesh/plan_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace d2b::mesh {
+
+void split_long_edges(PlanDrawing& drawing, double most) {
+    std::vector<PlanEdge> edges;
+    for (const PlanEdge& edge : drawing.edges) {
+        const Position a = drawing.nodes[edge.from];
+        const Position b = drawing.nodes[edge.to];
+        const int parts = static_cast<int>(std::ceil(std::hypot(b.x - a.x, b.y - a.y) / most));
+        PlanEdge part = edge;
+        for (int i = 1; i < parts; ++i) {
+            const double share = static_cast<double>(i) / parts;
+            part.to = static_cast<std::uint32_t>(drawing.nodes.size());
+            drawing.nodes.push_back({a.x + (b.x - a.x) * share, a.y + (b.y - a.y) * share});
+            edges.push_back(part);
+            part.from = part.to;
+        }
+        part.to = edge.to;
+        edges.push_back(part);
+    }
+    drawing.edges = std::move(edges);
+}
+
+double smallest_angle(const std::array<Position, 3>& corners) {
+    double smallest = 180;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Position& at = corners[i];
+        const Position& b = corners[(i + 1) % 3];
+        const Position& c = corners[(i + 2) % 3];
+        const double cross = (b.x - at.x) * (c.y - at.y) - (b.y - at.y) * (c.x - at.x);
+        const double dot = (b.x - at.x) * (c.x - at.x) + (b.y - at.y) * (c.y - at.y);
+        smallest = std::min(smallest, std::atan2(std::abs(cross), dot) * 180 / std::numbers::pi);
+    }
+    return smallest;
+}
+
+}  // namespace d2b::mesh

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "dem2buildings/world_polygon.hpp"
+#include "surface/plan.hpp"
+
+namespace d2b::mesh {
+
+/// In place of a region: outside of the terrain.
+inline constexpr std::int32_t beyond = -2;
+
+/// What is to be divided into triangles: a partition of the plane. Lengths are steps of the plan, x to the
+/// east and y to the north.
+struct PlanDrawing {
+    std::vector<Position> nodes;
+    std::vector<PlanEdge> edges;  ///< sides are regions, open_ground or beyond
+    bool with_ground = false;     ///< whether open ground is divided, too
+};
+
+struct PlanTriangle {
+    std::array<std::uint32_t, 3> nodes{};  ///< counter-clockwise
+    std::int32_t region = open_ground;
+};
+
+struct PlanMesh {
+    std::vector<Position> nodes;  ///< by x, then y
+    std::vector<PlanTriangle> triangles;
+};
+
+/// What triangles have to be like.
+struct RefineRules {
+    double min_angle = 20.7;  ///< degrees
+    double max_edge = 0;      ///< steps; 0: no limit
+    /// What else has to be divided; may be empty.
+    std::function<bool(const std::array<Position, 3>&)> too_coarse = {};
+};
+
+/// The angle below which Delaunay refinement ends wherever the angles of the input allow it: the sine of it
+/// is the root of an eighth.
+inline constexpr double sure_angle = 20.7;
+
+/// Beyond the sure angle: how many times the points that the sure angle takes.
+inline constexpr std::size_t most_points_a_point = 10;
+
+/// Edges longer than a length in equal parts. @param most steps
+void split_long_edges(PlanDrawing& drawing, double most);
+
+/// Smallest angle of a triangle, in degrees.
+[[nodiscard]] double smallest_angle(const std::array<Position, 3>& corners);
+
+}  // namespace d2b::mesh

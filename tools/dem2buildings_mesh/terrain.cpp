@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "dem2buildings_mesh/terrain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace d2b::mesh {
+namespace {
+
+std::int64_t steps(double metres, const PlanFrame& frame) {
+    return std::llround(metres / frame.metres_of_height());
+}
+
+std::array<Position, 3> corners_of(const PlanMesh& mesh, const PlanTriangle& triangle) {
+    return {mesh.nodes[triangle.nodes[0]], mesh.nodes[triangle.nodes[1]], mesh.nodes[triangle.nodes[2]]};
+}
+
+/// Metres of a column's and of a row's way.
+Position cell_size(const GroundGrid& grid, const PlanFrame& frame) {
+    const Position origin = grid.plane({0, 0});
+    const Position right = grid.plane({1, 0});
+    const Position below = grid.plane({0, 1});
+    return {std::hypot(right.x - origin.x, right.y - origin.y) * frame.metres(),
+            std::hypot(below.x - origin.x, below.y - origin.y) * frame.metres()};
+}
+
+std::vector<std::array<Position, 2>> outlines(const PlanDrawing& drawing) {
+    std::vector<std::array<Position, 2>> edges;
+    for (const PlanEdge& edge : drawing.edges)
+        if ((edge.left == open_ground) != (edge.right == open_ground))
+            edges.push_back({drawing.nodes[edge.from], drawing.nodes[edge.to]});
+    return edges;
+}
+
+}  // namespace
+
+std::size_t lay_ground(PlanDrawing& drawing, GroundGrid& grid, double margin_metres, const PlanFrame& frame) {
+    grid.leave_out(outlines(drawing));
+    Position low{0, 0};
+    Position high{static_cast<double>(grid.cols()), static_cast<double>(grid.rows())};
+    std::size_t outside = 0;
+    for (const Position& node : drawing.nodes) {
+        const Position cell = grid.cell(node);
+        constexpr double far = 1;  // walls may stand a little off the last cells
+        outside += cell.x < -far || cell.y < -far || cell.x > grid.cols() + far || cell.y > grid.rows() + far
+                       ? 1U
+                       : 0U;
+        // No footprint lies at the border.
+        low = {std::min(low.x, cell.x - 1), std::min(low.y, cell.y - 1)};
+        high = {std::max(high.x, cell.x + 1), std::max(high.y, cell.y + 1)};
+    }
+    const Position size = cell_size(grid, frame);
+    const Position margin{margin_metres / size.x, margin_metres / size.y};
+    low = {low.x - margin.x, low.y - margin.y};
+    high = {high.x + margin.x, high.y + margin.y};
+    std::array<Position, 4> frame_corners{grid.plane(low), grid.plane({low.x, high.y}), grid.plane(high),
+                                          grid.plane({high.x, low.y})};
+    const auto turn = [](const Position& a, const Position& b, const Position& c) {
+        return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    };
+    if (turn(frame_corners[0], frame_corners[1], frame_corners[2]) < 0)
+        std::swap(frame_corners[1], frame_corners[3]);
+    const auto first = static_cast<std::uint32_t>(drawing.nodes.size());
+    for (std::uint32_t i = 0; i < frame_corners.size(); ++i) {
+        drawing.nodes.push_back(frame_corners[i]);
+        drawing.edges.push_back({first + i, first + (i + 1) % 4, open_ground, beyond});
+    }
+    drawing.with_ground = true;
+    return outside;
+}
+
+std::function<bool(const std::array<Position, 3>&)> too_far_from(const GroundGrid& grid,
+                                                                 const MeshRequest& request,
+                                                                 const PlanFrame& frame) {
+    const Position size = cell_size(grid, frame);
+    constexpr double smallest_share = 0.25;
+    const double smallest = std::min(size.x, size.y) * smallest_share / frame.metres();
+    // Heights are rounded to steps in the end.
+    const double most = std::max(0.5, request.ground_error / frame.metres_of_height() - 1);
+    const double height = frame.metres_of_height() / frame.metres();
+    const double longest =
+        request.max_edge > 0 ? request.max_edge / frame.metres() : std::numeric_limits<double>::infinity();
+    return [&grid, smallest, most, height, longest](const std::array<Position, 3>& corners) {
+        std::array<double, 3> z{};
+        std::ranges::transform(corners, z.begin(), [&](const Position& at) { return grid.elevation(at); });
+        double length = 0;
+        bool too_long = false;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t k = (i + 1) % 3;
+            const double plane = std::hypot(corners[k].x - corners[i].x, corners[k].y - corners[i].y);
+            length = std::max(length, plane);
+            too_long = too_long || std::hypot(plane, (z[k] - z[i]) * height) > longest;
+        }
+        if (too_long)
+            return true;
+        return length > smallest &&
+               !grid.errors(corners, z, [&](std::size_t, double error) { return error <= most; });
+    };
+}
+
+PlanHeights heights_over(const PlanMesh& mesh, std::vector<Region> regions, const GroundGrid& grid,
+                         const MeshRequest& request, const PlanFrame& frame, const CityModel& city,
+                         MeshReport& report) {
+    PlanHeights heights{std::move(regions), {}, 0};
+    for (const Position& node : mesh.nodes)
+        heights.terrain.push_back(std::llround(grid.elevation(node)));
+    std::vector<bool> beside(mesh.nodes.size());
+    std::int64_t lowest = std::numeric_limits<std::int64_t>::max();
+    for (const PlanTriangle& triangle : mesh.triangles)
+        for (const std::uint32_t node : triangle.nodes)
+            if (triangle.region == open_ground) {
+                beside[node] = true;
+                lowest = std::min(lowest, heights.terrain[node]);
+            }
+    heights.plate = lowest - std::max<std::int64_t>(1, steps(request.base, frame));
+    const std::int64_t wall = std::max<std::int64_t>(1, steps(request.min_wall, frame));
+    std::vector<std::int64_t> needed(heights.regions.size(), std::numeric_limits<std::int64_t>::min());
+    std::vector<std::uint32_t> place(heights.regions.size());
+    for (const PlanTriangle& triangle : mesh.triangles)
+        for (const std::uint32_t node : triangle.nodes) {
+            const auto region = static_cast<std::size_t>(std::max(triangle.region, 0));
+            if (triangle.region < 0 || !beside[node] || heights.terrain[node] + wall <= needed[region])
+                continue;
+            needed[region] = heights.terrain[node] + wall;
+            place[region] = node;
+        }
+    for (std::size_t i = 0; i < heights.regions.size(); ++i) {
+        Region& region = heights.regions[i];
+        if (region.top >= needed[i])
+            continue;
+        report.lifted.push_back({frame.world(mesh.nodes[place[i]]),
+                                 static_cast<double>(needed[i] - region.top) * frame.metres_of_height(),
+                                 city.buildings[static_cast<std::size_t>(region.building)].name});
+        region.top = needed[i];
+    }
+    return heights;
+}
+
+void measure_terrain(const PlanMesh& mesh, const PlanHeights& heights, const GroundGrid& grid,
+                     const MeshRequest& request, const PlanFrame& frame, MeshReport& report) {
+    double largest = 0;
+    for (const PlanTriangle& triangle : mesh.triangles) {
+        if (triangle.region != open_ground)
+            continue;
+        std::array<double, 3> z{};
+        for (std::size_t i = 0; i < 3; ++i)
+            z[i] = static_cast<double>(heights.terrain[triangle.nodes[i]]);
+        grid.errors(corners_of(mesh, triangle), z, [&](std::size_t, double error) {
+            const double metres = error * frame.metres_of_height();
+            largest = std::max(largest, metres);
+            report.ground_missed += metres > request.ground_error ? 1 : 0;
+            return true;
+        });
+    }
+    report.ground_error = largest;
+    report.ground_cells = grid.measured();
+}
+
+}  // namespace d2b::mesh
