@@ -99,11 +99,14 @@ class Toolbox(DeskCase):
         shown = {one.name(): one for one in algorithm.parameterDefinitions()}
         from dem2buildings.parameters import LEFT_OUT
         wanted = {option["name"] for option in table if not option["hidden"]} - LEFT_OUT
-        self.assertEqual(set(shown), wanted | {"INPUT", "OUTPUT", "ground_model"})
+        surfaces = {"surface_cityjson", "surface_obj", "surface_stl", "surface_glb"}
+        self.assertEqual(set(shown), wanted - {"surface"} | surfaces | {"INPUT", "OUTPUT", "ground_model"})
         self.assertGreater(len(wanted), 30)
         lod = shown["lod"]
         self.assertEqual((lod.defaultValue(), lod.minimum(), lod.maximum()), (4, 1, 10000))
         self.assertEqual(shown["preview"].fileFilter(), "PNG (*.png);;SVG (*.svg);;PDF (*.pdf)")
+        self.assertEqual(shown["surface_cityjson"].fileFilter(), "CITY.JSON (*.city.json)")
+        self.assertEqual(shown["surface_glb"].description(), "Output: Surface of the buildings (.glb)")
         self.assertEqual(shown["preset"].options(), ["buildings", "thesis"])
         self.assertTrue(shown["zrange"].flags() & QgsProcessingParameterDefinition.FlagAdvanced)
         self.assertFalse(shown["lod"].flags() & QgsProcessingParameterDefinition.FlagAdvanced)
@@ -158,6 +161,14 @@ class Toolbox(DeskCase):
         _, log = self.log_of(preset=1, fl="15 60, 100")
         self.assertIn("-preset thesis", log)
         self.assertIn("-fl 15 60 100", log)
+
+    def test_surfaces_have_a_file_a_format(self):
+        files = {f"surface_{ending.replace('.', '')}": str(self.folder / f"town.{ending}")
+                 for ending in ("city.json", "obj", "stl", "glb")}
+        _, log = self.log_of(INPUT=str(self.folder / "town.tif"), surface_of=0, **files)
+        for file in files.values():
+            self.assertIn(f"-surface {file}", log)
+            self.assertGreater(pathlib.Path(file).stat().st_size, 10000)
 
     def test_layers_are_loaded_in_their_style(self):
         results, well, context = self.run_it(INPUT=str(self.folder / "town.tif"))

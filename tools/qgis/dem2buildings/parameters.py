@@ -69,11 +69,24 @@ def _choice(option):
                                       defaultValue=default)
 
 
-def _file(option):
-    endings = option["kind"].split(":")[1].split(",")
+def _endings(option):
+    """Of the names of files that an option writes; none of other options."""
+    return option["kind"].split(":")[1].split(",") if option["kind"].startswith("file:") else []
+
+
+def _files(option):
+    """The names of the files that an option writes as the dialog has them, with their endings: one for all, or where the
+    option may be given again, as `-surface`, one a format."""
+    if option["repeatable"]:
+        return {f"{option['name']}_{ending.replace('.', '')}": [ending] for ending in _endings(option)}
+    return {option["name"]: _endings(option)}
+
+
+def _file(option, name, endings):
     raster = endings == ["tif"]
     make = QgsProcessingParameterRasterDestination if raster else QgsProcessingParameterFileDestination
-    parameter = make(option["name"], _label(option), optional=True, createByDefault=False)
+    title = f"{option['title']} (.{endings[0]})" if option["repeatable"] else None
+    parameter = make(name, _label(option, title), optional=True, createByDefault=False)
     if not raster:
         parameter.setFileFilter(";;".join(f"{ending.upper()} (*.{ending})" for ending in endings))
     return parameter
@@ -85,7 +98,7 @@ SIMPLE = {"raster": QgsProcessingParameterRasterLayer, "vector": QgsProcessingPa
 
 
 def make(option):
-    """The parameters of an option: one, or for the terrain a choice and a raster."""
+    """The parameters of an option: one, or for the terrain a choice and a raster, and for surfaces a file a format."""
     kind, name = option["kind"], option["name"]
     if kind == "switch":
         return [QgsProcessingParameterBoolean(name, _label(option), defaultValue=False, optional=True)]
@@ -99,7 +112,7 @@ def make(option):
     if kind in SIMPLE:
         return [SIMPLE[kind](name, _label(option), optional=True)]
     if kind.startswith("file:"):
-        return [_file(option)]
+        return [_file(option, *file) for file in _files(option).items()]
     return [QgsProcessingParameterString(name, f"{_label(option)}: {option['values']}", optional=True)]
 
 
@@ -112,9 +125,9 @@ def all_of(table):
             if option["section"] == "Advanced":
                 parameter.setFlags(parameter.flags() | QgsProcessingParameterDefinition.FlagAdvanced)
             # The option stands for two parameters where it is the terrain.
-            parameter.setHelp(help_of(option, spoken) if parameter.name() == option["name"] else
-                              "Elevations of the bare ground, as a raster. Without it "
-                              f'"{option["title"]}" decides.')
+            parameter.setHelp("Elevations of the bare ground, as a raster. Without it "
+                              f'"{option["title"]}" decides.' if parameter.name() == option["name"] + TERRAIN else
+                              help_of(option, spoken))
             parameters.append(parameter)
     return parameters
 
@@ -170,8 +183,6 @@ def _values(algorithm, option, given, context):
         return [_file_of(algorithm.parameterAsRasterLayer(given, name, context), name)]
     if kind in ("vector", "dataset"):
         return _polygons(algorithm, option, given, context)
-    if kind.startswith("file:"):
-        return [algorithm.parameterAsFileOutput(given, name, context)]
     return [algorithm.parameterAsString(given, name, context)]
 
 
@@ -179,6 +190,11 @@ def command_line(algorithm, table, given, dem, context):
     """The options of a run. @param dem the raster, in whose CRS an extent is"""
     words = []
     for option in offered(table):
+        if option["kind"].startswith("file:"):
+            for name in _files(option):
+                if given.get(name) not in (None, ""):
+                    words += ["-" + option["name"], algorithm.parameterAsFileOutput(given, name, context)]
+            continue
         if option["kind"] == "extent":
             if not given.get(option["name"]):
                 continue
