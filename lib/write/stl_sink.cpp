@@ -1,6 +1,7 @@
 #include "write/stl_sink.hpp"
 
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -29,6 +30,19 @@ Vector normal(const Vector& a, const Vector& b, const Vector& c) {
     for (double& part : n)
         part /= length;
     return n;
+}
+
+/// The numbers of a text, as what reads it has them: in single precision.
+Vector as_read(const std::string& text) {
+    Vector numbers{};
+    const char* at = text.data();
+    for (double& number : numbers) {
+        float read = 0;
+        at = std::from_chars(at, text.data() + text.size(), read).ptr;
+        number = double{read};
+        at += at == text.data() + text.size() ? 0 : 1;  // a space
+    }
+    return numbers;
 }
 
 class StlSink final : public SurfaceSink {
@@ -73,9 +87,9 @@ std::string StlSink::facet(const SurfacePart& part, const SurfaceTriangle& trian
     std::array<Vector, 3> at;
     std::string vertices;
     for (std::size_t i = 0; i < at.size(); ++i) {
-        const SurfacePoint& point = part.points[triangle.corners[i]];
-        at[i] = frame_.local(point);
-        vertices += "vertex " + (*text_)(point) + "\n";
+        const std::string corner = (*text_)(part.points[triangle.corners[i]]);
+        at[i] = as_read(corner);
+        vertices += "vertex " + corner + "\n";
     }
     std::string text = "facet normal";
     for (const double part_of : normal(at[0], at[1], at[2]))
