@@ -119,6 +119,22 @@ TEST_F(OptionEffect, surface__asGltf) {
     }
 }
 
+/// All formats in one run, byte for byte.
+TEST_F(OptionEffect, surface__isTheSameWhateverTheThreads) {
+    const std::vector<std::string> endings{".city.json", ".obj", ".stl", ".glb"};
+    for (const std::string threads : {"1", "4"}) {
+        Arguments arguments{"-split_height", "3", "-threads", threads};
+        for (const std::string& ending : endings)
+            arguments.insert(arguments.end(), {"-surface", threads + ending});
+        find(arguments);
+    }
+    for (const std::string& ending : endings) {
+        const std::string one = read_bytes(path("1" + ending));
+        EXPECT_GT(one.size(), 1000U);
+        EXPECT_TRUE(one == read_bytes(path("4" + ending))) << ending;
+    }
+}
+
 /// Solids as they stand in the layer, in its coordinates, with its attributes.
 TEST_F(OptionEffect, surface__asCityJson) {
     find({"-split_height", "3", "-surface", "town.city.json"});
@@ -374,6 +390,20 @@ TEST_F(SurfaceErrors, coordinates) {
             "most 16382 x 16382 cells (-srcwin, -projwin or -te) with an origin in its middle "
             "(-surface_origin).",
             {"-surface", "a.obj", "-surface_origin", "0", "5820000", "0"});
+    for (const std::string name : {"a.stl", "a.glb"}) {
+        refused(2, "-surface has coordinates up to 391170 m from their origin",
+                {"-surface", "a.city.json", "-surface", name, "-surface_origin", "0", "5820000", "0"});
+        refused(2, "-surface has heights 10000 m from their origin",
+                {"-surface", name, "-surface_origin", "391000", "5820000", "-9900"});
+        refused(2, "-surface needs coordinates in a unit of length",
+                {"-surface", name, "-t_srs", "EPSG:4326"});
+    }
+    refused(2, "-surface needs coordinates in a unit of length",
+            {"-surface", "a.city.json", "-t_srs", "EPSG:4326"});
+    // Whole numbers have no such limit.
+    run_well({"-preset", "buildings", "-q", "-surface", "far.city.json", "-surface_origin", "0", "5820000",
+              "0", "--", "town.tif", "far.gpkg"});
+    EXPECT_EQ(read_cityjson(path("far.city.json")).solids.size(), 3U);
     refused(2, "-surface has heights 10000 m from their origin",
             {"-surface", "a.obj", "-surface_origin", "391000", "5820000", "-9900"});
     refused(2, "-surface_origin must be three whole numbers, not '1 2 3.5'.",
