@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -15,19 +14,14 @@
 #include "core/crs.hpp"
 #include "dem2buildings/error.hpp"
 #include "write/field_json.hpp"
-#include "write/held_bytes.hpp"
+#include "write/glb_numbers.hpp"
+#include "write/json_list.hpp"
 #include "write/surface_file.hpp"
 
 namespace d2b {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// Numbers of glTF 2.0.
-constexpr int type_float = 5126;
-constexpr int type_unsigned_int = 5125;
-constexpr int target_vertices = 34962;
-constexpr int target_indices = 34963;
 
 struct Look {
     const char* name;
@@ -36,43 +30,6 @@ struct Look {
 /// By FaceKind.
 constexpr std::array looks{Look{"roof", {0.45, 0.09, 0.05, 1}}, Look{"wall", {0.6, 0.57, 0.5, 1}},
                            Look{"ground", {0.2, 0.2, 0.2, 1}}};
-
-/// Four bytes, the lowest first.
-void append_number(std::uint32_t number, std::string& bytes) {
-    for (int shift = 0; shift < 32; shift += 8)
-        bytes += static_cast<char>(number >> shift & 0xFFU);
-}
-
-/// A list in the JSON, which is as long as there are buildings: text, with commas.
-class JsonList {
-  public:
-    /// @return its number
-    std::uint64_t add(const Json& item) {
-        text_.add((count_ == 0 ? "" : ",") + json_text(item));
-        return count_++;
-    }
-    [[nodiscard]] std::uint64_t count() const { return count_; }
-    [[nodiscard]] HeldBytes& text() { return text_; }
-
-  private:
-    HeldBytes text_;
-    std::uint64_t count_ = 0;
-};
-
-/// What a building needs of the corners of its part.
-struct Corners {
-    std::vector<std::uint32_t> used;  ///< ascending places in the part
-
-    explicit Corners(const SurfaceBuilding& building) {
-        for (const SurfaceTriangle& triangle : building.triangles)
-            used.insert(used.end(), triangle.corners.begin(), triangle.corners.end());
-        std::ranges::sort(used);
-        used.erase(std::unique(used.begin(), used.end()), used.end());
-    }
-    [[nodiscard]] std::uint32_t number(std::uint32_t corner) const {
-        return static_cast<std::uint32_t>(std::ranges::lower_bound(used, corner) - used.begin());
-    }
-};
 
 class GlbSink final : public SurfaceSink {
   public:
@@ -90,9 +47,6 @@ class GlbSink final : public SurfaceSink {
 
   private:
     void add_building(const SurfacePart& part, const SurfaceBuilding& building);
-    [[nodiscard]] std::uint64_t add_positions(const SurfacePart& part, const Corners& corners);
-    [[nodiscard]] std::uint64_t add_indices(const SurfaceBuilding& building, FaceKind kind,
-                                            const Corners& corners);
     [[nodiscard]] Json asset() const;
     [[nodiscard]] std::string views() const;
     [[nodiscard]] std::string scene() const;
@@ -104,9 +58,7 @@ class GlbSink final : public SurfaceSink {
     SurfaceMeta meta_;
     JsonList nodes_;
     JsonList meshes_;
-    JsonList accessors_;
-    HeldBytes positions_;
-    HeldBytes indices_;
+    GlbNumbers numbers_;
 };
 
 void GlbSink::require_room(std::uint64_t bytes) const {
@@ -116,64 +68,22 @@ void GlbSink::require_room(std::uint64_t bytes) const {
             " bytes that a .glb can have; use a smaller window (-srcwin, -projwin or -te), or write an OBJ.");
 }
 
-/// @return the number of the accessor
-std::uint64_t GlbSink::add_positions(const SurfacePart& part, const Corners& corners) {
-    std::array<float, 3> low{};
-    std::array<float, 3> high{};
-    const std::uint64_t begin = positions_.size();
-    std::string bytes;
-    for (const std::uint32_t corner : corners.used) {
-        const std::array<double, 3> local = meta_.frame.local(part.points[corner]);
-        const std::array<float, 3> at{static_cast<float>(local[0]), static_cast<float>(local[2]),
-                                      static_cast<float>(0 - local[1])};
-        for (std::size_t i = 0; i < at.size(); ++i) {
-            low[i] = bytes.empty() ? at[i] : std::min(low[i], at[i]);
-            high[i] = bytes.empty() ? at[i] : std::max(high[i], at[i]);
-        }
-        for (const float number : at)
-            append_number(std::bit_cast<std::uint32_t>(number), bytes);
-    }
-    positions_.add(bytes);
-    return accessors_.add({{"bufferView", 0},
-                           {"byteOffset", begin},
-                           {"componentType", type_float},
-                           {"count", corners.used.size()},
-                           {"type", "VEC3"},
-                           {"min", low},
-                           {"max", high}});
-}
-
-/// @return the number of the accessor
-std::uint64_t GlbSink::add_indices(const SurfaceBuilding& building, FaceKind kind, const Corners& corners) {
-    const std::uint64_t begin = indices_.size();
-    std::string bytes;
-    for (const SurfaceTriangle& triangle : building.triangles)
-        if (triangle.kind == kind)
-            for (const std::uint32_t corner : triangle.corners)
-                append_number(corners.number(corner), bytes);
-    indices_.add(bytes);
-    return accessors_.add({{"bufferView", 1},
-                           {"byteOffset", begin},
-                           {"componentType", type_unsigned_int},
-                           {"count", bytes.size() / sizeof(std::uint32_t)},
-                           {"type", "SCALAR"}});
-}
-
 void GlbSink::add_building(const SurfacePart& part, const SurfaceBuilding& building) {
-    const Corners corners(building);
-    const std::uint64_t positions = add_positions(part, corners);
+    const GlbCorners corners(building);
+    const std::uint64_t positions = numbers_.add_positions(part, meta_.frame, corners);
     Json primitives = Json::array();
     for (std::size_t kind = 0; kind < looks.size(); ++kind)
         if (std::ranges::find(building.triangles, static_cast<FaceKind>(kind), &SurfaceTriangle::kind) !=
             building.triangles.end())
-            primitives.push_back({{"attributes", {{"POSITION", positions}}},
-                                  {"indices", add_indices(building, static_cast<FaceKind>(kind), corners)},
-                                  {"material", kind}});
+            primitives.push_back(
+                {{"attributes", {{"POSITION", positions}}},
+                 {"indices", numbers_.add_indices(building, static_cast<FaceKind>(kind), corners)},
+                 {"material", kind}});
     const std::uint64_t mesh = meshes_.add({{"primitives", std::move(primitives)}});
     nodes_.add({{"name", "building_" + std::to_string(building.id)},
                 {"mesh", mesh},
                 {"extras", field_json(meta_.fields, building.values)}});
-    require_room(positions_.size() + indices_.size());
+    require_room(numbers_.size());
 }
 
 Json GlbSink::asset() const {
@@ -187,22 +97,14 @@ Json GlbSink::asset() const {
 
 /// Where the numbers of all buildings lie, and what faces look like.
 std::string GlbSink::views() const {
-    const Json buffers = Json::array({{{"byteLength", positions_.size() + indices_.size()}}});
-    const Json views = Json::array({{{"buffer", 0},
-                                     {"byteLength", positions_.size()},
-                                     {"byteStride", 3 * sizeof(float)},
-                                     {"target", target_vertices}},
-                                    {{"buffer", 0},
-                                     {"byteOffset", positions_.size()},
-                                     {"byteLength", indices_.size()},
-                                     {"target", target_indices}}});
+    const Json buffers = Json::array({{{"byteLength", numbers_.size()}}});
     Json materials = Json::array();
     for (const Look& look : looks)
         materials.push_back(
             {{"name", look.name},
              {"pbrMetallicRoughness",
               {{"baseColorFactor", look.colour}, {"metallicFactor", 0}, {"roughnessFactor", 1}}}});
-    return "\"buffers\":" + json_text(buffers) + ",\"bufferViews\":" + json_text(views) +
+    return "\"buffers\":" + json_text(buffers) + ",\"bufferViews\":" + json_text(numbers_.views()) +
            ",\"materials\":" + json_text(materials);
 }
 
@@ -222,13 +124,15 @@ void GlbSink::finish() {
     const std::string begin = "{\"asset\":" + json_text(asset()) + "," + scene() + "," + views();
     std::string end = "]}";
     const std::array<std::pair<const char*, JsonList*>, 3> lists{
-        {{",\"nodes\":[", &nodes_}, {"],\"meshes\":[", &meshes_}, {"],\"accessors\":[", &accessors_}}};
+        {{",\"nodes\":[", &nodes_},
+         {"],\"meshes\":[", &meshes_},
+         {"],\"accessors\":[", &numbers_.accessors()}}};
     std::uint64_t json_size = begin.size() + end.size();
     for (const auto& [name, list] : lists)
         json_size += std::string(name).size() + list->text().size();
     end.append((4 - json_size % 4) % 4, ' ');
     json_size += (4 - json_size % 4) % 4;
-    const std::uint64_t bin_size = positions_.size() + indices_.size();
+    const std::uint64_t bin_size = numbers_.size();
     const std::uint64_t size = 12 + 8 + json_size + 8 + bin_size;
     require_room(size);
 
@@ -243,8 +147,7 @@ void GlbSink::finish() {
     }
     append_number(static_cast<std::uint32_t>(bin_size), end);
     file_.write(end + "BIN" + '\0');
-    positions_.write_to(file_);
-    indices_.write_to(file_);
+    numbers_.write_to(file_);
     file_.publish();
 }
 

@@ -30,9 +30,9 @@ class Signals : public CliTest {
     /// @return whether it came in time
     bool ended(int signal, milliseconds after, const std::string& destination, int before) const {
         const auto names = entries();
-        const ToolResult result =
-            run({"-q", "-overwrite", "-write_ground", "ground.tif", "dem.tif", destination},
-                {.kill = Kill{signal, after}});
+        const ToolResult result = run({"-q", "-overwrite", "-write_ground", "ground.tif", "-surface",
+                                       "city.city.json", "-surface", "city.glb", "dem.tif", destination},
+                                      {.kill = Kill{signal, after}});
         const bool in_time = result.status == 128 + signal;
         EXPECT_TRUE(in_time || result.status == 0) << result.status << result.err;
         if (in_time) {
@@ -43,7 +43,8 @@ class Signals : public CliTest {
         }
         const int now = std::filesystem::exists(path(destination)) ? count(destination) : -1;
         EXPECT_EQ(now, in_time ? before : whole_) << after.count();
-        std::filesystem::remove(path("ground.tif"));
+        for (const char* beside : {"ground.tif", "city.city.json", "city.glb"})
+            std::filesystem::remove(path(beside));
         return in_time;
     }
     [[nodiscard]] int count(const std::string& file) const {

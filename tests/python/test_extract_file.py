@@ -1,5 +1,6 @@
 """extract_file(): what the program writes, by a call."""
 
+import pathlib
 import unittest
 import warnings
 
@@ -35,6 +36,15 @@ class ExtractFile(PythonCase):
         for name in ("ground.tif", "height.tif", "canopy.tif", "look.png"):
             stem, extension = name.split(".")
             self.assertEqual((self.folder / name).read_bytes(), (self.folder / f"{stem}_program.{extension}").read_bytes(), name)
+
+    def test_surfaces_in_several_formats(self):
+        names = ("town.city.json", "town.obj", "town.stl", "town.glb")
+        dem2buildings.extract_file(TOWN, self.target(), **PART, surface=[self.target(name) for name in names],
+                                   surface_of="contours")
+        program = [str(self.folder / f"program_{name}") for name in names]
+        self.program(TOWN, *PART_OPTIONS, "-surface_of", "contours", *(text for name in program for text in ("-surface", name)))
+        for name, same in zip(names, program):
+            self.assertEqual(self.target(name).read_bytes(), pathlib.Path(same).read_bytes(), name)
 
     def test_a_terrain_and_a_mask(self):
         ground = self.target("ground.tif")

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "write/field_json.hpp"
+#include "write/held_bytes.hpp"
+
+namespace d2b {
+
+/// A list in a JSON that is as long as there are buildings: text, with commas, without brackets.
+class JsonList {
+  public:
+    /// @return its number
+    std::uint64_t add(const nlohmann::ordered_json& item) {
+        text_.add((count_ == 0 ? "" : ",") + json_text(item));
+        return count_++;
+    }
+    [[nodiscard]] std::uint64_t count() const { return count_; }
+    [[nodiscard]] HeldBytes& text() { return text_; }
+
+  private:
+    HeldBytes text_;
+    std::uint64_t count_ = 0;
+};
+
+}  // namespace d2b
