@@ -30,7 +30,7 @@ double area_of(const PlanMesh& mesh, std::int32_t region) {
 double smallest(const PlanMesh& mesh) {
     double angle = 180;
     for (const PlanTriangle& triangle : mesh.triangles)
-        angle = std::min(angle, smallest_angle(corners(mesh, triangle)));
+        angle = std::min(angle, smallest_angle(corners(mesh, triangle)).degrees);
     return angle;
 }
 
@@ -67,7 +67,7 @@ TEST(RefinePlan, leavesAnglesOfTheInput) {
     EXPECT_NEAR(smallest(mesh), 10, 1e-6);
     EXPECT_EQ(std::ranges::count_if(mesh.triangles,
                                     [&](const PlanTriangle& triangle) {
-                                        return smallest_angle(corners(mesh, triangle)) < sure_angle;
+                                        return smallest_angle(corners(mesh, triangle)).degrees < sure_angle;
                                     }),
               1);
 }

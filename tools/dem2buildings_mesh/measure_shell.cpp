@@ -47,17 +47,17 @@ void measure_shell(const NamedShell& shell, double min_angle, MeshReport& report
         for (std::size_t i = 0; i < 3; ++i)
             report.longest_edge = std::max(report.longest_edge, distance(at[i], at[(i + 1) % 3]));
         if (upright(triangle.part)) {
-            const double angle = smallest_angle(laid_flat(at));
+            const double angle = smallest_angle(laid_flat(at)).degrees;
             report.smallest_wall_angle = std::min(report.smallest_wall_angle, angle);
             report.small_walls += angle < min_angle ? 1 : 0;
             continue;
         }
-        const double angle = smallest_angle(from_above(at));
+        const auto [angle, corner] = smallest_angle(from_above(at));
         report.smallest_angle = std::min(report.smallest_angle, angle);
         // What lies below is the same triangle.
         if (angle < min_angle && (triangle.part == ShellPart::roof || triangle.part == ShellPart::terrain)) {
             const std::array<double, 3> place =
-                shell.frame.coordinates(shell.shell.points[triangle.points[0]]);
+                shell.frame.coordinates(shell.shell.points[triangle.points[corner]]);
             report.small.push_back(
                 {{place[0], place[1]},
                  angle,

@@ -42,7 +42,7 @@ struct MeshReport {
     std::int64_t points = 0;
     std::int64_t triangles = 0;
     double smallest_angle = 0;           ///< degrees, of roofs, bases and terrain as seen from above
-    std::vector<NamedPlace> small;       ///< their triangles below MeshRequest::min_angle
+    std::vector<NamedPlace> small;       ///< corners of their triangles below MeshRequest::min_angle
     double smallest_wall_angle = 0;      ///< degrees, of the walls' triangles
     std::int64_t small_walls = 0;        ///< of these, below MeshRequest::min_angle
     double longest_edge = 0;             ///< metres

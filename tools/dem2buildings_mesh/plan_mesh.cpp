@@ -27,15 +27,17 @@ void split_long_edges(PlanDrawing& drawing, double most) {
     drawing.edges = std::move(edges);
 }
 
-double smallest_angle(const std::array<Position, 3>& corners) {
-    double smallest = 180;
+CornerAngle smallest_angle(const std::array<Position, 3>& corners) {
+    CornerAngle smallest;
     for (std::size_t i = 0; i < 3; ++i) {
         const Position& at = corners[i];
         const Position& b = corners[(i + 1) % 3];
         const Position& c = corners[(i + 2) % 3];
         const double cross = (b.x - at.x) * (c.y - at.y) - (b.y - at.y) * (c.x - at.x);
         const double dot = (b.x - at.x) * (c.x - at.x) + (b.y - at.y) * (c.y - at.y);
-        smallest = std::min(smallest, std::atan2(std::abs(cross), dot) * 180 / std::numbers::pi);
+        const double degrees = std::atan2(std::abs(cross), dot) * 180 / std::numbers::pi;
+        if (degrees < smallest.degrees)
+            smallest = {degrees, i};
     }
     return smallest;
 }

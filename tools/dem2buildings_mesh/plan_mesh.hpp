@@ -52,7 +52,12 @@ inline constexpr std::size_t most_points_a_point = 10;
 /// Edges longer than a length in equal parts. @param most steps
 void split_long_edges(PlanDrawing& drawing, double most);
 
-/// Smallest angle of a triangle, in degrees.
-[[nodiscard]] double smallest_angle(const std::array<Position, 3>& corners);
+/// An angle of a triangle and the corner that it is at.
+struct CornerAngle {
+    double degrees = 180;
+    std::size_t corner = 0;
+};
+
+[[nodiscard]] CornerAngle smallest_angle(const std::array<Position, 3>& corners);
 
 }  // namespace d2b::mesh
