@@ -41,7 +41,7 @@ def grid_of(shape, budget):
 
 
 def regular(z, cell, budget):
-    """Every so manieth row and column."""
+    """Every k-th row and column."""
     rows, cols = (spread(n, size) for n, size in zip(grid_of(z.shape, budget), z.shape))
     return Surface(grid_points(z, cell, rows, cols), grid_triangles(len(rows), len(cols)))
 
