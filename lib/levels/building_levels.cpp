@@ -40,12 +40,15 @@ std::vector<double> breaks(const ElevationHistogram& histogram, int lod, const B
 
 /// Another threshold makes borders about as long as half of what surrounds a square of the building's area,
 /// and has to take off a share of its error: low buildings get thresholds as well, and high ones not a dozen.
+/// On coarse cells a border costs next to nothing, and the sampling of a few points would pass for a tier: a
+/// threshold has to take off as much as some points that are a metre off.
 /// @param border_price of a border as long as a cell, in square metres of a point
 BreakPrice price_of(const PointStats& stats, double border_price) {
     constexpr double least_share = 0.029;
+    constexpr double least_error = 10;  // square metres of a point
     if (!(border_price > 0))
         return {};
-    return {border_price * 2 * std::sqrt(static_cast<double>(stats.n)), least_share};
+    return {least_error + border_price * 2 * std::sqrt(static_cast<double>(stats.n)), least_share};
 }
 
 /// What a building's own elevations say.

@@ -167,6 +167,21 @@ TEST(BuildingLevels, NaturalOnesLieBetweenRoofs) {
     expect_near(thresholds_of(feet, options, LevelSource::natural, 0.3048), {0, 15 / 0.3048});
 }
 
+TEST(BuildingLevels, NaturalOnesTakeOffAsMuchAsTenPointsThatAreAMetreOff) {
+    const auto thresholds = [](double step) {
+        std::vector<double> roofs(8, 10.05);
+        roofs.insert(roofs.end(), 2, 10.05 + step);
+        const std::vector<Label> labels(roofs.size(), 1);
+        constexpr double hardly_any = 1e-6;  // square metres a point, of a border as long as a cell
+        return plan_building_levels(statistics_of(roofs, labels, 1, 1000, 1), {0, 0}, {-5, {{}, {}}}, each(4),
+                                    LevelSource::natural, 1, hardly_any)
+            .thresholds[1];
+    };
+    // Eight and two points a step apart: 8 x 2 / 10 of its square.
+    EXPECT_EQ(thresholds(2.4), (Thresholds{0}));  // 9.2
+    expect_near(thresholds(2.6), {0, 12.6});      // 10.8
+}
+
 TEST(BuildingLevels, BelowTheGroundAreLeftOut) {
     LevelOptions options = each(4);
     options.fixed = {12, 14, 16};

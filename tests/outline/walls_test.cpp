@@ -95,6 +95,14 @@ TEST_P(TurnedRectangle, RecoversItsFourCorners) {
 
 INSTANTIATE_TEST_SUITE_P(Degrees, TurnedRectangle, testing::Values(0, 3, 11, 20, 30, 37, 45, 58, 71, 85));
 
+TEST(Walls, OfASmallToleranceFollowWhatStandsOutByACell) {
+    const TraceGrid house = paint(40, [](Place p) {
+        return in_box(p, {20, -20}, 0, 10, 10) || in_box(p, {20, -15}, 0, 2, 2) ? 1 : 0;
+    });
+    EXPECT_GT(Drawn(house, walls(Walls::automatic, 1)).exterior(1).size(), 4U);
+    EXPECT_EQ(Drawn(house).exterior(1).size(), 4U);
+}
+
 TEST(Walls, SayHowMuchOfTheirLengthStaysAsItWasTraced) {
     const TraceGrid turned = paint(80, [](Place p) { return in_box(p, {40.3, -39.6}, 0.3, 44, 24) ? 1 : 0; });
     EXPECT_EQ(Drawn(turned).outliner.quality(1).kept_traced, 0);

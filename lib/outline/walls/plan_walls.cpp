@@ -15,8 +15,6 @@ constexpr std::size_t window = 64;  // turning points that a wall may reach over
 constexpr std::size_t families = WallPiece::free + 1;
 constexpr std::array<double, families> prices{1.2, 1.2, 1.8, 1.8, 2.2};
 constexpr std::size_t long_wall = 20;  // steps: of a shorter one the ends count as well
-constexpr double straight_reach =
-    0.77;  // longer sides of a cell: how far the corners of a straight wall's steps lie
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 class Planner {
@@ -84,7 +82,7 @@ void Planner::find_before(std::size_t point) {
 /// nothing.
 double Planner::misfit(std::size_t first, std::size_t last, const Line& line, double squares) const {
     const std::size_t ends = last - first < long_wall ? 0 : 2;
-    const bool straight = samples_.near(first + ends, last - ends, line, straight_reach * style_.side);
+    const bool straight = samples_.near(first + ends, last - ends, line, style_.straight_reach());
     return straight ? style_.misfit(squares, static_cast<double>(last - first)) : squares / variance;
 }
 
@@ -94,7 +92,7 @@ void Planner::extend(std::size_t from, std::size_t to, const WallSamples::Sums& 
         if (!allowed(f))
             continue;
         const std::uint8_t before = states_[from][f].before;
-        const double spent = (from == 0 ? 0 : states_[from][before].cost) + style_.price * prices[f];
+        const double spent = (from == 0 ? 0 : states_[from][before].cost) + style_.scaled_price() * prices[f];
         if (!(spent + style_.misfit(least, sums.n) < states_[to][f].cost))
             continue;
         const double squares = f < WallPiece::free ? sums.squares(directions_[f]) : least;
@@ -126,7 +124,7 @@ std::vector<WallPiece> Planner::trace_back(const std::vector<std::size_t>& point
                           static_cast<int>(family),
                           line(family, sums),
                           {},
-                          style_.price * prices[family] +
+                          style_.scaled_price() * prices[family] +
                               misfit(points[state.from], points[to], line(family, sums), squares)});
         to = state.from;
         family = state.family;

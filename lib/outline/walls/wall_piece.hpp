@@ -33,6 +33,16 @@ struct WallStyle {
     double price = 1;      ///< of a wall: less gives more walls that lie closer
     double side = 1;       ///< of a cell, the longer one
 
+    /// The price where one is asked for with the usual tolerance. Who allows less, or has coarse cells, wants
+    /// what stands out by a cell: it is squared distances that the price is weighed against.
+    [[nodiscard]] double scaled_price() const {
+        constexpr double usual = 1.5;  // cells
+        const double share = std::min(1.0, tolerance / usual);
+        return price * share * share;
+    }
+    /// Cells: how far from a straight wall the corners of its staircase may lie, which is half a diagonal and
+    /// what its place is off.
+    [[nodiscard]] double straight_reach() const { return std::min(0.77 * side, 0.72 * tolerance); }
     /// What squared distances of the middles of n steps cost beyond those that the staircase of a straight
     /// wall leaves: up to a twelfth of a side squared a step, here a little more.
     [[nodiscard]] double misfit(double squares, double n) const {
