@@ -1,5 +1,6 @@
 """What is measured: this project's tool, the peer, and the floors, on synthetic cities."""
 import json
+import os
 import shutil
 import subprocess
 import sys
@@ -59,11 +60,12 @@ class Bench:
             begun.rename(path)
         return path
 
-    def add(self, name, command, heavy=False):
-        """@param heavy: once, whatever the number of repeats; what is small has many"""
+    def add(self, name, command, heavy=False, out=None):
+        """@param heavy: once, whatever the number of repeats; what is small has many
+        @param out: where the result goes; a GeoPackage in the work folder"""
         if name not in self.contenders:
             repeats = 1 if heavy else self.repeats * (5 if SMALL in name else 1)
-            out = self.work / (name.replace(" ", "_") + ".gpkg")
+            out = out or self.work / (name.replace(" ", "_") + ".gpkg")
             self.contenders[name] = Contender(name, command, out, repeats)
         return self.contenders[name]
 
@@ -76,7 +78,7 @@ class Bench:
         return self.add(f"{preset} {size} threads {threads}",
                         [self.programs["dem2buildings"], "-json", "-threads", str(threads), *PRESETS[preset],
                          "-layers", "contours", "-f", "FlatGeobuf", "-lco", "SPATIAL_INDEX=NO", self.city(size),
-                         "/vsimem/contours.fgb"])
+                         "{out}"], out=Path("/dev/shm") / f"dem2buildings_{os.getpid()}.fgb")
 
     def has_threads(self):
         tool = [str(self.programs["dem2buildings"]), "--help"]
