@@ -13,8 +13,13 @@ constexpr std::array problem_table{
                              [](const ProblemRecord& r) -> FieldValue { return r.id; }},
     Attribute<ProblemRecord>{
         "kind", "Kind", FieldType::text, Unit::none,
-        "surface_corner_cut, surface_notch_filled: corners that touched, and how far they are apart "
-        "now, in m; surface_lost: a building that is not in the surface, and its area in m2",
+        "surface_corner_cut, surface_notch_filled: corners that touched, and how far they are apart now, in "
+        "m; "
+        "surface_lost: a building that is not in the surface, and its area in m2; flow_wall, flow_gap: what "
+        "is "
+        "shorter than -flow_ready, in m; flow_angle: a corner that is too sharp, in degrees; flow_touch: "
+        "corners "
+        "that touched, and how far they are apart now, in m; flow_crossing: outlines that cross",
         [](const ProblemRecord& r) -> FieldValue { return std::string(r.kind); }},
     Attribute<ProblemRecord>{"building", "Building", FieldType::integer, Unit::none,
                              "id of the building; of the lowest, where there are several",

@@ -1,6 +1,7 @@
 #include "features/write_surfaces.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -67,6 +68,9 @@ SurfaceWriter::SurfaceWriter(const SurfaceInput& input, std::span<SurfaceSink* c
     for (const SurfaceSink* sink : sinks)
         (sink->form() == SurfaceForm::solids ? forms_.solids : forms_.shell) = true;
     const FeatureInput& features = input.features;
+    const SurfaceFrame& frame = input.lattice.frame();
+    forms_.pinch_steps = std::llround(features.plan.asked.outline.shortest_wall() /
+                                      (std::min(frame.scale[0], frame.scale[1]) * frame.horizontal_metres));
     for (int thread = 0; thread < context.threads->threads(); ++thread)
         rooms_.push_back({output_transform(features.crs, features.target_crs, features.georeference,
                                            features.window, context.threads->stop()),

@@ -90,7 +90,10 @@ void check_rule(const OptionRule& rule, const Request& request) {
 
 void check_need(const OptionNeed& need, const Request& request) {
     const OptionRow& needed = *find_option(need.needed);
-    if (find_option(need.name)->is_given(request) && !needed.is_given(request))
+    const bool has_another = std::ranges::any_of(need.or_else, [&](std::string_view other) {
+        return !other.empty() && find_option(other)->is_given(request);
+    });
+    if (find_option(need.name)->is_given(request) && !needed.is_given(request) && !has_another)
         throw OptionError("-" + std::string(need.name) + " needs " + option_synopsis(needed) + "; " +
                           std::string(need.advice) + ".");
 }

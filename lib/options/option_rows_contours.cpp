@@ -59,6 +59,36 @@ std::vector<OptionRow> noise() {
     return rows;
 }
 
+/// What flow solvers can take.
+std::vector<OptionRow> flow() {
+    constexpr double most = 100;
+    std::vector<OptionRow> rows;
+    rows.push_back(number_row(
+        "flow_ready", "<m>", {.lowest = 0, .highest = most},
+        [](auto& r) -> auto& { return r.options.outline.flow_ready; },
+        {.title = "Outlines for flow solvers",
+         .help = "Close gaps and courtyards that are narrower than this, and merge walls that are shorter.",
+         .details =
+             "Corners below 20.7 degrees and corners that touch go as well. What would change more than 1 % "
+             "of a block is left; -write_problems shows it. 0 changes nothing.",
+         .unit = "m",
+         .scope = where_buildings_are_found()}));
+    rows.push_back(number_row("min_gap", "<m>", {.lowest = 0, .highest = most},
+                              [](auto& r) -> auto& { return r.options.outline.min_gap; },
+                              {.title = "Narrowest gap",
+                               .help = "The same of gaps and courtyards alone; by default as -flow_ready.",
+                               .unit = "m",
+                               .scope = where_buildings_are_found()}));
+    rows.push_back(number_row("min_wall", "<m>", {.lowest = 0, .highest = most},
+                              [](auto& r) -> auto& { return r.options.outline.min_wall; },
+                              {.title = "Shortest wall",
+                               .help = "The same of walls alone; by default as -flow_ready.",
+                               .details = "Corners that touch are taken apart by up to this length.",
+                               .unit = "m",
+                               .scope = where_buildings_are_found()}));
+    return rows;
+}
+
 /// How outlines become walls.
 OptionRow walls() {
     const Choices<Walls> choices{
@@ -151,6 +181,8 @@ std::vector<OptionRow> contours() {
                                .help = "Write round walls as circular arcs where the format has them.",
                                .details = "Otherwise they are short straight pieces.",
                                .python = Python::extract_file}));
+    for (OptionRow& row : flow())
+        rows.push_back(std::move(row));
     rows.push_back(number_row(
         "regularize_tolerance", "<cells>", {.lowest = 0, .highest = 100, .above_lowest = true},
         [](auto& r) -> auto& { return r.options.outline.wall_tolerance; },

@@ -12,6 +12,8 @@ constexpr std::string_view no_layers = "a sweep writes no layers and no rasters"
 constexpr std::string_view round_walls = "round walls come from -regularize auto alone";
 constexpr std::string_view thesis_walls = "its outlines stay as traced unless -regularize auto is given";
 
+constexpr std::string_view flow_walls = "arcs are short walls, which are merged";
+
 constexpr OptionUse given(std::string_view name) {
     return {name};
 }
@@ -63,6 +65,9 @@ constexpr std::array rules{
     no_effect(given("arcs"), is("regularize", "free"), round_walls),
     no_effect(given("arcs"), given("t_srs"), "a circle in one CRS is no circle in another"),
     no_effect(given("arcs"), is("preset", "thesis"), thesis_walls, given("regularize")),
+    no_effect(given("arcs"), is_not("flow_ready", "0"), flow_walls),
+    no_effect(given("arcs"), given("min_gap"), flow_walls),
+    no_effect(given("arcs"), given("min_wall"), flow_walls),
     no_effect(given("regularize_tolerance"), is("preset", "thesis"), thesis_walls, given("regularize")),
     no_effect(given("disjoint"), is("layers", "buildings"),
               "contours alone become bands, with -layers contours or both"),
@@ -107,7 +112,10 @@ constexpr std::array needs{
     OptionNeed{"surface_of", "surface", "it says what the surface is made of"},
     OptionNeed{"surface_roof", "surface", "it is the height of its flat roofs"},
     OptionNeed{"surface_origin", "surface", "its coordinates begin there"},
-    OptionNeed{"write_problems", "surface", "what it writes was in the way of the surface"},
+    OptionNeed{"write_problems",
+               "surface",
+               "what it writes was in the way of the surface",
+               {"flow_ready", "min_gap", "min_wall"}},
     OptionNeed{"mask_layer", "mask", "it names the layer of its polygons"},
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <string_view>
 
@@ -37,7 +38,8 @@ struct OptionRule {
 struct OptionNeed {
     std::string_view name{};
     std::string_view needed{};
-    std::string_view advice{};  ///< ends the sentence
+    std::string_view advice{};                  ///< ends the sentence
+    std::array<std::string_view, 3> or_else{};  ///< others that will do
 };
 
 /// In the order in which they are looked at.

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "outline/arc_graph.hpp"
+#include "outline/changed_outlines.hpp"
 #include "outline/noding.hpp"
 #include "outline/simplify.hpp"
 #include "outline/walls/regular_outlines.hpp"
@@ -34,6 +35,13 @@ struct Outliner::Impl {
     std::optional<CornerIndex> corners;
     std::optional<ArcGraph> arcs;
     std::optional<RegularOutlines> walls;
+    std::optional<ChangedOutlines> changed;
+    std::unique_ptr<Spool> spool;  // for them
+    CellShape shape;
+
+    [[nodiscard]] const ChangedOutlines::Kept* changed_at(std::size_t contour) const {
+        return changed ? changed->find(contour) : nullptr;
+    }
 };
 
 namespace {
@@ -53,7 +61,8 @@ OutlineQuality quality_of(const WallQuality& quality) {
 
 Outliner::Outliner(const ContourList& contours, Drawing drawing, const OutlineRules& rules,
                    const Georeference& georeference, double x_stretch, Context& context)
-    : impl_(std::make_unique<Impl>(Impl{contours, {}, {}, {}})) {
+    : impl_(std::make_unique<Impl>(
+          Impl{contours, {}, {}, {}, {}, context.make_spool(), cell_shape(georeference, x_stretch)})) {
     if (drawing == Drawing::noded || drawing == Drawing::simplified)
         impl_->corners.emplace(fetch_all(contours));
     context.check_stop();
@@ -71,7 +80,23 @@ Outliner::Outliner(Outliner&&) noexcept = default;
 Outliner& Outliner::operator=(Outliner&&) noexcept = default;
 Outliner::~Outliner() = default;
 
+void Outliner::replace(std::size_t contour, const FinePolygon& outline) {
+    const FinePolygon before = this->outline(contour);
+    OutlineQuality known = quality(contour);
+    if (impl_->walls)
+        known.area_change = (1 + known.area_change) * ChangedOutlines::grown(before, outline) - 1;
+    known.deviation_cells += impl_->walls ? ChangedOutlines::apart_cells(before, outline, impl_->shape) : 0;
+    // What is neither traced nor known to be valid is looked at.
+    if (known.status == OutlineStatus::traced)
+        known.status = OutlineStatus::simplified;
+    if (!impl_->changed)
+        impl_->changed.emplace(std::move(impl_->spool));
+    impl_->changed->put(contour, outline, known);
+}
+
 OutlineQuality Outliner::quality(std::size_t contour) const {
+    if (const auto* changed = impl_->changed_at(contour))
+        return changed->quality;
     if (impl_->walls)
         return quality_of(impl_->walls->quality(contour));
     return {impl_->arcs ? OutlineStatus::simplified : OutlineStatus::traced, impl_->arcs ? 1.0 : 0.0, 0, 0,
@@ -79,7 +104,8 @@ OutlineQuality Outliner::quality(std::size_t contour) const {
 }
 
 OutlineQuality Outliner::footprint_quality(std::size_t contour) const {
-    return impl_->walls ? quality_of(impl_->walls->footprint_quality(contour)) : quality(contour);
+    return impl_->walls && !impl_->changed_at(contour) ? quality_of(impl_->walls->footprint_quality(contour))
+                                                       : quality(contour);
 }
 
 bool Outliner::has_own_footprints() const {
@@ -87,13 +113,15 @@ bool Outliner::has_own_footprints() const {
 }
 
 FinePolygon Outliner::outline(std::size_t contour) const {
+    if (const auto* changed = impl_->changed_at(contour))
+        return impl_->changed->outline(*changed);
     if (impl_->walls)
         return impl_->walls->polygon(contour);
     return impl_->arcs ? fine(impl_->arcs->polygon(contour)) : traced(contour);
 }
 
 FinePolygon Outliner::footprint(std::size_t contour) const {
-    return impl_->walls ? impl_->walls->footprint(contour) : outline(contour);
+    return impl_->walls && !impl_->changed_at(contour) ? impl_->walls->footprint(contour) : outline(contour);
 }
 
 /// What does not touch in its trace does not where it is simplified.

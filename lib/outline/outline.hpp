@@ -54,6 +54,9 @@ class Outliner {
     Outliner& operator=(Outliner&&) noexcept;
     ~Outliner();
 
+    /// Draws a contour like this from now on, and its footprint as well. While nobody else asks for outlines.
+    void replace(std::size_t contour, const FinePolygon& outline);
+
     [[nodiscard]] OutlineQuality quality(std::size_t contour) const;
     [[nodiscard]] FinePolygon outline(std::size_t contour) const;
     /// The outline of a contour of level 0 or 1 for those who do not look at higher levels. Where outlines

@@ -14,6 +14,7 @@
 #include "elevations/elevation_reader.hpp"
 #include "elevations/sift_rules.hpp"
 #include "features/contour_drawer.hpp"
+#include "features/flow_outlines.hpp"
 #include "features/problem_layer.hpp"
 #include "features/target_frame.hpp"
 #include "features/write_features.hpp"
@@ -209,8 +210,16 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
                         setup.crs.kind() != Crs::Kind::none, found->slope},
                        buildings_kept > 0, context);
     const double cell_m = cell_size_m(info.window, setup.area);
-    const Outliner outliner = draw_outlines(*contours, decided, setup.georeference, setup.crs, setup.target,
-                                            info.window, cell_m, context);
+    Outliner outliner = draw_outlines(*contours, decided, setup.georeference, setup.crs, setup.target,
+                                      info.window, cell_m, context);
+    std::vector<FlowProblem> flow;
+    if (options.outline.is_flow_ready())
+        flow = make_outlines_flow_ready(
+            *contours, outliner,
+            {options.outline.narrowest_gap(), options.outline.shortest_wall(), FlowLimits::least_angle,
+             FlowLimits::most_share,
+             flow_metric(setup.georeference, x_stretch(setup.georeference, setup.crs, info.window), cell_m)},
+            context);
     std::optional<BuildingRecords> kept;
     if (lattice)
         kept.emplace(context.make_spool());
@@ -231,6 +240,8 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
     const double written = lattice ? (at.traced + 3 * at.drawn) / 4 : at.drawn;
     within(context, at.traced, written, [&] { write_features(input, records, sinks.features, context); });
     ProblemLayer problems(setup.layers.places.problems);
+    if (options.write.problems)
+        problems.note(placed_problems(flow, input, sinks.features.first_id()));
     if (lattice)
         within(context, written, at.drawn, [&] {
             write_surfaces({input, records, *kept, *lattice, decided.surface_of, options.write.surface_roof,

@@ -26,6 +26,7 @@ struct SurfaceCluster {
 struct SurfaceForms {
     bool solids = false;
     bool shell = false;
+    std::int64_t pinch_steps = 0;  ///< that touching corners are moved by, where more than two are wanted
 };
 
 /// The surfaces of a cluster. The shell's blocks come by their first buildings, and so do solids.

@@ -13,17 +13,26 @@
 #include "outline/fine_geometry.hpp"
 #include "surface/node_star.hpp"
 #include "surface/pinch.hpp"
+#include "surface/plan_editor.hpp"
 
 namespace d2b {
 namespace {
 
-/// How far a corner may move, in steps; what is usual comes first.
-constexpr std::array<std::int64_t, 8> reaches{2, 3, 4, 8, 16, 32, 64, 128};
+/// How far a corner may move, in steps, where nothing else is asked for; what is usual comes first.
+constexpr std::array<std::int64_t, 8> usual_reaches{2, 3, 4, 8, 16, 32, 64, 128};
 
 /// A node with more edges is left as it is. Each move takes one away from where they were at least, so that
 /// no edge's end goes farther than most_moved, however often it moves.
 constexpr std::size_t most_arms = 32;
-constexpr std::int64_t most_moved = static_cast<std::int64_t>(most_arms) * reaches.back();
+
+/// What is asked for, as little less as there is room for, and then what is usual.
+std::vector<std::int64_t> reaches_from(std::int64_t wanted) {
+    std::vector<std::int64_t> reaches;
+    for (std::int64_t reach = wanted; reach > usual_reaches.front(); reach -= (reach + 3) / 4)
+        reaches.push_back(reach);
+    reaches.insert(reaches.end(), usual_reaches.begin(), usual_reaches.end());
+    return reaches;
+}
 
 double angle_of(FinePoint from, FinePoint to) {
     return std::atan2(static_cast<double>(from.row - to.row), static_cast<double>(to.col - from.col));
@@ -38,7 +47,11 @@ double turned_from(double a, double b) {
 /// Edges near a place, although their ends have moved since they were put down.
 class NearEdges {
   public:
-    explicit NearEdges(const Plan& plan) : plan_(plan), known_(plan.edges.size()), tree_(boxes(plan)) {}
+    NearEdges(const Plan& plan, std::int64_t most_moved)
+        : plan_(plan),
+          known_(plan.edges.size()),
+          moved_(static_cast<double>(most_moved)),
+          tree_(boxes(plan)) {}
 
     /// Calls visit(edge) for all that may meet a box, with others.
     template <typename Visit>
@@ -46,8 +59,7 @@ class NearEdges {
         Box box;
         for (const FinePoint& point : points)
             box.add(Position{static_cast<double>(point.col), static_cast<double>(point.row)});
-        constexpr auto moved = static_cast<double>(most_moved);
-        tree_.query({box.left - moved, box.low - moved, box.right + moved, box.high + moved},
+        tree_.query({box.left - moved_, box.low - moved_, box.right + moved_, box.high + moved_},
                     [&](std::size_t e) { visit(plan_.edges[e]); });
         for (std::size_t e = known_; e < plan_.edges.size(); ++e)
             visit(plan_.edges[e]);
@@ -67,12 +79,14 @@ class NearEdges {
 
     const Plan& plan_;
     std::size_t known_;
+    double moved_;
     BoxTree tree_;
 };
 
 class PinchTaker {
   public:
-    PinchTaker(Plan& plan, std::span<const PlanContour> contours) : plan_(plan), heights_{contours} {
+    PinchTaker(Plan& plan, std::span<const PlanContour> contours, std::int64_t wanted)
+        : plan_(plan), heights_{contours}, reaches_(reaches_from(wanted)) {
         const NodeStars stars(plan);
         for (std::uint32_t node = 0; node < plan.nodes.size(); ++node)
             around_.push_back(stars.around(node));
@@ -92,6 +106,7 @@ class PinchTaker {
 
     Plan& plan_;
     Heights heights_;
+    std::vector<std::int64_t> reaches_;
     std::optional<NearEdges> near_;  // made when the first node moves
     std::vector<std::vector<NodeArm>> around_;
     PinchesTaken taken_;
@@ -138,10 +153,11 @@ std::optional<FinePoint> PinchTaker::place_for(std::uint32_t node, const std::ve
     const double first = angle_of(from, plan_.nodes[arms.front().end]);
     const double whole = turned_from(first, angle_of(from, plan_.nodes[arms.back().end]));
     std::vector<std::pair<double, FinePoint>> places;
-    for (std::int64_t row = -reach; row <= reach; ++row)
-        for (std::int64_t col = -reach; col <= reach; ++col) {
-            if (std::max(std::abs(row), std::abs(col)) != reach)
-                continue;
+    // Far away not every step counts.
+    const std::int64_t stride = std::max<std::int64_t>(1, reach / 128);
+    const std::int64_t far = reach - reach % stride;
+    for (std::int64_t row = -far; row <= far; row += stride)
+        for (std::int64_t col = -far; col <= far; col += std::abs(row) == far ? stride : 2 * far) {
             const FinePoint place{from.row + row, from.col + col};
             const double turn = turned_from(first, angle_of(from, place));
             const double room = std::min(turn, whole - turn);
@@ -183,8 +199,8 @@ void PinchTaker::move(std::uint32_t node, const SectorRun& run, FinePoint place)
 
 bool PinchTaker::move_one(std::uint32_t node, const Pinch& pinch) {
     if (!near_)
-        near_.emplace(plan_);
-    for (const std::int64_t reach : reaches)
+        near_.emplace(plan_, static_cast<std::int64_t>(most_arms) * std::ranges::max(reaches_));
+    for (const std::int64_t reach : reaches_)
         for (const SectorRun& run : pinch.runs)
             if (const auto place = place_for(node, arms_of(node, run), reach)) {
                 taken_.mends.push_back({plan_.nodes[node], *place, pinch.fills, contours_at(node)});
@@ -217,10 +233,34 @@ PinchesTaken PinchTaker::take() {
     return std::move(taken_);
 }
 
+/// Where a corner is to move far, long edges get a node nearby, so that not the whole of them moves.
+void divide_near_pinches(Plan& plan, std::span<const PlanContour> contours, std::int64_t wanted) {
+    PlanEditor editor(std::move(plan));
+    const auto nodes = static_cast<std::uint32_t>(editor.nodes().size());
+    for (std::uint32_t node = 0; node < nodes; ++node) {
+        const std::vector<NodeArm> arms = editor.around(node);
+        if (!find_pinch(arms, {contours}))
+            continue;
+        const FinePoint from = editor.at(node);
+        for (const NodeArm& arm : arms) {
+            const FinePoint to = editor.at(arm.end);
+            const auto rows = static_cast<double>(to.row - from.row);
+            const auto cols = static_cast<double>(to.col - from.col);
+            const double share = 2 * static_cast<double>(wanted) / std::hypot(rows, cols);
+            if (share < 0.6)
+                static_cast<void>(editor.split(arm.edge, {from.row + std::llround(share * rows),
+                                                          from.col + std::llround(share * cols)}));
+        }
+    }
+    plan = editor.plan();
+}
+
 }  // namespace
 
-PinchesTaken take_apart_pinches(Plan& plan, std::span<const PlanContour> contours) {
-    return PinchTaker(plan, contours).take();
+PinchesTaken take_apart_pinches(Plan& plan, std::span<const PlanContour> contours, std::int64_t wanted) {
+    if (wanted > usual_reaches.front())
+        divide_near_pinches(plan, contours, wanted);
+    return PinchTaker(plan, contours, wanted).take();
 }
 
 }  // namespace d2b

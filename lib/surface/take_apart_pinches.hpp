@@ -23,7 +23,8 @@ struct PinchesTaken {
 
 /// Changes a plan until no vertical line has more than two walls, neither of all buildings together nor of
 /// one alone, and no face touches itself: where one does, a run of sectors is moved off the node by two steps
-/// of the lattice, or by as few more as its angle needs, and an edge joins it to the node.
+/// of the lattice, or by as few more as its angle needs, and an edge joins it to the node. Where more is
+/// wanted it is moved by that, or by as little less as there is room for.
 ///
 ///                   A and C stand out,                      or, where A and C are of
 ///      A | B        B and D are low:           A | B        one building, a corner      A \ B
@@ -32,6 +33,8 @@ struct PinchesTaken {
 ///                                                 | C
 ///
 /// Corners of nothing else are passed over, so that the plan stays planar, exactly.
-[[nodiscard]] PinchesTaken take_apart_pinches(Plan& plan, std::span<const PlanContour> contours);
+/// @param wanted steps
+[[nodiscard]] PinchesTaken take_apart_pinches(Plan& plan, std::span<const PlanContour> contours,
+                                              std::int64_t wanted = 0);
 
 }  // namespace d2b

@@ -43,6 +43,9 @@ const std::map<std::string, std::vector<Texts>>& values() {
         {"min_area", {{"150"}}},
         {"regularize_tolerance", {{"0.8"}}},
         {"simplify", {{"1.2"}}},
+        {"flow_ready", {{"3"}}},
+        {"min_gap", {{"30"}}},
+        {"min_wall", {{"2.5"}}},
         {"t_srs", {{"EPSG:25832"}}},
         {"f", {{"GPKG"}}},
         {"dsco", {{"VERSION=1.3"}}},
@@ -66,6 +69,8 @@ const std::map<std::string, Texts>& needs() {
                                                   {"surface_roof", {"-surface", "s.obj"}},
                                                   {"surface_origin", {"-surface", "s.obj"}},
                                                   {"write_problems", {"-surface", "s.obj"}},
+                                                  // What it does not change it names.
+                                                  {"min_gap", {"-surface", "s.obj", "-write_problems"}},
                                                   {"cutline_layer", {"-cutline", "/vsimem/scene/areas.gpkg"}},
                                                   {"preview_size", {"-preview", "p.png"}},
                                                   {"mask_layer", {"-mask", "/vsimem/scene/masks.gpkg"}},

@@ -88,6 +88,9 @@ TEST(OptionTable, holdsTheseOptions) {
                                          "regularize",
                                          "regularize_tolerance",
                                          "arcs",
+                                         "flow_ready",
+                                         "min_gap",
+                                         "min_wall",
                                          "fields",
                                          "write_doubtful",
                                          "write_rejected",
@@ -243,7 +246,10 @@ TEST(OptionTable, defaultsAreThoseOfTheOptions) {
     EXPECT_EQ(find_option("surface_roof")->standard, "p70");
     EXPECT_EQ(find_option("off")->standard, "0");
     EXPECT_EQ(find_option("simplify")->standard, "0");
+    EXPECT_EQ(find_option("flow_ready")->standard, "0");
     for (const char* name : {"ground",
+                             "min_gap",
+                             "min_wall",
                              "levels",
                              "trace",
                              "min_area",
@@ -382,6 +388,11 @@ TEST(Options, ofContours) {
     EXPECT_EQ(parse({"-regularize", "right"}).options.outline.walls, Walls::right);
     EXPECT_EQ(parse({"-regularize", "free"}).options.outline.walls, Walls::free);
     EXPECT_EQ(parse({"-regularize_tolerance", "0.75"}).options.outline.wall_tolerance, 0.75);
+    EXPECT_EQ(parse({"-flow_ready", "1.5"}).options.outline.narrowest_gap(), 1.5);
+    EXPECT_EQ(parse({"-flow_ready", "1.5"}).options.outline.shortest_wall(), 1.5);
+    EXPECT_EQ(parse({"-flow_ready", "1.5", "-min_gap", "0"}).options.outline.narrowest_gap(), 0);
+    EXPECT_EQ(parse({"-min_wall", "0.5"}).options.outline.shortest_wall(), 0.5);
+    EXPECT_EQ(parse({"-min_wall", "0.5"}).options.outline.narrowest_gap(), 0);
     EXPECT_TRUE(parse({"-arcs"}).options.outline.arcs);
     EXPECT_EQ(parse({"-simplify", "0.5"}).options.outline.simplify, 0.5);
     EXPECT_TRUE(parse({"-disjoint"}).options.outline.disjoint);
@@ -554,6 +565,9 @@ TEST(Options, everyOptionChangesWhatItShows) {
                                            {"-regularize", "off"},
                                            {"-regularize_tolerance", "1"},
                                            {"-arcs"},
+                                           {"-flow_ready", "1"},
+                                           {"-min_gap", "1"},
+                                           {"-min_wall", "1"},
                                            {"-fields", "osm"},
                                            {"-write_doubtful"},
                                            {"-write_rejected"},

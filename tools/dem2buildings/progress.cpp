@@ -57,6 +57,8 @@ const std::vector<Part>& parts() {
          "corner",
          "that touched another",
          {Reason::surface_notch_filled, Reason::surface_corner_cut}},
+        {"changed for a flow solver", "place", "", {Reason::flow_changed}},
+        {"left as they are", "place", "that a flow solver cannot take", {Reason::flow_left}},
         {"no elevation", "cell", "outside of -zrange", {Reason::elevation_outside_range}},
         {"no elevation", "cell", "far above all around", {Reason::elevation_above_neighbours}},
         {"no elevation", "cell", "of the terrain", {Reason::terrain_outside_range}},

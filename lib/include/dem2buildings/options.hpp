@@ -91,6 +91,13 @@ struct OutlineOptions {
     double simplify = 0;                   ///< tolerance in units of the CRS; 0: every corner is kept
     bool disjoint = false;                 ///< bands that do not overlap
     std::string target_crs;                ///< "": the DEM's
+    double flow_ready = 0;                 ///< m: gaps and walls that are shorter are changed; 0: none
+    std::optional<double> min_gap;         ///< m: of gaps alone
+    std::optional<double> min_wall;        ///< m: of walls alone
+
+    [[nodiscard]] double narrowest_gap() const { return min_gap.value_or(flow_ready); }
+    [[nodiscard]] double shortest_wall() const { return min_wall.value_or(flow_ready); }
+    [[nodiscard]] bool is_flow_ready() const { return narrowest_gap() > 0 || shortest_wall() > 0; }
 };
 
 enum class Layers { both, buildings, contours };

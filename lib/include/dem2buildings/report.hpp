@@ -43,8 +43,10 @@ enum class Reason {
     surface_notch_filled,        ///< a building of the surface touched itself in an edge
     surface_corner_cut,          ///< buildings of the surface touched in an edge
     surface_lost,                ///< a building that no closed surface was found for
+    flow_changed,                ///< a wall, gap or corner that a flow solver cannot take, mended
+    flow_left,                   ///< the same, left as it is
 };
-inline constexpr std::array<std::string_view, 23> reason_names{"threshold_not_above_minimum",
+inline constexpr std::array<std::string_view, 25> reason_names{"threshold_not_above_minimum",
                                                                "threshold_not_below_maximum",
                                                                "threshold_repeated",
                                                                "contour_short",
@@ -66,7 +68,9 @@ inline constexpr std::array<std::string_view, 23> reason_names{"threshold_not_ab
                                                                "outline_torn",
                                                                "surface_notch_filled",
                                                                "surface_corner_cut",
-                                                               "surface_lost"};
+                                                               "surface_lost",
+                                                               "flow_changed",
+                                                               "flow_left"};
 
 struct LevelReport {
     int level = 0;

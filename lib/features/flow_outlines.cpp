@@ -1,0 +1,150 @@
+#include "features/flow_outlines.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "core/disjoint_sets.hpp"
+#include "core/stage_clock.hpp"
+#include "features/ring_transform.hpp"
+#include "geometry/box_tree.hpp"
+
+namespace d2b {
+namespace {
+
+using Numbers = std::vector<std::uint32_t>;
+
+/// Contours above the ground that may come near each other, and what stands on them.
+/// @param reach in cells, that nothing changes beyond
+std::vector<Numbers> flow_clusters(const ContourList& contours, const Outliner& outliner, double reach,
+                                   const StopRequest& stop) {
+    const auto count = static_cast<std::uint32_t>(contours.size());
+    DisjointSets sets(count);
+    const auto stands = [&](std::uint32_t i) { return contours.head(i).key.level > 0; };
+    for (const Numbers& group : outliner.groups(stop)) {
+        std::optional<std::uint32_t> first;
+        for (const std::uint32_t i : group)
+            if (stands(i))
+                first = first ? sets.join(*first, i) : i;
+    }
+    Numbers lowest;
+    std::vector<Box> boxes;
+    for (std::uint32_t i = 0; i < count; ++i)
+        if (contours.head(i).key.level == 1) {
+            lowest.push_back(i);
+            Box& box = boxes.emplace_back();
+            for (const FinePoint& point : outliner.outline(i).exterior)
+                box.add(Position{static_cast<double>(point.col), static_cast<double>(point.row)});
+        }
+    const BoxTree tree(boxes);
+    const double margin = reach * FinePoint::steps;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const Box& box = boxes[i];
+        tree.query({box.left - margin, box.low - margin, box.right + margin, box.high + margin},
+                   [&](std::size_t other) { sets.join(lowest[i], lowest[other]); });
+    }
+    std::map<std::uint32_t, Numbers> by_first;
+    for (std::uint32_t i = 0; i < count; ++i)
+        if (stands(i))
+            by_first[sets.find(i)].push_back(i);
+    std::vector<Numbers> clusters;
+    for (auto& [first, numbers] : by_first)
+        clusters.push_back(std::move(numbers));
+    return clusters;
+}
+
+std::vector<PlanContour> drawn(const ContourList& contours, const Outliner& outliner,
+                               const Numbers& numbers) {
+    std::map<std::int64_t, std::int32_t> place;
+    std::vector<PlanContour> result;
+    for (const std::uint32_t i : numbers) {
+        PlanContour contour;
+        contour.outline = outliner.outline(i);
+        contour.building = static_cast<std::int32_t>(contours.head(i).building);
+        if (const auto parent = place.find(contours.head(i).parent); parent != place.end())
+            contour.parent = parent->second;
+        place[i] = static_cast<std::int32_t>(result.size());
+        result.push_back(std::move(contour));
+    }
+    return result;
+}
+
+constexpr std::array<std::string_view, 5> kind_names{"flow_wall", "flow_angle", "flow_gap", "flow_touch",
+                                                     "flow_crossing"};
+
+}  // namespace
+
+FlowMetric flow_metric(const Georeference& georeference, double x_stretch, double cell_size_m) {
+    const Position col = georeference.step(0, 1);
+    const Position row = georeference.step(1, 0);
+    const double area = std::abs(x_stretch * (col.x * row.y - col.y * row.x));
+    const double scale = cell_size_m / std::sqrt(area) / FinePoint::steps;
+    return {scale * x_stretch * col.x, scale * col.y, scale * x_stretch * row.x, scale * row.y};
+}
+
+std::vector<FlowProblem> make_outlines_flow_ready(const ContourList& contours, Outliner& outliner,
+                                                  const FlowLimits& limits, Context& context) {
+    const StageClock clock(context.report, Stage::outline);
+    const FlowMetric& m = limits.metric;
+    const double cell =
+        FinePoint::steps * std::min(std::hypot(m.col_x, m.col_y), std::hypot(m.row_x, m.row_y));
+    const double reach = 3 * std::max(limits.gap, limits.wall) / cell;
+    const std::vector<Numbers> clusters = flow_clusters(contours, outliner, reach, context.threads->stop());
+    std::vector<FlowProblem> problems;
+    // Others still read the outlines of their clusters.
+    std::vector<std::pair<std::uint32_t, FinePolygon>> changed;
+    context.threads->in_order(
+        clusters.size(),
+        [&](std::size_t k, std::size_t) {
+            return make_flow_ready(drawn(contours, outliner, clusters[k]), limits, context.threads->stop());
+        },
+        [&](std::size_t k, FlowReady ready) {
+            for (std::size_t i = 0; i < ready.outlines.size(); ++i)
+                changed.emplace_back(clusters[k][i], std::move(ready.outlines[i]));
+            for (FlowProblem& problem : ready.problems) {
+                for (std::int32_t& contour : problem.contours)
+                    contour = static_cast<std::int32_t>(clusters[k][static_cast<std::size_t>(contour)]);
+                context.report.count(problem.changed ? Reason::flow_changed : Reason::flow_left);
+                problems.push_back(std::move(problem));
+            }
+        });
+    for (auto& [contour, outline] : changed)
+        outliner.replace(contour, outline);
+    if (const std::int64_t left = context.report.counted(Reason::flow_left); left > 0)
+        context.warn(std::to_string(left) + (left == 1 ? " place falls" : " places fall") +
+                     " short of -flow_ready and " + (left == 1 ? "is" : "are") +
+                     " left, since mending would change more than 1 % of a block or cross a neighbour; "
+                     "-write_problems shows where.");
+    return problems;
+}
+
+std::vector<PlacedProblem> placed_problems(const std::vector<FlowProblem>& problems,
+                                           const FeatureInput& input, std::int64_t first_id) {
+    auto transform =
+        output_transform(input.crs, input.target_crs, input.georeference, input.window, StopRequest());
+    std::vector<PlacedProblem> placed;
+    for (const FlowProblem& problem : problems) {
+        std::set<std::int64_t> ids;
+        for (const std::int32_t contour : problem.contours)
+            ids.insert(first_id + input.contours.head(static_cast<std::size_t>(contour)).building);
+        ProblemRecord record;
+        record.kind = kind_names[static_cast<std::size_t>(problem.kind)];
+        record.building = ids.empty() ? 0 : *ids.begin();
+        record.other = ids.size() > 1 ? *std::next(ids.begin()) : 0;
+        record.before = problem.before;
+        record.after = problem.after;
+        record.changed = problem.changed;
+        std::array<Position, 1> place{input.georeference.position(problem.place)};
+        if (!transform || transform->apply_to_positions(place))
+            placed.push_back({record, place[0]});
+    }
+    return placed;
+}
+
+}  // namespace d2b

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/stop_request.hpp"
+#include "flow/flow_limits.hpp"
+#include "surface/plan.hpp"
+
+namespace d2b {
+
+enum class FlowProblemKind { wall, angle, gap, touch, crossing };
+
+/// A fault of the outlines, and what became of it.
+struct FlowProblem {
+    FlowProblemKind kind = FlowProblemKind::wall;
+    double before = 0;  ///< m, of angles degrees
+    double after = 0;
+    bool changed = false;
+    FinePoint place;
+    std::vector<std::int32_t> contours;  ///< that border on it
+};
+
+struct FlowReady {
+    std::vector<FinePolygon> outlines;  ///< of all contours; none where nothing has changed
+    std::vector<FlowProblem> problems;
+};
+
+/// Changes the outlines of contours that may come near each other until a flow solver can take them: walls
+/// that are too short are merged, gaps that are too narrow closed, corners that are too sharp or touch taken
+/// off. Works on the planar partition, whose nodes are moved onto others and whose edges are split, exactly;
+/// nothing that would change more than a share of a block is done. What is left has an entry. Outlines nest
+/// as they did, share what they shared, and are valid; where that cannot be had, or nothing is won, all stays
+/// as it was.
+/// @param contours parents before what stands on them @throws Cancelled
+[[nodiscard]] FlowReady make_flow_ready(std::span<const PlanContour> contours, const FlowLimits& limits,
+                                        const StopRequest& stop = {});
+
+}  // namespace d2b

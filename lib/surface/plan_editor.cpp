@@ -1,0 +1,253 @@
+#include "surface/plan_editor.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "outline/fine_geometry.hpp"
+
+namespace d2b {
+namespace {
+
+bool is_within(FinePoint a, FinePoint b, FinePoint c, FinePoint point) {
+    const int s = side(a, b, c);
+    if (s == 0) {
+        const auto [low_row, high_row] = std::minmax({a.row, b.row, c.row});
+        const auto [low_col, high_col] = std::minmax({a.col, b.col, c.col});
+        return side(a, b, point) == 0 && side(b, c, point) == 0 && side(c, a, point) == 0 &&
+               point.row >= low_row && point.row <= high_row && point.col >= low_col && point.col <= high_col;
+    }
+    return s * side(a, b, point) >= 0 && s * side(b, c, point) >= 0 && s * side(c, a, point) >= 0;
+}
+
+std::pair<FinePoint, FinePoint> box_of(std::initializer_list<FinePoint> points) {
+    FinePoint low = *points.begin();
+    FinePoint high = low;
+    for (const FinePoint& point : points) {
+        low = {std::min(low.row, point.row), std::min(low.col, point.col)};
+        high = {std::max(high.row, point.row), std::max(high.col, point.col)};
+    }
+    return {low, high};
+}
+
+}  // namespace
+
+PlanEditor::PlanEditor(Plan plan)
+    : nodes_(std::move(plan.nodes)), edges_(std::move(plan.edges)), at_node_(nodes_.size()) {
+    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+        at_node_[edges_[e].from].push_back(e);
+        at_node_[edges_[e].to].push_back(e);
+        index(e);
+    }
+}
+
+/// Entries of what has moved since stay: near() is asked with boxes, and looks at the edges themselves.
+void PlanEditor::index(std::uint32_t edge) {
+    const auto [low, high] = box_of({nodes_[edges_[edge].from], nodes_[edges_[edge].to]});
+    for (std::int64_t row = cell(low.row); row <= cell(high.row); ++row)
+        for (std::int64_t col = cell(low.col); col <= cell(high.col); ++col)
+            grid_[{row, col}].push_back(edge);
+}
+
+std::vector<NodeArm> PlanEditor::around(std::uint32_t node) const {
+    std::vector<NodeArm> arms;
+    for (const std::uint32_t e : at_node_[node]) {
+        const PlanEdge& edge = edges_[e];
+        if (edge.from == node)
+            arms.push_back({e, edge.to, edge.left, edge.right});
+        else
+            arms.push_back({e, edge.from, edge.right, edge.left});
+    }
+    const FinePoint from = nodes_[node];
+    std::ranges::sort(arms, [&](const NodeArm& a, const NodeArm& b) {
+        return earlier_from_west(from, nodes_[a.end], nodes_[b.end]);
+    });
+    return arms;
+}
+
+std::optional<std::uint32_t> PlanEditor::edge_between(std::uint32_t a, std::uint32_t b) const {
+    for (const std::uint32_t e : at_node_[a])
+        if (other_end(e, a) == b)
+            return e;
+    return std::nullopt;
+}
+
+Int128 PlanEditor::swept(std::uint32_t node, std::uint32_t into) const {
+    Int128 sum = 0;
+    for (const std::uint32_t e : at_node_[node]) {
+        const Int128 twice = turn(nodes_[node], nodes_[into], nodes_[other_end(e, node)]);
+        sum += twice < 0 ? -twice : twice;
+    }
+    return sum;
+}
+
+/// Whether a straight line from a node to a place would have more of an edge than that node.
+bool PlanEditor::is_clear_of(std::uint32_t edge, std::uint32_t from, FinePoint to) const {
+    const PlanEdge& other = edges_[edge];
+    for (const auto& [a, b] : {std::pair(other.from, other.to), std::pair(other.to, other.from)})
+        if (a == from)
+            return nodes_[b] == to || !overlap_from(nodes_[a], to, nodes_[b]);
+        else if (nodes_[a] == to)
+            return b == from || !overlap_from(to, nodes_[from], nodes_[b]);
+    return !meet({nodes_[other.from], nodes_[other.to]}, {nodes_[from], to});
+}
+
+/// An edge that follows its moved end sweeps a triangle: no other node may lie in it, nothing may cross where
+/// it then runs.
+bool PlanEditor::is_way_free(std::uint32_t node, std::uint32_t into, std::uint32_t end) const {
+    const FinePoint a = nodes_[node];
+    const FinePoint b = nodes_[into];
+    const FinePoint x = nodes_[end];
+    const auto [low, high] = box_of({a, b, x});
+    bool free = true;
+    near(low, high, [&](std::uint32_t e) {
+        if (!free)
+            return;
+        const PlanEdge& edge = edges_[e];
+        if (edge.from != node && edge.to != node)
+            free = is_clear_of(e, into, x);
+        for (const std::uint32_t other : {edge.from, edge.to})
+            if (free && other != node && other != into && other != end)
+                free = !is_within(a, b, x, nodes_[other]);
+    });
+    return free;
+}
+
+void PlanEditor::detach(std::uint32_t edge, std::uint32_t node) {
+    std::erase(at_node_[node], edge);
+}
+
+void PlanEditor::remove(std::uint32_t edge) {
+    detach(edge, edges_[edge].from);
+    detach(edge, edges_[edge].to);
+    edges_[edge].to = edges_[edge].from;
+}
+
+/// Two edges that run from one node to another: what lay between them is gone.
+bool PlanEditor::combine(std::uint32_t gone, std::uint32_t stays, std::uint32_t from) {
+    const auto sides = [&](std::uint32_t e, std::uint32_t first) {
+        const PlanEdge& edge = edges_[e];
+        return edge.from == first ? std::pair(edge.left, edge.right) : std::pair(edge.right, edge.left);
+    };
+    const std::uint32_t to = other_end(stays, from);
+    const auto [left, right] = sides(stays, from);
+    // The one that goes is known by its far end, since its near one is still where it was.
+    const auto [far_left, far_right] = sides(gone, to);
+    const std::int32_t gone_left = far_right;
+    const std::int32_t gone_right = far_left;
+    PlanEdge& edge = edges_[stays];
+    if (gone_right == left)
+        edge = {from, to, gone_left, right};
+    else if (right == gone_left)
+        edge = {from, to, left, gone_right};
+    else
+        return false;
+    if (edge.left == edge.right)
+        remove(stays);
+    return true;
+}
+
+/// Between two edges that follow each other around a node both must say the same.
+bool PlanEditor::agrees(std::uint32_t node) const {
+    const std::vector<NodeArm> arms = around(node);
+    for (std::size_t i = 0; i < arms.size(); ++i)
+        if (arms[i].left != arms[i + 1 == arms.size() ? 0 : i + 1].right)
+            return false;
+    return true;
+}
+
+bool PlanEditor::merge(std::uint32_t node, std::uint32_t into) {
+    const std::vector<std::uint32_t> moved = at_node_[node];
+    std::set<std::uint32_t> ends;
+    for (const std::uint32_t e : moved)
+        if (const std::uint32_t end = other_end(e, node); end != into) {
+            if (!is_way_free(node, into, end))
+                return false;
+            for (const std::uint32_t known : ends)
+                if (overlap_from(nodes_[into], nodes_[known], nodes_[end]))
+                    return false;
+            ends.insert(end);
+        }
+    Undo undo;
+    for (const std::uint32_t e : moved)
+        undo.edges.emplace_back(e, edges_[e]);
+    for (const std::uint32_t e : at_node_[into])
+        undo.edges.emplace_back(e, edges_[e]);
+    undo.nodes = {{node, at_node_[node]}, {into, at_node_[into]}};
+    for (const std::uint32_t end : ends)
+        undo.nodes.emplace_back(end, at_node_[end]);
+    bool good = true;
+    for (const std::uint32_t e : moved) {
+        const std::uint32_t end = other_end(e, node);
+        if (end == into) {
+            remove(e);
+        } else if (const auto there = edge_between(into, end)) {
+            good = good && combine(e, *there, into);
+            remove(e);
+        } else {
+            (edges_[e].from == node ? edges_[e].from : edges_[e].to) = into;
+            detach(e, node);
+            at_node_[into].push_back(e);
+        }
+    }
+    good = good && agrees(into) && std::ranges::all_of(ends, [&](std::uint32_t end) { return agrees(end); });
+    if (!good) {
+        for (auto& [e, edge] : undo.edges)
+            edges_[e] = edge;
+        for (auto& [n, list] : undo.nodes)
+            at_node_[n] = std::move(list);
+        return false;
+    }
+    for (const std::uint32_t e : moved)
+        if (is_edge(e))
+            index(e);
+    return true;
+}
+
+std::optional<std::uint32_t> PlanEditor::split(std::uint32_t edge, FinePoint place) {
+    const PlanEdge whole = edges_[edge];
+    const FinePoint a = nodes_[whole.from];
+    const FinePoint b = nodes_[whole.to];
+    if (place == a || place == b)
+        return std::nullopt;
+    const auto [low, high] = box_of({a, b, place});
+    bool free = true;
+    near(low, high, [&](std::uint32_t e) {
+        if (!free || e == edge)
+            return;
+        const PlanEdge& other = edges_[e];
+        free = is_clear_of(e, whole.from, place) && is_clear_of(e, whole.to, place);
+        for (const std::uint32_t end : {other.from, other.to})
+            if (free && end != whole.from && end != whole.to)
+                free = !is_within(a, b, place, nodes_[end]);
+    });
+    if (!free)
+        return std::nullopt;
+    const auto node = static_cast<std::uint32_t>(nodes_.size());
+    const auto rest = static_cast<std::uint32_t>(edges_.size());
+    nodes_.push_back(place);
+    edges_.push_back({node, whole.to, whole.left, whole.right});
+    edges_[edge].to = node;
+    detach(edge, whole.to);
+    at_node_[whole.to].push_back(rest);
+    at_node_.push_back({edge, rest});
+    index(edge);
+    index(rest);
+    return node;
+}
+
+Plan PlanEditor::plan() const {
+    Plan plan;
+    std::vector<std::uint32_t> number(nodes_.size());
+    for (std::uint32_t node = 0; node < nodes_.size(); ++node)
+        if (!at_node_[node].empty()) {
+            number[node] = static_cast<std::uint32_t>(plan.nodes.size());
+            plan.nodes.push_back(nodes_[node]);
+        }
+    for (std::uint32_t e = 0; e < edges_.size(); ++e)
+        if (is_edge(e))
+            plan.edges.push_back(
+                {number[edges_[e].from], number[edges_[e].to], edges_[e].left, edges_[e].right});
+    return plan;
+}
+
+}  // namespace d2b

@@ -1,0 +1,152 @@
+#!/usr/bin/env python3
+"""Measures what -flow_ready promises, from the files alone.
+
+    check_flow.py <metres> <buildings.gpkg>...
+
+Of the layer `buildings`: walls and gaps that are shorter than that, corners below 20.7 degrees, and blocks that touch
+in a point, less those that have a point of the layer `problems` with the state "left" beside them. Walls that go
+straight on are one; a gap is where a corner of a block is that near to a wall that shares no corner with its own two,
+across open ground. Prints a line a file; the status is 1 where anything is left that is not named. Coordinates must be
+metres. Needs shapely and GDAL's Python.
+"""
+
+import math
+import sys
+from collections import Counter
+
+from osgeo import ogr
+from shapely import wkb
+from shapely.geometry import LineString, Point, Polygon
+from shapely.ops import unary_union
+
+ogr.UseExceptions()
+STRAIGHT = 0.5  # degrees
+LEAST_ANGLE = 20.7
+ROUNDING = 0.003  # m: corners lie on a lattice
+
+
+class Near:
+    """Finds geometries by their boxes, on a grid; versions of shapely differ in theirs."""
+
+    CELL = 25
+
+    def __init__(self, geometries):
+        self.geometries = geometries
+        self.cells = {}
+        for i, geometry in enumerate(geometries):
+            for cell in self.cells_of(geometry):
+                self.cells.setdefault(cell, []).append(i)
+
+    def cells_of(self, geometry, reach=0):
+        west, south, east, north = geometry.bounds
+        return [(x, y) for x in range(int((west - reach) // self.CELL), int((east + reach) // self.CELL) + 1)
+                for y in range(int((south - reach) // self.CELL), int((north + reach) // self.CELL) + 1)]
+
+    def within(self, geometry, reach):
+        found = sorted({i for cell in self.cells_of(geometry, reach) for i in self.cells.get(cell, ())})
+        return [i for i in found if self.geometries[i].distance(geometry) <= reach]
+
+
+def turn(a, b, c):
+    """Degrees between the walls at b."""
+    first = math.atan2(a[1] - b[1], a[0] - b[0])
+    second = math.atan2(c[1] - b[1], c[0] - b[0])
+    return math.degrees((second - first) % (2 * math.pi))
+
+
+def corners(ring):
+    """Without those at which a wall goes straight on."""
+    points = list(ring.coords)[:-1]
+    while True:
+        kept = [b for a, b, c in zip(points[-1:] + points[:-1], points, points[1:] + points[:1])
+                if abs(turn(a, b, c) - 180) > STRAIGHT]
+        if len(kept) == len(points) or len(kept) < 3:
+            return points
+        points = kept
+
+
+def rings(polygon):
+    return [polygon.exterior, *polygon.interiors]
+
+
+def polygons_of(geometry):
+    return [geometry] if isinstance(geometry, Polygon) else [g for g in geometry.geoms if isinstance(g, Polygon)]
+
+
+def walls_and_angles(buildings, limit):
+    for polygon in buildings:
+        for ring in rings(polygon):
+            points = corners(ring)
+            for a, b, c in zip(points[-1:] + points[:-1], points, points[1:] + points[:1]):
+                if math.dist(b, c) < limit - ROUNDING:
+                    yield "wall", math.dist(b, c), LineString([b, c])
+                degrees = turn(a, b, c)
+                if min(degrees, 360 - degrees) < LEAST_ANGLE - 0.1:
+                    yield "angle", min(degrees, 360 - degrees), Point(b)
+
+
+def gaps(blocks, limit):
+    walls, ends, sides = [], [], []
+    for polygon in blocks:
+        for ring in rings(polygon):
+            points = corners(ring)
+            for i, point in enumerate(points):
+                after, before = points[(i + 1) % len(points)], points[i - 1]
+                walls.append(LineString([point, after]))
+                ends.append((point, after))
+                sides.append((point, before, after))
+    tree = Near(walls)
+    solid = Near(blocks)
+    for point, before, after in sides:
+        here = Point(point)
+        for i in tree.within(here, limit):
+            if {before, point, after} & set(ends[i]):
+                continue
+            near = walls[i].interpolate(walls[i].project(here))
+            width = here.distance(near)
+            if not 0 < width < limit - ROUNDING:
+                continue
+            if any(near.distance(Point(end)) < 1e-9 and end in (before, after) for end in ends[i]):
+                continue
+            way = LineString([here, near])
+            if all(way.intersection(blocks[b]).length < 1e-6 for b in solid.within(way, 0)):
+                yield "gap", width, way
+
+
+def touches(blocks):
+    seen = Counter(point for polygon in blocks for ring in rings(polygon) for point in list(ring.coords)[:-1])
+    for point, times in seen.items():
+        if times > 1:
+            yield "touch", 0, Point(point)
+
+
+def read(layer):
+    return [(wkb.loads(bytes(f.GetGeometryRef().ExportToWkb())), f) for f in layer]
+
+
+def main(limit, files):
+    unnamed = 0
+    for file in files:
+        dataset = ogr.Open(file)
+        buildings = [p for geometry, _ in read(dataset.GetLayer("buildings")) for p in polygons_of(geometry)]
+        problems = dataset.GetLayer("problems")
+        left = [] if problems is None else [g for g, f in read(problems) if f.GetField("state") == "left"]
+        blocks = polygons_of(unary_union(buildings))
+        tree = Near(left)
+        found, named, worst = Counter(), Counter(), []
+        for kind, size, place in [*walls_and_angles(buildings, limit), *gaps(blocks, limit), *touches(blocks)]:
+            found[kind] += 1
+            if tree.within(place, limit):
+                named[kind] += 1
+            else:
+                worst.append((kind, size, place))
+        print(f"{file}: {len(buildings)} polygons, {len(blocks)} blocks; " + ", ".join(
+            f"{kind} {found[kind]}, {found[kind] - named[kind]} not named" for kind in ("wall", "gap", "angle", "touch")))
+        for kind, size, place in worst[:5]:
+            print(f"  {kind} {size:.4f} {place.wkt}")
+        unnamed += len(worst)
+    return 1 if unnamed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(float(sys.argv[1]), sys.argv[2:]))

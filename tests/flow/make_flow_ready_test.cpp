@@ -1,0 +1,237 @@
+#include "flow/make_flow_ready.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "flow/flow_faults.hpp"
+#include "surface/label_contours.hpp"
+#include "surface/partition.hpp"
+#include "surface/take_apart_pinches.hpp"
+
+namespace d2b {
+namespace {
+
+/// A step is a centimetre.
+FlowLimits limits(double gap, double wall) {
+    FlowLimits limits;
+    limits.gap = gap;
+    limits.wall = wall;
+    limits.metric = {0.01, 0, 0, -0.01};
+    return limits;
+}
+
+/// Corners in centimetres, x and y with y up, counter-clockwise.
+FineRing ring(const std::vector<std::pair<int, int>>& corners) {
+    FineRing result;
+    for (const auto& [x, y] : corners)
+        result.push_back({-y, x});
+    return result;
+}
+
+PlanContour house(const std::vector<std::pair<int, int>>& corners, std::int32_t building,
+                  std::vector<FineRing> holes = {}, std::int32_t parent = -1) {
+    return {{ring(corners), std::move(holes)}, parent, building, 10};
+}
+
+/// Square metres.
+double area(const FinePolygon& polygon) {
+    const auto of = [](const FineRing& corners) {
+        double twice = 0;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const FinePoint& a = corners[i];
+            const FinePoint& b = corners[(i + 1) % corners.size()];
+            twice += static_cast<double>(a.col) * static_cast<double>(-b.row) -
+                     static_cast<double>(b.col) * static_cast<double>(-a.row);
+        }
+        return twice / 2 / 10000;
+    };
+    double sum = of(polygon.exterior);
+    for (const FineRing& hole : polygon.interiors)
+        sum += of(hole);
+    return sum;
+}
+
+std::size_t changed(const FlowReady& ready, FlowProblemKind kind) {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        ready.problems, [&](const FlowProblem& p) { return p.changed && p.kind == kind; }));
+}
+
+std::size_t left(const FlowReady& ready) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(ready.problems, [](const FlowProblem& p) { return !p.changed; }));
+}
+
+TEST(FlowReady, whatIsReadyStays) {
+    const std::vector<PlanContour> town{house({{0, 0}, {2000, 0}, {2000, 1000}, {0, 1000}}, 0),
+                                        house({{2100, 0}, {4000, 0}, {4000, 1000}, {2100, 1000}}, 1)};
+    const FlowReady ready = make_flow_ready(town, limits(1, 1));
+    EXPECT_TRUE(ready.outlines.empty());
+    EXPECT_TRUE(ready.problems.empty());
+}
+
+TEST(FlowReady, aShortWallGoes) {
+    // A step of half a metre in a wall of 20 m.
+    const std::vector<PlanContour> town{
+        house({{0, 0}, {1000, 0}, {1000, 50}, {2000, 50}, {2000, 3000}, {0, 3000}}, 0)};
+    const FlowReady ready = make_flow_ready(town, limits(1, 1));
+    ASSERT_EQ(ready.outlines.size(), 1U);
+    EXPECT_EQ(ready.outlines[0].exterior.size(), 5U);
+    // A triangle of 0.5 x 10 m.
+    EXPECT_NEAR(std::abs(area(ready.outlines[0]) - 595), 2.5, 1e-9);
+    ASSERT_EQ(ready.problems.size(), 1U);
+    EXPECT_EQ(ready.problems[0].kind, FlowProblemKind::wall);
+    EXPECT_DOUBLE_EQ(ready.problems[0].before, 0.5);
+    EXPECT_EQ(ready.problems[0].after, 0);
+    EXPECT_EQ(ready.problems[0].contours, (std::vector<std::int32_t>{0}));
+}
+
+TEST(FlowReady, onlyWhatIsAskedFor) {
+    const std::vector<PlanContour> step{
+        house({{0, 0}, {1000, 0}, {1000, 50}, {2000, 50}, {2000, 3000}, {0, 3000}}, 0)};
+    EXPECT_TRUE(make_flow_ready(step, limits(1, 0)).problems.empty());
+    EXPECT_TRUE(make_flow_ready(step, limits(1, 0.4)).problems.empty());
+    const std::vector<PlanContour> gap{house({{0, 0}, {4000, 0}, {4000, 4000}, {0, 4000}}, 0),
+                                       house({{4050, 0}, {8000, 0}, {8000, 4000}, {4050, 4000}}, 1)};
+    EXPECT_TRUE(make_flow_ready(gap, limits(0, 1)).problems.empty());
+}
+
+/// Two houses of 40 x 40 m half a metre apart share a wall then.
+TEST(FlowReady, aGapIsClosed) {
+    const std::vector<PlanContour> town{house({{0, 0}, {4000, 0}, {4000, 4000}, {0, 4000}}, 0),
+                                        house({{4050, 0}, {8000, 0}, {8000, 4000}, {4050, 4000}}, 1)};
+    const FlowReady ready = make_flow_ready(town, limits(1, 1));
+    ASSERT_EQ(ready.outlines.size(), 2U);
+    EXPECT_EQ(left(ready), 0U);
+    EXPECT_GE(changed(ready, FlowProblemKind::gap), 1U);
+    EXPECT_NEAR(area(ready.outlines[0]) + area(ready.outlines[1]), 40 * 80, 0.01);
+    const auto has = [&](const FinePolygon& polygon, FinePoint point) {
+        return std::ranges::find(polygon.exterior, point) != polygon.exterior.end();
+    };
+    // The walls on both sides of the gap are one.
+    int shared = 0;
+    for (const FinePoint& corner : ready.outlines[0].exterior)
+        shared += has(ready.outlines[1], corner) ? 1 : 0;
+    EXPECT_EQ(shared, 2);
+}
+
+/// A courtyard of half a metre by one in a house of 400 m2 is closed, one of half a metre by 19 would be more
+/// than its hundredth.
+TEST(FlowReady, aCourtyardThatIsTooLargeIsLeft) {
+    const auto with_yard = [](int length) {
+        return std::vector<PlanContour>{
+            house({{0, 0}, {2000, 0}, {2000, 2000}, {0, 2000}}, 0,
+                  {ring({{100, 1000}, {100, 1050}, {100 + length, 1050}, {100 + length, 1000}})})};
+    };
+    const FlowReady closed = make_flow_ready(with_yard(100), limits(1, 0.4));
+    ASSERT_EQ(closed.outlines.size(), 1U);
+    EXPECT_TRUE(closed.outlines[0].interiors.empty());
+    EXPECT_EQ(left(closed), 0U);
+    const FlowReady kept = make_flow_ready(with_yard(1800), limits(1, 0.4));
+    EXPECT_GT(left(kept), 0U);
+    EXPECT_EQ(changed(kept, FlowProblemKind::gap), 0U);
+}
+
+/// The corner of one is cut back from the other, by a metre at least.
+TEST(FlowReady, housesThatTouchInACorner) {
+    const std::vector<PlanContour> town{house({{0, 0}, {2000, 0}, {2000, 2000}, {0, 2000}}, 0),
+                                        house({{2000, 2000}, {4000, 2000}, {4000, 4000}, {2000, 4000}}, 1)};
+    const FlowReady ready = make_flow_ready(town, limits(1, 1));
+    ASSERT_EQ(ready.outlines.size(), 2U);
+    EXPECT_EQ(left(ready), 0U);
+    ASSERT_EQ(changed(ready, FlowProblemKind::touch), 1U);
+    for (const FinePoint& corner : ready.outlines[0].exterior)
+        EXPECT_EQ(std::ranges::count(ready.outlines[1].exterior, corner), 0);
+    // What is cut off is a corner: the walls stand beyond three metres.
+    EXPECT_NEAR(area(ready.outlines[0]) + area(ready.outlines[1]), 800, 4);
+}
+
+/// A spike of 5 degrees that stands 10 m out of a house.
+TEST(FlowReady, aSharpCornerIsCutOff) {
+    const std::vector<PlanContour> town{
+        house({{0, 0}, {3000, 0}, {3000, 1000}, {4000, 1044}, {3000, 1087}, {3000, 3000}, {0, 3000}}, 0)};
+    const FlowReady ready = make_flow_ready(town, limits(0.5, 0.5));
+    ASSERT_EQ(ready.outlines.size(), 1U);
+    EXPECT_EQ(left(ready), 0U);
+    EXPECT_EQ(changed(ready, FlowProblemKind::angle), 1U);
+    EXPECT_NEAR(area(ready.outlines[0]), 900, 5);
+}
+
+/// A tier keeps to its footprint when a wall of both moves.
+TEST(FlowReady, tiersNest) {
+    const std::vector<PlanContour> town{
+        house({{0, 0}, {1000, 0}, {1000, 50}, {2000, 50}, {2000, 3000}, {0, 3000}}, 0),
+        house({{500, 0}, {1000, 0}, {1000, 50}, {1500, 50}, {1500, 500}, {500, 500}}, 0, {}, 0)};
+    const FlowReady ready = make_flow_ready(town, limits(1, 1));
+    ASSERT_EQ(ready.outlines.size(), 2U);
+    EXPECT_EQ(left(ready), 0U);
+}
+
+TEST(FlowReady, outlinesThatCrossAreLeft) {
+    const std::vector<PlanContour> town{house({{0, 0}, {2000, 0}, {2000, 2000}, {0, 2000}}, 0),
+                                        house({{1000, 1000}, {3000, 1000}, {3000, 3000}, {1000, 3000}}, 1)};
+    const FlowReady ready = make_flow_ready(town, limits(1, 1));
+    EXPECT_TRUE(ready.outlines.empty());
+    ASSERT_EQ(ready.problems.size(), 1U);
+    EXPECT_EQ(ready.problems[0].kind, FlowProblemKind::crossing);
+    EXPECT_FALSE(ready.problems[0].changed);
+}
+
+/// Whatever the town: outlines are a partition, nothing touches in a point, and what falls short is named.
+void expect_ready(const SurfaceCluster& cluster, double cell_m, const std::string& what) {
+    FlowLimits wanted;
+    wanted.gap = wanted.wall = 1;
+    wanted.metric = {cell_m / 1024, 0, 0, -cell_m / 1024};
+    const FlowReady ready = make_flow_ready(cluster.contours, wanted);
+    std::vector<PlanContour> contours = cluster.contours;
+    if (!ready.outlines.empty()) {
+        ASSERT_EQ(ready.outlines.size(), contours.size()) << what;
+        for (std::size_t i = 0; i < contours.size(); ++i)
+            contours[i].outline = ready.outlines[i];
+    }
+    Partition partition = make_partition(contours);
+    ASSERT_TRUE(partition.at_odds.empty()) << what;
+    const auto faults = find_faults(PlanEditor(partition.plan), contours, wanted);
+    if (!ready.outlines.empty()) {
+        ASSERT_EQ(faults.size(), left(ready)) << what;
+        for (PlanContour& contour : contours)
+            contour.top = contour.parent < 0 ? 1 : contours[static_cast<std::size_t>(contour.parent)].top + 1;
+        ASSERT_TRUE(take_apart_pinches(partition.plan, contours).mends.empty()) << what;
+    } else {
+        ASSERT_LE(faults.size(), left(ready)) << what;
+    }
+}
+
+std::string random_rows(std::mt19937& random, const std::string& letters, LetterGrid& grid) {
+    std::string text = "\n";
+    const auto size = [&] { return 2 + random() % 9; };
+    const auto rows = size();
+    const auto cols = size();
+    for (std::size_t row = 0; row < rows; ++row) {
+        std::string& line = grid.rows.emplace_back();
+        for (std::size_t col = 0; col < cols; ++col)
+            line += letters[random() % letters.size()];
+        text += line + "|\n";
+    }
+    return text;
+}
+
+TEST(FlowReady, randomTowns) {
+    std::mt19937 random(16);
+    for (int i = 0; i < 40; ++i)
+        for (const double cell : {0.4, 0.9, 3.0}) {
+            LetterGrid blocks;
+            const std::string text = random_rows(random, i % 2 == 0 ? "aab " : "abc   ", blocks);
+            expect_ready(blocks_of(blocks, {10, 20, 30}), cell, text);
+            LetterGrid stacks;
+            const std::string tiers = random_rows(random, i % 2 == 0 ? "0123" : "001122", stacks);
+            expect_ready(stacks_of(stacks), cell, tiers);
+        }
+}
+
+}  // namespace
+}  // namespace d2b
