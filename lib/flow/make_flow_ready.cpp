@@ -26,8 +26,12 @@ class FlowMender {
   public:
     /// @param frozen contours that stay as they are; empty for none
     FlowMender(PlanEditor& plan, std::span<const PlanContour> contours, const FlowLimits& limits,
-               const std::vector<bool>& frozen = {})
-        : plan_(plan), contours_(contours), limits_(limits), block_area_(block_areas()), frozen_(frozen) {}
+               std::vector<bool> frozen = {})
+        : plan_(plan),
+          contours_(contours),
+          limits_(limits),
+          block_area_(block_areas()),
+          frozen_(std::move(frozen)) {}
 
     /// @return whether anything has changed
     [[nodiscard]] bool round();
@@ -113,17 +117,17 @@ void FlowMender::touch(std::uint32_t node) {
 /// The one first that changes least.
 bool FlowMender::merge_best(std::vector<Merge> merges) {
     std::ranges::stable_sort(merges, {}, [&](const Merge& m) { return plan_.swept(m.first, m.second); });
-    for (const auto& [node, into] : merges) {
+    return std::ranges::any_of(merges, [&](const Merge& m) {
+        const auto [node, into] = m;
         const double area = static_cast<double>(plan_.swept(node, into)) / 2 * limits_.metric.area();
         if (area > most(node, most(into, std::numeric_limits<double>::infinity())))
-            continue;
+            return false;
         touch(node);
-        if (plan_.merge(node, into)) {
-            touch(into);
-            return true;
-        }
-    }
-    return false;
+        if (!plan_.merge(node, into))
+            return false;
+        touch(into);
+        return true;
+    });
 }
 
 /// A node of an edge at a place, or near it.

@@ -1,7 +1,6 @@
 #include "surface/plan_editor.hpp"
 
 #include <algorithm>
-#include <set>
 
 #include "outline/fine_geometry.hpp"
 
@@ -155,43 +154,64 @@ bool PlanEditor::agrees(std::uint32_t node) const {
     return true;
 }
 
-bool PlanEditor::merge(std::uint32_t node, std::uint32_t into) {
-    const std::vector<std::uint32_t> moved = at_node_[node];
+/// The other ends of a node's edges, if these may all follow it.
+std::optional<std::set<std::uint32_t>> PlanEditor::ends_that_follow(std::uint32_t node,
+                                                                    std::uint32_t into) const {
     std::set<std::uint32_t> ends;
-    for (const std::uint32_t e : moved)
-        if (const std::uint32_t end = other_end(e, node); end != into) {
-            if (!is_way_free(node, into, end))
-                return false;
-            for (const std::uint32_t known : ends)
-                if (overlap_from(nodes_[into], nodes_[known], nodes_[end]))
-                    return false;
-            ends.insert(end);
-        }
+    for (const std::uint32_t e : at_node_[node]) {
+        const std::uint32_t end = other_end(e, node);
+        if (end == into)
+            continue;
+        const bool lies_on_another = std::ranges::any_of(ends, [&](std::uint32_t known) {
+            return overlap_from(nodes_[into], nodes_[known], nodes_[end]);
+        });
+        if (lies_on_another || !is_way_free(node, into, end))
+            return std::nullopt;
+        ends.insert(end);
+    }
+    return ends;
+}
+
+PlanEditor::Undo PlanEditor::remember(std::uint32_t node, std::uint32_t into,
+                                      const std::set<std::uint32_t>& ends) const {
     Undo undo;
-    for (const std::uint32_t e : moved)
-        undo.edges.emplace_back(e, edges_[e]);
-    for (const std::uint32_t e : at_node_[into])
-        undo.edges.emplace_back(e, edges_[e]);
-    undo.nodes = {{node, at_node_[node]}, {into, at_node_[into]}};
+    for (const std::uint32_t n : {node, into}) {
+        undo.nodes.emplace_back(n, at_node_[n]);
+        for (const std::uint32_t e : at_node_[n])
+            undo.edges.emplace_back(e, edges_[e]);
+    }
     for (const std::uint32_t end : ends)
         undo.nodes.emplace_back(end, at_node_[end]);
-    bool good = true;
-    for (const std::uint32_t e : moved) {
-        const std::uint32_t end = other_end(e, node);
-        if (end == into) {
-            remove(e);
-        } else if (const auto there = edge_between(into, end)) {
-            good = good && combine(e, *there, into);
-            remove(e);
-        } else {
-            (edges_[e].from == node ? edges_[e].from : edges_[e].to) = into;
-            detach(e, node);
-            at_node_[into].push_back(e);
-        }
+    return undo;
+}
+
+/// @return whether edges that are one agree on what lay between them
+bool PlanEditor::move_edge(std::uint32_t edge, std::uint32_t node, std::uint32_t into) {
+    const std::uint32_t end = other_end(edge, node);
+    const auto there = end == into ? std::nullopt : edge_between(into, end);
+    if (end == into || there) {
+        const bool good = !there || combine(edge, *there, into);
+        remove(edge);
+        return good;
     }
-    good = good && agrees(into) && std::ranges::all_of(ends, [&](std::uint32_t end) { return agrees(end); });
-    if (!good) {
-        for (auto& [e, edge] : undo.edges)
+    (edges_[edge].from == node ? edges_[edge].from : edges_[edge].to) = into;
+    detach(edge, node);
+    at_node_[into].push_back(edge);
+    return true;
+}
+
+bool PlanEditor::merge(std::uint32_t node, std::uint32_t into) {
+    const auto ends = ends_that_follow(node, into);
+    if (!ends)
+        return false;
+    Undo undo = remember(node, into, *ends);
+    const std::vector<std::uint32_t> moved = at_node_[node];
+    bool good = true;
+    for (const std::uint32_t e : moved)
+        good = move_edge(e, node, into) && good;
+    const auto in_order = [&](std::uint32_t end) { return agrees(end); };
+    if (!good || !agrees(into) || !std::ranges::all_of(*ends, in_order)) {
+        for (const auto& [e, edge] : undo.edges)
             edges_[e] = edge;
         for (auto& [n, list] : undo.nodes)
             at_node_[n] = std::move(list);

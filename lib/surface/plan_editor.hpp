@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <span>
 #include <unordered_map>
 #include <utility>
@@ -67,6 +68,11 @@ class PlanEditor {
     }
     [[nodiscard]] bool is_way_free(std::uint32_t node, std::uint32_t into, std::uint32_t end) const;
     [[nodiscard]] bool is_clear_of(std::uint32_t edge, std::uint32_t from, FinePoint to) const;
+    [[nodiscard]] std::optional<std::set<std::uint32_t>> ends_that_follow(std::uint32_t node,
+                                                                          std::uint32_t into) const;
+    [[nodiscard]] Undo remember(std::uint32_t node, std::uint32_t into,
+                                const std::set<std::uint32_t>& ends) const;
+    [[nodiscard]] bool move_edge(std::uint32_t edge, std::uint32_t node, std::uint32_t into);
     void detach(std::uint32_t edge, std::uint32_t node);
     void remove(std::uint32_t edge);
     [[nodiscard]] bool combine(std::uint32_t gone, std::uint32_t stays, std::uint32_t from);

@@ -1,10 +1,13 @@
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "surface/label_contours.hpp"
+#include "surface/partition.hpp"
 #include "surface/surface_check.hpp"
 
 namespace d2b {
@@ -53,6 +56,22 @@ TEST(Pinches, housesThatTouchInACorner) {
 }
 
 /// Also where they stand at heights that have nothing in common: their edges would meet.
+/// Where more is wanted a corner moves that far, and the long walls beside it stay where they are but for its
+/// neighbourhood.
+TEST(Pinches, asFarAsIsWanted) {
+    const SurfaceCluster cluster = blocks_of({{"a ", " a"}}, {10});
+    Plan plan = make_partition(cluster.contours).plan;
+    const PinchesTaken taken = take_apart_pinches(plan, cluster.contours, 300);
+    EXPECT_TRUE(taken.stuck.empty());
+    ASSERT_EQ(taken.mends.size(), 1U);
+    const PinchMend& mend = taken.mends.front();
+    EXPECT_EQ(std::max(std::abs(mend.moved.row - mend.place.row), std::abs(mend.moved.col - mend.place.col)),
+              300);
+    // A node on each of the four walls, 600 steps away, and the corner that moved.
+    EXPECT_EQ(plan.nodes.size(), 7U + 4 + 1);
+    EXPECT_EQ(std::ranges::count(plan.nodes, FinePoint{mend.place.row, mend.place.col + 600}), 1);
+}
+
 TEST(Pinches, housesAtOtherHeightsThatTouchInACorner) {
     const MadeSurfaces made = surfaces_of(blocks_of({{"a ", " b"}}, {20, 90}, {0, 20}));
     expect_mended(made, 2, 20 + 70, 0, 1);
