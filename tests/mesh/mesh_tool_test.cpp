@@ -126,6 +126,18 @@ TEST_F(MeshTool, refusesCornersThatSinglePrecisionMerges) {
     expect_has(far.err, "would be one in single precision; give an -origin near them");
 }
 
+TEST_F(MeshTool, leavesNothingWhereThereIsNoRoom) {
+    city(two_boxes());
+    ToolSetup setup;
+    setup.working_directory = folder_.string();
+    // Files of two blocks of 512 bytes at most; the surface takes many.
+    const ToolResult full = run_tool(
+        {"/bin/sh", "-c", "ulimit -f 2; exec " D2B_MESH_TOOL " -max_edge 0.5 in.city.json out.obj"}, setup);
+    EXPECT_EQ(full.status, 1);
+    EXPECT_EQ(full.err, "ERROR: Cannot write \"out.obj\": File too large.\n");
+    EXPECT_EQ(entries(), (std::vector<std::string>{"in.city.json"}));
+}
+
 TEST_F(MeshTool, saysWhatItIs) {
     EXPECT_EQ(mesh({}).status, 2);
     expect_has(mesh({}).err, "Usage: dem2buildings_mesh [options] <in.city.json>");
