@@ -54,6 +54,7 @@ std::vector<Numbers> flow_clusters(const ContourList& contours, const Outliner& 
         if (stands(i))
             by_first[sets.find(i)].push_back(i);
     std::vector<Numbers> clusters;
+    clusters.reserve(by_first.size());
     for (auto& [first, numbers] : by_first)
         clusters.push_back(std::move(numbers));
     return clusters;
