@@ -42,8 +42,6 @@ class RecordMaker {
     /// @param contours they and what the context refers to stay the caller's and must outlive this
     RecordMaker(const ContourList& contours, const AttributeContext& context);
 
-    /// Which id the first contour has; 1 where nothing else is said.
-    void number_from(std::int64_t first_id) { context_.first_id = first_id; }
     /// Where the part of a contour begins and ends, as its record has it. @param i of the contour in the list
     [[nodiscard]] double base(std::size_t i) const { return parts_[i].base; }
     [[nodiscard]] double top(std::size_t i) const { return parts_[i].top; }

@@ -4,20 +4,30 @@
 #include <cstdint>
 #include <cstring>
 #include <span>
+#include <stdexcept>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "dem2buildings/spool.hpp"
 
 namespace d2b {
 
-/// Values one after the other, as they are in memory: for a spool, which nothing but this run reads.
+/// Values one after the other, as they are in memory: for a spool, which nothing but this run reads, and for
+/// files that one version of the program reads on machines that agree on what a number looks like.
 class ByteWriter {
   public:
     template <typename T>
     void put(const T& value) {
         static_assert(std::is_trivially_copyable_v<T>);
         put_bytes(std::as_bytes(std::span(&value, 1)));
+    }
+    /// How many there are, and all of them.
+    template <typename T>
+    void put_list(const std::vector<T>& values) {
+        static_assert(std::is_trivially_copyable_v<T>);
+        put(static_cast<std::uint64_t>(values.size()));
+        put_bytes(std::as_bytes(std::span(values)));
     }
     void put_bytes(std::span<const std::byte> bytes) {
         bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
@@ -28,9 +38,15 @@ class ByteWriter {
     std::vector<std::byte> bytes_;
 };
 
-/// Takes the same values in the same order.
+/// There are fewer bytes than what they should hold.
+class BrokenRecord : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Takes the same values in the same order. Throws a BrokenRecord where there are no more.
 class ByteReader {
   public:
+    explicit ByteReader(std::vector<std::byte> bytes) : bytes_(std::move(bytes)) {}
     ByteReader(const Spool& spool, SpoolEntry entry) : bytes_(entry.size) { spool.read(entry.begin, bytes_); }
 
     template <typename T>
@@ -40,12 +56,31 @@ class ByteReader {
         std::memcpy(&value, take_bytes(sizeof(T)).data(), sizeof(T));
         return value;
     }
+    /// How many follow, each of at least so many bytes.
+    [[nodiscard]] std::size_t take_count(std::size_t least_bytes) {
+        const auto count = take<std::uint64_t>();
+        if (count > left() / least_bytes)
+            throw BrokenRecord("more is announced than there is");
+        return static_cast<std::size_t>(count);
+    }
+    template <typename T>
+    [[nodiscard]] std::vector<T> take_list() {
+        static_assert(std::is_trivially_copyable_v<T>);
+        std::vector<T> values(take_count(sizeof(T)));
+        const auto bytes = take_bytes(values.size() * sizeof(T));
+        if (!values.empty())
+            std::memcpy(values.data(), bytes.data(), bytes.size());
+        return values;
+    }
     /// Valid as long as this is.
     [[nodiscard]] std::span<const std::byte> take_bytes(std::size_t size) {
+        if (size > left())
+            throw BrokenRecord("it ends too soon");
         const std::span<const std::byte> taken = std::span<const std::byte>(bytes_).subspan(at_, size);
         at_ += size;
         return taken;
     }
+    [[nodiscard]] std::size_t left() const { return bytes_.size() - at_; }
 
   private:
     std::vector<std::byte> bytes_;

@@ -55,6 +55,27 @@ void ValueCounts::merge(const ValueCounts& other) {
         counts_.clear();
 }
 
+void ValueCounts::save(ByteWriter& writer) const {
+    writer.put(cells_);
+    writer.put(lowest_);
+    writer.put(highest_);
+    writer.put(many_);
+    writer.put(static_cast<std::uint64_t>(counts_.size()));
+    for (const auto& [value, cells] : counts_)
+        writer.put(SharedValue{value, cells});
+}
+
+ValueCounts ValueCounts::load(ByteReader& reader) {
+    ValueCounts counts;
+    counts.cells_ = reader.take<std::int64_t>();
+    counts.lowest_ = reader.take<double>();
+    counts.highest_ = reader.take<double>();
+    counts.many_ = reader.take<std::uint8_t>() != 0;
+    for (const SharedValue& shared : reader.take_list<SharedValue>())
+        counts.counts_[shared.value] = shared.cells;
+    return counts;
+}
+
 std::optional<SharedValue> ValueCounts::most() const {
     if (counts_.empty())
         return {};

@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "core/byte_record.hpp"
+
 namespace d2b {
 
 /// An exact value and how many cells have it.
@@ -21,6 +23,9 @@ class ValueCounts {
     /// @param value finite
     void add(double value);
     void merge(const ValueCounts& other);
+
+    void save(ByteWriter& writer) const;
+    [[nodiscard]] static ValueCounts load(ByteReader& reader);
 
     [[nodiscard]] std::int64_t cells() const { return cells_; }
     /// The value that most cells have, the lowest of several such; nothing where there are many values.

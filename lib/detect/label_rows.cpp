@@ -20,7 +20,7 @@ RowBand slab_of(RowBand rows, std::int32_t slab) {
 
 }  // namespace
 
-void LabelRows::append(const Unit& unit, const Grid<Label>& labels, Executor& threads) {
+void LabelRows::append(const Unit& unit, const Grid<Label>& labels, Executor& threads, Label more) {
     const Window& own = unit.own;
     if (own.col == window_.col)
         unit_rows_.push_back({{own.row, own.end_row()}, {}});
@@ -39,7 +39,7 @@ void LabelRows::append(const Unit& unit, const Grid<Label>& labels, Executor& th
                                                 static_cast<std::size_t>(own.cols));
                 const std::int32_t first = own.col - window_.col;
                 for_label_runs(cells, [&](std::int32_t begin, std::int32_t end, Label label) {
-                    runs.push_back({first + begin, first + end, label});
+                    runs.push_back({first + begin, first + end, label + more});
                 });
                 writer.put(static_cast<std::uint32_t>(runs.size()));
                 writer.put_bytes(std::as_bytes(std::span(runs)));

@@ -38,7 +38,8 @@ class LabelRows {
         : spool_(std::move(spool)), window_(window) {}
 
     /// The own cells of the next unit. Units come row by row. @param labels of what the unit sees
-    void append(const Unit& unit, const Grid<Label>& labels, Executor& threads);
+    /// @param more is added to those other than 0
+    void append(const Unit& unit, const Grid<Label>& labels, Executor& threads, Label more = 0);
     /// Gives other labels to all units. @param number the new label, by the old one
     void renumber(std::vector<Label> number) { number_ = std::move(number); }
 

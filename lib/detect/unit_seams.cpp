@@ -13,7 +13,7 @@ struct Own {
     std::int32_t end_col;
 };
 
-using Lines = std::array<std::vector<Label>, 2>;
+using Lines = UnitEdges::Lines;
 
 Lines rows_at(const Grid<Label>& labels, const Own& own, std::int32_t seam) {
     Lines lines;
@@ -41,14 +41,26 @@ void compare(const Lines& first, const Lines& second, UnitMerger& merger) {
 
 }  // namespace
 
-void UnitSeams::add(const Unit& unit, std::int32_t col, const Grid<Label>& labels, UnitMerger& merger) {
+void UnitEdges::add(Label more) {
+    for (Lines* lines : {&above, &left, &below, &right})
+        for (std::vector<Label>& line : *lines)
+            for (Label& label : line)
+                label += label != 0 ? more : 0;
+}
+
+UnitEdges edges_of(const Unit& unit, const Grid<Label>& labels) {
     const Own own{unit.own.row - unit.seen.row, unit.own.col - unit.seen.col,
                   unit.own.end_row() - unit.seen.row, unit.own.end_col() - unit.seen.col};
-    Lines& above = above_[static_cast<std::size_t>(col)];
-    compare(above, rows_at(labels, own, own.row), merger);
-    compare(left_, cols_at(labels, own, own.col), merger);
-    above = rows_at(labels, own, own.end_row);
-    left_ = cols_at(labels, own, own.end_col);
+    return {rows_at(labels, own, own.row), cols_at(labels, own, own.col), rows_at(labels, own, own.end_row),
+            cols_at(labels, own, own.end_col)};
+}
+
+void UnitSeams::add(std::int32_t col, UnitEdges&& edges, UnitMerger& merger) {
+    UnitEdges::Lines& above = above_[static_cast<std::size_t>(col)];
+    compare(above, edges.above, merger);
+    compare(left_, edges.left, merger);
+    above = std::move(edges.below);
+    left_ = std::move(edges.right);
 }
 
 }  // namespace d2b

@@ -45,6 +45,19 @@ void append(const Values& band, std::int32_t cols, const Window& part, std::vect
     }
 }
 
+/// The cells of a band of whole rows that lie in a window. @param first_col of the band
+ElevationBand cut(const ElevationBand& band, std::int32_t first_col, const Window& window) {
+    const std::int32_t first = std::max(band.shape.first_row, window.row);
+    const std::int32_t rows =
+        std::max(std::min(band.shape.first_row + band.shape.rows, window.end_row()) - first, 0);
+    ElevationBand part{{first, rows, window.cols}, {}};
+    part.elevations.reserve(part.shape.size());
+    if (rows > 0)
+        append(band.elevations, band.shape.cols,
+               {first - band.shape.first_row, window.col - first_col, rows, window.cols}, part.elevations);
+    return part;
+}
+
 /// Spikes wait outside of their band until the rows beyond it have been seen.
 class Withheld {
   public:
@@ -138,17 +151,21 @@ ElevationBand ElevationReader::get_above(std::size_t i, std::int32_t halo, Tally
 }
 
 ElevationSurvey ElevationReader::survey(const SiftRules& rules,
-                                        const std::function<void(const ElevationBand&)>& done) {
+                                        const std::function<void(const ElevationBand&)>& done,
+                                        const std::optional<Window>& of) {
     struct Seen {
         StrangeValues strange;
         ElevationStatistics statistics;
         std::vector<Spike> spikes;
     };
+    const Window& window = source_.info().window;
+    const Window counted = of.value_or(window);
     rules_ = rules;
     decided_.emplace(context_.make_spool());
     ElevationSurvey survey{{}, StrangeValues(rules)};
     SpikeSeams seams;
-    std::size_t band_number = 0;
+    std::size_t settled = 0;
+    bool first = true;
     pass(
         [this](std::size_t i, Tally& tally) {
             const StageClock clock(tally, Stage::read);
@@ -157,38 +174,48 @@ ElevationSurvey ElevationReader::survey(const SiftRules& rules,
         [&](std::size_t, ElevationBand& band, Tally& tally) {
             const StageClock clock(tally, Stage::levels);
             Seen seen{StrangeValues(rules), {}, {}};
-            const std::vector<Stretch> steep = sift(band, rules, seen.strange);
+            if (counted != window) {
+                ElevationBand part = cut(band, window.col, counted);
+                (void)sift(part, rules, seen.strange);
+            }
+            StrangeValues others(rules);
+            const std::vector<Stretch> steep = sift(band, rules, counted == window ? seen.strange : others);
             seen.spikes = find_spikes(band, steep, rules.spikes);
             const Withheld withheld(band, seen.spikes);
-            seen.statistics.add(band);
+            seen.statistics.add(counted == window ? band : cut(band, window.col, counted));
             return seen;
         },
         [&](const ElevationBand& band, Seen seen) {
             survey.statistics.merge(seen.statistics);
             survey.strange.merge(seen.strange);
             const std::vector<Spike> before = seams.add(band, std::move(seen.spikes));
-            if (band_number++ > 0)
-                settle(before, survey);
+            if (!std::exchange(first, false))
+                settle(before, shapes_[settled++].first_row, counted, survey);
             done(band);
         });
-    settle(seams.finish(), survey);
+    settle(seams.finish(), settled < shapes_.size() ? shapes_[settled].first_row : 0, counted, survey);
     return survey;
 }
 
-void ElevationReader::settle(const std::vector<Spike>& spikes, ElevationSurvey& survey) {
+void ElevationReader::settle(const std::vector<Spike>& spikes, std::int32_t first_row, const Window& counted,
+                             ElevationSurvey& survey) {
+    const Window& window = source_.info().window;
     BandCells::Cells cells;
     for (const Spike& spike : spikes) {
         const std::size_t index =
-            static_cast<std::size_t>(spike.row) * static_cast<std::size_t>(source_.info().window.cols) +
+            static_cast<std::size_t>(spike.row) * static_cast<std::size_t>(window.cols) +
             static_cast<std::size_t>(spike.col);
+        const bool counts = counted.holds(first_row + spike.row, window.col + spike.col);
         if (!spike.stands_alone() && spike.above(rules_.spikes.no_elevation)) {
-            survey.strange.spikes.add(spike.elevation);
+            if (counts)
+                survey.strange.spikes.add(spike.elevation);
             cells.invalid.push_back(index);
             continue;
         }
-        survey.statistics.add(spike.elevation);
+        if (counts)
+            survey.statistics.add(spike.elevation);
         if (!spike.stands_alone() && spike.above(rules_.spikes.no_roof)) {
-            ++survey.strange.spires;
+            survey.strange.spires += counts ? 1 : 0;
             cells.spires.push_back(index);
         }
     }

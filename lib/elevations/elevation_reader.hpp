@@ -34,8 +34,10 @@ class ElevationReader {
 
     /// The first pass, without which every value is an elevation.
     /// @param done called for each band, from the first row to the last, on this thread
+    /// @param counted cells that the survey is of; nothing: all. Of others it is decided what they are
     [[nodiscard]] ElevationSurvey survey(const SiftRules& rules,
-                                         const std::function<void(const ElevationBand&)>& done);
+                                         const std::function<void(const ElevationBand&)>& done,
+                                         const std::optional<Window>& counted = {});
 
     /// Calls use(band, prepare(band, tally)) for each band, from the first row to the last: `prepare` on any
     /// thread, `use` on the caller's. @throws InputError, and what these throw
@@ -122,8 +124,9 @@ class ElevationReader {
     [[nodiscard]] Window whole(const BandShape& rows) const;
     /// The first band that has rows from this one on.
     [[nodiscard]] std::size_t band_with(std::int32_t row) const;
-    /// @param spikes of the next band, all of whose neighbours have been seen
-    void settle(const std::vector<Spike>& spikes, ElevationSurvey& survey);
+    /// @param spikes of the next band, all of whose neighbours have been seen @param first_row of that band
+    void settle(const std::vector<Spike>& spikes, std::int32_t first_row, const Window& counted,
+                ElevationSurvey& survey);
     [[nodiscard]] static Kept keep(const ElevationBand& band);
     void put(std::size_t i, Kept&& kept);
 

@@ -60,6 +60,22 @@ void StrangeValues::merge(const StrangeValues& other) {
     bins.merge(other.bins);
 }
 
+void StrangeValues::save(ByteWriter& writer) const {
+    outside.save(writer);
+    spikes.save(writer);
+    writer.put(spires);
+    writer.put(set_aside_nodata);
+    bins.save(writer);
+}
+
+void StrangeValues::load(ByteReader& reader) {
+    outside = ValueCounts::load(reader);
+    spikes = ValueCounts::load(reader);
+    spires = reader.take<std::int64_t>();
+    set_aside_nodata = reader.take<std::int64_t>();
+    bins.load(reader);
+}
+
 void limit(std::vector<double>& elevations, const ElevationLimits& limits) {
     for (double& z : elevations)
         z = limits.hold(z) ? z : invalid;

@@ -24,6 +24,9 @@ struct SiftRules {
 struct StrangeValues {
     explicit StrangeValues(const SiftRules& rules) : bins(rules.limits, rules.metres) {}
     void merge(const StrangeValues& other);
+    void save(ByteWriter& writer) const;
+    /// Takes what values under the same rules saved.
+    void load(ByteReader& reader);
 
     ValueCounts outside;                ///< of the limits
     ValueCounts spikes;                 ///< that are no elevations

@@ -26,6 +26,13 @@ void ValueBins::add(double value, std::int64_t cells) {
     bin.highest = std::max(bin.highest, value);
 }
 
+void ValueBins::load(ByteReader& reader) {
+    const auto bins = reader.take_list<Bin>();
+    if (bins.size() != bins_.size())
+        throw BrokenRecord("it is of other limits");
+    bins_ = bins;
+}
+
 void ValueBins::merge(const ValueBins& other) {
     for (std::size_t i = 0; i < bins_.size(); ++i) {
         bins_[i].cells += other.bins_[i].cells;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/byte_record.hpp"
 #include "core/elevation_limits.hpp"
 #include "core/value_counts.hpp"
 
@@ -39,6 +40,9 @@ class ValueBins {
         }
     }
     void merge(const ValueBins& other);
+    void save(ByteWriter& writer) const { writer.put_list(bins_); }
+    /// Takes what bins of the same limits and unit saved.
+    void load(ByteReader& reader);
 
     /// The values that at least ten cells and a thousandth of all share, more than 50 m from any other,
     /// ascending. Not the only value of all.

@@ -11,15 +11,36 @@ bool measures_drawn(const RunPlan& plan) {
     return plan.detects_buildings() && plan.trace == TraceMode::cells && plan.layers != Layers::buildings;
 }
 
+OutlineRules outline_rules(const RunPlan& plan, const Crs& target_crs, double cell_size_m) {
+    return {plan.walls, plan.wall_tolerance(cell_size_m), plan.asked.outline.simplify,
+            target_crs.kind() != Crs::Kind::none};
+}
+
 }  // namespace
+
+OutlineReach reach_of(const ContourList& contours, const RunPlan& plan, const Georeference& georeference,
+                      const Crs& crs, const Crs& target_crs, const Window& window, double cell_size_m,
+                      const StopRequest& stop) {
+    return outline_reach(contours, outline_rules(plan, target_crs, cell_size_m), georeference,
+                         x_stretch(georeference, crs, window), stop);
+}
 
 Outliner draw_outlines(const ContourList& contours, const RunPlan& plan, const Georeference& georeference,
                        const Crs& crs, const Crs& target_crs, const Window& window, double cell_size_m,
                        Context& context) {
     const StageClock clock(context.report, Stage::outline);
-    const OutlineRules rules{plan.walls, plan.wall_tolerance(cell_size_m), plan.asked.outline.simplify,
-                             target_crs.kind() != Crs::Kind::none};
-    return make_outliner(contours, rules, georeference, crs, window, context);
+    return make_outliner(contours, outline_rules(plan, target_crs, cell_size_m), georeference, crs, window,
+                         context);
+}
+
+void add_to_stack(const DrawnContour& drawn, const LayerPlaces& places, DrawnStack& stack) {
+    if (drawn.building && !drawn.building->parts.empty() && places.buildings && !drawn.is_doubtful)
+        stack.add_building(drawn.building->cells);
+    if (!drawn.contour || drawn.contour->parts.empty())
+        return;
+    if (!places.buildings && drawn.record.level == 1)
+        stack.add_building(drawn.contour->cells);
+    stack.add_contour(drawn.contour->cells, drawn.record.tier_z);
 }
 
 ContourDrawer::ContourDrawer(const FeatureInput& input, const RecordMaker& records, Context& context)
@@ -42,8 +63,9 @@ ContourDrawer::ContourDrawer(const FeatureInput& input, const RecordMaker& recor
 
 DrawnContour ContourDrawer::draw(std::size_t contour, std::size_t thread) {
     PolygonMaker& maker = makers_[thread];
-    DrawnContour drawn;
-    const bool is_building = input_.contours.head(contour).key.level == 1;
+    const ContourHead& head = input_.contours.head(contour);
+    DrawnContour drawn{head.key, head.parent, head.building, input_.is_doubtful(contour), {}, {}, {}, {}, {}};
+    const bool is_building = head.key.level == 1;
     {
         const StageClock clock(maker.tally(), Stage::attributes);
         const StoredContours::Stored stored = input_.contours.fetch_stored(contour);

@@ -13,12 +13,19 @@ namespace d2b {
 
 /// What is known of a contour, and what is drawn of it: nothing where its layer was not asked for.
 struct DrawnContour {
-    ContourRecord record;
+    ContourKey key;
+    std::int64_t parent = -1;          ///< as its head has it
+    std::int64_t building_place = -1;  ///< likewise
+    bool is_doubtful = false;
+    ContourRecord record;  ///< its numbers are those of a run on its list alone
     PointStats own;
     BuildingRecord building_record;  ///< of level 1 alone
     std::optional<FeaturePolygon> building;
     std::optional<FeaturePolygon> contour;
 };
+
+/// Adds the cells that a contour and its building are drawn in, where they are written.
+void add_to_stack(const DrawnContour& drawn, const LayerPlaces& places, DrawnStack& stack);
 
 /// Draws contours for the layers that were asked for; on all threads, which have a maker each.
 class ContourDrawer {
@@ -45,6 +52,11 @@ class ContourDrawer {
     bool with_cells_;
     std::vector<PolygonMaker> makers_;
 };
+
+/// Which contours of a run the outlines of each depend on. @param target_crs, cell_size_m as below
+[[nodiscard]] OutlineReach reach_of(const ContourList& contours, const RunPlan& plan,
+                                    const Georeference& georeference, const Crs& crs, const Crs& target_crs,
+                                    const Window& window, double cell_size_m, const StopRequest& stop);
 
 /// The outlines of a run, drawn as it was decided. @param target_crs kind none: the DEM's
 /// @param cell_size_m side of a square of a cell's area

@@ -17,7 +17,8 @@ constexpr double no_tier = std::numeric_limits<double>::quiet_NaN();
 /// The tiers of a band, which only buildings' cells have.
 class Tiers {
   public:
-    explicit Tiers(const BandShape& shape) : shape_(shape), tiers_(shape.size()) {}
+    Tiers(const BandShape& shape, std::int32_t first_col)
+        : shape_(shape), first_col_(first_col), tiers_(shape.size()) {}
 
     /// Calls use(first, last) with the tiers of each run of an entry that lies in the band.
     template <typename Use>
@@ -26,8 +27,10 @@ class Tiers {
         const auto tier = reader.take<double>();
         for (std::size_t i = 0; i < (entry.size - sizeof(double)) / sizeof(RowSpan); ++i) {
             const auto run = reader.take<RowSpan>();
-            if (run.row >= shape_.first_row && run.row < shape_.first_row + shape_.rows)
-                use(index(run.row, run.begin), index(run.row, run.end), tier);
+            const std::int32_t begin = std::max(run.begin - first_col_, 0);
+            const std::int32_t end = std::min(run.end - first_col_, shape_.cols);
+            if (run.row >= shape_.first_row && run.row < shape_.first_row + shape_.rows && begin < end)
+                use(index(run.row, begin), index(run.row, end), tier);
         }
     }
     [[nodiscard]] double& at(std::size_t i) { return tiers_[i]; }
@@ -42,6 +45,7 @@ class Tiers {
                static_cast<std::size_t>(col);
     }
     BandShape shape_;
+    std::int32_t first_col_;
     std::vector<double> tiers_;
 };
 
@@ -82,9 +86,10 @@ void DrawnStack::add(const std::vector<RowSpan>& cells, double tier, std::vector
         (slabs_[slab].*entries).push_back(append(*spool_, part));
 }
 
-StackError DrawnStack::error(const ElevationBand& band, const FixedPoint& fixed) const {
+StackError DrawnStack::error(const ElevationBand& band, std::int32_t first_col,
+                             const FixedPoint& fixed) const {
     StackError error;
-    Tiers tiers(band.shape);
+    Tiers tiers(band.shape, first_col);
     const auto for_runs = [&](const std::vector<SpoolEntry> Slab::*entries, const auto& use) {
         slabs_.for_band(band.shape, [&](const Slab& slab) {
             for (const SpoolEntry& entry : slab.*entries)

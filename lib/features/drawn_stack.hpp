@@ -44,7 +44,12 @@ class DrawnStack {
     void add_contour(const std::vector<RowSpan>& cells, double tier);
     /// In the cells of buildings that some contour holds, and that are valid. From any thread, once all are
     /// there. @throws OutputError the spool cannot be read
-    [[nodiscard]] StackError error(const ElevationBand& band, const FixedPoint& fixed) const;
+    [[nodiscard]] StackError error(const ElevationBand& band, const FixedPoint& fixed) const {
+        return error(band, 0, fixed);
+    }
+    /// The same of some columns. @param first_col of the band, counted from the window's first
+    [[nodiscard]] StackError error(const ElevationBand& band, std::int32_t first_col,
+                                   const FixedPoint& fixed) const;
 
   private:
     struct Slab {

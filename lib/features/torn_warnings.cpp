@@ -5,12 +5,12 @@
 namespace d2b {
 namespace {
 
-constexpr std::int64_t most_named = 10;
+constexpr std::int64_t most_torn_named = 10;
 
 }  // namespace
 
 void TornWarnings::note(const std::string& kind, std::int64_t id, const FeaturePolygon& made) {
-    if (!made.torn || ++count_ > most_named)
+    if (!made.torn || ++count_ > most_torn_named)
         return;
     names_ += (names_.empty() ? "" : ", ") + kind + " " + std::to_string(id);
 }
@@ -25,8 +25,8 @@ void TornWarnings::finish(const std::string& target, Context& context) const {
         count_ == 1 ? "1 feature is left out, which '" + target + "' tears apart"
                     : std::to_string(count_) + " features are left out, which '" + target + "' tears apart";
     text += " or stretches beyond use: " + names_;
-    if (count_ > most_named)
-        text += " and " + std::to_string(count_ - most_named) + " more";
+    if (count_ > most_torn_named)
+        text += " and " + std::to_string(count_ - most_torn_named) + " more";
     context.warn(text + "; choose a -t_srs that is made for the area to have them.");
 }
 

@@ -1,214 +1,19 @@
 #include "features/write_features.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
 #include <utility>
 #include <vector>
 
-#include "attributes/attribute_table.hpp"
-#include "core/stage_clock.hpp"
-#include "diagnose/odd_heights.hpp"
-#include "diagnose/traced_doubt.hpp"
-#include "diagnose/warn_of.hpp"
-#include "features/contour_drawer.hpp"
-#include "features/invalid_warnings.hpp"
-#include "features/layer_styles.hpp"
-#include "features/rejected_layer.hpp"
-#include "features/target_frame.hpp"
-#include "features/torn_warnings.hpp"
+#include "features/feature_writer.hpp"
 
 namespace d2b {
-namespace {
 
-/// Hands what is drawn to the layers that were asked for.
-class FeatureWriter {
-  public:
-    FeatureWriter(const FeatureInput& input, RecordMaker& records, FeatureSink& sink, Context& context);
-
-    void begin();
-    void add(std::size_t contour, DrawnContour&& drawn);
-    void finish();
-    [[nodiscard]] ContourDrawer& drawer() { return drawer_; }
-
-  private:
-    [[nodiscard]] const LayerPlaces& places() const { return input_.layers.places; }
-    void count(std::size_t contour, const DrawnContour& drawn);
-    void measure_building(DrawnContour& drawn);
-    void add_building(std::size_t contour, DrawnContour& drawn);
-    /// @return whether it is in its layer
-    bool add_contour(std::size_t contour, DrawnContour& drawn);
-    void warn_of_traced();
-    template <typename Record>
-    void write(std::size_t layer, std::span<const Attribute<Record>> attributes, const Record& record,
-               FeaturePolygon&& made, double threshold);
-
-    const FeatureInput& input_;
-    RecordMaker& records_;
-    FeatureSink& sink_;
-    Context& context_;
-    ContourDrawer drawer_;
-    StackRmse rmse_;                        // of the contours as they were traced
-    std::optional<DrawnStack> stack_;       // where they are drawn differently
-    std::vector<std::int64_t> written_id_;  // what stands on a contour that is not written stands on this
-    std::optional<RejectedLayer> rejected_;
-    InvalidWarnings invalid_;
-    OddHeights odd_heights_;
-    TornWarnings torn_;
-};
-
-/// By what is known of the whole of a polygon.
-void add_length(const FeaturePolygon& made, OutlineLength& sum) {
-    const double length = made.measure.perimeter_m;
-    const double traced = made.status == OutlineStatus::traced ? length : made.kept_traced * length;
-    const double simplified = std::min(made.simplified * length, length - traced);
-    sum.fitted += length - traced - simplified;
-    sum.simplified += simplified;
-    sum.traced += traced;
-}
-
-template <typename Record>
-void take_measures(const FeaturePolygon& made, Record& record) {
-    record.area_m2 = made.measure.area_m2;
-    record.perimeter_m = made.measure.perimeter_m;
-    record.status = made.status;
-}
-
-FeatureWriter::FeatureWriter(const FeatureInput& input, RecordMaker& records, FeatureSink& sink,
-                             Context& context)
-    : input_(input),
-      records_(records),
-      sink_(sink),
-      context_(context),
-      drawer_(input, records, context),
-      written_id_(input.contours.size(), 0),
-      invalid_(context) {
-    if (drawer_.gives_cells())
-        stack_.emplace(context.make_spool(), input.window);
-}
-
-void FeatureWriter::begin() {
-    std::vector<LayerSpec> layers = input_.layers.layers;
-    if (places().rejected)
-        rejected_.emplace(input_, *places().rejected);
-    give_styles(layers, input_, context_.report.units.vertical_metres);
-    const StageClock clock(context_.report, Stage::write);
-    sink_.begin(layers, input_.provenance);
-    records_.number_from(sink_.first_id());
-}
-
-template <typename Record>
-void FeatureWriter::write(std::size_t layer, std::span<const Attribute<Record>> attributes,
-                          const Record& record, FeaturePolygon&& made, double threshold) {
-    const StageClock clock(context_.report, Stage::write);
-    sink_.add(layer, {field_values(attributes, record), std::move(made.parts), threshold, record});
-}
-
-void FeatureWriter::count(std::size_t contour, const DrawnContour& drawn) {
-    if (input_.is_doubtful(contour))
-        return;
-    LevelReport& level = context_.report.levels[static_cast<std::size_t>(drawn.record.level)];
-    ++level.contours;
-    level.points += drawn.record.points;
-    if (drawn.record.level > 0)
-        rmse_.add(drawn.own, input_.fixed);
-}
-
-void FeatureWriter::measure_building(DrawnContour& drawn) {
-    BuildingRecord& record = drawn.building_record;
-    const FeaturePolygon& made = *drawn.building;
-    take_measures(made, record);
-    record.deviation_m = made.deviation / std::sqrt(input_.georeference.cell_area()) * input_.cell_size_m;
-    record.area_change = made.area_change;
-}
-
-void FeatureWriter::add_building(std::size_t contour, DrawnContour& drawn) {
-    FeaturePolygon& made = *drawn.building;
-    const bool doubtful = input_.is_doubtful(contour);
-    measure_building(drawn);
-    if (input_.kept != nullptr && !doubtful && !made.parts.empty())
-        input_.kept->put(input_.contours.head(contour).building, drawn.building_record);
-    if (!places().of_building(doubtful))
-        return;
-    invalid_.note("Building", drawn.building_record.id, made);
-    torn_.note("building", drawn.building_record.id, made);
-    if (rejected_)
-        rejected_->note(contour, LayerRole::buildings, drawn.building_record.id, made);
-    if (made.parts.empty())
-        return;
-    ++(doubtful ? context_.report.doubtful : context_.report.buildings);
-    if (!doubtful)
-        add_length(made, context_.report.building_outlines);
-    if (!places().contours)
-        context_.report.vertices += vertices_of(made.parts);
-    if (stack_ && !doubtful)
-        stack_->add_building(made.cells);
-    BuildingRecord& record = drawn.building_record;
-    if (input_.plan.detects_buildings() && !doubtful)
-        odd_heights_.note(record, drawn.record);
-    write(*places().of_building(doubtful), building_attributes(), record, std::move(made),
-          drawn.record.threshold);
-}
-
-bool FeatureWriter::add_contour(std::size_t contour, DrawnContour& drawn) {
-    invalid_.note("Contour", drawn.record.id, *drawn.contour);
-    torn_.note("contour", drawn.record.id, *drawn.contour);
-    // A contour that its children cover whole has no band of its own.
-    if (rejected_)
-        rejected_->note(contour, LayerRole::contours, drawn.record.id, *drawn.contour);
-    if (drawn.contour->parts.empty())
-        return false;
-    ++context_.report.contours;
-    add_length(*drawn.contour, context_.report.contour_outlines);
-    if (stack_ && !places().buildings && drawn.record.level == 1)
-        stack_->add_building(drawn.contour->cells);
-    if (stack_)
-        stack_->add_contour(drawn.contour->cells, drawn.record.tier_z);
-    context_.report.vertices += vertices_of(drawn.contour->parts);
-    take_measures(*drawn.contour, drawn.record);
-    write(*places().contours, contour_attributes(), drawn.record, std::move(*drawn.contour),
-          drawn.record.threshold);
-    return true;
-}
-
-void FeatureWriter::add(std::size_t contour, DrawnContour&& drawn) {
-    count(contour, drawn);
-    const std::int64_t parent = input_.contours.head(contour).parent;
-    drawn.record.parent_id = parent < 0 ? 0 : written_id_[static_cast<std::size_t>(parent)];
-    if (drawn.building)
-        add_building(contour, drawn);
-    const bool written = drawn.contour && add_contour(contour, drawn);
-    written_id_[contour] = written ? drawn.record.id : drawn.record.parent_id;
-}
-
-void FeatureWriter::warn_of_traced() {
-    const RunPlan& plan = input_.plan;
-    if (plan.walls == Walls::off && !(plan.asked.outline.simplify > 0))
-        return;  // as it was asked for
-    const RunReport& report = context_.report;
-    warn_of(traced_doubt(report.building_outlines, report.contour_outlines, input_.cell_size_m), context_);
-}
-
-void FeatureWriter::finish() {
-    invalid_.finish();
-    for (const std::string& warning : odd_heights_.warnings())
-        context_.warn(warning);
-    warn_of_traced();
-    torn_.finish(spoken_name(input_.target_crs, input_.plan.asked.outline.target_crs), context_);
-    if (rejected_)
-        rejected_->write(drawer_.makers(), sink_, context_);
-    for (PolygonMaker& maker : drawer_.makers())
-        context_.report.merge(maker.tally());
-    const double rmse = stack_ ? input_.compare(*stack_).rms(input_.fixed) : rmse_.value();
-    context_.report.stack_rmse_m = rmse * context_.report.units.vertical_metres;
-}
-
-}  // namespace
-
-void write_features(const FeatureInput& input, RecordMaker& records, FeatureSink& sink, Context& context) {
+void write_features(const FeatureInput& input, const RecordMaker& records, FeatureSink& sink,
+                    Context& context) {
     constexpr std::size_t piece = 64;  // contours that a thread draws at a time
     FeatureWriter writer(input, records, sink, context);
     writer.begin();
+    GivenNumbers numbers;
     const std::size_t count = input.contours.size();
     context.threads->in_order(
         (count + piece - 1) / piece,
@@ -220,7 +25,7 @@ void write_features(const FeatureInput& input, RecordMaker& records, FeatureSink
         },
         [&](std::size_t k, std::vector<DrawnContour> drawn) {
             for (std::size_t i = 0; i < drawn.size(); ++i)
-                writer.add(k * piece + i, std::move(drawn[i]));
+                writer.add(numbers, k * piece + i, std::move(drawn[i]));
             context.progress(static_cast<double>(k * piece) / static_cast<double>(count));
         });
     writer.finish();

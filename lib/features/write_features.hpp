@@ -41,7 +41,8 @@ struct FeatureInput {
 
 /// Draws every outline, places it, has it checked, measures it, and hands it to the sink with its attributes,
 /// in the order of the contours. What was found is added to the report. The sink is not finished.
-/// @param records are numbered as the sink says @throws Error
-void write_features(const FeatureInput& input, RecordMaker& records, FeatureSink& sink, Context& context);
+/// @param records of the same contours @throws Error
+void write_features(const FeatureInput& input, const RecordMaker& records, FeatureSink& sink,
+                    Context& context);
 
 }  // namespace d2b

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "outline/arc_graph.hpp"
 #include "outline/changed_outlines.hpp"
@@ -28,6 +29,19 @@ Drawing choose_drawing(const OutlineRules& rules, const Georeference& georeferen
     if (rules.simplify > 0)
         return Drawing::simplified;
     return georeference.axis_parallel() && !rules.reprojected ? Drawing::traced : Drawing::noded;
+}
+
+OutlineReach outline_reach(const ContourList& contours, const OutlineRules& rules,
+                           const Georeference& georeference, double x_stretch, const StopRequest& stop) {
+    // Where no walls are drawn outlines share the corners that others have on them.
+    const WallOptions walls =
+        choose_drawing(rules, georeference) == Drawing::regularized
+            ? WallOptions{rules.walls, rules.wall_tolerance, cell_shape(georeference, x_stretch)}
+            : WallOptions{Walls::off, 0, {{1, 0}, {0, 1}}};
+    OutlineReach reach{conflict_reach(walls), {}};
+    for (ClusterPlan& cluster : wall_clusters(contours, walls, stop))
+        reach.groups.push_back(std::move(cluster.numbers));
+    return reach;
 }
 
 struct Outliner::Impl {

@@ -7,6 +7,7 @@
 
 #include "core/context.hpp"
 #include "core/georeference.hpp"
+#include "core/lattice.hpp"
 #include "core/stop_request.hpp"
 #include "dem2buildings/options.hpp"
 #include "dem2buildings/records.hpp"
@@ -76,6 +77,18 @@ class Outliner {
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
+
+/// What an outline depends on beside its own contour.
+struct OutlineReach {
+    LatticePoint cells;  ///< rows and columns of the lattice over which outlines get into each other's way
+    /// Contours that may do so, ascending, and what stands on them; sorted by their first contours.
+    std::vector<std::vector<std::uint32_t>> groups;
+};
+/// The outlines of a group depend on nothing but its contours. Not where they are simplified.
+/// @param x_stretch as Outliner's
+[[nodiscard]] OutlineReach outline_reach(const ContourList& contours, const OutlineRules& rules,
+                                         const Georeference& georeference, double x_stretch,
+                                         const StopRequest& stop);
 
 /// What the rules and the grid call for: nothing is noded that cannot come apart.
 [[nodiscard]] Drawing choose_drawing(const OutlineRules& rules, const Georeference& georeference);

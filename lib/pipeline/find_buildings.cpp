@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "core/progress_span.hpp"
-#include "core/row_bands.hpp"
 #include "core/stage_clock.hpp"
 #include "detect/merge_units.hpp"
 #include "detect/unit_seams.hpp"
@@ -12,32 +11,10 @@
 namespace d2b {
 namespace {
 
-void add_to_labels(Grid<Label>& labels, Label more, Executor& threads) {
-    if (more == 0)
-        return;
-    for_cells(threads, labels, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            labels.values[i] += labels.values[i] != 0 ? more : 0;
-    });
-}
-
-void put_into(FoundBuildings& found, UnitMerger::Merged&& merged, bool keep_doubtful, double metres,
-              RunReport& report) {
+void put_into(FoundBuildings& found, UnitMerger::Merged&& merged, double metres) {
     found.buildings = merged.buildings;
-    report.count(Reason::building_doubtful,
-                 static_cast<std::int64_t>(merged.objects.size()) - found.buildings);
-    if (!keep_doubtful) {
-        merged.objects.resize(merged.buildings);
-        for (Label& number : merged.number)
-            number = number > merged.buildings ? 0 : number;
-    }
-    found.ground.push_back(std::numeric_limits<double>::quiet_NaN());
-    found.footprints.emplace_back();
-    for (const SeenObject& seen : merged.objects) {
-        found.ground.push_back(seen.ground / metres);
-        found.footprints.push_back(
-            {found.ground.back(), seen.object.confidence, doubt_name(seen.object.doubt)});
-    }
+    for (const SeenObject& seen : merged.objects)
+        found.add(seen.ground / metres, seen.object.confidence, seen.object.doubt);
     found.labels.renumber(std::move(merged.number));
 }
 
@@ -54,14 +31,15 @@ class UnitSum {
         found_.fit.merge(here.fit);
         found_.slope.merge(here.slope);
         found_.sides.merge(here.sides);
-        add_to_labels(here.labels, merger_.add(here.objects), threads);
-        seams_.add(unit, col, here.labels, merger_);
-        found_.labels.append(unit, here.labels, threads);
+        const Label more = merger_.add(here.objects);
+        UnitEdges edges = edges_of(unit, here.labels);
+        edges.add(more);
+        seams_.add(col, std::move(edges), merger_);
+        found_.labels.append(unit, here.labels, threads, more);
     }
-    /// @param least_cells of what is no sliver
-    void finish(std::int64_t least_cells) {
-        put_into(found_, merger_.finish(least_cells), search_.plan.asked.write.doubtful, search_.frame.metres,
-                 search_.context.report);
+    void finish(const UnitGrid& units) {
+        put_into(found_, join_units(merger_, search_.plan, units, search_.frame.cell, search_.context.report),
+                 search_.frame.metres);
     }
 
   private:
@@ -75,6 +53,30 @@ class UnitSum {
 
 UnitGrid unit_grid(const RunPlan& plan, const Window& window, const CellSize& cell, const UnitSize& size) {
     return {window, cell, widths_around * plan.asked.ground.max_building_width, size};
+}
+
+FoundBuildings::FoundBuildings() {
+    add(std::numeric_limits<double>::quiet_NaN(), 0, {});
+    footprints.back() = {};
+}
+
+void FoundBuildings::add(double elevation, double confidence, Doubt doubt) {
+    ground.push_back(elevation);
+    footprints.push_back({elevation, confidence, doubt_name(doubt)});
+}
+
+UnitMerger::Merged join_units(UnitMerger& merger, const RunPlan& plan, const UnitGrid& units,
+                              const CellSize& cell, RunReport& report) {
+    // Slivers on the far side of a seam are no objects.
+    UnitMerger::Merged merged = merger.finish(units.count() > 1 ? cells_for(plan.building_m2, cell) : 1);
+    report.count(Reason::building_doubtful,
+                 static_cast<std::int64_t>(merged.objects.size()) - merged.buildings);
+    if (plan.asked.write.doubtful)
+        return merged;
+    merged.objects.resize(merged.buildings);
+    for (Label& number : merged.number)
+        number = number > merged.buildings ? 0 : number;
+    return merged;
 }
 
 FoundBuildings find_buildings(const UnitSearch& search, const UnitSize& size) {
@@ -98,7 +100,7 @@ FoundBuildings find_buildings(const UnitSearch& search, const UnitSize& size) {
         }
     if (plan.ground == GroundMode::given)
         context.report.count(Reason::terrain_outside_range, search.sources.terrain->cells_outside_range());
-    sum.finish(units.count() > 1 ? cells_for(plan.building_m2, frame.cell) : 1);
+    sum.finish(units);
     return found;
 }
 

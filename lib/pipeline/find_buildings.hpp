@@ -11,6 +11,10 @@ namespace d2b {
 
 /// What ground and detection know of a DEM.
 struct FoundBuildings {
+    FoundBuildings();
+    /// What has the next label. @param elevation of its ground, in the vertical unit
+    void add(double elevation, double confidence, Doubt doubt);
+
     LabelRows labels;                   ///< of the window; what is doubtful only where it is to be written
     Label buildings = 0;                ///< labels above are doubtful
     std::vector<Footprint> footprints;  ///< by label; [0] is not used
@@ -30,6 +34,11 @@ inline constexpr double widths_around = 5;
 /// The units of a window.
 [[nodiscard]] UnitGrid unit_grid(const RunPlan& plan, const Window& window, const CellSize& cell,
                                  const UnitSize& size = {});
+
+/// What stands in a window, when all its units have been added: what is doubtful is counted, and left out
+/// where it is not to be written.
+[[nodiscard]] UnitMerger::Merged join_units(UnitMerger& merger, const RunPlan& plan, const UnitGrid& units,
+                                            const CellSize& cell, RunReport& report);
 
 /// Finds what stands in a window, one unit after the other, so that memory is bounded, and joins what seams
 /// between units cut.

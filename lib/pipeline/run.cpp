@@ -7,10 +7,7 @@
 
 #include "core/progress_span.hpp"
 #include "core/stage_clock.hpp"
-#include "diagnose/empty_result.hpp"
-#include "diagnose/search_warnings.hpp"
 #include "diagnose/strange_values.hpp"
-#include "diagnose/warn_of.hpp"
 #include "elevations/elevation_reader.hpp"
 #include "elevations/sift_rules.hpp"
 #include "features/contour_drawer.hpp"
@@ -19,18 +16,18 @@
 #include "features/target_frame.hpp"
 #include "features/write_features.hpp"
 #include "features/write_surfaces.hpp"
-#include "levels/building_levels.hpp"
-#include "levels/clean_tiers.hpp"
+#include "pipeline/feature_input.hpp"
 #include "pipeline/find_buildings.hpp"
-#include "pipeline/provenance.hpp"
+#include "pipeline/measure_stack.hpp"
+#include "pipeline/plan_tiers.hpp"
+#include "pipeline/report_run.hpp"
+#include "pipeline/run_in_units.hpp"
 #include "pipeline/run_setup.hpp"
 #include "pipeline/set_up_surfaces.hpp"
 #include "pipeline/trace_contours.hpp"
 
 namespace d2b {
 namespace {
-
-constexpr double no_threshold = std::numeric_limits<double>::quiet_NaN();
 
 /// Shares of a run that are done at the end of its parts.
 struct Milestones {
@@ -41,6 +38,9 @@ struct Milestones {
 };
 constexpr Milestones of_buildings{0.1, 0.55, 0.7, 0.97};
 constexpr Milestones of_thesis{0.3, 0.3, 0.6, 0.97};
+const Milestones& milestones(const RunPlan& plan) {
+    return plan.detects_buildings() ? of_buildings : of_thesis;
+}
 
 /// What `work` gives, where its progress is a part of the whole.
 template <typename Work>
@@ -74,199 +74,150 @@ void write_elevations(ElevationReader& reader, std::int32_t first_col, RasterSin
     });
 }
 
-/// The levels of each building, from the elevations in it.
-/// @param clean may be null
-LevelPlan plan_levels(ElevationReader& reader, const FoundBuildings& found, const CleanRows* clean,
-                      const ElevationStatistics& statistics, const LevelPlan& global, const RunPlan& decided,
-                      double border_price, Context& context) {
-    struct Prepared {
-        LabelBand labels;
-        std::optional<ElevationBand> clean;
-    };
+/// How a run divides its window.
+struct RunSize {
+    const BandSize& bands;
+    const UnitSize& units;
+};
+
+/// What is known of a run before its contours are traced.
+struct Searched {
+    ElevationStatistics statistics;
+    Tiers tiers;
+    std::optional<FoundBuildings> found;
+};
+
+/// From the elevations to the levels of what stands on the ground. @param lattice null where no surface is
+/// asked for
+Searched search_levels(ElevationReader& reader, const RunSetup& setup, const Sources& sources,
+                       const Sinks& sinks, const UnitSize& size, SurfaceLattice* lattice, Context& context) {
+    const RunPlan& decided = setup.plan;
+    const Window& window = setup.dem.window;
+    const Milestones& at = milestones(decided);
     const double metres = context.report.units.vertical_metres;
-    BuildingStatistics buildings(found.count(), statistics.fixed_point(),
-                                 decided.levels == LevelSource::natural ? metres : 0);
-    reader.for_each(
-        [&](const ElevationBand& band, Tally& tally) {
-            const StageClock clock(tally, Stage::levels);
-            Prepared prepared{found.band(band.shape), {}};
-            if (clean != nullptr)
-                prepared.clean = clean->clean(band);
-            return prepared;
-        },
-        [&](const ElevationBand& band, const Prepared& prepared) {
-            const StageClock clock(context.report, Stage::levels);
-            buildings.add(prepared.clean ? *prepared.clean : band, prepared.labels);
+    Searched searched;
+    searched.statistics = within(
+        context, 0, at.read, [&] { return collect_statistics(reader, decided.asked, setup.dem, context); });
+    pass_warnings(sources, sinks, context);
+    if (lattice != nullptr)
+        set_heights(*lattice, searched.statistics.range(), sinks);
+    if (sinks.elevations != nullptr)
+        write_elevations(reader, window.col, *sinks.elevations, metres);
+    searched.tiers.plan =
+        plan_global_levels(searched.statistics, decided.asked.levels, decided.levels, context);
+    if (!decided.detects_buildings())
+        return searched;
+    searched.found = within(context, at.read, at.found, [&] {
+        return find_buildings({decided, sources, sinks, reader, {window, setup.cell, metres}, context}, size);
+    });
+    searched.tiers = plan_tiers(reader, *searched.found, window, setup, searched.statistics.fixed_point(),
+                                searched.tiers.plan, context);
+    return searched;
+}
+
+/// Changes outlines so that air or water flows around them, where that is asked for. @return what was changed
+std::vector<FlowProblem> make_flow_ready(const StoredContours& contours, Outliner& outliner,
+                                         const RunSetup& setup, Context& context) {
+    const OutlineOptions& asked = setup.plan.asked.outline;
+    if (!asked.is_flow_ready())
+        return {};
+    return make_outlines_flow_ready(
+        contours, outliner,
+        {asked.narrowest_gap(), asked.shortest_wall(), FlowLimits::least_angle, FlowLimits::most_share,
+         flow_metric(setup.georeference, x_stretch(setup.georeference, setup.crs, setup.dem.window),
+                     setup.cell_m())},
+        context);
+}
+
+/// What is written beside the features.
+struct Beside {
+    const std::vector<FlowProblem>& flow;
+    const SurfaceLattice* lattice;  ///< null where no surface is asked for
+};
+
+/// Draws the contours and hands them to the sinks.
+void write_result(const FeatureInput& input, const RecordMaker& records, const RunSetup& setup,
+                  const Sinks& sinks, const Beside& beside, Context& context) {
+    const Milestones& at = milestones(setup.plan);
+    const SurfaceLattice* const lattice = beside.lattice;
+    const double written = lattice != nullptr ? (at.traced + 3 * at.drawn) / 4 : at.drawn;
+    within(context, at.traced, written, [&] { write_features(input, records, sinks.features, context); });
+    ProblemLayer problems(setup.layers.places.problems);
+    const WriteOptions& write = setup.plan.asked.write;
+    if (write.problems)
+        problems.note(placed_problems(beside.flow, input, sinks.features.first_id()));
+    if (lattice != nullptr)
+        within(context, written, at.drawn, [&] {
+            write_surfaces({input, records, *input.kept, *lattice, setup.plan.surface_of, write.surface_roof,
+                            write.problems ? &problems : nullptr},
+                           surface_meta(setup.plan, *lattice, setup.written(), context.report.units),
+                           sinks.surfaces, context);
         });
-    return plan_building_levels(buildings, found.ground, global, decided.asked.levels, decided.levels, metres,
-                                border_price);
+    problems.write(sinks.features, context);
+    context.progress(at.drawn);
 }
 
-/// @param stack as it is drawn
-StackError compare(const DrawnStack& stack, const FixedPoint& fixed, ElevationReader& reader) {
-    StackError error;
-    reader.for_each(
-        [&](const ElevationBand& band, Tally& tally) {
-            const StageClock clock(tally, Stage::attributes);
-            return stack.error(band, fixed);
-        },
-        [&](const ElevationBand&, const StackError& of_band) { error.merge(of_band); });
-    return error;
-}
-
-void report_levels(const LevelPlan& plan, RunReport& report) {
-    for (int level = 0; level < plan.level_count(); ++level)
-        report.levels.push_back(
-            {level, plan.footprints && level > 0 ? no_threshold : plan.threshold(1, level), 0, 0});
-}
-
-/// Labels above the last are doubtful.
-std::size_t buildings_up_to(Label last, const ContourList& contours) {
-    std::size_t buildings = 0;
-    for (std::size_t i = 0; i < contours.size(); ++i)
-        if (contours.head(i).key.level == 1 && contours.head(i).label <= last)
-            ++buildings;
-    return buildings;
-}
-
-/// Warns of what sources and sinks have noticed, on whichever thread.
-void pass_warnings(const Sources& sources, const Sinks& sinks, Context& context) {
-    const auto pass = [&](auto* from) {
-        if (from != nullptr)
-            for (const std::string& text : from->take_warnings())
-                context.warn(text);
-    };
-    for (DemSource* source : {&sources.dem, sources.terrain, sources.mask, sources.ndvi})
-        pass(source);
-    pass(&sinks.features);
-    for (SurfaceSink* surface : sinks.surfaces)
-        pass(surface);
-    for (RasterSink* raster : {sinks.ground, sinks.height, sinks.canopy, sinks.elevations})
-        pass(raster);
-}
-
-void finish(const Sinks& sinks, Context& context) {
-    const StageClock clock(context.report, Stage::write);
-    for (RasterSink* raster : {sinks.ground, sinks.height, sinks.canopy, sinks.elevations})
-        if (raster != nullptr)
-            raster->finish();
-    for (SurfaceSink* surface : sinks.surfaces)
-        surface->finish();
-    sinks.features.take_report(context.report);
-    sinks.features.finish();
-    if (context.on_progress)
-        context.on_progress(1);  // the result is there; nobody can stop it any more
-}
-
-void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks, const BandSize& size,
+void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks, const RunSize& size,
                 Context& context) {
     const DemInfo& info = sources.dem.info();
     const RunSetup setup = set_up_run(asked, info, sinks.features, context);
     const RunPlan& decided = setup.plan;
-    const Options& options = decided.asked;
     RunReport& report = context.report;
     const double metres = report.units.vertical_metres;
 
     std::optional<SurfaceLattice> lattice = set_up_surfaces(setup, sinks, report.units);
-    ElevationReader reader(sources.dem, context, size);
-    const Milestones at = decided.detects_buildings() ? of_buildings : of_thesis;
-    const ElevationStatistics statistics =
-        within(context, 0, at.read, [&] { return collect_statistics(reader, options, info, context); });
-    pass_warnings(sources, sinks, context);
-    if (lattice)
-        set_heights(*lattice, statistics.range(), sinks);
-    if (sinks.elevations != nullptr)
-        write_elevations(reader, info.window.col, *sinks.elevations, metres);
-    LevelPlan plan = plan_global_levels(statistics, options.levels, decided.levels, context);
-    std::optional<FoundBuildings> found;
-    std::optional<CleanRows> clean;
-    if (decided.detects_buildings()) {
-        found = within(context, at.read, at.found, [&] {
-            return find_buildings(
-                {decided, sources, sinks, reader, {info.window, setup.cell, metres}, context});
-        });
-        const RegionOptions regions = region_options(decided.detail, setup.cell, metres);
-        if (decided.detail > 0)
-            clean = clean_tiers(reader, found->labels, found->count(), regions, info.window, context);
-        plan = plan_levels(reader, *found, clean ? &*clean : nullptr, statistics, plan, decided,
-                           regions.price, context);
-    }
+    ElevationReader reader(sources.dem, context, size.bands);
+    auto [statistics, tiers, found] =
+        search_levels(reader, setup, sources, sinks, size.units, lattice ? &*lattice : nullptr, context);
+    const LevelPlan& plan = tiers.plan;
     const TraceFrame frame{info.window, plan.level_count(), statistics.fixed_point(), statistics.range()};
-    const auto contours = within(context, at.found, at.traced, [&] {
-        return trace_contours(reader, frame, {plan, found ? &*found : nullptr, clean ? &*clean : nullptr},
-                              decided, setup.area, metres, context);
+    const TierImage image{plan, found ? &*found : nullptr, tiers.clean ? &*tiers.clean : nullptr};
+    const auto contours = within(context, milestones(decided).found, milestones(decided).traced, [&] {
+        return trace_contours(reader, frame, image, decided, setup.area, metres, context);
     });
 
     pass_warnings(sources, sinks, context);
     const std::vector<Footprint> footprints = found ? std::move(found->footprints) : std::vector<Footprint>();
-    RecordMaker records(*contours,
-                        {plan, frame.fixed, footprints, metres, lattice_frame(info.window, decided.trace)});
-    report_levels(plan, report);
+    const RecordMaker records(
+        *contours, {plan, frame.fixed, footprints, metres, lattice_frame(info.window, decided.trace)});
+    report_levels(plan, plan.level_count(), report);
     const Label last_building = found ? found->buildings : std::numeric_limits<Label>::max();
-    const std::size_t buildings_kept = buildings_up_to(last_building, *contours);
-    warn_of(empty_result(plan, buildings_kept, info, report), context);
+    std::optional<SearchFacts> facts;
     if (found)
-        warn_of_search({info, decided, report, found->fit, found->sides, setup.cell,
-                        setup.crs.kind() != Crs::Kind::none, found->slope},
-                       buildings_kept > 0, context);
-    const double cell_m = cell_size_m(info.window, setup.area);
-    Outliner outliner = draw_outlines(*contours, decided, setup.georeference, setup.crs, setup.target,
-                                      info.window, cell_m, context);
-    std::vector<FlowProblem> flow;
-    if (options.outline.is_flow_ready())
-        flow = make_outlines_flow_ready(
-            *contours, outliner,
-            {options.outline.narrowest_gap(), options.outline.shortest_wall(), FlowLimits::least_angle,
-             FlowLimits::most_share,
-             flow_metric(setup.georeference, x_stretch(setup.georeference, setup.crs, info.window), cell_m)},
-            context);
+        facts = SearchFacts{found->fit, found->slope, found->sides};
+    warn_of_result(setup, plan, buildings_up_to(last_building, *contours), facts ? &*facts : nullptr,
+                   context);
+    Outliner outliner = draw_outlines(*contours, setup, context);
+    const std::vector<FlowProblem> flow = make_flow_ready(*contours, outliner, setup, context);
     std::optional<BuildingRecords> kept;
     if (lattice)
         kept.emplace(context.make_spool());
-    const FeatureInput input{decided,
-                             setup.georeference,
-                             setup.crs,
-                             setup.target,
-                             *contours,
-                             outliner,
-                             setup.layers,
-                             make_provenance(decided, info, setup.crs, setup.target, report),
-                             info.window,
-                             last_building,
-                             cell_m,
-                             frame.fixed,
-                             [&](const DrawnStack& stack) { return compare(stack, frame.fixed, reader); },
-                             kept ? &*kept : nullptr};
-    const double written = lattice ? (at.traced + 3 * at.drawn) / 4 : at.drawn;
-    within(context, at.traced, written, [&] { write_features(input, records, sinks.features, context); });
-    ProblemLayer problems(setup.layers.places.problems);
-    if (options.write.problems)
-        problems.note(placed_problems(flow, input, sinks.features.first_id()));
-    if (lattice)
-        within(context, written, at.drawn, [&] {
-            write_surfaces({input, records, *kept, *lattice, decided.surface_of, options.write.surface_roof,
-                            options.write.problems ? &problems : nullptr},
-                           surface_meta(decided, *lattice, setup.written(), report.units), sinks.surfaces,
-                           context);
-        });
-    problems.write(sinks.features, context);
-    context.progress(at.drawn);
-    finish(sinks, context);
+    const FeatureInput input = feature_input(
+        setup, {*contours, outliner, last_building, frame.fixed}, report,
+        [&](const DrawnStack& stack) { return measure_stack(stack, frame.fixed, reader); },
+        kept ? &*kept : nullptr);
+    write_result(input, records, setup, sinks, {flow, lattice ? &*lattice : nullptr}, context);
+    finish_sinks(sinks, context);
 }
 
 }  // namespace
 
-RunReport run(const Options& options, const Sources& sources, const Sinks& sinks, const Callbacks& callbacks,
-              const BandSize& size) {
+RunReport run_in_units(const Options& options, const Sources& sources, const Sinks& sinks,
+                       const Callbacks& callbacks, const UnitSize& units, const BandSize& bands) {
     Context context(callbacks);
     try {
-        run_stages(options, sources, sinks, size, context);
+        run_stages(options, sources, sinks, {bands, units}, context);
     } catch (...) {
         pass_warnings(sources, sinks, context);  // which may say why
         throw;
     }
     pass_warnings(sources, sinks, context);
     return std::move(context.report);
+}
+
+RunReport run(const Options& options, const Sources& sources, const Sinks& sinks, const Callbacks& callbacks,
+              const BandSize& size) {
+    return run_in_units(options, sources, sinks, callbacks, {}, size);
 }
 
 }  // namespace d2b

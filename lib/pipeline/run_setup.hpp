@@ -21,6 +21,8 @@ struct RunSetup {
     CellSize cell;      ///< known where buildings are looked for
     LayerSpecs layers;  ///< without their styles
 
+    /// Side of a square of a cell's area, in metres.
+    [[nodiscard]] double cell_m() const { return cell_size_m(dem.window, area); }
     /// The CRS of what is written.
     [[nodiscard]] const Crs& written() const { return target.kind() == Crs::Kind::none ? crs : target; }
 };

@@ -26,7 +26,7 @@ Contour load_contour(ByteReader& reader) {
     contour.above = reader.take<PointStats>();
     contour.lowest_outside = reader.take<double>();
     contour.exterior = PackedRing::load(reader);
-    contour.interiors.resize(static_cast<std::size_t>(reader.take<std::uint64_t>()));
+    contour.interiors.resize(reader.take_count(sizeof(std::uint64_t)));
     for (PackedRing& ring : contour.interiors)
         ring = PackedRing::load(reader);
     return contour;

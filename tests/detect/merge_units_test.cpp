@@ -111,11 +111,9 @@ TEST(UnitSeams, AreComparedInBothDirections) {
     UnitMerger merger;
     UnitSeams seams(units.cols());
     for_units([&](const Unit& unit, std::int32_t col) {
-        Grid<Label> labels = scene;
-        const Label more = merger.add(std::vector(3, seen(0.9, 10)));
-        for (Label& label : labels.values)
-            label += label != 0 ? more : 0;
-        seams.add(unit, col, labels, merger);
+        UnitEdges edges = edges_of(unit, scene);
+        edges.add(merger.add(std::vector(3, seen(0.9, 10))));
+        seams.add(col, std::move(edges), merger);
     });
     const UnitMerger::Merged merged = merger.finish(1);
     const auto number = [&](std::size_t unit, std::size_t object) {

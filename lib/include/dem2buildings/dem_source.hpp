@@ -20,6 +20,9 @@ struct Window {
     [[nodiscard]] std::int32_t end_row() const { return row + rows; }
     [[nodiscard]] std::int32_t end_col() const { return col + cols; }
     [[nodiscard]] std::int64_t points() const { return std::int64_t{rows} * cols; }
+    [[nodiscard]] bool holds(std::int32_t r, std::int32_t c) const {
+        return r >= row && r < end_row() && c >= col && c < end_col();
+    }
 
     friend bool operator==(const Window&, const Window&) = default;
 };

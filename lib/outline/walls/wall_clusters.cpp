@@ -10,16 +10,6 @@
 namespace d2b {
 namespace {
 
-/// Rows and columns over which two traces can get into each other's way. Both walls stay within the
-/// tolerance.
-LatticePoint conflict_reach(const WallOptions& options) {
-    const double cell = std::abs(cross(options.shape.col, options.shape.row));
-    const auto steps = [&](Vec other) {
-        return static_cast<std::int32_t>(std::floor(2 * options.tolerance * length(other) / cell)) + 1;
-    };
-    return {steps(options.shape.col), steps(options.shape.row)};
-}
-
 /// Rows of the lattice, end exclusive.
 struct Rows {
     std::int64_t begin;
@@ -179,6 +169,14 @@ void join_neighbours(const ContourList& contours, const WallOptions& options, st
 }
 
 }  // namespace
+
+LatticePoint conflict_reach(const WallOptions& options) {
+    const double cell = std::abs(cross(options.shape.col, options.shape.row));
+    const auto steps = [&](Vec other) {
+        return static_cast<std::int32_t>(std::floor(2 * options.tolerance * length(other) / cell)) + 1;
+    };
+    return {steps(options.shape.col), steps(options.shape.row)};
+}
 
 std::vector<ClusterPlan> wall_clusters(const ContourList& contours, const WallOptions& options,
                                        const StopRequest& stop, std::int64_t rows_a_strip) {

@@ -21,6 +21,10 @@ struct ClusterPlan {
     std::vector<std::int32_t> parents;   ///< as WallCluster's
 };
 
+/// Rows and columns over which two traces can get into each other's way: both walls stay within the
+/// tolerance.
+[[nodiscard]] LatticePoint conflict_reach(const WallOptions& options);
+
 /// Divides contours into clusters that cannot get into each other's way: what stands on one contour of level
 /// 1 is together, and so are contours whose traces come so near each other that their walls could meet. Which
 /// contours share a cluster depends on nothing but these. O(n) in corners of levels 0 and 1, but for crowds;

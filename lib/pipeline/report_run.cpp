@@ -1,0 +1,69 @@
+#include "pipeline/report_run.hpp"
+
+#include <limits>
+#include <string>
+
+#include "core/stage_clock.hpp"
+#include "diagnose/empty_result.hpp"
+#include "diagnose/search_warnings.hpp"
+#include "diagnose/warn_of.hpp"
+
+namespace d2b {
+namespace {
+
+constexpr double no_threshold = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+void pass_warnings(const Sources& sources, const Sinks& sinks, Context& context) {
+    const auto pass = [&](auto* from) {
+        if (from != nullptr)
+            for (const std::string& text : from->take_warnings())
+                context.warn(text);
+    };
+    for (DemSource* source : {&sources.dem, sources.terrain, sources.mask, sources.ndvi})
+        pass(source);
+    pass(&sinks.features);
+    for (SurfaceSink* surface : sinks.surfaces)
+        pass(surface);
+    for (RasterSink* raster : {sinks.ground, sinks.height, sinks.canopy, sinks.elevations})
+        pass(raster);
+}
+
+void report_levels(const LevelPlan& plan, int levels, RunReport& report) {
+    for (int level = 0; level < levels; ++level)
+        report.levels.push_back(
+            {level, plan.footprints && level > 0 ? no_threshold : plan.threshold(1, level), 0, 0});
+}
+
+std::size_t buildings_up_to(Label last, const ContourList& contours) {
+    std::size_t buildings = 0;
+    for (std::size_t i = 0; i < contours.size(); ++i)
+        if (contours.head(i).key.level == 1 && contours.head(i).label <= last)
+            ++buildings;
+    return buildings;
+}
+
+void warn_of_result(const RunSetup& setup, const LevelPlan& plan, std::size_t buildings,
+                    const SearchFacts* facts, Context& context) {
+    warn_of(empty_result(plan, buildings, setup.dem, context.report), context);
+    if (facts != nullptr)
+        warn_of_search({setup.dem, setup.plan, context.report, facts->fit, facts->sides, setup.cell,
+                        setup.crs.kind() != Crs::Kind::none, facts->slope},
+                       buildings > 0, context);
+}
+
+void finish_sinks(const Sinks& sinks, Context& context) {
+    const StageClock clock(context.report, Stage::write);
+    for (RasterSink* raster : {sinks.ground, sinks.height, sinks.canopy, sinks.elevations})
+        if (raster != nullptr)
+            raster->finish();
+    for (SurfaceSink* surface : sinks.surfaces)
+        surface->finish();
+    sinks.features.take_report(context.report);
+    sinks.features.finish();
+    if (context.on_progress)
+        context.on_progress(1);  // the result is there; nobody can stop it any more
+}
+
+}  // namespace d2b

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+
+#include "core/context.hpp"
+#include "dem2buildings/run.hpp"
+#include "diagnose/ground_fit.hpp"
+#include "diagnose/ground_slope.hpp"
+#include "diagnose/side_doubt.hpp"
+#include "levels/level_plan.hpp"
+#include "pipeline/run_setup.hpp"
+#include "trace/contour_list.hpp"
+
+namespace d2b {
+
+/// Warns of what sources and sinks have noticed, on whichever thread.
+void pass_warnings(const Sources& sources, const Sinks& sinks, Context& context);
+
+/// @param levels of the label with most, the root counted
+void report_levels(const LevelPlan& plan, int levels, RunReport& report);
+
+/// Labels above the last are doubtful.
+[[nodiscard]] std::size_t buildings_up_to(Label last, const ContourList& contours);
+
+/// What a search for buildings says of itself.
+struct SearchFacts {
+    GroundFit fit;
+    GroundSlope slope;
+    SidesKnown sides;
+};
+/// Warns where nothing was found, and of what makes doubtful what was. @param facts null where nothing was
+/// searched
+void warn_of_result(const RunSetup& setup, const LevelPlan& plan, std::size_t buildings,
+                    const SearchFacts* facts, Context& context);
+
+/// Makes the result visible.
+void finish_sinks(const Sinks& sinks, Context& context);
+
+}  // namespace d2b

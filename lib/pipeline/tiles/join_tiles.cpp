@@ -1,0 +1,159 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "features/contour_drawer.hpp"
+#include "filter/contour_shelf.hpp"
+#include "pipeline/feature_input.hpp"
+#include "pipeline/find_buildings.hpp"
+#include "pipeline/tiles/draw_margin.hpp"
+#include "pipeline/tiles/tile_steps.hpp"
+#include "tiles/joined_tile.hpp"
+
+namespace d2b {
+namespace {
+
+/// What is known of a unit when all tiles have been looked at, but for the labels of its cells.
+struct SeenUnit {
+    std::vector<SeenObject> objects;
+    std::vector<Window> boxes;
+    UnitEdges edges;
+    std::size_t first = 0;  ///< what was added to its labels
+};
+
+/// A joined object: where its cells are, and the unit that owns most of them.
+struct JoinedObject {
+    Window box;
+    std::int64_t unit = 0;
+    std::int64_t cells = 0;
+};
+
+class Join {
+  public:
+    explicit Join(TileRun& run)
+        : run_(run), units_(static_cast<std::size_t>(run.tiles().units().count())), facts_(run.no_facts()) {}
+
+    void load();
+    void join();
+    void write();
+
+  private:
+    [[nodiscard]] Label number(const SeenUnit& unit, std::size_t object) const {
+        return merged_.number[unit.first + object + 1];
+    }
+    void place_objects();
+    void write(std::int64_t tile, std::vector<Label> numbers);
+
+    TileRun& run_;
+    std::vector<SeenUnit> units_;
+    FoundFacts facts_;
+    UnitMerger::Merged merged_;
+    std::vector<JoinedObject> objects_;  ///< as those that are merged
+};
+
+void Join::load() {
+    for (std::int64_t tile = 0; tile < run_.tiles().count(); ++tile) {
+        run_.context().check_stop();
+        FoundTile found = run_.load_found(tile);
+        facts_.merge(found.facts);
+        const std::vector<PlacedUnit> placed = run_.tiles().units_of(tile);
+        for (std::size_t i = 0; i < placed.size(); ++i)
+            units_[static_cast<std::size_t>(placed[i].number)] = {std::move(found.units[i].objects),
+                                                                  std::move(found.units[i].boxes),
+                                                                  std::move(found.units[i].edges), 0};
+    }
+}
+
+void Join::join() {
+    UnitMerger merger;
+    const std::int32_t cols = run_.tiles().units().cols();
+    UnitSeams seams(cols);
+    for (std::size_t i = 0; i < units_.size(); ++i) {
+        SeenUnit& unit = units_[i];
+        unit.first = merger.add(unit.objects);
+        unit.edges.add(static_cast<Label>(unit.first));
+        seams.add(static_cast<std::int32_t>(i % static_cast<std::size_t>(cols)), std::move(unit.edges),
+                  merger);
+    }
+    Context& context = run_.context();
+    merged_ = join_units(merger, run_.setup().plan, run_.tiles().units(), run_.setup().cell, context.report);
+    facts_.tally.merge(context.report);
+    place_objects();
+}
+
+void Join::place_objects() {
+    objects_.resize(merged_.objects.size());
+    for (std::size_t i = 0; i < units_.size(); ++i)
+        for (std::size_t k = 0; k < units_[i].objects.size(); ++k) {
+            const Label label = number(units_[i], k);
+            if (label == 0)
+                continue;
+            JoinedObject& object = objects_[label - 1];
+            object.box = around(object.box, units_[i].boxes[k]);
+            if (units_[i].objects[k].own_cells > object.cells) {
+                object.cells = units_[i].objects[k].own_cells;
+                object.unit = static_cast<std::int64_t>(i);
+            }
+        }
+}
+
+/// @param numbers of its objects, ascending: what is doubtful comes last
+void Join::write(std::int64_t tile, std::vector<Label> numbers) {
+    JoinedTile joined;
+    for (const Label label : numbers) {
+        const SeenObject& seen = merged_.objects[label - 1];
+        joined.buildings.push_back(
+            {label <= merged_.buildings, seen.object.doubt, seen.ground, seen.object.confidence});
+        joined.window = around(joined.window, objects_[label - 1].box);
+    }
+    if (!numbers.empty()) {
+        const LatticePoint margin = draw_margin(run_.setup(), run_.context());
+        joined.window = grown(joined.window, margin.row, margin.col, run_.window());
+    }
+    for (std::size_t i = 0; i < units_.size(); ++i) {
+        const Window own = run_.tiles().unit(static_cast<std::int64_t>(i)).unit.own;
+        if (!meet(own, joined.window))
+            continue;
+        JoinedUnit unit{static_cast<std::int64_t>(i), {0}};
+        for (std::size_t k = 0; k < units_[i].objects.size(); ++k) {
+            const Label label = number(units_[i], k);
+            const auto place = std::ranges::lower_bound(numbers, label);
+            unit.number.push_back(label == 0 ? 0
+                                  : place != numbers.end() && *place == label
+                                      ? static_cast<Label>(place - numbers.begin() + 1)
+                                      : joined.other());
+        }
+        joined.units.push_back(std::move(unit));
+    }
+    ByteWriter writer;
+    save(joined, writer);
+    write_sealed(run_.file(TileStep::join, tile), run_.seal(TileStep::join, tile), writer.bytes());
+}
+
+void Join::write() {
+    std::vector<std::vector<Label>> numbers(static_cast<std::size_t>(run_.tiles().count()));
+    for (std::size_t i = 0; i < objects_.size(); ++i)
+        numbers[static_cast<std::size_t>(run_.tiles().tile_of(objects_[i].unit))].push_back(
+            static_cast<Label>(i + 1));
+    for (std::int64_t tile = 0; tile < run_.tiles().count(); ++tile) {
+        run_.context().check_stop();
+        write(tile, std::move(numbers[static_cast<std::size_t>(tile)]));
+    }
+    // Last: where it is there, so is the rest.
+    ByteWriter writer;
+    facts_.save(writer);
+    write_sealed(run_.frame_file(), run_.frame_seal(), writer.bytes());
+}
+
+}  // namespace
+
+void join_tiles(TileRun& run) {
+    if (is_sealed(run.frame_file(), run.frame_seal()))
+        return;
+    Join join(run);
+    join.load();
+    join.join();
+    join.write();
+}
+
+}  // namespace d2b

@@ -1,0 +1,206 @@
+#include <algorithm>
+#include <optional>
+#include <queue>
+#include <utility>
+
+#include "diagnose/strange_values.hpp"
+#include "features/feature_writer.hpp"
+#include "features/target_frame.hpp"
+#include "filter/contour_shelf.hpp"
+#include "pipeline/feature_input.hpp"
+#include "pipeline/report_run.hpp"
+#include "pipeline/tiles/left_elevations.hpp"
+#include "pipeline/tiles/tile_steps.hpp"
+#include "tiles/drawn_tile.hpp"
+
+namespace d2b {
+namespace {
+
+/// What all tiles have drawn and left.
+class DrawnTiles {
+  public:
+    DrawnTiles(const TileRun& run, Context& context);
+
+    Tally tally;
+    int levels = 1;
+    std::int64_t buildings = 0;
+    StackError error;
+    std::vector<DrawnStream> streams;
+    std::unique_ptr<StoredContours> left;
+    std::vector<Footprint> footprints{{}};  ///< of what is left, by label
+    LevelPlan plan;                         ///< likewise
+    Label sure = 0;                         ///< of these labels
+    LeftElevations elevations;
+
+  private:
+    void take(DrawnTile&& tile);
+    void number_left(double metres);
+
+    std::vector<LeftBuilding> left_buildings_;  ///< of one tile after the other
+    std::vector<LeftContour> left_;             ///< likewise, with labels and parents among all
+};
+
+DrawnTiles::DrawnTiles(const TileRun& run, Context& context) : elevations(context.make_spool()) {
+    for (std::int64_t i = 0; i < run.tiles().count(); ++i) {
+        context.check_stop();
+        SealedFile file(run.file(TileStep::draw, i), run.seal(TileStep::draw, i));
+        std::vector<DrawnBlocks::Block> blocks;
+        DrawnTile tile = load_body(file, [&](ByteReader& reader) {
+            DrawnTile loaded = load_drawn_tile(reader);
+            blocks = reader.take_list<DrawnBlocks::Block>();
+            return loaded;
+        });
+        streams.emplace_back(std::move(file), std::move(blocks));
+        take(std::move(tile));
+    }
+    number_left(run.metres());
+    ContourShelf shelf(context.make_spool());
+    for (const LeftContour& contour : left_)
+        shelf.add(contour.head, contour.stored);
+    left = shelf.finish();
+    left_ = {};
+}
+
+void DrawnTiles::take(DrawnTile&& tile) {
+    tally.merge(tile.tally);
+    levels = std::max(levels, static_cast<int>(tile.levels));
+    buildings += tile.buildings;
+    error.merge(tile.error);
+    elevations.add(tile.cells);
+    const auto labels = static_cast<Label>(left_buildings_.size());
+    const auto before = static_cast<std::int64_t>(left_.size());
+    left_buildings_.insert(left_buildings_.end(), tile.left_buildings.begin(), tile.left_buildings.end());
+    for (LeftContour& contour : tile.left) {
+        contour.head.label += labels;
+        if (contour.head.parent >= 0)
+            contour.head.parent += before;
+        left_.push_back(std::move(contour));
+    }
+}
+
+/// Buildings first, then what may be some.
+void DrawnTiles::number_left(double metres) {
+    std::vector<Label> number(left_buildings_.size() + 1);
+    plan.footprints = true;
+    plan.thresholds = {{}};
+    for (const bool is_sure : {true, false}) {
+        for (std::size_t i = 0; i < left_buildings_.size(); ++i) {
+            const JoinedBuilding& facts = left_buildings_[i].facts;
+            if (facts.is_building != is_sure)
+                continue;
+            number[i + 1] = static_cast<Label>(footprints.size());
+            footprints.push_back({facts.ground / metres, facts.confidence, doubt_name(facts.doubt)});
+            plan.thresholds.push_back(left_buildings_[i].thresholds);
+        }
+        if (is_sure)
+            sure = static_cast<Label>(footprints.size() - 1);
+    }
+    for (LeftContour& contour : left_)
+        contour.head.label = number[contour.head.label];
+}
+
+/// Hands out what tiles have drawn in the order of keys.
+class Sequence {
+  public:
+    Sequence(std::vector<DrawnStream>& streams, FeatureWriter& writer)
+        : streams_(streams), writer_(writer), numbers_(streams.size()) {
+        for (std::size_t i = 0; i < streams.size(); ++i)
+            push(i);
+    }
+    /// Writes what comes before a key; without one all that is left.
+    void write_before(const std::optional<ContourKey>& end) {
+        while (!next_.empty() && (!end || next_.top().first < *end)) {
+            const std::size_t i = next_.top().second;
+            next_.pop();
+            writer_.add(numbers_[i], 0, streams_[i].take());
+            push(i);
+        }
+    }
+
+  private:
+    using Next = std::pair<ContourKey, std::size_t>;
+    void push(std::size_t i) {
+        if (const auto key = streams_[i].key())
+            next_.emplace(*key, i);
+    }
+    std::vector<DrawnStream>& streams_;
+    FeatureWriter& writer_;
+    std::vector<GivenNumbers> numbers_;  ///< by stream
+    std::priority_queue<Next, std::vector<Next>, std::greater<>> next_;
+};
+
+void write_all(const FeatureInput& input, const RecordMaker& records, DrawnTiles& drawn, FeatureSink& sink,
+               Context& context) {
+    constexpr std::size_t piece = 64;  // contours that a thread draws at a time
+    FeatureWriter writer(input, records, sink, context);
+    writer.begin();
+    Sequence sequence(drawn.streams, writer);
+    GivenNumbers numbers;
+    const std::size_t count = input.contours.size();
+    context.threads->in_order(
+        (count + piece - 1) / piece,
+        [&](std::size_t k, std::size_t thread) {
+            std::vector<DrawnContour> all;
+            for (std::size_t i = k * piece; i < std::min(count, (k + 1) * piece); ++i)
+                all.push_back(writer.drawer().draw(i, thread));
+            return all;
+        },
+        [&](std::size_t k, std::vector<DrawnContour> all) {
+            for (std::size_t i = 0; i < all.size(); ++i) {
+                sequence.write_before(all[i].key);
+                writer.add(numbers, k * piece + i, std::move(all[i]));
+            }
+            context.progress(static_cast<double>(k * piece) / static_cast<double>(count));
+        });
+    sequence.write_before({});
+    writer.finish();
+}
+
+/// @throws Error
+void merge_drawn(TileRun& run, FeatureSink& features) {
+    Context& context = run.context();
+    RunReport& report = context.report;
+    const RunSetup& setup = run.setup();
+    const Options& options = setup.plan.asked;
+    const FoundFacts facts = run.load_frame();
+    const ElevationStatistics& statistics = facts.survey.statistics;
+    const FixedPoint fixed = statistics.fixed_point();
+    report_strange_values(facts.survey.strange, statistics.moments.n, setup.dem, options.read, context);
+    for (const std::string& text : facts.warnings)
+        context.warn(text);
+    pass_warnings(run.sources(), {features}, context);
+    const LevelPlan global = plan_global_levels(statistics, options.levels, setup.plan.levels, context);
+    report.merge(facts.tally);
+    DrawnTiles drawn(run, context);
+    report.merge(drawn.tally);
+    drawn.plan.minimum = global.minimum;
+    const RecordMaker records(*drawn.left, {drawn.plan, fixed, drawn.footprints, run.metres(),
+                                            lattice_frame(run.window(), setup.plan.trace)});
+    report_levels(drawn.plan, drawn.levels, report);
+    const SearchFacts search{facts.fit, facts.slope, facts.sides};
+    warn_of_result(setup, drawn.plan, static_cast<std::size_t>(drawn.buildings), &search, context);
+    const Outliner outliner = draw_outlines(*drawn.left, setup, context);
+    const FeatureInput input = feature_input(
+        setup, {*drawn.left, outliner, drawn.sure, fixed}, report, [&](const DrawnStack& stack) {
+            StackError error = drawn.elevations.error(stack, run.window(), fixed);
+            error.merge(drawn.error);
+            return error;
+        });
+    write_all(input, records, drawn, features, context);
+    finish_sinks({features}, context);
+}
+
+}  // namespace
+
+RunReport merge_tiles(TileRun& run, FeatureSink& features) {
+    try {
+        merge_drawn(run, features);
+    } catch (...) {
+        pass_warnings(run.sources(), {features}, run.context());  // which may say why
+        throw;
+    }
+    pass_warnings(run.sources(), {features}, run.context());
+    return run.context().report;
+}
+
+}  // namespace d2b

@@ -1,0 +1,80 @@
+#include "pipeline/tiles/tile_run.hpp"
+
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "elevations/sift_rules.hpp"
+#include "pipeline/find_buildings.hpp"
+
+namespace d2b {
+
+TileRun::TileRun(const TileWork& work, const Options& options, const Sources& sources, FeatureSink& features,
+                 const Callbacks& callbacks)
+    : work_(work),
+      sources_(sources),
+      context_(callbacks),
+      setup_(set_up_run(options, sources.dem.info(), features, context_)),
+      units_(unit_grid(setup_.plan, setup_.dem.window, setup_.cell, work.units)),
+      tiles_(units_, work.side) {}
+
+SiftRules TileRun::sift_rules() const {
+    return d2b::sift_rules(setup_.plan.asked.read, setup_.plan.detects_buildings(), setup_.dem, metres());
+}
+
+FoundFacts TileRun::no_facts() const {
+    return FoundFacts(sift_rules(), setup_.plan.asked.detect.min_height);
+}
+
+std::filesystem::path TileRun::file(TileStep step, std::int64_t tile) const {
+    return work_.folder / step_name(step) / std::to_string(tile);
+}
+
+Seal TileRun::frame_seal() const {
+    return {TileStep::join, work_.plan, std::numeric_limits<std::uint32_t>::max()};
+}
+
+FoundTile TileRun::load_found(std::int64_t tile) const {
+    std::vector<Window> windows;
+    for (const PlacedUnit& placed : tiles_.units_of(tile))
+        windows.push_back(placed.unit.own);
+    SealedFile file(this->file(TileStep::find, tile), seal(TileStep::find, tile));
+    return load_body(file, [&](ByteReader& reader) { return load_found_tile(reader, no_facts(), windows); });
+}
+
+FoundFacts TileRun::load_frame() const {
+    SealedFile file(frame_file(), frame_seal());
+    return load_body(file, [&](ByteReader& reader) {
+        FoundFacts facts = no_facts();
+        facts.load(reader);
+        return facts;
+    });
+}
+
+void require_tiles(const Options& options) {
+    const auto refuse = [](bool asked, const std::string& option, const std::string& what) {
+        if (asked)
+            throw OptionError(option + " does not work in tiles: " + what +
+                              "; leave it out, or run dem2buildings.");
+    };
+    const WriteOptions& write = options.write;
+    refuse(!detects_buildings(options), "-preset thesis",
+           "what stands above a threshold may fill the country");
+    refuse(!write.preview.empty(), "-preview", "a picture is drawn of the whole");
+    refuse(!write.surfaces.empty(), "-surface", "a surface is made of the whole");
+    const std::string flow = "outlines are changed for the sake of others that may be far away";
+    refuse(options.outline.flow_ready > 0, "-flow_ready", flow);
+    refuse(options.outline.min_gap.has_value(), "-min_gap", flow);
+    refuse(options.outline.min_wall.has_value(), "-min_wall", flow);
+    refuse(options.outline.simplify > 0, "-simplify", "borders are simplified that the whole shares");
+    refuse(write.rejected, "-write_rejected", "what is dropped is kept in one run alone");
+    refuse(!write.ground.empty(), "-write_ground", "rasters are written by one run alone");
+    refuse(!write.height.empty(), "-write_height", "rasters are written by one run alone");
+    refuse(!write.canopy.empty(), "-write_canopy", "rasters are written by one run alone");
+    refuse(options.ground.mode == GroundMode::given, "-ground with a terrain model",
+           "its values are judged by one run alone");
+    refuse(!options.detect.mask.empty(), "-mask", "how it lies is judged by one run alone");
+    refuse(!options.detect.ndvi.empty(), "-ndvi", "how it lies is judged by one run alone");
+}
+
+}  // namespace d2b

@@ -1,0 +1,56 @@
+#include "read/source_files.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include <cpl_string.h>
+#include <cpl_vsi.h>
+
+#include "core/warnings.hpp"
+#include "read/gdal_messages.hpp"
+#include "read/open_raster.hpp"
+#include "read/start_gdal.hpp"
+
+namespace d2b {
+namespace {
+
+SourceFile stated(const std::string& name) {
+    VSIStatBufL status;
+    if (VSIStatL(name.c_str(), &status) != 0)
+        return {name, -1, 0};
+    return {name, static_cast<std::int64_t>(status.st_size), static_cast<std::int64_t>(status.st_mtime)};
+}
+
+bool is_vrt(const std::string& name) {
+    return EQUAL(CPLGetExtension(name.c_str()), "vrt");
+}
+
+/// GDAL lists the files of a VRT, but not those of the VRTs among them.
+void add_files(GDALDatasetH dataset, std::set<std::string>& names) {
+    const CPLStringList files(GDALGetFileList(dataset));
+    for (int i = 0; i < files.size(); ++i) {
+        const std::string name = files[i];
+        if (!names.insert(name).second || !is_vrt(name))
+            continue;
+        const DatasetOwner inner(GDALOpenEx(name.c_str(), GDAL_OF_RASTER, nullptr, nullptr, nullptr));
+        if (inner)
+            add_files(inner.get(), names);
+    }
+}
+
+}  // namespace
+
+std::vector<SourceFile> source_files(const ReadOptions& options) {
+    register_formats();
+    Warnings unheard;
+    const OpenRaster raster = open_raster(options, options.source, unheard);
+    const GdalMessages messages(options.source, options.source);
+    std::set<std::string> names;
+    add_files(raster.dataset.get(), names);
+    std::vector<SourceFile> files;
+    for (const std::string& name : names)
+        files.push_back(stated(name));
+    return files;
+}
+
+}  // namespace d2b

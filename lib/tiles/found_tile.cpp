@@ -1,0 +1,147 @@
+#include "tiles/found_tile.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <utility>
+
+namespace d2b {
+namespace {
+
+void save_text(const std::string& text, ByteWriter& writer) {
+    writer.put_list(std::vector<char>(text.begin(), text.end()));
+}
+
+std::string load_text(ByteReader& reader) {
+    const auto letters = reader.take_list<char>();
+    return {letters.begin(), letters.end()};
+}
+
+void save(const UnitEdges::Lines& lines, ByteWriter& writer) {
+    for (const std::vector<Label>& line : lines)
+        writer.put_list(line);
+}
+
+void save(const FoundUnit& unit, ByteWriter& writer) {
+    writer.put_list(unit.objects);
+    writer.put_list(unit.boxes);
+    writer.put_list(unit.runs);
+    for (const UnitEdges::Lines* lines :
+         {&unit.edges.above, &unit.edges.left, &unit.edges.below, &unit.edges.right})
+        save(*lines, writer);
+}
+
+UnitEdges::Lines load_lines(ByteReader& reader, Label labels, std::int32_t cells) {
+    UnitEdges::Lines lines;
+    for (std::vector<Label>& line : lines) {
+        line = reader.take_list<Label>();
+        if (!line.empty() &&
+            (line.size() != static_cast<std::size_t>(cells) || std::ranges::max(line) > labels))
+            throw BrokenRecord("a seam is not that of its unit");
+    }
+    return lines;
+}
+
+FoundUnit load_found_unit(ByteReader& reader, const Window& own) {
+    FoundUnit unit;
+    unit.objects = reader.take_list<SeenObject>();
+    unit.boxes = reader.take_list<Window>();
+    unit.runs = reader.take_list<LabelRun>();
+    const auto labels = static_cast<Label>(unit.objects.size());
+    if (unit.boxes.size() != unit.objects.size())
+        throw BrokenRecord("objects have no boxes");
+    for (const LabelRun& run : unit.runs)
+        if (run.label == 0 || run.label > labels || run.begin >= run.end || !own.holds(run.row, run.begin) ||
+            run.end > own.end_col())
+            throw BrokenRecord("labels lie outside of their unit");
+    unit.edges.above = load_lines(reader, labels, own.cols);
+    unit.edges.left = load_lines(reader, labels, own.rows);
+    unit.edges.below = load_lines(reader, labels, own.cols);
+    unit.edges.right = load_lines(reader, labels, own.rows);
+    return unit;
+}
+
+}  // namespace
+
+std::vector<LabelRun> label_runs(const Unit& unit, const Grid<Label>& labels) {
+    const Window& own = unit.own;
+    std::vector<LabelRun> runs;
+    for (std::int32_t row = own.row; row < own.end_row(); ++row)
+        for_label_runs(labels.row(row - unit.seen.row)
+                           .subspan(static_cast<std::size_t>(own.col - unit.seen.col),
+                                    static_cast<std::size_t>(own.cols)),
+                       [&](std::int32_t begin, std::int32_t end, Label label) {
+                           runs.push_back({row, own.col + begin, own.col + end, label});
+                       });
+    return runs;
+}
+
+std::vector<Window> boxes_of(std::size_t objects, const std::vector<LabelRun>& runs) {
+    std::vector<Window> boxes(objects);
+    for (const LabelRun& run : runs) {
+        Window& box = boxes[run.label - 1];
+        if (box.rows == 0) {
+            box = {run.row, run.begin, 1, run.end - run.begin};
+            continue;
+        }
+        const std::int32_t end = std::max(box.end_col(), run.end);
+        box.col = std::min(box.col, run.begin);
+        box.cols = end - box.col;
+        box.rows = run.row + 1 - box.row;
+    }
+    return boxes;
+}
+
+void FoundFacts::merge(const FoundFacts& other) {
+    survey.statistics.merge(other.survey.statistics);
+    survey.strange.merge(other.survey.strange);
+    fit.merge(other.fit);
+    slope.merge(other.slope);
+    sides.merge(other.sides);
+    tally.merge(other.tally);
+    for (const std::string& text : other.warnings)
+        if (std::ranges::find(warnings, text) == warnings.end())
+            warnings.push_back(text);
+}
+
+void FoundFacts::save(ByteWriter& writer) const {
+    writer.put(survey.statistics);
+    survey.strange.save(writer);
+    writer.put(fit);
+    writer.put(slope);
+    writer.put(sides);
+    writer.put(tally);
+    writer.put(static_cast<std::uint64_t>(warnings.size()));
+    for (const std::string& text : warnings)
+        save_text(text, writer);
+}
+
+void FoundFacts::load(ByteReader& reader) {
+    survey.statistics = reader.take<ElevationStatistics>();
+    survey.strange.load(reader);
+    const auto loaded = std::bit_cast<GroundFit>(reader.take<std::array<std::byte, sizeof(GroundFit)>>());
+    fit = loaded;
+    slope = reader.take<GroundSlope>();
+    sides = reader.take<SidesKnown>();
+    tally = reader.take<Tally>();
+    warnings.resize(reader.take_count(sizeof(std::uint64_t)));
+    for (std::string& text : warnings)
+        text = load_text(reader);
+}
+
+void save(const FoundTile& tile, ByteWriter& writer) {
+    tile.facts.save(writer);
+    for (const FoundUnit& unit : tile.units)
+        save(unit, writer);
+}
+
+FoundTile load_found_tile(ByteReader& reader, FoundFacts facts, const std::vector<Window>& windows) {
+    facts.load(reader);
+    FoundTile tile{std::move(facts), {}};
+    for (const Window& own : windows)
+        tile.units.push_back(load_found_unit(reader, own));
+    return tile;
+}
+
+}  // namespace d2b

@@ -1,0 +1,226 @@
+#include "tiles/sealed_file.hpp"
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <optional>
+#include <random>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+
+#include "dem2buildings/version.hpp"
+
+namespace d2b {
+namespace {
+
+constexpr std::array<char, 8> magic{'d', '2', 'b', '-', 't', 'i', 'l', 'e'};
+
+/// What a file begins with.
+struct Head {
+    std::array<char, 8> magic{};
+    std::array<char, 16> version{};
+    std::uint64_t plan = 0;
+    std::uint32_t step = 0;
+    std::uint32_t part = 0;
+    std::uint64_t body_size = 0;
+    std::uint64_t body_digest = 0;
+    std::uint64_t tail_size = 0;
+};
+
+std::array<char, 16> this_version() {
+    std::array<char, 16> text{};
+    std::copy_n(version.begin(), std::min(version.size(), text.size()), text.begin());
+    return text;
+}
+
+Head head_of(const Seal& seal) {
+    return {magic, this_version(), seal.plan, static_cast<std::uint32_t>(seal.step), seal.part, 0, 0, 0};
+}
+
+class OpenFile {
+  public:
+    OpenFile(const std::filesystem::path& path, int flags)
+        : file_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
+    OpenFile(const OpenFile&) = delete;
+    OpenFile& operator=(const OpenFile&) = delete;
+    ~OpenFile() {
+        if (file_ >= 0)
+            ::close(file_);
+    }
+    [[nodiscard]] bool is_open() const { return file_ >= 0; }
+    [[nodiscard]] std::uint64_t size() const {
+        struct stat status {};
+        return ::fstat(file_, &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
+    }
+    /// @return whether all of it was there
+    [[nodiscard]] bool read(std::uint64_t begin, std::span<std::byte> bytes) const {
+        while (!bytes.empty()) {
+            const ssize_t n = ::pread(file_, bytes.data(), bytes.size(), static_cast<off_t>(begin));
+            if (n < 0 && errno == EINTR)
+                continue;
+            if (n <= 0)
+                return false;
+            begin += static_cast<std::uint64_t>(n);
+            bytes = bytes.subspan(static_cast<std::size_t>(n));
+        }
+        return true;
+    }
+    [[nodiscard]] bool write(std::span<const std::byte> bytes) const {
+        while (!bytes.empty()) {
+            const ssize_t n = ::write(file_, bytes.data(), bytes.size());
+            if (n < 0 && errno == EINTR)
+                continue;
+            if (n < 0)
+                return false;
+            bytes = bytes.subspan(static_cast<std::size_t>(n));
+        }
+        return true;
+    }
+    [[nodiscard]] bool sync() const { return ::fsync(file_) == 0; }
+
+  private:
+    int file_;
+};
+
+std::optional<Head> read_head(const OpenFile& file) {
+    Head head;
+    if (!file.is_open() || !file.read(0, std::as_writable_bytes(std::span(&head, 1))))
+        return {};
+    return head;
+}
+
+/// Whether the file has all that its head announces, and nothing else.
+bool is_whole(const Head& head, std::uint64_t size) {
+    const std::uint64_t left = size - sizeof(Head);
+    return head.body_size <= left && head.tail_size == left - head.body_size;
+}
+
+std::string again(const Seal& seal) {
+    const std::string step = "'" + std::string(step_name(seal.step)) + "'";
+    return seal.step == TileStep::join ? step : step + " of tile " + std::to_string(seal.part);
+}
+
+bool is_of(const Head& head, const Seal& seal) {
+    const Head wanted = head_of(seal);
+    return head.magic == wanted.magic && head.version == wanted.version && head.plan == wanted.plan &&
+           head.step == wanted.step && head.part == wanted.part;
+}
+
+/// Why a file is not the one that is looked for; "" where it is.
+std::string misfit(const std::filesystem::path& path, const Head& head, const Seal& seal) {
+    const Head wanted = head_of(seal);
+    const std::string name = "'" + path.string() + "' ";
+    const std::string instead = "; delete it and run " + again(seal) + " again.";
+    if (head.magic != wanted.magic || head.step != wanted.step || head.part != wanted.part)
+        return name + "is not the file that " + again(seal) + " writes" + instead;
+    if (head.version != wanted.version)
+        return name + "was written by another version of dem2buildings" + instead;
+    if (head.plan != wanted.plan)
+        return name + "belongs to another plan" + instead;
+    return {};
+}
+
+std::string reason(int error) {
+    return std::generic_category().message(error);
+}
+
+[[noreturn]] void fail(const std::filesystem::path& path, int error) {
+    throw OutputError("'" + path.string() + "' cannot be written: " + reason(error) +
+                      "; make room in the work folder or let it be written to, and run the step again.");
+}
+
+}  // namespace
+
+std::string_view step_name(TileStep step) {
+    return step == TileStep::find ? "find" : step == TileStep::join ? "join" : "draw";
+}
+
+std::uint64_t digest_of(std::span<const std::byte> bytes) {
+    // FNV-1a of words of eight bytes, and of what is left of them: each is some 1 GB a second.
+    constexpr std::uint64_t prime = 0x100000001b3;
+    std::uint64_t digest = 0xcbf29ce484222325 ^ bytes.size();
+    const auto add = [&](std::uint64_t word) {
+        digest = (digest ^ word) * prime;
+        digest ^= digest >> 29;
+    };
+    for (; bytes.size() >= sizeof(std::uint64_t); bytes = bytes.subspan(sizeof(std::uint64_t))) {
+        std::uint64_t word = 0;
+        std::memcpy(&word, bytes.data(), sizeof(word));
+        add(word);
+    }
+    for (const std::byte byte : bytes)
+        add(static_cast<std::uint64_t>(byte));
+    return digest;
+}
+
+void write_sealed(const std::filesystem::path& path, const Seal& seal, std::span<const std::byte> body,
+                  std::span<const std::byte> tail) {
+    Head head = head_of(seal);
+    head.body_size = body.size();
+    head.body_digest = digest_of(body);
+    head.tail_size = tail.size();
+    std::error_code ignored;
+    std::filesystem::create_directories(path.parent_path(), ignored);
+    // Two processes may work on one tile: what both write is the same, and the last rename stands.
+    // Process numbers of several machines may be the same.
+    const std::filesystem::path hidden =
+        path.parent_path() / ("." + path.filename().string() + "." + std::to_string(::getpid()) + "." +
+                              std::to_string(std::random_device()()));
+    int error = 0;
+    {
+        const OpenFile file(hidden, O_WRONLY | O_CREAT | O_TRUNC);
+        const bool done = file.is_open() && file.write(std::as_bytes(std::span(&head, 1))) &&
+                          file.write(body) && file.write(tail) && file.sync();
+        error = done ? 0 : errno;
+    }
+    if (error == 0 && std::rename(hidden.c_str(), path.c_str()) != 0)
+        error = errno;
+    if (error == 0)
+        return;
+    ::unlink(hidden.c_str());
+    fail(path, error);
+}
+
+bool is_sealed(const std::filesystem::path& path, const Seal& seal) {
+    const OpenFile file(path, O_RDONLY);
+    const std::optional<Head> head = read_head(file);
+    return head && is_of(*head, seal) && is_whole(*head, file.size());
+}
+
+SealedFile::SealedFile(std::filesystem::path path, const Seal& seal) : path_(std::move(path)), seal_(seal) {
+    const OpenFile file(path_, O_RDONLY);
+    if (!file.is_open())
+        throw InputError("'" + path_.string() + "' cannot be read: " + reason(errno) + "; run " +
+                         again(seal) + " first.");
+    const std::optional<Head> head = read_head(file);
+    if (!head)
+        throw InputError(damaged("it ends too soon"));
+    if (const std::string text = misfit(path_, *head, seal); !text.empty())
+        throw InputError(text);
+    if (!is_whole(*head, file.size()))
+        throw InputError(
+            damaged("it is " + std::to_string(file.size()) + " bytes long and should be of another length"));
+    body_.resize(static_cast<std::size_t>(head->body_size));
+    if (!file.read(sizeof(Head), body_) || digest_of(body_) != head->body_digest)
+        throw InputError(damaged("its bytes are not those that were written"));
+    tail_begin_ = sizeof(Head) + head->body_size;
+    tail_size_ = head->tail_size;
+}
+
+std::vector<std::byte> SealedFile::tail(std::uint64_t begin, std::uint64_t size) const {
+    const OpenFile file(path_, O_RDONLY);
+    if (begin > tail_size_ || size > tail_size_ - begin)
+        throw InputError(damaged("more is announced than there is"));
+    std::vector<std::byte> bytes(static_cast<std::size_t>(size));
+    if (!file.is_open() || !file.read(tail_begin_ + begin, bytes))
+        throw InputError(damaged("it cannot be read any more"));
+    return bytes;
+}
+
+std::string SealedFile::damaged(const std::string& what) const {
+    return "'" + path_.string() + "' is damaged: " + what + "; delete it and run " + again(seal_) + " again.";
+}
+
+}  // namespace d2b

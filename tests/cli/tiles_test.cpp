@@ -1,0 +1,183 @@
+#include <fstream>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/cli_test_case.hpp"
+
+namespace d2b::test {
+namespace {
+
+using nlohmann::json;
+
+/// Runs dem2buildings_tiles in an empty folder of its own.
+class TilesTool : public CliTest {
+  protected:
+    void SetUp() override {
+        CliTest::SetUp();
+        preset_ = "";
+    }
+    [[nodiscard]] ToolResult tiles(const Arguments& arguments, const std::optional<Kill>& kill = {}) const {
+        Arguments command{D2B_TILES_TOOL};
+        command.insert(command.end(), arguments.begin(), arguments.end());
+        ToolSetup setup;
+        setup.working_directory = folder_.string();
+        setup.environment = {date_};
+        setup.kill = kill;
+        return run_tool(command, setup);
+    }
+    std::string well(const Arguments& arguments) const {
+        const ToolResult result = tiles(arguments);
+        EXPECT_EQ(result.status, 0) << result.err;
+        EXPECT_EQ(result.err, "");
+        return result.out;
+    }
+    void expect_refused(int status, const std::string& message, const Arguments& arguments) const {
+        const std::vector<std::string> before = entries();
+        const ToolResult result = tiles(arguments);
+        EXPECT_EQ(result.status, status);
+        EXPECT_EQ(result.err, "ERROR: " + message + "\n");
+        EXPECT_EQ(result.out, "");
+        EXPECT_EQ(entries(), before);
+    }
+    /// The report without what differs from run to run.
+    [[nodiscard]] static json facts(const std::string& report) {
+        json all = json::parse(report);
+        for (const char* key : {"stages", "threads", "output"})
+            all.erase(key);
+        return all;
+    }
+    std::string whole(const Arguments& options, const std::string& file) const {
+        Arguments arguments = options;
+        arguments.insert(arguments.end(), {"-json", sample("town.tif"), file});
+        return run_well(arguments, {.environment = {date_}});
+    }
+
+    const std::string date_ = "OGR_CURRENT_DATE=2001-02-03T04:05:06.000Z";
+};
+
+TEST_F(TilesTool, givesTheBytesOfOneRun) {
+    const std::vector<Arguments> variants{{},
+                                          {"-write_doubtful", "-split_height", "3", "-disjoint"},
+                                          {"-t_srs", "EPSG:4326", "-3d", "-nf", "12"}};
+    for (const Arguments& options : variants) {
+        const std::string report = whole(options, "one.gpkg");
+        Arguments plan{"plan"};
+        plan.insert(plan.end(), options.begin(), options.end());
+        plan.insert(plan.end(), {sample("town.tif"), "tiles.gpkg", "work"});
+        EXPECT_TRUE(well(plan).starts_with("1 tile in work. With one thread a tile takes "));
+        well({"find", "work", "0"});
+        well({"join", "work"});
+        well({"draw", "work", "0"});
+        const std::string merged = well({"merge", "-json", "work"});
+        json expected = facts(report);
+        json got = facts(merged);
+        EXPECT_EQ(got, expected);
+        EXPECT_TRUE(read_bytes(path("tiles.gpkg")) == read_bytes(path("one.gpkg")));
+        for (const char* name : {"work", "tiles.gpkg", "one.gpkg"})
+            std::filesystem::remove_all(path(name));
+    }
+}
+
+TEST_F(TilesTool, isKilledAndRunAgain) {
+    (void)whole({}, "one.gpkg");
+    well({"plan", "-q", sample("town.tif"), "tiles.gpkg", "work"});
+    for (const Arguments& step : {Arguments{"find", "work", "0"}, Arguments{"join", "work"},
+                                  Arguments{"draw", "work", "0"}, Arguments{"merge", "-q", "work"}}) {
+        for (const int after : {20, 60, 150})
+            (void)tiles(step, Kill{SIGKILL, std::chrono::milliseconds(after)});
+        // The last step may have been quicker than the signal.
+        if (step[0] == "merge")
+            std::filesystem::remove(path("tiles.gpkg"));
+        well(step);
+    }
+    EXPECT_TRUE(read_bytes(path("tiles.gpkg")) == read_bytes(path("one.gpkg")));
+}
+
+TEST_F(TilesTool, worksFromAnyFolder) {
+    std::filesystem::copy(sample("town.tif"), path("town.tif"));
+    well({"plan", "-q", "-layers", "buildings", "town.tif", "tiles.gpkg", "work"});
+    std::filesystem::create_directory(path("elsewhere"));
+    ToolSetup setup;
+    setup.working_directory = path("elsewhere");
+    for (const Arguments& step :
+         {Arguments{"find", "0"}, Arguments{"join"}, Arguments{"draw", "0"}, Arguments{"merge"}}) {
+        Arguments command{D2B_TILES_TOOL, step[0], path("work")};
+        command.insert(command.end(), step.begin() + 1, step.end());
+        EXPECT_EQ(run_tool(command, setup).err, "");
+    }
+    EXPECT_TRUE(std::filesystem::exists(path("tiles.gpkg")));
+}
+
+TEST_F(TilesTool, refusesWhatItCannotDo) {
+    expect_refused(
+        2,
+        "-preset thesis does not work in tiles: what stands above a threshold may fill the country; leave "
+        "it out, or run dem2buildings.",
+        {"plan", "-preset", "thesis", sample("town.tif"), "a.gpkg", "work"});
+    expect_refused(2, "There is no tile to find; usage: dem2buildings_tiles find <work> <tile>....",
+                   {"find", "work"});
+    expect_refused(2, "Tile 3 is named twice; name it once.", {"draw", "work", "3", "1", "3"});
+    expect_refused(
+        1,
+        "'" + path("work") +
+            "/plan.json' cannot be read: No such file or directory; run 'dem2buildings_tiles plan' first, "
+            "or give the work folder that it was given.",
+        {"join", "work"});
+}
+
+TEST_F(TilesTool, refusesPlansThatAreNone) {
+    std::filesystem::create_directory(path("work"));
+    const auto expect = [&](const std::string& plan, const std::string& why) {
+        std::ofstream(path("work/plan.json"), std::ios::binary) << plan;
+        expect_refused(1,
+                       "'" + path("work") + "/plan.json' " + why +
+                           "; run 'dem2buildings_tiles plan' with a new work folder.",
+                       {"join", "work"});
+    };
+    expect("", "is no plan, or a part of one");
+    expect("[]", "is no plan, or a part of one");
+    expect(R"({"program": 1})", "is no plan, or a part of one");
+    expect(R"({"program": "dem2buildings_tiles", "version": "0.0.0"})",
+           "was written by another version of dem2buildings");
+    expect(R"({"program": "dem2buildings_tiles", "version": ")" D2B_VERSION R"("})",
+           "is no plan, or a part of one");
+}
+
+TEST_F(TilesTool, refusesTilesThatAreNotThere) {
+    well({"plan", "-q", sample("town.tif"), "a.gpkg", "work"});
+    expect_refused(1, "There is no tile 1; the plan has 1, numbered from 0.", {"find", "work", "0", "1"});
+}
+
+TEST_F(TilesTool, refusesASourceThatHasChanged) {
+    std::filesystem::copy(sample("town.tif"), path("town.tif"));
+    well({"plan", "-q", "town.tif", "a.gpkg", "work"});
+    std::ofstream(path("town.tif"), std::ios::app | std::ios::binary) << "more";
+    expect_refused(1, "'town.tif' has changed since the plan was made; plan again, with a new work folder.",
+                   {"find", "work", "0"});
+    expect_refused(
+        2,
+        "'work' holds another plan, or one of a source that has changed; give another work folder, or "
+        "delete this one.",
+        {"plan", "town.tif", "a.gpkg", "work"});
+}
+
+TEST_F(TilesTool, refusesADestinationThatIsThere) {
+    std::ofstream(path("a.gpkg")) << "not a database";
+    const ToolResult result = tiles({"plan", sample("town.tif"), "a.gpkg", "work"});
+    EXPECT_EQ(result.status, 2);
+    EXPECT_NE(result.err.find("-overwrite"), std::string::npos) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(path("work")));
+}
+
+TEST_F(TilesTool, printsTextsAboutItself) {
+    EXPECT_TRUE(well({"--help"}).starts_with("Usage:\n  dem2buildings_tiles plan [options] <src_raster>"));
+    EXPECT_TRUE(well({"-version"}).starts_with("dem2buildings_tiles " D2B_VERSION ", GDAL "));
+    EXPECT_TRUE(well({"-man"}).starts_with(".TH DEM2BUILDINGS_TILES 1"));
+    EXPECT_TRUE(well({"-bash_completion"}).starts_with("# Completes command lines of dem2buildings_tiles"));
+    const ToolResult nothing = tiles({});
+    EXPECT_EQ(nothing.status, 2);
+    EXPECT_TRUE(nothing.err.starts_with("Usage: dem2buildings_tiles "));
+}
+
+}  // namespace
+}  // namespace d2b::test

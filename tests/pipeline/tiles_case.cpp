@@ -1,0 +1,142 @@
+#include "pipeline/tiles_case.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace d2b::test {
+namespace {
+
+bool same(double a, double b) {
+    return a == b || (std::isnan(a) && std::isnan(b));
+}
+
+bool same(const FieldValue& a, const FieldValue& b) {
+    if (a.index() != b.index())
+        return false;
+    const auto* number = std::get_if<double>(&a);
+    return number != nullptr ? same(*number, std::get<double>(b)) : a == b;
+}
+
+void expect_same(const std::vector<WorldPolygon>& a, const std::vector<WorldPolygon>& b) {
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        EXPECT_EQ(a[i].exterior, b[i].exterior);
+        EXPECT_EQ(a[i].interiors, b[i].interiors);
+        EXPECT_EQ(a[i].arcs.size(), b[i].arcs.size());
+    }
+}
+
+void expect_same(const Feature& a, const Feature& b) {
+    ASSERT_EQ(a.values.size(), b.values.size());
+    for (std::size_t i = 0; i < a.values.size(); ++i)
+        EXPECT_TRUE(same(a.values[i], b.values[i])) << "field " << i;
+    EXPECT_TRUE(same(a.z, b.z));
+    expect_same(a.parts, b.parts);
+}
+
+void expect_same(const OutlineLength& a, const OutlineLength& b) {
+    EXPECT_EQ(a.fitted, b.fitted);
+    EXPECT_EQ(a.simplified, b.simplified);
+    EXPECT_EQ(a.traced, b.traced);
+}
+
+void expect_same(const RunReport& a, const RunReport& b) {
+    EXPECT_EQ(a.dropped, b.dropped);
+    EXPECT_EQ(a.warnings, b.warnings);
+    EXPECT_EQ(a.input, b.input);
+    EXPECT_EQ(a.valid_points, b.valid_points);
+    EXPECT_TRUE(same(a.minimum, b.minimum));
+    EXPECT_TRUE(same(a.maximum, b.maximum));
+    EXPECT_TRUE(same(a.mean, b.mean));
+    EXPECT_TRUE(same(a.standard_deviation, b.standard_deviation));
+    EXPECT_EQ(a.contours, b.contours);
+    EXPECT_EQ(a.buildings, b.buildings);
+    EXPECT_EQ(a.doubtful, b.doubtful);
+    EXPECT_EQ(a.vertices, b.vertices);
+    EXPECT_EQ(a.stack_rmse_m, b.stack_rmse_m);
+    expect_same(a.building_outlines, b.building_outlines);
+    expect_same(a.contour_outlines, b.contour_outlines);
+    ASSERT_EQ(a.levels.size(), b.levels.size());
+    for (std::size_t i = 0; i < a.levels.size(); ++i) {
+        EXPECT_TRUE(same(a.levels[i].threshold, b.levels[i].threshold));
+        EXPECT_EQ(a.levels[i].contours, b.levels[i].contours);
+        EXPECT_EQ(a.levels[i].points, b.levels[i].points);
+    }
+}
+
+}  // namespace
+
+WorkFolder::WorkFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "d2b-tiles-XXXXXX").string();
+    path_ = ::mkdtemp(name.data());
+}
+
+WorkFolder::~WorkFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+}
+
+std::int64_t StepsInTiles::count() {
+    PlannedSink sink(layers_);
+    return TileRun(work_, options_, {dem_}, sink, {}).tiles().count();
+}
+
+void StepsInTiles::find(std::int64_t tile) {
+    PlannedSink sink(layers_);
+    TileRun run(work_, options_, {dem_}, sink, {});
+    find_tile(run, tile);
+}
+
+void StepsInTiles::join() {
+    PlannedSink sink(layers_);
+    TileRun run(work_, options_, {dem_}, sink, {});
+    join_tiles(run);
+}
+
+void StepsInTiles::draw(std::int64_t tile) {
+    PlannedSink sink(layers_);
+    TileRun run(work_, options_, {dem_}, sink, {});
+    draw_tile(run, tile);
+}
+
+void StepsInTiles::merge(Result& result) {
+    TileRun run(work_, options_, {dem_}, result.sink, {});
+    result.report = merge_tiles(run, result.sink);
+}
+
+template <typename Step>
+void StepsInTiles::each(const TileOrder& order, const Step& step) {
+    const std::int64_t tiles = count();
+    for (int time = 0; time < (order.twice ? 2 : 1); ++time)
+        for (std::int64_t i = 0; i < tiles; ++i)
+            step(order.backwards ? tiles - 1 - i : i);
+}
+
+void StepsInTiles::run(const TileOrder& order, Result& result) {
+    options_.run.threads = order.threads;
+    work_.side = order.side;
+    each(order, [&](std::int64_t tile) { find(tile); });
+    join();
+    each(order, [&](std::int64_t tile) { draw(tile); });
+    merge(result);
+}
+
+void expect_same(const Result& a, const Result& b) {
+    EXPECT_EQ(a.sink.finished, b.sink.finished);
+    EXPECT_EQ(a.sink.provenance.metadata, b.sink.provenance.metadata);
+    EXPECT_EQ(a.sink.provenance.crs_wkt, b.sink.provenance.crs_wkt);
+    ASSERT_EQ(a.sink.features.size(), b.sink.features.size());
+    for (std::size_t layer = 0; layer < a.sink.features.size(); ++layer) {
+        ASSERT_EQ(a.sink.features[layer].size(), b.sink.features[layer].size()) << "layer " << layer;
+        for (std::size_t i = 0; i < a.sink.features[layer].size() && !testing::Test::HasFailure(); ++i) {
+            SCOPED_TRACE("layer " + std::to_string(layer) + ", feature " + std::to_string(i));
+            expect_same(a.sink.features[layer][i], b.sink.features[layer][i]);
+        }
+    }
+    expect_same(a.report, b.report);
+}
+
+}  // namespace d2b::test

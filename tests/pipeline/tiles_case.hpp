@@ -1,0 +1,60 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "pipeline/pipeline_case.hpp"
+#include "pipeline/tiles/tile_steps.hpp"
+
+namespace d2b::test {
+
+/// A folder that is gone with this.
+class WorkFolder {
+  public:
+    WorkFolder();
+    WorkFolder(const WorkFolder&) = delete;
+    WorkFolder& operator=(const WorkFolder&) = delete;
+    ~WorkFolder();
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+  private:
+    std::filesystem::path path_;
+};
+
+/// How a run in tiles goes.
+struct TileOrder {
+    std::int32_t side = 1;   ///< units of a tile in a row
+    bool backwards = false;  ///< the last tile first
+    bool twice = false;      ///< each step a second time
+    int threads = 1;
+};
+
+/// All steps of a run in tiles, each as a process would do it.
+class StepsInTiles {
+  public:
+    /// @param layers that the destination gets
+    StepsInTiles(DemSource& dem, Options options, TileWork work, Layers layers = Layers::both)
+        : dem_(dem), options_(std::move(options)), work_(std::move(work)), layers_(layers) {}
+
+    [[nodiscard]] std::int64_t count();
+    void find(std::int64_t tile);
+    void join();
+    void draw(std::int64_t tile);
+    void merge(Result& result);
+    /// All of them.
+    void run(const TileOrder& order, Result& result);
+
+  private:
+    template <typename Step>
+    void each(const TileOrder& order, const Step& step);
+
+    DemSource& dem_;
+    Options options_;
+    TileWork work_;
+    Layers layers_;
+};
+
+/// Features, numbers, provenance and reports, but for seconds, memory and threads.
+void expect_same(const Result& a, const Result& b);
+
+}  // namespace d2b::test

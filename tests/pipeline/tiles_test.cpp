@@ -1,0 +1,333 @@
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <tuple>
+
+#include <gtest/gtest.h>
+
+#include "dem2buildings/error.hpp"
+#include "pipeline/block_town.hpp"
+#include "pipeline/random_town.hpp"
+#include "pipeline/run_in_units.hpp"
+#include "pipeline/tiles_case.hpp"
+#include "tiles/drawn_tile.hpp"
+
+namespace d2b {
+namespace {
+
+using test::BlockTown;
+using test::Box;
+using test::MemorySource;
+using test::random_town;
+using test::Result;
+using test::StepsInTiles;
+using test::TileOrder;
+using test::WorkFolder;
+
+constexpr std::uint64_t some_plan = 0x1234;
+
+Options options_of(unsigned seed) {
+    Options options;
+    options.ground.max_building_width = 20;  // units see 100 cells around
+    options.outline.walls = std::array{Walls::automatic, Walls::automatic, Walls::off, Walls::free}[seed % 4];
+    options.levels.source = seed % 5 == 0 ? LevelSource::global : LevelSource::natural;
+    options.filter.noise_factor = static_cast<int>(seed % 3 * 8);
+    options.detect.min_building_height = seed % 4 == 1 ? 7 : 0;
+    options.detect.split_height = seed % 3 == 1 ? 2 : 0;
+    options.write.doubtful = seed % 2 == 0;
+    options.outline.disjoint = seed % 7 == 3;
+    return options;
+}
+
+void compare(MemorySource& dem, const Options& options, const UnitSize& units, const TileOrder& order) {
+    Result whole;
+    whole.report = run_in_units(options, {dem}, {whole.sink}, {}, units);
+    WorkFolder folder;
+    Result tiles;
+    StepsInTiles(dem, options, {folder.path(), some_plan, 1, units}).run(order, tiles);
+    EXPECT_GT(whole.report.buildings, 0);
+    expect_same(tiles, whole);
+}
+
+class RandomTownInTiles : public testing::TestWithParam<unsigned> {};
+
+TEST_P(RandomTownInTiles, IsThatOfOneRun) {
+    const unsigned seed = GetParam();
+    MemorySource dem = random_town(seed, {270, 330, 60, seed % 3 == 0, seed % 2 == 0});
+    test::place_in_utm(dem, 1);
+    const UnitSize units{0, std::array{64, 90, 150, 300}[seed % 4]};
+    const TileOrder order{std::array{1, 2, 5}[seed % 3], seed % 2 == 1, seed % 5 == 0,
+                          1 + static_cast<int>(seed % 2)};
+    compare(dem, options_of(seed), units, order);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomTownInTiles, testing::Range(0U, 16U));
+
+/// What a town of blocks is like, and the units that it is looked at in.
+Options options_for_blocks() {
+    Options options;
+    options.ground.max_building_width = 30;  // units see 150 cells around
+    return options;
+}
+
+/// Blocks that the seams of units of 100 x 100 cells cut in every way.
+BlockTown cut_town() {
+    BlockTown town(400, 500);
+    // Over two, three and four units, longer than three, around a corner where four meet, and walls on seams.
+    for (const Box& box :
+         {Box{30, 90, 14, 22}, Box{88, 184, 24, 14}, Box{102, 196, 10, 22}, Box{190, 290, 22, 22},
+          Box{250, 40, 14, 420}, Box{284, 184, 34, 10}, Box{284, 208, 34, 10}, Box{284, 194, 10, 14},
+          Box{308, 194, 10, 14}, Box{20, 280, 16, 20}, Box{184, 40, 16, 18}})
+        town.build(box, 7);
+    for (const Box& box : {Box{20, 300, 16, 20}, Box{200, 40, 16, 18}})
+        town.build(box, 13);
+    // A row of houses wall to wall over four units in a row.
+    for (int house = 0; house < 28; ++house)
+        town.build({340 + house % 2, 60 + 13 * house, 12, 13}, 5 + 2.0 * (house % 5));
+    return town;
+}
+
+/// Contours that a tile has left to merge, of all tiles.
+std::size_t left_over(const std::filesystem::path& work, std::int64_t tiles) {
+    std::size_t left = 0;
+    for (std::int64_t tile = 0; tile < tiles; ++tile) {
+        SealedFile file(work / "draw" / std::to_string(tile),
+                        {TileStep::draw, some_plan, static_cast<std::uint32_t>(tile)});
+        ByteReader reader = file.body();
+        left += load_drawn_tile(reader).left.size();
+    }
+    return left;
+}
+
+TEST(Tiles, OfBlocksThatSeamsCut) {
+    MemorySource dem = cut_town().source();
+    test::place_in_utm(dem, 1);
+    Options options = options_for_blocks();
+    const UnitSize units{0, 100};
+    for (const double split : {0.0, 3.0}) {
+        options.detect.split_height = split;
+        Result whole;
+        whole.report = run_in_units(options, {dem}, {whole.sink}, {}, units);
+        EXPECT_GE(whole.report.buildings, 7);
+        for (const std::int32_t side : {1, 2, 5}) {
+            WorkFolder folder;
+            Result tiles;
+            StepsInTiles steps(dem, options, {folder.path(), some_plan, side, units});
+            steps.run({side, false, false, 2}, tiles);
+            EXPECT_EQ(steps.count(), side == 1 ? 20 : side == 2 ? 6 : 1);
+            expect_same(tiles, whole);
+            // A cluster that two tiles share is drawn by neither; all others are.
+            const std::size_t left = left_over(folder.path(), steps.count());
+            EXPECT_EQ(left > 0, side < 5 && split > 0);
+            EXPECT_LT(left, static_cast<std::size_t>(whole.report.contours));
+        }
+    }
+}
+
+TEST(Tiles, OfRotatedGridsAndDegrees) {
+    MemorySource dem = cut_town().source();
+    const UnitSize units{0, 100};
+    dem.edit().transform = {600000, 0.8, -0.6, 5800000, -0.6, -0.8};
+    dem.edit().crs_wkt = Crs("EPSG:25832").wkt();
+    Options options = options_for_blocks();
+    options.detect.split_height = 3;
+    compare(dem, options, units, {2});
+    dem.edit().transform = {9, 1.5e-5, 0, 52, 0, -9e-6};
+    dem.edit().crs_wkt = Crs("EPSG:4326").wkt();
+    compare(dem, options, units, {2});
+    options.outline.target_crs = "EPSG:25832";
+    options.outline.walls = Walls::off;  // corners that others have on them
+    compare(dem, options, units, {1});
+}
+
+TEST(Tiles, OfAWindowOfALargerRaster) {
+    MemorySource dem = cut_town().source();
+    test::place_in_utm(dem, 1);
+    dem.edit().window = {15, 25, 370, 440};
+    compare(dem, options_for_blocks(), {0, 97}, {1, true});
+}
+
+TEST(Tiles, OfContoursOrBuildingsAlone) {
+    MemorySource dem = cut_town().source();
+    test::place_in_utm(dem, 1);
+    Options options = options_for_blocks();
+    options.detect.split_height = 3;
+    const UnitSize units{0, 100};
+    for (const Layers layers : {Layers::buildings, Layers::contours}) {
+        options.write.layers = layers;
+        Result whole;
+        whole.report = run_in_units(options, {dem}, {whole.sink}, {}, units);
+        WorkFolder folder;
+        Result tiles;
+        StepsInTiles(dem, options, {folder.path(), some_plan, 1, units}, layers).run({}, tiles);
+        EXPECT_GT(whole.sink.features.at(0).size(), 5U);
+        expect_same(tiles, whole);
+    }
+}
+
+TEST(Tiles, OfOneColumnAndOfNothing) {
+    const std::vector<double> nothing(18000, std::nan(""));
+    for (const auto& [rows, cols, z] :
+         {std::tuple{700, 1, std::vector<double>(700, 5)}, std::tuple{90, 200, nothing}}) {
+        MemorySource dem(rows, cols, z);
+        test::place_in_utm(dem, 1);
+        Result whole;
+        whole.report = run_in_units(options_for_blocks(), {dem}, {whole.sink}, {}, {0, 64});
+        WorkFolder folder;
+        Result tiles;
+        StepsInTiles(dem, options_for_blocks(), {folder.path(), some_plan, 1, {0, 64}}).run({}, tiles);
+        EXPECT_EQ(whole.report.buildings, 0);
+        EXPECT_FALSE(whole.report.warnings.empty());
+        expect_same(tiles, whole);
+    }
+}
+
+/// What a step ends with.
+template <typename Step>
+std::string refusal(const Step& step) {
+    try {
+        step();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "(nothing)";
+}
+
+class TilesOfATown : public testing::Test {
+  protected:
+    TilesOfATown() : dem_(cut_town().source()) { test::place_in_utm(dem_, 1); }
+    [[nodiscard]] StepsInTiles steps(std::uint64_t plan = some_plan) {
+        return {dem_, options_for_blocks(), {folder_.path(), plan, 2, {0, 100}}};
+    }
+    [[nodiscard]] std::string name(const std::string& file) const {
+        return "'" + (folder_.path() / file).string() + "'";
+    }
+    void change(const std::string& file, const std::function<void(std::string&)>& how) const {
+        std::string bytes = bytes_of(file);
+        how(bytes);
+        std::ofstream(folder_.path() / file, std::ios::binary) << bytes;
+    }
+    [[nodiscard]] std::string bytes_of(const std::string& file) const {
+        std::ifstream in(folder_.path() / file, std::ios::binary);
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+
+    MemorySource dem_;
+    WorkFolder folder_;
+};
+
+TEST_F(TilesOfATown, AreNotDoneAgain) {
+    Result first;
+    steps().run({2}, first);
+    const int reads = dem_.reads;
+    Result second;
+    steps().run({2, true, true}, second);
+    EXPECT_EQ(dem_.reads, reads);
+    expect_same(second, first);
+    // What is lost is made again.
+    std::filesystem::remove(folder_.path() / "draw" / "3");
+    Result third;
+    EXPECT_NE(refusal([&] { steps().merge(third); }), "(nothing)");
+    steps().draw(3);
+    EXPECT_GT(dem_.reads, reads);
+    Result fourth;
+    steps().merge(fourth);
+    expect_same(fourth, first);
+}
+
+TEST_F(TilesOfATown, WaitForTheStepsBefore) {
+    EXPECT_EQ(refusal([&] { steps().join(); }),
+              name("find/0") + " cannot be read: No such file or directory; run 'find' of tile 0 first.");
+    for (std::int64_t tile = 0; tile < 6; ++tile)
+        steps().find(tile);
+    EXPECT_EQ(refusal([&] { steps().draw(4); }),
+              name("join/4") + " cannot be read: No such file or directory; run 'join' first.");
+    steps().join();
+    Result result;
+    EXPECT_EQ(refusal([&] { steps().merge(result); }),
+              name("draw/0") + " cannot be read: No such file or directory; run 'draw' of tile 0 first.");
+    EXPECT_FALSE(result.sink.finished);
+}
+
+TEST_F(TilesOfATown, RefuseFilesThatAreNotTheirs) {
+    Result result;
+    steps().run({2}, result);
+    std::filesystem::remove(folder_.path() / "join" / "frame");
+    const std::string again = "; delete it and run 'find' of tile 2 again.";
+    const std::string whole = bytes_of("find/2");
+    const auto said = [&](const std::function<void(std::string&)>& how) {
+        change("find/2", how);
+        const std::string text = refusal([&] { steps().join(); });
+        change("find/2", [&](std::string& bytes) { bytes = whole; });
+        return text;
+    };
+    EXPECT_EQ(said([](std::string& bytes) { bytes.resize(20); }),
+              name("find/2") + " is damaged: it ends too soon" + again);
+    EXPECT_EQ(said([](std::string& bytes) { bytes.pop_back(); }),
+              name("find/2") + " is damaged: it is " + std::to_string(whole.size() - 1) +
+                  " bytes long and should be of another length" + again);
+    EXPECT_EQ(said([](std::string& bytes) { bytes[bytes.size() / 2] ^= 1; }),
+              name("find/2") + " is damaged: its bytes are not those that were written" + again);
+    EXPECT_EQ(said([](std::string& bytes) { bytes[0] = 'x'; }),
+              name("find/2") + " is not the file that 'find' of tile 2 writes" + again);
+    EXPECT_EQ(said([&](std::string& bytes) { bytes = bytes_of("find/1"); }),
+              name("find/2") + " is not the file that 'find' of tile 2 writes" + again);
+    EXPECT_EQ(said([](std::string& bytes) { bytes[8] = '9'; }),
+              name("find/2") + " was written by another version of dem2buildings" + again);
+    EXPECT_EQ(refusal([&] { steps(some_plan + 1).join(); }),
+              name("find/0") + " belongs to another plan; delete it and run 'find' of tile 0 again.");
+    // None of them counts as done.
+    change("find/2", [](std::string& bytes) { bytes.pop_back(); });
+    const int reads = dem_.reads;
+    steps().find(2);
+    EXPECT_GT(dem_.reads, reads);
+    steps().join();
+}
+
+TEST_F(TilesOfATown, RefuseDrawnContoursThatAreDamaged) {
+    Result result;
+    steps().run({2}, result);
+    change("draw/2", [](std::string& bytes) { bytes.back() ^= 1; });
+    Result again;
+    EXPECT_EQ(refusal([&] { steps().merge(again); }),
+              name("draw/2") +
+                  " is damaged: its bytes are not those that were written; delete it and run 'draw' of tile "
+                  "2 again.");
+    EXPECT_FALSE(again.sink.finished);
+}
+
+TEST(TilesRefuse, WhatTheyCannotDoExactly) {
+    const auto said = [](const std::function<void(Options&)>& ask) {
+        Options options;
+        ask(options);
+        return refusal([&] { require_tiles(options); });
+    };
+    EXPECT_EQ(said([](Options&) {}), "(nothing)");
+    EXPECT_EQ(
+        said([](Options& o) { o.preset = Preset::thesis; }),
+        "-preset thesis does not work in tiles: what stands above a threshold may fill the country; leave it "
+        "out, or run dem2buildings.");
+    EXPECT_EQ(said([](Options& o) { o.outline.simplify = 1; }),
+              "-simplify does not work in tiles: borders are simplified that the whole shares; leave it out, "
+              "or run "
+              "dem2buildings.");
+    const std::vector<std::pair<std::string, std::function<void(Options&)>>> refused{
+        {"-flow_ready", [](Options& o) { o.outline.flow_ready = 1; }},
+        {"-min_gap", [](Options& o) { o.outline.min_gap = 1; }},
+        {"-min_wall", [](Options& o) { o.outline.min_wall = 1; }},
+        {"-preview", [](Options& o) { o.write.preview = "a.png"; }},
+        {"-surface", [](Options& o) { o.write.surfaces = {"a.obj"}; }},
+        {"-write_rejected", [](Options& o) { o.write.rejected = true; }},
+        {"-write_ground", [](Options& o) { o.write.ground = "a.tif"; }},
+        {"-write_height", [](Options& o) { o.write.height = "a.tif"; }},
+        {"-write_canopy", [](Options& o) { o.write.canopy = "a.tif"; }},
+        {"-ground with a terrain model", [](Options& o) { o.ground.mode = GroundMode::given; }},
+        {"-mask", [](Options& o) { o.detect.mask = "a.tif"; }},
+        {"-ndvi", [](Options& o) { o.detect.ndvi = "a.tif"; }}};
+    for (const auto& [option, ask] : refused)
+        EXPECT_TRUE(said(ask).starts_with(option + " does not work in tiles: ")) << said(ask);
+}
+
+}  // namespace
+}  // namespace d2b

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "options/option_table.hpp"
+
+namespace d2b {
+
+/// What the program can be asked to do.
+enum class TileCommandKind { plan, find, join, draw, merge, text };
+
+/// An option of the program's own.
+struct TileOption {
+    std::string_view name;   ///< without dash
+    std::string_view value;  ///< "<units>"; "" for a switch
+    std::string_view help;
+    std::string_view steps;  ///< that take it, separated by blanks; "" for what takes the place of a step
+};
+[[nodiscard]] const std::vector<TileOption>& tile_options();
+
+/// A step, by the name that it has on the command line.
+struct TileStepName {
+    std::string_view name;
+    TileCommandKind kind;
+    std::string_view arguments;
+    std::string_view help;
+};
+[[nodiscard]] const std::vector<TileStepName>& tile_step_names();
+
+struct TileCommand {
+    TileCommandKind kind = TileCommandKind::text;
+    std::string text;  ///< name of the option that asks for a text: help, version, man, bash_completion
+    std::string work;
+    std::vector<std::int64_t> tiles;  ///< of find and draw, ascending
+    std::int32_t side = 1;            ///< of plan
+    int threads = 0;                  ///< of all but plan; 0: as plan was given
+    bool json = false;                ///< of merge
+    bool quiet = false;
+    /// The command line of dem2buildings that plan was given, and what it asks for.
+    std::vector<std::string> words;
+    Request request;
+};
+
+/// Reads a command line; opens no file. @param arguments without the program's name and GDAL's own switches
+/// @throws OptionError
+[[nodiscard]] TileCommand parse_tile_command_line(const std::vector<std::string>& arguments);
+
+}  // namespace d2b

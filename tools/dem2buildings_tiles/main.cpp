@@ -1,0 +1,79 @@
+#include <algorithm>
+#include <exception>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "common/exit_codes.hpp"
+#include "common/own_stdout.hpp"
+#include "common/run_guarded.hpp"
+#include "dem2buildings/error.hpp"
+#include "dem2buildings/interrupt.hpp"
+#include "dem2buildings/open_sources.hpp"
+#include "dem2buildings/spool.hpp"
+#include "dem2buildings/version.hpp"
+#include "dem2buildings_tiles/command_line.hpp"
+#include "dem2buildings_tiles/help.hpp"
+#include "dem2buildings_tiles/steps.hpp"
+#include "read/gdal_command_line.hpp"
+#include "read/start_gdal.hpp"
+
+namespace d2b {
+namespace {
+
+void process(const TileCommand& command) {
+    OwnStdout own_stdout;
+    Callbacks callbacks;
+    callbacks.on_warning = [](const std::string& text) { print_line("Warning: ", text); };
+    callbacks.on_progress = [](double) { return !interrupted(); };
+    callbacks.make_spool = [] { return std::make_unique<FileSpool>(); };
+    callbacks.stop = interrupted;
+    start_gdal();
+    run_step(command, callbacks);
+    own_stdout.finish();
+}
+
+/// After a signal the run ends with a Cancelled, or with an error where the signal broke off a read.
+int process_interruptibly(const TileCommand& command) {
+    catch_interrupts();
+    try {
+        process(command);
+    } catch (const std::exception&) {
+        if (!interrupted())
+            throw;
+        print_line("ERROR: ", Cancelled().what());
+        return interrupt_status();
+    }
+    return exit_code::done;
+}
+
+int run_tool(const std::vector<std::string>& arguments) {
+    if (arguments.empty()) {
+        std::cerr << tiles_short_usage();
+        return exit_code::wrong_usage;
+    }
+    const auto left = apply_gdal_switches(arguments);
+    if (!left)
+        return exit_code::done;
+    const TileCommand command = parse_tile_command_line(*left);
+    if (command.text == "help")
+        std::cout << tiles_help();
+    else if (command.text == "version")
+        std::cout << "dem2buildings_tiles " << version << ", " << library_versions() << '\n';
+    else if (command.text == "man")
+        std::cout << tiles_man_page();
+    else if (command.text == "bash_completion")
+        std::cout << tiles_bash_completion();
+    else
+        return process_interruptibly(command);
+    return exit_code::done;
+}
+
+}  // namespace
+}  // namespace d2b
+
+int main(int argc, char* argv[]) {
+    return d2b::run_guarded({argv + std::min(argc, 1), argv + argc},
+                            "plan smaller tiles, or use fewer -threads", d2b::run_tool);
+}

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "dem2buildings/options.hpp"
+#include "pipeline/tiles/tile_run.hpp"
+#include "read/source_files.hpp"
+
+namespace d2b {
+
+/// What `plan` decided, as <work>/plan.json has it.
+struct TilePlan {
+    std::vector<std::string> words;  ///< the command line of dem2buildings that the result is that of
+    std::string folder;              ///< in which it was given: relative names of files are of it
+    Layers layers = Layers::both;    ///< that the destination gets
+    std::int32_t side = 1;           ///< units of a tile in a row, and rows
+    std::int64_t tiles = 0;
+    Window window;  ///< of the source
+    std::vector<SourceFile> files;
+};
+
+/// What a tile is expected to take, with one thread.
+struct TileCost {
+    double find_seconds = 0;
+    double draw_seconds = 0;
+    std::int64_t memory_bytes = 0;
+    std::int64_t bytes_read = 0;  ///< by all steps on all tiles, as they are in memory
+};
+
+/// Writes the file in one rename. @throws OutputError
+void write_plan(const std::filesystem::path& work, const TilePlan& plan, const TileCost& cost);
+
+/// A plan that is there, and its digest.
+struct KnownPlan {
+    TilePlan plan;
+    TileWork work;
+};
+/// @throws InputError where there is none, or it is of another version, or damaged
+[[nodiscard]] KnownPlan read_plan(const std::filesystem::path& work);
+
+}  // namespace d2b

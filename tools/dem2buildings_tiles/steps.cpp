@@ -1,0 +1,195 @@
+#include "dem2buildings_tiles/steps.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <utility>
+
+#include "core/number_text.hpp"
+#include "dem2buildings/command_line.hpp"
+#include "dem2buildings/error.hpp"
+#include "dem2buildings/extract_file.hpp"
+#include "dem2buildings/json_report.hpp"
+#include "dem2buildings/open_sinks.hpp"
+#include "dem2buildings/progress.hpp"
+#include "dem2buildings_tiles/plan_file.hpp"
+#include "pipeline/tiles/tile_steps.hpp"
+
+namespace d2b {
+namespace {
+
+/// Measured on a mosaic of 81 million points of dense town, in core seconds a million points.
+constexpr double find_rate = 0.2;
+constexpr double draw_rate = 0.2;
+/// Bytes a point that a tile sees.
+constexpr double memory_rate = 30;
+/// A float a point, as most rasters have it.
+constexpr std::int64_t point_bytes = 4;
+
+TileCost cost_of(const TileGrid& tiles) {
+    TileCost cost;
+    std::int64_t seen = 0;
+    std::int64_t own = 0;
+    for (std::int64_t tile = 0; tile < tiles.count(); ++tile) {
+        const Unit whole = tiles.whole(tile);
+        seen += whole.seen.points();
+        own += whole.own.points();
+        cost.memory_bytes =
+            std::max(cost.memory_bytes,
+                     static_cast<std::int64_t>(memory_rate * static_cast<double>(whole.seen.points())));
+    }
+    const auto count = static_cast<double>(tiles.count());
+    cost.find_seconds = find_rate * 1e-6 * static_cast<double>(seen) / count;
+    cost.draw_seconds = draw_rate * 1e-6 * static_cast<double>(own) / count;
+    cost.bytes_read = point_bytes * (seen + own);
+    return cost;
+}
+
+std::string rounded(double value) {
+    return number_text(value < 10 ? std::ceil(value * 10) / 10 : std::ceil(value));
+}
+
+std::string spoken(const TilePlan& plan, const TileCost& cost, const std::string& work) {
+    const bool one = plan.tiles == 1;
+    return std::to_string(plan.tiles) + (one ? " tile" : " tiles") + " in " + work +
+           ". With one thread a tile takes " + rounded(cost.find_seconds) + " s to find and " +
+           rounded(cost.draw_seconds) + " s to draw, about, and " +
+           rounded(static_cast<double>(cost.memory_bytes) / 1e9) + " GB of memory; " +
+           rounded(static_cast<double>(cost.bytes_read) / 1e9) + " GB of elevations are read.\n";
+}
+
+/// What is in the folder was planned otherwise, and would be lost to who needs it.
+void require_no_other(const std::filesystem::path& work, const TilePlan& plan) {
+    if (!std::filesystem::exists(work / "plan.json"))
+        return;
+    const TilePlan known = read_plan(work).plan;
+    if (known.words != plan.words || known.folder != plan.folder || known.side != plan.side ||
+        known.files != plan.files || known.window != plan.window)
+        throw OptionError(
+            "'" + work.string() +
+            "' holds another plan, or one of a source that has changed; give another work folder, or "
+            "delete this one.");
+}
+
+void plan(const TileCommand& command, const Callbacks& callbacks) {
+    const Options& options = command.request.options;
+    require_tiles(options);
+    const Inputs inputs = open_inputs(options, callbacks);
+    const auto sink = open_sink(options.write, callbacks);
+    const std::filesystem::path work(command.work);
+    TileRun run({work, 0, command.side, {}}, options, inputs.sources(), *sink, callbacks);
+    const TilePlan plan{command.words,
+                        std::filesystem::current_path().string(),
+                        run.setup().plan.layers,
+                        command.side,
+                        run.tiles().count(),
+                        run.window(),
+                        source_files(options.read)};
+    const TileCost cost = cost_of(run.tiles());
+    require_no_other(work, plan);
+    if (!std::filesystem::exists(work / "plan.json"))
+        write_plan(work, plan, cost);
+    if (!command.quiet)
+        std::cout << spoken(plan, cost, command.work);
+}
+
+/// What a step after plan begins with.
+struct Planned {
+    KnownPlan known;
+    Options options;
+    Inputs inputs;
+};
+
+void require_same_source(const TilePlan& plan, const Options& options, const DemInfo& dem) {
+    const std::vector<SourceFile> files = source_files(options.read);
+    for (const SourceFile& file : files)
+        if (std::ranges::find(plan.files, file) == plan.files.end())
+            throw InputError("'" + file.name +
+                             "' has changed since the plan was made; plan again, with a new work folder.");
+    if (files.size() != plan.files.size() || dem.window != plan.window)
+        throw InputError(
+            "'" + dem.name +
+            "' is not made of the files that the plan was made for; plan again, with a new work folder.");
+}
+
+/// @return the work folder, whatever the current one becomes
+Planned open_planned(const TileCommand& command, const Callbacks& callbacks) {
+    const std::filesystem::path work = std::filesystem::absolute(command.work);
+    Planned planned{read_plan(work), {}, {}};
+    std::error_code error;
+    std::filesystem::current_path(planned.known.plan.folder, error);
+    if (error)
+        throw InputError("The plan was made in the folder '" + planned.known.plan.folder +
+                         "', which cannot be entered here: " + error.message() +
+                         "; make it known under the same name on every machine.");
+    planned.options = parse_command_line(planned.known.plan.words).options;
+    if (command.threads > 0)
+        planned.options.run.threads = command.threads;
+    planned.inputs = open_inputs(planned.options, callbacks);
+    require_same_source(planned.known.plan, planned.options, planned.inputs.dem->info());
+    return planned;
+}
+
+void require_tile(std::int64_t tile, const TilePlan& plan) {
+    if (tile >= plan.tiles)
+        throw InputError("There is no tile " + std::to_string(tile) + "; the plan has " +
+                         std::to_string(plan.tiles) + ", numbered from 0.");
+}
+
+template <typename Step>
+void on_tiles(const TileCommand& command, const Callbacks& callbacks, const Step& step) {
+    const Planned planned = open_planned(command, callbacks);
+    for (const std::int64_t tile : command.tiles)
+        require_tile(tile, planned.known.plan);
+    for (const std::int64_t tile : command.tiles) {
+        PlannedSink nowhere(planned.known.plan.layers);
+        TileRun run(planned.known.work, planned.options, planned.inputs.sources(), nowhere, callbacks);
+        step(run, tile);
+    }
+}
+
+void join(const TileCommand& command, const Callbacks& callbacks) {
+    const Planned planned = open_planned(command, callbacks);
+    PlannedSink nowhere(planned.known.plan.layers);
+    TileRun run(planned.known.work, planned.options, planned.inputs.sources(), nowhere, callbacks);
+    join_tiles(run);
+}
+
+void merge(const TileCommand& command, const Callbacks& callbacks) {
+    std::vector<std::string> warnings;
+    const Callbacks heard = remembering(callbacks, warnings);
+    const Planned planned = open_planned(command, heard);
+    const auto sink = open_sink(planned.options.write, heard);
+    TileRun run(planned.known.work, planned.options, planned.inputs.sources(), *sink, heard);
+    RunReport report = merge_tiles(run, *sink);
+    report.warnings = std::move(warnings);
+    if (!command.quiet)
+        std::cout << summary(report, report.layers, report.output);
+    if (command.json)
+        std::cout << json_report(report);
+}
+
+}  // namespace
+
+void run_step(const TileCommand& command, const Callbacks& callbacks) {
+    // What there is to warn of plan has told, or merge will tell once for all tiles.
+    Callbacks silent = callbacks;
+    silent.on_warning = nullptr;
+    switch (command.kind) {
+        case TileCommandKind::plan:
+            return plan(command, callbacks);
+        case TileCommandKind::find:
+            return on_tiles(command, silent, find_tile);
+        case TileCommandKind::join:
+            return join(command, silent);
+        case TileCommandKind::draw:
+            return on_tiles(command, silent, draw_tile);
+        case TileCommandKind::merge:
+            return merge(command, callbacks);
+        case TileCommandKind::text:
+            return;
+    }
+}
+
+}  // namespace d2b
