@@ -45,7 +45,7 @@ const std::map<std::string, std::vector<Texts>>& values() {
         {"simplify", {{"1.2"}}},
         {"flow_ready", {{"3"}}},
         {"min_gap", {{"30"}}},
-        {"min_wall", {{"2.5"}}},
+        {"min_wall", {{"1.5"}}},
         {"t_srs", {{"EPSG:25832"}}},
         {"f", {{"GPKG"}}},
         {"dsco", {{"VERSION=1.3"}}},

@@ -27,6 +27,8 @@ bool takes_its_object(const std::string& one, const std::string& other) {
     static const std::set<std::string> of_tower{"-cutline_layer", "-split_height", "-fl",
                                                 "-max_building_width"};
     static const std::set<std::string> high{"-zrange"};
+    // Outlines that are simplified have none, and so have the few objects that are high enough in feet.
+    static const std::set<std::string> of_short_walls{"-simplify", "-zunit"};
     static const std::map<std::string, std::set<std::string>> of{{"-min_confidence 0", of_ruin},
                                                                  {"-min_confidence 0.97", of_rough},
                                                                  {"-ndvi /vsimem/scene/ndvi.tif", of_rough},
@@ -34,6 +36,8 @@ bool takes_its_object(const std::string& one, const std::string& other) {
                                                                  {"-max_building_width 5", high},
                                                                  {"-split_height 3", high},
                                                                  {"-arcs", {"-zrange", "-off"}},
+                                                                 {"-flow_ready 3", of_short_walls},
+                                                                 {"-min_wall 1.5", of_short_walls},
                                                                  {"-snodata 16", high},
                                                                  {"-inodata", high}};
     const auto found = of.find(one);
