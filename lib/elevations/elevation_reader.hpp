@@ -34,10 +34,10 @@ class ElevationReader {
 
     /// The first pass, without which every value is an elevation.
     /// @param done called for each band, from the first row to the last, on this thread
-    /// @param counted cells that the survey is of; nothing: all. Of others it is decided what they are
+    /// @param of cells that the survey is of; nothing: all. Of others it is decided what they are
     [[nodiscard]] ElevationSurvey survey(const SiftRules& rules,
                                          const std::function<void(const ElevationBand&)>& done,
-                                         const std::optional<Window>& counted = {});
+                                         const std::optional<Window>& of = {});
 
     /// Calls use(band, prepare(band, tally)) for each band, from the first row to the last: `prepare` on any
     /// thread, `use` on the caller's. @throws InputError, and what these throw

@@ -1,6 +1,7 @@
 #include "read/source_files.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include <cpl_string.h>
@@ -25,17 +26,14 @@ bool is_vrt(const std::string& name) {
     return EQUAL(CPLGetExtension(name.c_str()), "vrt");
 }
 
-/// GDAL lists the files of a VRT, but not those of the VRTs among them.
-void add_files(GDALDatasetH dataset, std::set<std::string>& names) {
+/// @return the VRTs among the files of a dataset that were not known before
+std::vector<std::string> add_files(GDALDatasetH dataset, std::set<std::string>& names) {
+    std::vector<std::string> vrts;
     const CPLStringList files(GDALGetFileList(dataset));
-    for (int i = 0; i < files.size(); ++i) {
-        const std::string name = files[i];
-        if (!names.insert(name).second || !is_vrt(name))
-            continue;
-        const DatasetOwner inner(GDALOpenEx(name.c_str(), GDAL_OF_RASTER, nullptr, nullptr, nullptr));
-        if (inner)
-            add_files(inner.get(), names);
-    }
+    for (int i = 0; i < files.size(); ++i)
+        if (const std::string name = files[i]; names.insert(name).second && is_vrt(name))
+            vrts.push_back(name);
+    return vrts;
 }
 
 }  // namespace
@@ -46,8 +44,16 @@ std::vector<SourceFile> source_files(const ReadOptions& options) {
     const OpenRaster raster = open_raster(options, options.source, unheard);
     const GdalMessages messages(options.source, options.source);
     std::set<std::string> names;
-    add_files(raster.dataset.get(), names);
+    // GDAL lists the files of a VRT, but not those of the VRTs among them.
+    std::vector<std::string> vrts = add_files(raster.dataset.get(), names);
+    while (!vrts.empty()) {
+        const DatasetOwner inner(GDALOpenEx(vrts.back().c_str(), GDAL_OF_RASTER, nullptr, nullptr, nullptr));
+        vrts.pop_back();
+        if (inner)
+            std::ranges::copy(add_files(inner.get(), names), std::back_inserter(vrts));
+    }
     std::vector<SourceFile> files;
+    files.reserve(names.size());
     for (const std::string& name : names)
         files.push_back(stated(name));
     return files;
