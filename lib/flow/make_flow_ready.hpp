@@ -1,26 +1,14 @@
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "core/stop_request.hpp"
 #include "flow/flow_limits.hpp"
+#include "flow/flow_problem.hpp"
 #include "surface/plan.hpp"
 
 namespace d2b {
-
-enum class FlowProblemKind { wall, angle, gap, touch, crossing };
-
-/// A fault of the outlines, and what became of it.
-struct FlowProblem {
-    FlowProblemKind kind = FlowProblemKind::wall;
-    double before = 0;  ///< m, of angles degrees
-    double after = 0;
-    bool changed = false;
-    FinePoint place;
-    std::vector<std::int32_t> contours;  ///< that border on it
-};
 
 struct FlowReady {
     std::vector<FinePolygon> outlines;  ///< of all contours; none where nothing has changed

@@ -1,0 +1,73 @@
+#include "flow/flow_passes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "flow/flow_faults.hpp"
+#include "flow/flow_mender.hpp"
+#include "flow/plan_outlines.hpp"
+#include "surface/partition.hpp"
+#include "surface/plan_editor.hpp"
+#include "surface/take_apart_pinches.hpp"
+
+namespace d2b {
+namespace {
+
+constexpr int most_rounds = 12;
+
+std::int64_t steps_of(double metres, const FlowMetric& metric) {
+    const double step =
+        std::min(std::hypot(metric.col_x, metric.col_y), std::hypot(metric.row_x, metric.row_y));
+    return static_cast<std::int64_t>(std::ceil(metres / step)) + 1;
+}
+
+}  // namespace
+
+void FlowPasses::mend(const StopRequest& stop) {
+    PlanEditor editor(std::move(plan_));
+    FlowMender mender(editor, contours_, limits_, frozen_);
+    for (int round = 0; round < most_rounds && mender.round(); ++round)
+        stop.check();
+    std::ranges::move(mender.take_changed(), std::back_inserter(problems_));
+    plan_ = editor.plan();
+}
+
+/// @return whether all could be
+bool FlowPasses::take_apart(std::span<const PlanContour> leveled) {
+    const std::int64_t wanted = steps_of(std::max(limits_.wall, limits_.gap), limits_.metric);
+    const PinchesTaken taken = take_apart_pinches(plan_, leveled, wanted);
+    for (const PinchMend& mend : taken.mends)
+        problems_.push_back({FlowProblemKind::touch, 0, limits_.metric.distance(mend.place, mend.moved), true,
+                             mend.place, mend.contours});
+    return taken.stuck.empty();
+}
+
+bool FlowPasses::is_sound(const std::vector<FinePolygon>& outlines) const {
+    std::vector<PlanContour> again;
+    for (std::size_t c = 0; c < outlines.size(); ++c)
+        again.push_back({outlines[c], contours_[c].parent, contours_[c].building, contours_[c].top});
+    return make_partition(again).at_odds.empty();
+}
+
+std::optional<ChangedOutlines> FlowPasses::make(std::span<const PlanContour> leveled,
+                                                const StopRequest& stop) {
+    constexpr int passes = 3;
+    for (int pass = 0; pass < passes; ++pass) {
+        mend(stop);
+        if (!take_apart(leveled))
+            return std::nullopt;
+    }
+    PlanOutlines drawn = plan_outlines(plan_, contours_);
+    broken_ = std::move(drawn.broken);
+    if (!broken_.empty() || !is_sound(drawn.outlines))
+        return std::nullopt;
+    PlanEditor editor(std::move(plan_));
+    const FlowMender measure(editor, contours_, limits_);
+    const std::vector<FlowFault> after = find_faults(editor, contours_, limits_);
+    for (const FlowFault& fault : after)
+        problems_.push_back(measure.problem(fault));
+    return ChangedOutlines{std::move(drawn.outlines), std::move(problems_), after.size()};
+}
+
+}  // namespace d2b

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/stop_request.hpp"
+#include "flow/flow_limits.hpp"
+#include "flow/flow_problem.hpp"
+#include "surface/plan.hpp"
+
+namespace d2b {
+
+/// What changing a plan has come to.
+struct ChangedOutlines {
+    std::vector<FinePolygon> outlines;  ///< of all contours
+    std::vector<FlowProblem> problems;
+    std::size_t left = 0;  ///< faults
+};
+
+/// Mending makes corners touch, and taking these apart makes short walls.
+class FlowPasses {
+  public:
+    FlowPasses(Plan plan, std::span<const PlanContour> contours, const FlowLimits& limits,
+               const std::vector<bool>& frozen)
+        : plan_(std::move(plan)), contours_(contours), limits_(limits), frozen_(frozen) {}
+
+    /// @return nothing where outlines would not be what they are to be
+    [[nodiscard]] std::optional<ChangedOutlines> make(std::span<const PlanContour> leveled,
+                                                      const StopRequest& stop);
+    /// Contours that were in pieces or gone, where that was the reason.
+    [[nodiscard]] const std::vector<std::uint32_t>& broken() const { return broken_; }
+
+  private:
+    void mend(const StopRequest& stop);
+    [[nodiscard]] bool take_apart(std::span<const PlanContour> leveled);
+    [[nodiscard]] bool is_sound(const std::vector<FinePolygon>& outlines) const;
+
+    Plan plan_;
+    std::span<const PlanContour> contours_;
+    const FlowLimits& limits_;
+    const std::vector<bool>& frozen_;
+    std::vector<FlowProblem> problems_;
+    std::vector<std::uint32_t> broken_;
+};
+
+}  // namespace d2b
