@@ -33,12 +33,12 @@ struct WallStyle {
     double price = 1;      ///< of a wall: less gives more walls that lie closer
     double side = 1;       ///< of a cell, the longer one
 
-    /// The price where one is asked for with the usual tolerance. Who allows less, or has coarse cells, wants
-    /// what stands out by a cell: it is squared distances that the price is weighed against.
+    /// The price, and less where the tolerance is: on coarse cells, and for tiers, walls of a few cells are
+    /// many, and what stands out by a cell is wanted.
     [[nodiscard]] double scaled_price() const {
-        constexpr double usual = 1.5;  // cells
+        constexpr double usual = 1.25;  // cells
         const double share = std::min(1.0, tolerance / usual);
-        return price * share * share;
+        return price * share * share * share * share;
     }
     /// Cells: how far from a straight wall the corners of its staircase may lie, which is half a diagonal and
     /// what its place is off.
