@@ -39,7 +39,7 @@ Vector as_read(const std::string& text) {
     for (double& number : numbers) {
         float read = 0;
         at = std::from_chars(at, text.data() + text.size(), read).ptr;
-        number = double{read};
+        number = static_cast<double>(read);
         at += at == text.data() + text.size() ? 0 : 1;  // a space
     }
     return numbers;
