@@ -1,3 +1,4 @@
+#include "common/completion_script.hpp"
 #include "dem2buildings/help.hpp"
 
 namespace d2b {
@@ -49,20 +50,7 @@ std::string bash_completion() {
         if (row.arity == Arity::one)
             cases += "        " + pattern(row) + ") " + action(row) + "; return ;;\n";
     }
-    return "# Completes command lines of dem2buildings in Bash.\n"
-           "_dem2buildings() {\n"
-           "    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]}\n"
-           "    case $before in\n" +
-           cases +
-           "    esac\n"
-           "    case $word in\n"
-           "        -*) COMPREPLY=($(compgen -W \"" +
-           names +
-           "\" -- \"$word\")) ;;\n"
-           "        *) COMPREPLY=($(compgen -f -- \"$word\")) ;;\n"
-           "    esac\n"
-           "}\n"
-           "complete -o filenames -F _dem2buildings dem2buildings\n";
+    return completion_script("dem2buildings", cases, names);
 }
 
 }  // namespace d2b

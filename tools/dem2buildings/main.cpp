@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <exception>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -10,13 +9,13 @@
 #include "common/own_stdout.hpp"
 #include "common/run_guarded.hpp"
 #include "dem2buildings/command_line.hpp"
-#include "dem2buildings/error.hpp"
 #include "dem2buildings/extract_file.hpp"
 #include "dem2buildings/help.hpp"
 #include "dem2buildings/interrupt.hpp"
 #include "dem2buildings/json_report.hpp"
 #include "dem2buildings/open_sources.hpp"
 #include "dem2buildings/progress.hpp"
+#include "dem2buildings/run_interruptibly.hpp"
 #include "dem2buildings/spool.hpp"
 #include "dem2buildings/sweep.hpp"
 #include "dem2buildings/version.hpp"
@@ -64,20 +63,6 @@ void process(const Request& request) {
     own_stdout.finish();
 }
 
-/// After a signal the run ends with a Cancelled, or with an error where the signal broke off a read.
-int process_interruptibly(const Request& request) {
-    catch_interrupts();
-    try {
-        process(request);
-    } catch (const std::exception&) {
-        if (!interrupted())
-            throw;
-        print_line("ERROR: ", Cancelled().what());
-        return interrupt_status();
-    }
-    return exit_code::done;
-}
-
 int run_tool(const std::vector<std::string>& arguments) {
     if (arguments.empty()) {
         std::cerr << short_usage();
@@ -100,7 +85,7 @@ int run_tool(const std::vector<std::string>& arguments) {
     else if (request.tool.bash_completion)
         std::cout << bash_completion();
     else
-        return process_interruptibly(request);
+        return run_interruptibly([&] { process(request); });
     return exit_code::done;
 }
 

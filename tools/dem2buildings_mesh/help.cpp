@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dem2buildings_mesh/help.hpp"
 
+#include "common/completion_script.hpp"
 #include "common/help_text.hpp"
 #include "common/roff.hpp"
 #include "dem2buildings/version.hpp"
@@ -77,20 +78,7 @@ std::string mesh_bash_completion() {
                      (option.kind == "terrain" ? "COMPREPLY=($(compgen -f -- \"$word\"))" : "COMPREPLY=()") +
                      "; return ;;\n";
     }
-    return "# Completes command lines of dem2buildings_mesh in Bash.\n"
-           "_dem2buildings_mesh() {\n"
-           "    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]}\n"
-           "    case $before in\n" +
-           cases +
-           "    esac\n"
-           "    case $word in\n"
-           "        -*) COMPREPLY=($(compgen -W \"" +
-           names +
-           "\" -- \"$word\")) ;;\n"
-           "        *) COMPREPLY=($(compgen -f -- \"$word\")) ;;\n"
-           "    esac\n"
-           "}\n"
-           "complete -o filenames -F _dem2buildings_mesh dem2buildings_mesh\n";
+    return completion_script("dem2buildings_mesh", cases, names);
 }
 
 }  // namespace d2b::mesh

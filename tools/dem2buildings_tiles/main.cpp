@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <exception>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -8,9 +7,9 @@
 #include "common/exit_codes.hpp"
 #include "common/own_stdout.hpp"
 #include "common/run_guarded.hpp"
-#include "dem2buildings/error.hpp"
 #include "dem2buildings/interrupt.hpp"
 #include "dem2buildings/open_sources.hpp"
+#include "dem2buildings/run_interruptibly.hpp"
 #include "dem2buildings/spool.hpp"
 #include "dem2buildings/version.hpp"
 #include "dem2buildings_tiles/command_line.hpp"
@@ -34,20 +33,6 @@ void process(const TileCommand& command) {
     own_stdout.finish();
 }
 
-/// After a signal the run ends with a Cancelled, or with an error where the signal broke off a read.
-int process_interruptibly(const TileCommand& command) {
-    catch_interrupts();
-    try {
-        process(command);
-    } catch (const std::exception&) {
-        if (!interrupted())
-            throw;
-        print_line("ERROR: ", Cancelled().what());
-        return interrupt_status();
-    }
-    return exit_code::done;
-}
-
 int run_tool(const std::vector<std::string>& arguments) {
     if (arguments.empty()) {
         std::cerr << tiles_short_usage();
@@ -66,7 +51,7 @@ int run_tool(const std::vector<std::string>& arguments) {
     else if (command.text == "bash_completion")
         std::cout << tiles_bash_completion();
     else
-        return process_interruptibly(command);
+        return run_interruptibly([&] { process(command); });
     return exit_code::done;
 }
 
