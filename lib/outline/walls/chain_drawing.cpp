@@ -1,5 +1,6 @@
 #include "outline/walls/chain_drawing.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "outline/walls/compose_chain.hpp"
@@ -21,6 +22,14 @@ WallStyle style_for(const Chain& chain, const WallOptions& options) {
             .side = std::min(longest_side, options.shape.longer_side())};
 }
 
+/// Of the price of a wall, where the tolerance is small: on coarse cells, and for tiers, walls of a few cells
+/// are many, and what stands out by a cell is wanted.
+double share_of_price(double tolerance) {
+    constexpr double usual = 1.25;  // cells
+    const double share = std::min(1.0, tolerance / usual);
+    return share * share * share * share;
+}
+
 }  // namespace
 
 ChainDrawing::ChainDrawing(const Chain& chain, const WallOptions& options)
@@ -34,7 +43,7 @@ ChainDrawing::ChainDrawing(const Chain& chain, const WallOptions& options)
 
 std::optional<double> ChainDrawing::plan(double price, double direction, const StopRequest& stop) {
     WallStyle style = style_;
-    style.price = price;
+    style.price = price * share_of_price(style.tolerance);
     if (!walls_.plan(turning_points_, style, direction, stop))
         return {};
     planned_.reset();

@@ -27,8 +27,7 @@ std::optional<WallPiece> arc_for(const WallSamples& samples, const WallStyle& st
         if (largest > style.tolerance - 0.05)
             return {};
     }
-    const double cost =
-        style.scaled_price() * arc_price + style.misfit(squares, static_cast<double>(last - first));
+    const double cost = style.price * arc_price + style.misfit(squares, static_cast<double>(last - first));
     const double sweep =
         static_cast<double>(last - first) / 1.27 / circle->radius;  // a staircase is 4 / pi longer
     if (cost > bargain * walls_cost || sweep < least_sweep)

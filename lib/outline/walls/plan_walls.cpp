@@ -92,7 +92,7 @@ void Planner::extend(std::size_t from, std::size_t to, const WallSamples::Sums& 
         if (!allowed(f))
             continue;
         const std::uint8_t before = states_[from][f].before;
-        const double spent = (from == 0 ? 0 : states_[from][before].cost) + style_.scaled_price() * prices[f];
+        const double spent = (from == 0 ? 0 : states_[from][before].cost) + style_.price * prices[f];
         if (!(spent + style_.misfit(least, sums.n) < states_[to][f].cost))
             continue;
         const double squares = f < WallPiece::free ? sums.squares(directions_[f]) : least;
@@ -124,7 +124,7 @@ std::vector<WallPiece> Planner::trace_back(const std::vector<std::size_t>& point
                           static_cast<int>(family),
                           line(family, sums),
                           {},
-                          style_.scaled_price() * prices[family] +
+                          style_.price * prices[family] +
                               misfit(points[state.from], points[to], line(family, sums), squares)});
         to = state.from;
         family = state.family;

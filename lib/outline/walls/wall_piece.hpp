@@ -33,13 +33,6 @@ struct WallStyle {
     double price = 1;      ///< of a wall: less gives more walls that lie closer
     double side = 1;       ///< of a cell, the longer one
 
-    /// The price, and less where the tolerance is: on coarse cells, and for tiers, walls of a few cells are
-    /// many, and what stands out by a cell is wanted.
-    [[nodiscard]] double scaled_price() const {
-        constexpr double usual = 1.25;  // cells
-        const double share = std::min(1.0, tolerance / usual);
-        return price * share * share * share * share;
-    }
     /// Cells: how far from a straight wall the corners of its staircase may lie, which is half a diagonal and
     /// what its place is off.
     [[nodiscard]] double straight_reach() const { return std::min(0.77 * side, 0.72 * tolerance); }
