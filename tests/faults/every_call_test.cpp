@@ -55,7 +55,7 @@ class EveryCall : public FaultyTest, public testing::WithParamInterface<Destinat
     /// One call in so many; all where D2B_FAULT_STEP is 1.
     static long step() {
         const char* wanted = std::getenv("D2B_FAULT_STEP");
-        return wanted == nullptr ? 10 : std::max(1L, std::atol(wanted));
+        return wanted == nullptr ? 30 : std::max(1L, std::atol(wanted));
     }
     static std::vector<std::string> errors() {
         if (step() > 1)
