@@ -28,6 +28,15 @@ double depth_at(const Creek& creek, const Position& p) {
     return creek.depth * (1 - smooth_step(nearest / creek.half_width));
 }
 
+/// Between 0 and 1: furrows 3 m apart along y, where a field is ploughed.
+double furrow_depth(const Position& p) {
+    const double field = std::floor(p.x / 180) + std::floor(p.y / 240);
+    if (field / 2 != std::floor(field / 2))
+        return 0;
+    const double u = p.x / 3 - std::floor(p.x / 3);
+    return smooth_step(1 - std::abs(2 * u - 1));
+}
+
 }  // namespace
 
 double value_noise(std::uint64_t seed, double wavelength, const Position& p) {
@@ -48,6 +57,8 @@ double Ground::at(const Position& p) const {
         z += relief * (0.76 * value_noise(seed, 620, p) + 0.2 * value_noise(seed + 1, 230, p) +
                        0.04 * value_noise(seed + 2, 70, p));
     }
+    if (furrow > 0)
+        z -= furrow_depth(p) * furrow;
     for (const Creek& creek : creeks)
         z -= depth_at(creek, p);
     for (const Terrace& terrace : terraces) {

@@ -36,7 +36,8 @@ struct Ground {
     double slope_y = 0;  ///< rise per metre to the north
     double relief = 0;   ///< about the height of the hills
     std::vector<Terrace> terraces;
-    std::vector<Creek> creeks;
+    std::vector<Creek> creeks;  ///< with a negative depth a dike
+    double furrow = 0;          ///< depth of furrows in metres; every second field of 180 x 240 m has them
 
     [[nodiscard]] double at(const Position& p) const;
     /// Levels a place at the elevation that its centre has now.

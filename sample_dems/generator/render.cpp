@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "draft.hpp"
+#include "cell_box.hpp"
 #include "random.hpp"
 
 namespace d2b::sample {
@@ -21,16 +21,6 @@ Position Grid::to_world(const Position& scene) const {
 
 namespace {
 
-Rect extent(const Building& building) {
-    return bounds(building.footprint.exterior);
-}
-Rect extent(const Tree& tree) {
-    return Rect{tree.trunk.x, tree.trunk.y, tree.trunk.x, tree.trunk.y}.grown(tree.radius);
-}
-Rect extent(const Block& block) {
-    return bounds(block.frame.to_scene(rectangle(block.rect)).exterior);
-}
-
 /// The rows that are being rendered, in metres.
 struct Strip {
     const Grid& grid;
@@ -41,16 +31,9 @@ struct Strip {
     /// Raises the cells that a thing covers.
     template <typename Thing>
     void raise(const Thing& thing) const {
-        const Rect box = extent(thing);
-        const auto cell = [](double position, std::int32_t last) {
-            return static_cast<std::int32_t>(std::clamp(position, 0.0, static_cast<double>(last)));
-        };
-        const std::int32_t left = cell(std::floor(box.x0 / grid.cell_x), grid.cols);
-        const std::int32_t right = cell(std::ceil(box.x1 / grid.cell_x), grid.cols);
-        const std::int32_t top = cell(std::floor(grid.rows - box.y1 / grid.cell_y), grid.rows);
-        const std::int32_t bottom = cell(std::ceil(grid.rows - box.y0 / grid.cell_y), grid.rows);
-        for (std::int32_t row = std::max(top, first_row); row < std::min(bottom, first_row + rows); ++row) {
-            for (std::int32_t col = left; col < right; ++col) {
+        const CellBox box = cells_of(extent(thing), grid, first_row, rows);
+        for (std::int32_t row = box.top; row < box.bottom; ++row) {
+            for (std::int32_t col = box.left; col < box.right; ++col) {
                 double& z =
                     metres[static_cast<std::size_t>(row - first_row) * static_cast<std::size_t>(grid.cols) +
                            static_cast<std::size_t>(col)];

@@ -21,6 +21,21 @@ std::optional<double> Tree::elevation_at(const Position& p) const {
     return ground + height * shape * (0.86 + 0.28 * (random - 0.5));
 }
 
+std::optional<double> Tree::first_return(const Position& p, std::uint64_t draw) const {
+    const double r = distance(trunk, p) / radius;
+    if (r >= 1)
+        return std::nullopt;
+    // Boughs of a crown lie at heights of their own; between them and through their leaves some pulses pass.
+    const double bough = 0.9;  // metres
+    const std::uint64_t bits = hash(seed, std::llround(p.x / bough), std::llround(p.y / bough));
+    if (unit_interval(mix(draw)) < 0.03 + 0.3 * r * unit_interval(mix(bits)))
+        return std::nullopt;
+    const double shape = conifer ? 1 - 0.8 * r : 1 - 0.5 * r * r * r;
+    const double hull = height * shape * (0.86 + 0.28 * (unit_interval(bits) - 0.5));
+    const double u = unit_interval(mix(draw + 1));
+    return ground + hull - std::min(2.5, 0.3 * height) * u * u * u;
+}
+
 std::optional<double> Block::elevation_at(const Position& p) const {
     const Position local = frame.to_local(p);
     if (!rect.contains(local))

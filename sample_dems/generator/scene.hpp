@@ -20,6 +20,10 @@ struct Tree {
     std::uint64_t seed = 0;
 
     [[nodiscard]] std::optional<double> elevation_at(const Position& p) const;
+    /// Where the crown sends back a pulse: somewhere below its hull, mostly near it. Empty where the pulse
+    /// finds a gap.
+    /// @param draw a number of the pulse's own
+    [[nodiscard]] std::optional<double> first_return(const Position& p, std::uint64_t draw) const;
 };
 
 /// Cars, hedges, walls and bridges: a box whose top runs from one elevation to another along the frame's x
@@ -33,6 +37,12 @@ struct Block {
     [[nodiscard]] std::optional<double> elevation_at(const Position& p) const;
 };
 
+/// A plot of land with a house of a terrace.
+struct Parcel {
+    std::string name;
+    WorldPolygon polygon;  ///< scene coordinates; neighbours share their corners
+};
+
 /// All that stands in some area. Parts of a scene can be made and rendered alone: the elevation of a cell
 /// depends on what covers it, not on the order or the number of other things.
 struct Scene {
@@ -42,6 +52,7 @@ struct Scene {
     std::vector<Building> buildings;
     std::vector<Tree> trees;
     std::vector<Block> blocks;
+    std::vector<Parcel> parcels;
 
     /// Puts a building on the ground.
     Building& add(const Draft& draft, const Frame& frame);

@@ -22,6 +22,7 @@ struct Field {
 constexpr Field building_fields[] = {{"id", OFTInteger64}, {"kind", OFTString},  {"roof", OFTString},
                                      {"ground", OFTReal},  {"eave_h", OFTReal},  {"roof_h", OFTReal},
                                      {"unit", OFTString},  {"width_m", OFTReal}, {"length_m", OFTReal}};
+constexpr Field parcel_fields[] = {{"parcel", OFTString}};
 constexpr Field dissolved_fields[] = {{"id", OFTInteger64}, {"area_m2", OFTReal}};
 
 OGRLinearRing world_ring(const WorldRing& ring, const Grid& grid) {
@@ -55,6 +56,20 @@ void set_values(OGRFeature& feature, const Building& building, const VerticalUni
     feature.SetField("unit", unit.name.c_str());
     feature.SetField("width_m", building.width);
     feature.SetField("length_m", building.length);
+}
+
+/// What polygons cover, in pieces that share no wall.
+OGRMultiPolygon union_of(const OGRMultiPolygon& all, const std::string& path) {
+    OGRMultiPolygon result;
+    if (all.IsEmpty())
+        return result;
+    const std::unique_ptr<OGRGeometry> united(all.UnionCascaded());
+    QuietGdal::require(united != nullptr, path);
+    if (wkbFlatten(united->getGeometryType()) == wkbPolygon)
+        result.addGeometry(united.get());
+    else
+        result = *united->toMultiPolygon();
+    return result;
 }
 
 }  // namespace
@@ -129,15 +144,26 @@ void TruthWriter::add_dissolved(const std::string& name, const RasterSpec& raste
         const OGRPolygon polygon = world_polygon(building.footprint, raster.grid);
         all.addGeometry(&polygon);
     }
-    const std::unique_ptr<OGRGeometry> united(all.UnionCascaded());
-    QuietGdal::require(united != nullptr && wkbFlatten(united->getGeometryType()) == wkbMultiPolygon,
-                       impl_->path);
+    const OGRMultiPolygon united = union_of(all, impl_->path);
     GIntBig id = 0;
-    for (const OGRPolygon* polygon : *united->toMultiPolygon()) {
+    for (const OGRPolygon* polygon : united) {
         OGRFeature feature(layer.GetLayerDefn());
         feature.SetField("id", ++id);
         feature.SetField("area_m2", polygon->get_Area());
         feature.SetGeometry(polygon);
+        impl_->write(layer, feature);
+    }
+    impl_->commit();
+}
+
+void TruthWriter::add_parcels(const std::string& name, const RasterSpec& raster,
+                              std::span<const Parcel> parcels) {
+    OGRLayer& layer = impl_->add_layer(name, raster, parcel_fields, "Plots of land with a house each");
+    for (const Parcel& parcel : parcels) {
+        OGRFeature feature(layer.GetLayerDefn());
+        feature.SetField("parcel", parcel.name.c_str());
+        const OGRPolygon polygon = world_polygon(parcel.polygon, raster.grid);
+        feature.SetGeometry(&polygon);
         impl_->write(layer, feature);
     }
     impl_->commit();

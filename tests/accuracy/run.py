@@ -1,0 +1,106 @@
+#!/usr/bin/python3
+"""Measures accuracy: on scenes whose truth is exact, and on real places where there are some.
+
+    tests/accuracy/run.py [--build build] [--work FOLDER] [--seed N] [--cities FOLDER] [--plot FILE.png]
+                          [--write docs/accuracy.md] [--least-iou X] [SCENE...]
+
+Makes the scenes (all that are measured, or those that are named), finds buildings with the defaults, and prints
+tables: areas, objects, walls, places without buildings, and how often a confidence is right.
+--cities   a folder with a folder a place: dsm.tif, reference_buildings.gpkg, perhaps dtm.tif and NOTE.md
+--write    puts the tables into a page, between the lines `<!-- table NAME -->` and `<!-- end -->`
+--plot     draws how often a confidence is right (needs python3-matplotlib)
+--least-iou  fails where the mean IoU of the scenes is less
+Needs python3-gdal and python3-scipy.
+"""
+import argparse
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+import confidence
+import tables
+import walls
+from places import Place, scene, title_of
+
+
+def find(tools, place, out, *options):
+    """Finds the buildings of a place with the defaults."""
+    subprocess.run([os.path.join(tools, "dem2buildings"), "-q", "-overwrite", "-write_doubtful", *options,
+                    place.dsm, out], check=True, stderr=subprocess.DEVNULL)
+
+
+def score(tools, place, out):
+    command = [os.path.join(tools, "dem2buildings_score"), "-json", "-dem", place.dsm, out, place.reference]
+    return json.loads(subprocess.run(command, check=True, capture_output=True).stdout)
+
+
+def measure(tools, place, work):
+    """All figures of a place, by name."""
+    out = os.path.join(work, place.name + ".gpkg")
+    find(tools, place, out)
+    figures = score(tools, place, out)
+    figures["name"] = place.title
+    figures["cell"] = place.cell()
+    figures["km2"] = place.km2()
+    figures["built"] = figures["reference"]["features"] > 0
+    figures["walls"] = walls.distances(out, place)
+    figures["objects"] = confidence.judged(out, place)
+    if figures["built"] and os.path.exists(place.dtm):
+        given = os.path.join(work, place.name + "_ground.gpkg")
+        find(tools, place, given, "-ground", place.dtm)
+        figures["iou_ground"] = score(tools, place, given)["iou"]
+    print(f"{place.name}: IoU {figures['iou']:.3f}", file=sys.stderr)
+    return figures
+
+
+def make_scenes(build, work, seed, names):
+    command = [os.path.join(build, "sample_dems", "d2b_make_scenes"), "-seed", str(seed), work, *names]
+    made = subprocess.run(command, check=True, capture_output=True, text=True).stdout.split()
+    return [scene(work, name) for name in made]
+
+
+def cities(folder):
+    return [Place(name, title_of(os.path.join(folder, name)), os.path.join(folder, name))
+            for name in sorted(os.listdir(folder))
+            if all(os.path.exists(os.path.join(folder, name, file))
+                   for file in ("dsm.tif", "reference_buildings.gpkg"))]
+
+
+def measure_all(arguments, work):
+    tools = os.path.join(arguments.build, "tools")
+    made = make_scenes(arguments.build, work, arguments.seed, arguments.scenes)
+    real = cities(arguments.cities) if arguments.cities else []
+    return ([measure(tools, place, work) for place in made], [measure(tools, place, work) for place in real])
+
+
+def main(words):
+    parser = argparse.ArgumentParser(usage=__doc__)
+    parser.add_argument("--build", default="build")
+    parser.add_argument("--work")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--cities")
+    parser.add_argument("--plot")
+    parser.add_argument("--write")
+    parser.add_argument("--least-iou", type=float, default=0)
+    parser.add_argument("scenes", nargs="*")
+    arguments = parser.parse_args(words)
+    with tempfile.TemporaryDirectory() as scratch:
+        if arguments.work:
+            os.makedirs(arguments.work, exist_ok=True)
+        made, real = measure_all(arguments, arguments.work or scratch)
+    found = tables.all_tables(made, real)
+    for name, lines in found.items():
+        print(f"\n{name}\n", *lines, sep="\n")
+    if arguments.plot:
+        confidence.plot(arguments.plot, real or made)
+    if arguments.write:
+        tables.put_into(arguments.write, found)
+    mean = tables.mean([figures["iou"] for figures in made if figures["built"]])
+    if arguments.least_iou and (mean is None or mean < arguments.least_iou):
+        sys.exit(f"The mean IoU of the scenes is {mean}, not {arguments.least_iou} or more.")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

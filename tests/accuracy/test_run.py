@@ -1,0 +1,96 @@
+"""Parts of run.py against values worked out by hand, and the command on one scene."""
+import os
+import subprocess
+import tempfile
+import unittest
+
+try:
+    import numpy as np
+    import scipy.spatial  # noqa: F401
+    from osgeo import ogr
+except ImportError as error:
+    raise SystemExit(f"a package is missing: {error}") from error
+
+import confidence
+import tables
+import walls
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+
+
+def box(x0, y0, x1, y1, hole=None):
+    text = f"({x0} {y0}, {x1} {y0}, {x1} {y1}, {x0} {y1}, {x0} {y0})"
+    if hole:
+        a, b, c, d = hole
+        text += f", ({a} {b}, {c} {b}, {c} {d}, {a} {d}, {a} {b})"
+    return ogr.CreateGeometryFromWkt(f"POLYGON ({text})")
+
+
+class Walls(unittest.TestCase):
+    def test_outline_that_is_wider_lies_outside(self):
+        d = walls.signed_distances([box(-0.1, -0.1, 10.1, 10.1)], [box(0, 0, 10, 10)], 0.5)
+        self.assertAlmostEqual(d.mean(), 0.2, delta=0.002)  # a tenth of a metre is a fifth of the cell
+        self.assertTrue((d > 0).all())
+
+    def test_outline_that_is_narrower_lies_inside(self):
+        d = walls.signed_distances([box(0.1, 0.1, 9.9, 9.9)], [box(0, 0, 10, 10)], 1)
+        self.assertAlmostEqual(d.mean(), -0.1, delta=0.002)
+
+    def test_courtyard_that_is_smaller_lies_outside(self):
+        true = [box(0, 0, 100, 100, (40, 40, 60, 60))]
+        d = walls.signed_distances([box(0, 0, 100, 100, (41, 41, 59, 59))], true, 1)
+        # 72 m of 472 lie 1 m inside of the courtyard, which is outside of the building.
+        self.assertAlmostEqual(d.mean(), 72 / 472, delta=0.005)
+
+    def test_displaced_outline_lies_to_both_sides(self):
+        d = walls.signed_distances([box(0.2, 0, 10.2, 10)], [box(0, 0, 10, 10)], 1)
+        self.assertAlmostEqual(d.mean(), 0, delta=0.01)
+        self.assertAlmostEqual(np.abs(d).mean(), 0.1, delta=0.01)  # two of four sides, by 0.2
+
+    def test_what_is_far_is_not_counted(self):
+        self.assertEqual(len(walls.signed_distances([box(50, 50, 60, 60)], [box(0, 0, 10, 10)], 1)), 0)
+
+
+class Confidence(unittest.TestCase):
+    def test_shares_are_those_of_their_bins(self):
+        bins = list(confidence.by_bin(np.array([[0.1, 0], [0.9, 1], [0.85, 0], [1.0, 1], [0.95, 1]])))
+        self.assertEqual([row[0] for row in bins], [1, 0, 0, 0, 4])
+        self.assertEqual(bins[4][2], 0.75)
+        self.assertIsNone(bins[1][2])
+
+    def test_area_that_is_shared(self):
+        blocks = [(block, block.GetEnvelope()) for block in (box(0, 0, 10, 10), box(20, 0, 30, 10))]
+        self.assertAlmostEqual(confidence.shared_area(box(5, 5, 25, 15), blocks), 50)
+        self.assertEqual(confidence.shared_area(box(10, 0, 20, 10), blocks), 0)
+
+
+class Tables(unittest.TestCase):
+    def test_only_what_stands_between_the_lines_is_replaced(self):
+        with tempfile.NamedTemporaryFile("w+", suffix=".md", encoding="utf-8") as page:
+            page.write("before\n<!-- table a -->\nold\n<!-- end -->\nafter\n<!-- table b -->\nkept\n<!-- end -->\n")
+            page.flush()
+            tables.put_into(page.name, {"a": ["| 1 |"]})
+            with open(page.name, encoding="utf-8") as written:
+                self.assertEqual(written.read(), "before\n<!-- table a -->\n\n| 1 |\n\n<!-- end -->\nafter\n"
+                                                 "<!-- table b -->\nkept\n<!-- end -->\n")
+
+
+class Command(unittest.TestCase):
+    def run_it(self, *words):
+        return subprocess.run([os.path.join(HERE, "run.py"), "--build", os.environ["D2B_BUILD"], *words],
+                              capture_output=True, text=True, check=False)
+
+    def test_measures_a_scene(self):
+        done = self.run_it("--least-iou", "0.94", "rows_lidar8", "fields_thin")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stdout, r"\| rows, lidar8 \| 0.5 m \| 0\.9\d\d \|")
+        self.assertRegex(done.stdout, r"\| fields, thin \| 2 m \| 1.00 \| \d+ \|")
+
+    def test_fails_below_the_bound(self):
+        done = self.run_it("--least-iou", "0.999", "hamlet_thinned")
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr, "The mean IoU of the scenes is 0[.][0-9]*, not 0.999 or more.")
+
+
+if __name__ == "__main__":
+    unittest.main()
