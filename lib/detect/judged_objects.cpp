@@ -76,7 +76,8 @@ JudgedObjects judged_objects(const Scene& scene, const DetectOptions& options, d
     JudgedObjects result;
     result.left_out.low = low_roofs(scene, flags, options.min_height, least, threads);
     DetectedObjects found = find_objects(scene, elevated, segments, least, result.left_out.small, threads);
-    for (const Evidence& evidence : collect_evidence(scene, found, segments, flags, threads)) {
+    result.evidence = collect_evidence(scene, found, segments, flags, threads);
+    for (const Evidence& evidence : result.evidence) {
         result.objects.push_back(judge(evidence));
         result.objects.back().cells = found.regions.cells[result.objects.size()];
     }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "detect/detection.hpp"
+#include "detect/evidence.hpp"
 #include "detect/regions.hpp"
 #include "detect/smoothness.hpp"
 
@@ -12,6 +13,7 @@ namespace d2b {
 struct JudgedObjects {
     Regions regions;
     std::vector<DetectedObject> objects;  ///< by label - 1
+    std::vector<Evidence> evidence;       ///< what they were judged by, by label - 1
     LeftOut left_out;
 };
 

@@ -54,19 +54,28 @@ def by_bin(objects):
         yield (len(rows), float(rows[:, 0].mean()), float(rows[:, 1].mean())) if len(rows) else (0, None, None)
 
 
-def plot(path, measured):
-    """Share that is right over confidence: a line a place, and all of them together."""
+def draw(axes, title, measured):
+    """A line a place with at least five objects in a bin, and one of all of them together."""
+    axes.plot([0, 1], [0, 1], color="0.6", linestyle=":", label="as often as it says")
+    everything = np.concatenate([figures["objects"] for figures in measured])
+    for name, objects in [*((f["name"], f["objects"]) for f in measured), ("all", everything)]:
+        bins = [row for row in by_bin(objects) if row[0] >= 5]
+        style = {"color": "black", "linewidth": 3, "markersize": 8} if name == "all" else {"markersize": 4}
+        if bins:
+            axes.plot([row[1] for row in bins], [row[2] for row in bins], marker="o",
+                      label=f"{name} ({len(objects)})", **style)
+    axes.set(xlabel="confidence", ylabel="share that is a building", xlim=(0, 1.01), ylim=(0, 1.02), title=title)
+    axes.legend(fontsize=7)
+
+
+def plot(path, groups):
+    """Share that is right over confidence, for groups of places by title."""
     import matplotlib
     matplotlib.use("Agg")
     from matplotlib import pyplot
-    figure, axes = pyplot.subplots(figsize=(6, 5.5))
-    axes.plot([0, 1], [0, 1], color="0.6", linestyle=":", label="as it says")
-    everything = np.concatenate([figures["objects"] for figures in measured])
-    for name, objects, width in [(f["name"], f["objects"], 1) for f in measured] + [("all", everything, 3)]:
-        bins = [row for row in by_bin(objects) if row[0] >= 5]
-        axes.plot([row[1] for row in bins], [row[2] for row in bins], marker="o", markersize=2 + 2 * width,
-                  linewidth=width, color="black" if width == 3 else None, label=f"{name} ({len(objects)})")
-    axes.set(xlabel="confidence", ylabel="share that is a building", xlim=(0, 1), ylim=(0, 1.02))
-    axes.legend(fontsize=7)
+    known = {title: measured for title, measured in groups.items() if measured}
+    figure, axes = pyplot.subplots(1, len(known), figsize=(6 * len(known), 5.5), squeeze=False)
+    for one, (title, measured) in zip(axes[0], known.items()):
+        draw(one, title, measured)
     figure.tight_layout()
-    figure.savefig(path, dpi=100)
+    figure.savefig(path, dpi=80)

@@ -2,13 +2,15 @@
 """Measures accuracy: on scenes whose truth is exact, and on real places where there are some.
 
     tests/accuracy/run.py [--build build] [--work FOLDER] [--seed N] [--cities FOLDER] [--plot FILE.png]
-                          [--write docs/accuracy.md] [--least-iou X] [SCENE...]
+                          [--learn] [--write docs/accuracy.md] [--least-iou X] [SCENE...]
 
 Makes the scenes (all that are measured, or those that are named), finds buildings with the defaults, and prints
 tables: areas, objects, walls, places without buildings, and how often a confidence is right.
 --cities   a folder with a folder a place: dsm.tif, reference_buildings.gpkg, perhaps dtm.tif and NOTE.md
 --write    puts the tables into a page, between the lines `<!-- table NAME -->` and `<!-- end -->`
 --plot     draws how often a confidence is right (needs python3-matplotlib)
+--learn    fits the weights of the judge to the real places and to scenes of another seed, and tries them on each
+           place with that place left out
 --least-iou  fails where the mean IoU of the scenes is less
 Needs python3-gdal and python3-scipy.
 """
@@ -20,6 +22,7 @@ import sys
 import tempfile
 
 import confidence
+import learning
 import tables
 import walls
 from places import Place, scene, title_of
@@ -68,11 +71,21 @@ def cities(folder):
                    for file in ("dsm.tif", "reference_buildings.gpkg"))]
 
 
+def learn(arguments, work):
+    """Tables of weights that are fitted to scenes of another seed and to the real places."""
+    with tempfile.TemporaryDirectory(dir=work) as folder:
+        others = make_scenes(arguments.build, folder, arguments.seed + 100, arguments.scenes)
+        real = cities(arguments.cities) if arguments.cities else []
+        return learning.learned(arguments.build, real + others, folder)
+
+
 def measure_all(arguments, work):
+    """The figures of scenes and of real places, and tables of what was learned."""
     tools = os.path.join(arguments.build, "tools")
     made = make_scenes(arguments.build, work, arguments.seed, arguments.scenes)
     real = cities(arguments.cities) if arguments.cities else []
-    return ([measure(tools, place, work) for place in made], [measure(tools, place, work) for place in real])
+    return ([measure(tools, place, work) for place in made], [measure(tools, place, work) for place in real],
+            learn(arguments, work) if arguments.learn else {})
 
 
 def main(words):
@@ -82,6 +95,7 @@ def main(words):
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--cities")
     parser.add_argument("--plot")
+    parser.add_argument("--learn", action="store_true")
     parser.add_argument("--write")
     parser.add_argument("--least-iou", type=float, default=0)
     parser.add_argument("scenes", nargs="*")
@@ -89,12 +103,12 @@ def main(words):
     with tempfile.TemporaryDirectory() as scratch:
         if arguments.work:
             os.makedirs(arguments.work, exist_ok=True)
-        made, real = measure_all(arguments, arguments.work or scratch)
-    found = tables.all_tables(made, real)
+        made, real, more = measure_all(arguments, arguments.work or scratch)
+    found = tables.all_tables(made, real) | more
     for name, lines in found.items():
         print(f"\n{name}\n", *lines, sep="\n")
     if arguments.plot:
-        confidence.plot(arguments.plot, real or made)
+        confidence.plot(arguments.plot, {"real places": real, "scenes": made})
     if arguments.write:
         tables.put_into(arguments.write, found)
     mean = tables.mean([figures["iou"] for figures in made if figures["built"]])

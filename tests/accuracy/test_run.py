@@ -12,6 +12,7 @@ except ImportError as error:
     raise SystemExit(f"a package is missing: {error}") from error
 
 import confidence
+import learning
 import tables
 import walls
 
@@ -64,6 +65,21 @@ class Confidence(unittest.TestCase):
         self.assertEqual(confidence.shared_area(box(10, 0, 20, 10), blocks), 0)
 
 
+class Learning(unittest.TestCase):
+    def test_weights_that_made_the_chances_are_found(self):
+        rng = np.random.default_rng(1)
+        features = np.column_stack([rng.normal(size=(4000, 4)), np.ones(4000)])
+        weights = np.array([2, -1, 0.5, 0, 0.7])
+        chances = learning.chances(features, weights)
+        found = learning.fit([(features[:1000], chances[:1000], None), (features[1000:], chances[1000:], None)])
+        np.testing.assert_allclose(found, weights, atol=0.03)  # the ridge makes them a little smaller
+
+    def test_loss_is_that_of_a_coin(self):
+        self.assertAlmostEqual(learning.loss(np.array([0, 1]), np.array([0.5, 0.5])), np.log(2))
+        self.assertAlmostEqual(learning.loss(np.array([1, 1]), np.array([0.5, 0.25])), 1.5 * np.log(2))
+        self.assertEqual(learning.agreed(np.array([0, 1, 1]), np.array([0.4, 0.5, 0.1])), 2 / 3)
+
+
 class Tables(unittest.TestCase):
     def test_only_what_stands_between_the_lines_is_replaced(self):
         with tempfile.NamedTemporaryFile("w+", suffix=".md", encoding="utf-8") as page:
@@ -81,10 +97,12 @@ class Command(unittest.TestCase):
                               capture_output=True, text=True, check=False)
 
     def test_measures_a_scene(self):
-        done = self.run_it("--least-iou", "0.94", "rows_lidar8", "fields_thin")
+        done = self.run_it("--least-iou", "0.7", "--learn", "rows_lidar8", "hamlet_thinned", "fields_thin")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertRegex(done.stdout, r"\| rows, lidar8 \| 0.5 m \| 0\.9\d\d \|")
         self.assertRegex(done.stdout, r"\| fields, thin \| 2 m \| 1.00 \| \d+ \|")
+        # Each row of the town is a building, of which the farms' weights know.
+        self.assertRegex(done.stdout, r"\| rows, lidar8 \| 24 \| 1.00 \| 1.000 \| 1.000 \|")
 
     def test_fails_below_the_bound(self):
         done = self.run_it("--least-iou", "0.999", "hamlet_thinned")

@@ -58,7 +58,7 @@ int main(int argc, char** argv) {
     for (const auto& entry : fs::directory_iterator(argv[1])) {
         const std::string name = entry.path().filename().string();
         if (name.starts_with("qgis_") || name.starts_with("python_") || name.starts_with("tiers_") ||
-            name.starts_with("thesis_"))
+            name.starts_with("thesis_") || name.starts_with("accuracy_"))
             continue;
         ++seen;
         const double share = share_of_difference(read(entry.path()), read(fs::path(argv[2]) / name));
