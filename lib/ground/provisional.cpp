@@ -9,6 +9,7 @@
 #include "ground/connect.hpp"
 #include "ground/fill.hpp"
 #include "ground/line_pass.hpp"
+#include "ground/plateaus.hpp"
 #include "ground/progressive_opening.hpp"
 #include "ground/walled.hpp"
 
@@ -16,6 +17,7 @@ namespace d2b::ground {
 namespace {
 
 constexpr float above_all_limits = std::numeric_limits<float>::infinity();
+constexpr float below_all = -std::numeric_limits<float>::infinity();
 
 /// What opening by small elements leaves of a surface, but `above_all_limits` where a cell is of a small
 /// object; and the lowest it leaves of each block.
@@ -82,6 +84,7 @@ MetreGrid limits_of_blocks(AlignedGrid& blocks, double next_radius, double width
                                  rules.large_slope, rules.large_growth,  rules.border_reach};
     MetreGrid sure = limits_on_blocks(blocks, elements, opened_by_rectangle, threads);
     Grid<std::uint8_t> ground = connected_ground(blocks, sure, rules.link_slope, rules.link_steps, threads);
+    const Mask roofs = walled_plateaus(blocks, sure, ground, rules, rules.wall_length * width);
     take_walled_back(blocks, sure, rules, rules.wall_length * width, ground);
     sure = with_neighbours_limits(sure, blocks.cell, threads);
     elements.rise = rules.line_rise;
@@ -94,6 +97,7 @@ MetreGrid limits_of_blocks(AlignedGrid& blocks, double next_radius, double width
             const float connected = std::min(lines.values[k], blocks.grid.values[k] + rise);
             const float limit = std::max(sure.values[k], connected);
             sure.values[k] = ground.values[k] != 0 ? limit : sure.values[k];
+            sure.values[k] = roofs.values[k] != 0 ? below_all : sure.values[k];
         }
     });
     return sure;

@@ -1,19 +1,13 @@
 #include "ground/walled.hpp"
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
+#include "ground/block_place.hpp"
 #include "ground/line_pass.hpp"
 
 namespace d2b::ground {
 namespace {
-
-struct Place {
-    std::int32_t row;
-    std::int32_t col;
-};
-constexpr std::array<Place, 4> sides{{{-1, 0}, {0, -1}, {0, 1}, {1, 0}}};
 
 /// Collects pieces of connected blocks, and looks at what lies beside them.
 class Pieces {
@@ -31,27 +25,27 @@ class Pieces {
     }
 
     /// The piece that holds a place, once: nothing where it has been taken before.
-    [[nodiscard]] std::vector<Place> take(Place first) {
-        std::vector<Place> piece;
+    [[nodiscard]] std::vector<BlockPlace> take(BlockPlace first) {
+        std::vector<BlockPlace> piece;
         add(first, piece);
         for (std::size_t i = 0; i < piece.size(); ++i)
-            for (const Place& side : sides)
+            for (const BlockPlace& side : block_sides)
                 add({piece[i].row + side.row, piece[i].col + side.col}, piece);
         return piece;
     }
 
     /// The share of its border beside which the surface steps by more than `rise`: up or down in the next
     /// block, or down within two, since a wall may lean over a block.
-    [[nodiscard]] double walled_share(const std::vector<Place>& piece, float rise) const {
+    [[nodiscard]] double walled_share(const std::vector<BlockPlace>& piece, float rise) const {
         std::int64_t border = 0;
         std::int64_t walled = 0;
-        for (const Place& at : piece)
-            for (const Place& side : sides) {
-                const Place beside{at.row + side.row, at.col + side.col};
+        for (const BlockPlace& at : piece)
+            for (const BlockPlace& side : block_sides) {
+                const BlockPlace beside{at.row + side.row, at.col + side.col};
                 if (!outside(beside))
                     continue;
                 ++border;
-                const Place behind{beside.row + side.row, beside.col + side.col};
+                const BlockPlace behind{beside.row + side.row, beside.col + side.col};
                 const float z = grid_.at(at.row, at.col);
                 const float there = grid_.at(beside.row, beside.col);
                 const float lower =
@@ -61,23 +55,25 @@ class Pieces {
         return border > 0 ? static_cast<double>(walled) / static_cast<double>(border) : 0;
     }
 
-    [[nodiscard]] double length(const std::vector<Place>& piece) const {
-        const auto [top, bottom] = std::minmax_element(
-            piece.begin(), piece.end(), [](const Place& a, const Place& b) { return a.row < b.row; });
-        const auto [left, right] = std::minmax_element(
-            piece.begin(), piece.end(), [](const Place& a, const Place& b) { return a.col < b.col; });
+    [[nodiscard]] double length(const std::vector<BlockPlace>& piece) const {
+        const auto [top, bottom] =
+            std::minmax_element(piece.begin(), piece.end(),
+                                [](const BlockPlace& a, const BlockPlace& b) { return a.row < b.row; });
+        const auto [left, right] =
+            std::minmax_element(piece.begin(), piece.end(),
+                                [](const BlockPlace& a, const BlockPlace& b) { return a.col < b.col; });
         return std::max((bottom->row - top->row + 1) * blocks_.cell.down,
                         (right->col - left->col + 1) * blocks_.cell.across);
     }
 
   private:
-    void add(Place at, std::vector<Place>& piece) {
+    void add(BlockPlace at, std::vector<BlockPlace>& piece) {
         if (!grid_.holds(at.row, at.col) || open_.at(at.row, at.col) == 0)
             return;
         open_.at(at.row, at.col) = 0;
         piece.push_back(at);
     }
-    [[nodiscard]] bool outside(Place at) const {
+    [[nodiscard]] bool outside(BlockPlace at) const {
         return grid_.holds(at.row, at.col) && inside_.at(at.row, at.col) == 0 &&
                grid_.at(at.row, at.col) != no_value;
     }
@@ -95,11 +91,11 @@ void take_walled_back(const AlignedGrid& blocks, const MetreGrid& limits, const 
     Pieces pieces(blocks, limits, ground);
     for (std::int32_t row = 0; row < ground.rows; ++row)
         for (std::int32_t col = 0; col < ground.cols; ++col) {
-            const std::vector<Place> piece = pieces.take({row, col});
+            const std::vector<BlockPlace> piece = pieces.take({row, col});
             if (piece.empty() || pieces.length(piece) > largest ||
                 pieces.walled_share(piece, static_cast<float>(rules.wall_rise)) <= rules.wall_share)
                 continue;
-            for (const Place& at : piece)
+            for (const BlockPlace& at : piece)
                 ground.at(at.row, at.col) = 0;
         }
 }
