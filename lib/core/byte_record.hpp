@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <span>
 #include <stdexcept>
 #include <type_traits>
@@ -32,7 +33,16 @@ class ByteWriter {
     void put_bytes(std::span<const std::byte> bytes) {
         bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
     }
+    /// A byte where it is small.
+    void put_varint(std::uint64_t value) {
+        for (; value >= more_follows; value >>= varint_bits)
+            bytes_.push_back(static_cast<std::byte>(value | more_follows));
+        bytes_.push_back(static_cast<std::byte>(value));
+    }
     [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_; }
+
+    static constexpr std::uint64_t more_follows = 0x80;
+    static constexpr int varint_bits = 7;
 
   private:
     std::vector<std::byte> bytes_;
@@ -55,6 +65,24 @@ class ByteReader {
         T value;
         std::memcpy(&value, take_bytes(sizeof(T)).data(), sizeof(T));
         return value;
+    }
+    [[nodiscard]] std::uint64_t take_varint() {
+        std::uint64_t value = 0;
+        for (int shift = 0; shift < std::numeric_limits<std::uint64_t>::digits;
+             shift += ByteWriter::varint_bits) {
+            const auto byte = static_cast<std::uint64_t>(take_bytes(1).front());
+            value |= (byte & (ByteWriter::more_follows - 1)) << shift;
+            if (byte < ByteWriter::more_follows)
+                return value;
+        }
+        throw BrokenRecord("a number has no end");
+    }
+    /// @throws BrokenRecord also where it is larger
+    [[nodiscard]] std::int32_t take_varint(std::int32_t most) {
+        const std::uint64_t value = take_varint();
+        if (value > static_cast<std::uint64_t>(most))
+            throw BrokenRecord("a number is larger than it may be");
+        return static_cast<std::int32_t>(value);
     }
     /// How many follow, each of at least so many bytes.
     [[nodiscard]] std::size_t take_count(std::size_t least_bytes) {

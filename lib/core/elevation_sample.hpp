@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "core/byte_record.hpp"
+
 namespace d2b {
 
 /// The range that the bins of a histogram divide; the same for a whole run, so that histograms merge.
@@ -36,6 +38,11 @@ class ElevationSample {
     /// @param shares 0 to 1, ascending @pre size() > 0
     [[nodiscard]] std::vector<double> percentiles(const std::vector<double>& shares,
                                                   const ElevationRange& range) const;
+
+    /// Takes half of the room where elevations are floats.
+    void save(ByteWriter& writer) const;
+    /// @throws BrokenRecord
+    [[nodiscard]] static ElevationSample load(ByteReader& reader);
 
   private:
     void make_histogram(const ElevationRange& range);

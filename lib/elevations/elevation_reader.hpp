@@ -39,6 +39,9 @@ class ElevationReader {
                                          const std::function<void(const ElevationBand&)>& done,
                                          const std::optional<Window>& of = {});
 
+    /// In place of the first pass, where no cell is judged by those around it. @pre rules without spikes
+    void apply(const SiftRules& rules) { rules_ = rules; }
+
     /// Calls use(band, prepare(band, tally)) for each band, from the first row to the last: `prepare` on any
     /// thread, `use` on the caller's. @throws InputError, and what these throw
     template <typename Prepare, typename Use>

@@ -13,21 +13,15 @@
 namespace d2b {
 namespace {
 
-/// What of a run all bands are traced with.
-struct Tracing {
-    const TraceFrame& frame;
-    const TierImage& image;
-    TraceMode mode;
-};
-
-LabelBand labels_of(const ElevationBand& band, const Tracing& tracing) {
+LabelBand labels_of(const ElevationBand& band, const BandTracing& tracing) {
     Context none;
     const FoundBuildings* found = tracing.image.found;
     return found == nullptr ? detect_one_label(band, none) : found->band(band.shape);
 }
 
 template <typename Count>
-PointRows<Count> point_rows(const std::shared_ptr<const ElevationBand>& elevations, const Tracing& tracing) {
+PointRows<Count> point_rows(const std::shared_ptr<const ElevationBand>& elevations,
+                            const BandTracing& tracing) {
     PointRows<Count> rows;
     rows.labels = labels_of(*elevations, tracing);
     std::optional<ElevationBand> clean;
@@ -38,12 +32,9 @@ PointRows<Count> point_rows(const std::shared_ptr<const ElevationBand>& elevatio
     return rows;
 }
 
-/// Bands are taken apart on all threads, each with the rows above it that it needs, which it counts again;
-/// what is found goes through the tracer in order.
+/// Bands are taken apart on all threads, each with the rows above it that it needs, which it counts again.
 template <typename Count>
-void trace_bands(ElevationReader& reader, const Tracing& tracing, ContourSink& sink, Context& context) {
-    const TraceFrame& frame = tracing.frame;
-    Tracer tracer(frame, tracing.mode, sink);
+void take_apart_as(ElevationReader& reader, const BandTracing& tracing, const UseLines& use) {
     reader.for_each_below(
         rows_above(tracing.mode),
         [&](ElevationBand above, const ElevationBand& elevations, Tally& tally) {
@@ -56,36 +47,46 @@ void trace_bands(ElevationReader& reader, const Tracing& tracing, ContourSink& s
                 band = point_rows<Count>(borrowed, tracing);
             }
             const StageClock clock(tally, Stage::trace);
-            return take_apart(frame, tracing.mode, before, band);
+            return take_apart(tracing.frame, tracing.mode, before, band, tracing.summed);
         },
-        [&](const ElevationBand& band, std::vector<TraceLine> lines) {
-            {
-                const StageClock clock(context.report, Stage::trace);
-                tracer.trace(std::move(lines));
-            }
-            context.progress(static_cast<double>(band.shape.first_row + band.shape.rows - frame.window.row) /
-                             frame.window.rows);
-        });
+        [&](const ElevationBand& band, std::vector<TraceLine> lines) { use(band.shape, std::move(lines)); });
 }
 
 }  // namespace
 
-std::unique_ptr<StoredContours> trace_contours(ElevationReader& reader, const TraceFrame& frame,
-                                               const TierImage& image, const RunPlan& plan,
-                                               const SquareArea& area, double metres, Context& context) {
+void take_bands_apart(ElevationReader& reader, const BandTracing& tracing, const UseLines& use) {
+    if (tracing.image.plan.level_count() <= std::numeric_limits<std::uint8_t>::max())
+        take_apart_as<std::uint8_t>(reader, tracing, use);
+    else
+        take_apart_as<std::uint16_t>(reader, tracing, use);
+}
+
+ContourStore contour_store(const TraceFrame& frame, const FoundBuildings* found, const RunPlan& plan,
+                           const SquareArea& area, double metres, Context& context) {
     const NoiseRules noise{plan.asked.filter.noise_factor, plan.contour_m2, plan.detects_buildings()};
     // Footprints that were found stand on nothing.
     HeightRules heights;
-    if (image.found != nullptr)
-        heights = {plan.asked.detect.min_building_height, image.found->ground, metres};
-    ContourStore store(
-        {noise, area, frame.range, frame.fixed, image.found == nullptr, plan.asked.write.rejected, heights},
-        context.make_spool(), context);
-    const Tracing tracing{frame, image, plan.trace};
-    if (image.plan.level_count() <= std::numeric_limits<std::uint8_t>::max())
-        trace_bands<std::uint8_t>(reader, tracing, store, context);
-    else
-        trace_bands<std::uint16_t>(reader, tracing, store, context);
+    if (found != nullptr)
+        heights = {plan.asked.detect.min_building_height, found->ground, metres};
+    return {{noise, area, frame.range, frame.fixed, found == nullptr, plan.asked.write.rejected, heights},
+            context.make_spool(),
+            context};
+}
+
+std::unique_ptr<StoredContours> trace_contours(ElevationReader& reader, const TraceFrame& frame,
+                                               const TierImage& image, const RunPlan& plan,
+                                               const SquareArea& area, double metres, Context& context) {
+    ContourStore store = contour_store(frame, image.found, plan, area, metres, context);
+    Tracer tracer(frame, plan.trace, store);
+    take_bands_apart(reader, {frame, image, plan.trace},
+                     [&](const BandShape& band, std::vector<TraceLine>&& lines) {
+                         {
+                             const StageClock clock(context.report, Stage::trace);
+                             tracer.trace(std::move(lines));
+                         }
+                         context.progress(static_cast<double>(band.first_row + band.rows - frame.window.row) /
+                                          frame.window.rows);
+                     });
     const StageClock clock(context.report, Stage::filter);
     return store.finish();
 }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <vector>
 
 #include "elevations/elevation_reader.hpp"
 #include "filter/contour_store.hpp"
@@ -17,6 +19,24 @@ struct TierImage {
     const FoundBuildings* found;  ///< what the labels belong to; null: all points bear one label
     const CleanRows* clean;  ///< elevations that stand for those of the buildings' points; null: their own
 };
+
+/// How bands are taken apart.
+struct BandTracing {
+    const TraceFrame& frame;
+    const TierImage& image;
+    TraceMode mode;
+    ColSpan summed = {};  ///< see take_apart()
+};
+using UseLines = std::function<void(const BandShape& band, std::vector<TraceLine>&& lines)>;
+
+/// Takes all bands apart, on all threads, and hands the lines to `use` in their order, on this one.
+/// @throws InputError, and what `use` throws
+void take_bands_apart(ElevationReader& reader, const BandTracing& tracing, const UseLines& use);
+
+/// Where contours wait. @param found null: all points bear one label @param metres in one vertical unit
+[[nodiscard]] ContourStore contour_store(const TraceFrame& frame, const FoundBuildings* found,
+                                         const RunPlan& plan, const SquareArea& area, double metres,
+                                         Context& context);
 
 /// Traces and filters the contours of all levels, in one pass over the DEM.
 /// @param metres in one vertical unit

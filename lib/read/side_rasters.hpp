@@ -20,8 +20,8 @@ namespace d2b {
 /// those of another unit (the band's, else the vertical CRS's, else the DEM's own) are converted, vertical
 /// datums are not, with a warning. Between centres of cells, values are interpolated linearly; finer terrain
 /// models are averaged. Warns of the share of the window that lies outside.
-/// What lies outside of the limits is not valid, also where it would be resampled; when all of the window has
-/// been read it is counted (DemSource::cells_outside_range) and warned of.
+/// What lies outside of the limits is not valid, also where it would be resampled, and is counted
+/// (DemSource::cells_outside_range); when all of the window has been read it is warned of.
 /// @param dem_vertical_metres metres in one vertical unit of the DEM
 /// @param limits of elevations, in the DEM's vertical unit
 /// @throws InputError also when reading: more than half of the values are outside of the limits

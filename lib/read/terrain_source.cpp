@@ -62,7 +62,7 @@ class TerrainSource final : public WarningSource {
         if (is_last(part))
             judge_outside();
     }
-    [[nodiscard]] std::int64_t cells_outside_range() const override { return outside_range_; }
+    [[nodiscard]] std::int64_t cells_outside_range() const override { return raster_.counts().outside.cells(); }
 
   private:
     /// Whether it is with this part that all of the window has been read.
@@ -74,7 +74,6 @@ class TerrainSource final : public WarningSource {
     ElevationLimits limits_;
     SeenCells read_;
     std::int64_t unread_;  ///< cells of the window
-    std::int64_t outside_range_ = 0;
 };
 
 bool TerrainSource::is_last(const Window& part) {
@@ -88,7 +87,6 @@ bool TerrainSource::is_last(const Window& part) {
 
 void TerrainSource::judge_outside() {
     const auto& [within, outside] = raster_.counts();
-    outside_range_ = outside.cells();
     if (outside.cells() == 0)
         return;
     const std::string what = outside.text("the " + raster_.name()) + ", outside of the range from " +

@@ -92,14 +92,6 @@ void DrawnBlocks::add(const DrawnContour& drawn) {
         finish();
 }
 
-void DrawnBlocks::finish() {
-    const ByteWriter block = std::exchange(block_, {});
-    if (block.bytes().empty())
-        return;
-    blocks_.push_back({block.bytes().size(), digest_of(block.bytes())});
-    bytes_.insert(bytes_.end(), block.bytes().begin(), block.bytes().end());
-}
-
 std::optional<ContourKey> DrawnStream::key() {
     if (!next_)
         load_next();
@@ -116,12 +108,9 @@ DrawnContour DrawnStream::take() {
 
 void DrawnStream::load_next() {
     if ((!block_ || block_->left() == 0) && next_block_ < blocks_.size()) {
-        const DrawnBlocks::Block block = blocks_[next_block_++];
-        std::vector<std::byte> bytes = file_.tail(begin_, block.size);
+        const TailBlocks::Block block = blocks_[next_block_++];
+        block_.emplace(read_block(file_, begin_, block));
         begin_ += block.size;
-        if (digest_of(bytes) != block.digest)
-            throw InputError(file_.damaged("its bytes are not those that were written"));
-        block_.emplace(std::move(bytes));
     }
     if (!block_ || block_->left() == 0)
         return;

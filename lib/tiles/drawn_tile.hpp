@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/byte_record.hpp"
@@ -13,6 +14,7 @@
 #include "filter/contour_store.hpp"
 #include "tiles/joined_tile.hpp"
 #include "tiles/sealed_file.hpp"
+#include "tiles/tail_blocks.hpp"
 
 namespace d2b {
 
@@ -52,28 +54,22 @@ void save(const DrawnTile& tile, ByteWriter& writer);
 /// The contours that a tile has drawn, in blocks that are read one at a time.
 class DrawnBlocks {
   public:
-    struct Block {
-        std::uint64_t size = 0;
-        std::uint64_t digest = 0;
-    };
     /// In the order of their keys.
     void add(const DrawnContour& drawn);
     /// Ends the last block.
-    void finish();
-    [[nodiscard]] const std::vector<Block>& blocks() const { return blocks_; }
-    [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_; }
+    void finish() { all_.add(std::exchange(block_, {})); }
+    [[nodiscard]] const TailBlocks& all() const { return all_; }
 
   private:
     static constexpr std::size_t usual_bytes = std::size_t{1} << 16;
     ByteWriter block_;
-    std::vector<Block> blocks_;
-    std::vector<std::byte> bytes_;
+    TailBlocks all_;
 };
 
 /// Gives the drawn contours of a file back, one after the other.
 class DrawnStream {
   public:
-    DrawnStream(SealedFile file, std::vector<DrawnBlocks::Block> blocks)
+    DrawnStream(SealedFile file, std::vector<TailBlocks::Block> blocks)
         : file_(std::move(file)), blocks_(std::move(blocks)) {}
 
     /// The key of the next contour; nothing where there is none. @throws InputError
@@ -85,7 +81,7 @@ class DrawnStream {
     void load_next();
 
     SealedFile file_;
-    std::vector<DrawnBlocks::Block> blocks_;
+    std::vector<TailBlocks::Block> blocks_;
     std::size_t next_block_ = 0;
     std::uint64_t begin_ = 0;  ///< of that block
     std::optional<ByteReader> block_;

@@ -99,6 +99,7 @@ void FoundFacts::merge(const FoundFacts& other) {
     fit.merge(other.fit);
     slope.merge(other.slope);
     sides.merge(other.sides);
+    terrain_outside += other.terrain_outside;
     tally.merge(other.tally);
     for (const std::string& text : other.warnings)
         if (std::ranges::find(warnings, text) == warnings.end())
@@ -111,6 +112,7 @@ void FoundFacts::save(ByteWriter& writer) const {
     writer.put(fit);
     writer.put(slope);
     writer.put(sides);
+    writer.put(terrain_outside);
     writer.put(tally);
     writer.put(static_cast<std::uint64_t>(warnings.size()));
     for (const std::string& text : warnings)
@@ -124,6 +126,7 @@ void FoundFacts::load(ByteReader& reader) {
     fit = loaded;
     slope = reader.take<GroundSlope>();
     sides = reader.take<SidesKnown>();
+    terrain_outside = reader.take<std::int64_t>();
     tally = reader.take<Tally>();
     warnings.resize(reader.take_count(sizeof(std::uint64_t)));
     for (std::string& text : warnings)

@@ -49,6 +49,8 @@ struct FoundFacts {
     GroundFit fit;
     GroundSlope slope;
     SidesKnown sides{false, false, false};
+    std::int64_t terrain_outside = 0;  ///< cells of a terrain model outside of its range; of several tiles
+                                       ///< some count more than once
     Tally tally;
     std::vector<std::string> warnings;
 };

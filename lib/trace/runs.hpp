@@ -45,43 +45,63 @@ struct RunRow {
     }
 };
 
-/// Cuts a row into runs on all levels in one pass: where the count rises, runs open; where it falls, they
-/// close.
-/// @param labels one a square, or none: all are label 1
+/// Makes runs on all levels of stretches of squares, in one pass from left to right: where their levels rise,
+/// runs open; where they fall, runs close.
+class RunCutter {
+  public:
+    /// @param row with as many levels as there are; emptied
+    explicit RunCutter(RunRow& row) : row_(row) { row.clear(); }
+
+    /// A stretch of squares of one label that belong to the same levels. Squares between stretches belong to
+    /// none. @param count of levels, more than 0
+    void add(std::int32_t begin, std::int32_t end, std::int32_t count, Label label) {
+        if (begin > end_)
+            finish();
+        close(std::min({open_, count, label == label_ ? count : 1}), begin);
+        for (; open_ < count; ++open_)
+            runs(open_).push_back(
+                {begin, end, open_ == 0 ? 0 : label, open_ == 0 ? no_index : last(open_ - 1)});
+        label_ = label;
+        end_ = end;
+        row_.top_runs.push_back({begin, end, count - 1, last(count - 1), count > 1 ? last(1) : no_index});
+    }
+    /// After the last stretch.
+    void finish() { close(0, end_); }
+
+  private:
+    [[nodiscard]] std::vector<Run>& runs(std::int32_t level) {
+        return row_.levels[static_cast<std::size_t>(level)];
+    }
+    [[nodiscard]] std::uint32_t last(std::int32_t level) {
+        return static_cast<std::uint32_t>(runs(level).size() - 1);
+    }
+    /// Ends the runs on levels from this one on.
+    void close(std::int32_t from, std::int32_t col) {
+        while (open_ > from)
+            runs(--open_).back().end = col;
+    }
+
+    RunRow& row_;
+    std::int32_t open_ = 0;  ///< runs are open on levels below
+    std::int32_t end_ = 0;   ///< of the last stretch
+    Label label_ = 0;        ///< likewise
+};
+
+/// Cuts a row into runs. @param labels one a square, or none: all are label 1
 template <typename Count>
 void cut_into_runs(std::span<const Count> counts, std::span<const Label> labels, RunRow& row) {
-    row.clear();
-    const auto cols = static_cast<std::int32_t>(counts.size());
-    std::int32_t open = 0;  // runs are open on levels 0 .. open - 1
-    Label label = 0;
-    for (std::int32_t col = 0; col < cols;) {
-        const auto at = static_cast<std::size_t>(col);
-        const std::int32_t count = counts[at];
-        const Label next_label = labels.empty() ? 1 : labels[at];
-        const std::int32_t shared = std::min({open, count, next_label == label ? count : 1});
-        while (open > shared)
-            row.levels[static_cast<std::size_t>(--open)].back().end = col;
-        for (; open < count; ++open) {
-            const std::uint32_t below =
-                open == 0
-                    ? no_index
-                    : static_cast<std::uint32_t>(row.levels[static_cast<std::size_t>(open - 1)].size() - 1);
-            row.levels[static_cast<std::size_t>(open)].push_back(
-                {col, cols, open == 0 ? 0 : next_label, below});
-        }
-        label = next_label;
-        std::int32_t end = col + 1;
-        while (end < cols && counts[static_cast<std::size_t>(end)] == counts[at] &&
-               (labels.empty() || labels[static_cast<std::size_t>(end)] == label))
+    RunCutter cutter(row);
+    for (std::size_t col = 0; col < counts.size();) {
+        std::size_t end = col + 1;
+        while (end < counts.size() && counts[end] == counts[col] &&
+               (labels.empty() || labels[end] == labels[col]))
             ++end;
-        if (count > 0) {
-            const auto last = [&](std::int32_t level) {
-                return static_cast<std::uint32_t>(row.levels[static_cast<std::size_t>(level)].size() - 1);
-            };
-            row.top_runs.push_back({col, end, count - 1, last(count - 1), count > 1 ? last(1) : no_index});
-        }
+        if (counts[col] > 0)
+            cutter.add(static_cast<std::int32_t>(col), static_cast<std::int32_t>(end), counts[col],
+                       labels.empty() ? 1 : labels[col]);
         col = end;
     }
+    cutter.finish();
 }
 
 }  // namespace d2b

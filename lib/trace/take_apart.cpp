@@ -38,8 +38,12 @@ struct Row {
 template <typename Count>
 class Cutter {
   public:
-    Cutter(const TraceFrame& frame, const PointRows<Count>& before, const PointRows<Count>& band)
-        : frame_(frame), before_(before), band_(band) {}
+    Cutter(const TraceFrame& frame, const PointRows<Count>& before, const PointRows<Count>& band,
+           const ColSpan& summed)
+        : frame_(frame),
+          before_(before),
+          band_(band),
+          summed_{summed.begin, std::min(summed.end, band.shape().cols)} {}
 
     [[nodiscard]] std::vector<TraceLine> lines_of_cells() const;
     [[nodiscard]] std::vector<TraceLine> lines_of_points() const;
@@ -65,6 +69,7 @@ class Cutter {
     const TraceFrame& frame_;
     const PointRows<Count>& before_;
     const PointRows<Count>& band_;
+    ColSpan summed_;
 };
 
 template <typename Count>
@@ -94,7 +99,7 @@ void Cutter<Count>::add_share(TraceLine& line, const PointShare& share) const {
         line.shares.pop_back();
 }
 
-/// Every cell is a point of the contour that it lies in.
+/// Every cell is a point of the contour that it lies in, and no cell is known for the sake of others.
 template <typename Count>
 std::vector<TraceLine> Cutter<Count>::lines_of_cells() const {
     std::vector<TraceLine> lines;
@@ -138,17 +143,16 @@ TraceLine Cutter<Count>::line_of_points(std::int32_t number, const Holders& abov
     if (number < band_.shape().first_row)
         line.owner = before_.elevations;
     const Holders below = holders_of(squares, points.elevations.size() - 1);
-    const auto cols = static_cast<std::int32_t>(points.elevations.size());
     PointShare share;
     std::int32_t level = -1;
-    for (std::int32_t c = 0; c <= cols; ++c) {
+    for (std::int32_t c = summed_.begin; c <= summed_.end; ++c) {
         Holder best;
         bool best_above = false;
         for (const bool is_above : {true, false})
             for (const std::int32_t square : {c - 1, c}) {
                 const Holders& holders = is_above ? above : below;
                 const auto at = static_cast<std::size_t>(square);
-                if (square >= 0 && at < holders.size() && holders[at].level > best.level && c < cols) {
+                if (square >= 0 && at < holders.size() && holders[at].level > best.level && c < summed_.end) {
                     best = holders[at];
                     best_above = is_above;
                 }
@@ -192,14 +196,14 @@ std::vector<TraceLine> Cutter<Count>::lines_of_points() const {
 
 template <typename Count>
 std::vector<TraceLine> take_apart(const TraceFrame& frame, TraceMode mode, const PointRows<Count>& before,
-                                  const PointRows<Count>& band) {
-    const Cutter<Count> cutter(frame, before, band);
+                                  const PointRows<Count>& band, const ColSpan& summed) {
+    const Cutter<Count> cutter(frame, before, band, summed);
     return mode == TraceMode::points ? cutter.lines_of_points() : cutter.lines_of_cells();
 }
 
 template std::vector<TraceLine> take_apart(const TraceFrame&, TraceMode, const PointRows<std::uint8_t>&,
-                                           const PointRows<std::uint8_t>&);
+                                           const PointRows<std::uint8_t>&, const ColSpan&);
 template std::vector<TraceLine> take_apart(const TraceFrame&, TraceMode, const PointRows<std::uint16_t>&,
-                                           const PointRows<std::uint16_t>&);
+                                           const PointRows<std::uint16_t>&, const ColSpan&);
 
 }  // namespace d2b

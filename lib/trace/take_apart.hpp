@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -41,6 +42,15 @@ struct PointShare {
     PointStats stats;
 };
 
+/// What points of a contour add up to that were looked at elsewhere, in a part of the window.
+struct ContourSum {
+    bool above = false;      ///< a square of the contour's lies above the line, else below
+    std::int32_t level = 0;  ///< of the contour
+    std::int32_t col = 0;    ///< of the square
+    PointStats stats;
+    ElevationSample roof;  ///< level 1 alone: of all points but spires
+};
+
 /// A stop of the sweep line with what can be known of it without what came before.
 struct TraceLine {
     static constexpr std::int32_t none = -1;
@@ -54,6 +64,13 @@ struct TraceLine {
     /// Of the row of points below the line: the elevation where a point is valid and does not qualify, else
     /// +infinity.
     std::vector<double> outside;
+    std::vector<ContourSum> sums;  ///< in place of shares
+};
+
+/// Columns side by side.
+struct ColSpan {
+    std::int32_t begin = 0;
+    std::int32_t end = std::numeric_limits<std::int32_t>::max();
 };
 
 /// So many rows above a band are needed to take it apart: a line between points has a row of squares on
@@ -68,15 +85,17 @@ struct TraceLine {
 /// @param band its elevations must outlive the lines
 /// @return the lines that the band's rows complete, from the top; after the window's last row also the line
 ///         under it
+/// @param summed columns of the points that are summed up: others are known for the sake of squares
 template <typename Count>
 [[nodiscard]] std::vector<TraceLine> take_apart(const TraceFrame& frame, TraceMode mode,
-                                                const PointRows<Count>& before, const PointRows<Count>& band);
+                                                const PointRows<Count>& before, const PointRows<Count>& band,
+                                                const ColSpan& summed = {});
 
 extern template std::vector<TraceLine> take_apart(const TraceFrame&, TraceMode,
                                                   const PointRows<std::uint8_t>&,
-                                                  const PointRows<std::uint8_t>&);
+                                                  const PointRows<std::uint8_t>&, const ColSpan&);
 extern template std::vector<TraceLine> take_apart(const TraceFrame&, TraceMode,
                                                   const PointRows<std::uint16_t>&,
-                                                  const PointRows<std::uint16_t>&);
+                                                  const PointRows<std::uint16_t>&, const ColSpan&);
 
 }  // namespace d2b

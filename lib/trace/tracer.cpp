@@ -1,6 +1,9 @@
 #include "trace/tracer.hpp"
 
+#include <algorithm>
 #include <utility>
+
+#include "core/byte_record.hpp"
 
 namespace d2b {
 
@@ -21,6 +24,7 @@ void Tracer::trace(std::vector<TraceLine>&& lines) {
         sweep_line_.link(line.line, points_ ? OutsideRows{outside_[2], outside_[1], outside_[0], true}
                                             : OutsideRows{outside_[1], {}, outside_[0], false});
         add_points(line);
+        add_sums(line);
         sweep_line_.finish_ended(sink_);
     }
 }
@@ -37,6 +41,21 @@ void Tracer::add_points(const TraceLine& line) {
         if (top_run.building == no_index)
             continue;
         add_roof(line, share, *component_of(1, top_run.building).sample);
+    }
+}
+
+void Tracer::add_sums(TraceLine& line) {
+    Components& components = sweep_line_.components();
+    for (ContourSum& sum : line.sums) {
+        const RunRow& row = sum.above ? sweep_line_.previous() : sweep_line_.current();
+        const std::vector<Run>& runs = row.levels[static_cast<std::size_t>(sum.level)];
+        const auto run = std::ranges::upper_bound(runs, sum.col, {}, &Run::end);
+        if (run == runs.end() || run->begin > sum.col)
+            throw BrokenRecord("a sum is of no contour");
+        Component& component = components[components.find(run->component)];
+        component.own.merge(sum.stats);
+        if (component.sample)
+            component.sample->merge(sum.roof, range_);
     }
 }
 

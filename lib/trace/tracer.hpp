@@ -17,10 +17,12 @@ class Tracer {
     Tracer(const TraceFrame& frame, TraceMode mode, ContourSink& sink);
 
     /// The next lines, without gap or overlap. After the last all contours have been handed out.
+    /// @throws BrokenRecord where a sum is of no contour
     void trace(std::vector<TraceLine>&& lines);
 
   private:
     void add_points(const TraceLine& line);
+    void add_sums(TraceLine& line);
     void add_roof(const TraceLine& line, const PointShare& share, ElevationSample& sample) const;
 
     bool points_;

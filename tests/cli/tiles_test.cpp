@@ -58,7 +58,8 @@ class TilesTool : public CliTest {
 TEST_F(TilesTool, givesTheBytesOfOneRun) {
     const std::vector<Arguments> variants{{},
                                           {"-write_doubtful", "-split_height", "3", "-disjoint"},
-                                          {"-t_srs", "EPSG:4326", "-3d", "-nf", "12"}};
+                                          {"-t_srs", "EPSG:4326", "-3d", "-nf", "12"},
+                                          {"-preset", "thesis", "-lod", "5"}};
     for (const Arguments& options : variants) {
         const std::string report = whole(options, "one.gpkg");
         Arguments plan{"plan"};
@@ -111,9 +112,9 @@ TEST_F(TilesTool, worksFromAnyFolder) {
 TEST_F(TilesTool, refusesWhatItCannotDo) {
     expect_refused(
         2,
-        "-preset thesis does not work in tiles: what stands above a threshold may fill the country; leave "
-        "it out, or run dem2buildings.",
-        {"plan", "-preset", "thesis", sample("town.tif"), "a.gpkg", "work"});
+        "-write_canopy does not work in tiles: rasters are written by one run alone; leave it out, or run "
+        "dem2buildings.",
+        {"plan", "-write_canopy", "a.tif", sample("town.tif"), "a.gpkg", "work"});
     expect_refused(2, "There is no tile to find; usage: dem2buildings_tiles find <work> <tile>....",
                    {"find", "work"});
     expect_refused(2, "Tile 3 is named twice; name it once.", {"draw", "work", "3", "1", "3"});

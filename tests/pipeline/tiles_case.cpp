@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "pipeline/run_in_units.hpp"
+
 namespace d2b::test {
 namespace {
 
@@ -81,29 +83,29 @@ WorkFolder::~WorkFolder() {
 
 std::int64_t StepsInTiles::count() {
     PlannedSink sink(layers_);
-    return TileRun(work_, options_, {dem_}, sink, {}).tiles().count();
+    return TileRun(work_, options_, sources_, sink, {}).tiles().count();
 }
 
 void StepsInTiles::find(std::int64_t tile) {
     PlannedSink sink(layers_);
-    TileRun run(work_, options_, {dem_}, sink, {});
+    TileRun run(work_, options_, sources_, sink, {});
     find_tile(run, tile);
 }
 
 void StepsInTiles::join() {
     PlannedSink sink(layers_);
-    TileRun run(work_, options_, {dem_}, sink, {});
+    TileRun run(work_, options_, sources_, sink, {});
     join_tiles(run);
 }
 
 void StepsInTiles::draw(std::int64_t tile) {
     PlannedSink sink(layers_);
-    TileRun run(work_, options_, {dem_}, sink, {});
+    TileRun run(work_, options_, sources_, sink, {});
     draw_tile(run, tile);
 }
 
 void StepsInTiles::merge(Result& result) {
-    TileRun run(work_, options_, {dem_}, result.sink, {});
+    TileRun run(work_, options_, sources_, result.sink, {});
     result.report = merge_tiles(run, result.sink);
 }
 
@@ -137,6 +139,15 @@ void expect_same(const Result& a, const Result& b) {
         }
     }
     expect_same(a.report, b.report);
+}
+
+void expect_same_in_tiles(const Sources& sources, const Options& options, const UnitSize& units,
+                          const TileOrder& order, Result& whole) {
+    whole.report = run_in_units(options, sources, {whole.sink}, {}, units);
+    const WorkFolder folder;
+    Result tiles;
+    StepsInTiles(sources, options, {folder.path(), some_plan, 1, units}).run(order, tiles);
+    expect_same(tiles, whole);
 }
 
 }  // namespace d2b::test

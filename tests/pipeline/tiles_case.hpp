@@ -21,6 +21,8 @@ class WorkFolder {
     std::filesystem::path path_;
 };
 
+inline constexpr std::uint64_t some_plan = 0x1234;
+
 /// How a run in tiles goes.
 struct TileOrder {
     std::int32_t side = 1;   ///< units of a tile in a row
@@ -33,8 +35,8 @@ struct TileOrder {
 class StepsInTiles {
   public:
     /// @param layers that the destination gets
-    StepsInTiles(DemSource& dem, Options options, TileWork work, Layers layers = Layers::both)
-        : dem_(dem), options_(std::move(options)), work_(std::move(work)), layers_(layers) {}
+    StepsInTiles(const Sources& sources, Options options, TileWork work, Layers layers = Layers::both)
+        : sources_(sources), options_(std::move(options)), work_(std::move(work)), layers_(layers) {}
 
     [[nodiscard]] std::int64_t count();
     void find(std::int64_t tile);
@@ -48,7 +50,7 @@ class StepsInTiles {
     template <typename Step>
     void each(const TileOrder& order, const Step& step);
 
-    DemSource& dem_;
+    Sources sources_;
     Options options_;
     TileWork work_;
     Layers layers_;
@@ -56,5 +58,9 @@ class StepsInTiles {
 
 /// Features, numbers, provenance and reports, but for seconds, memory and threads.
 void expect_same(const Result& a, const Result& b);
+
+/// Runs all steps and one run, whose result it compares with theirs and gives back.
+void expect_same_in_tiles(const Sources& sources, const Options& options, const UnitSize& units,
+                          const TileOrder& order, Result& whole);
 
 }  // namespace d2b::test

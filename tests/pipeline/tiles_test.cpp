@@ -2,6 +2,7 @@
 #include <cmath>
 #include <fstream>
 #include <functional>
+#include <mutex>
 #include <tuple>
 
 #include <gtest/gtest.h>
@@ -21,11 +22,10 @@ using test::Box;
 using test::MemorySource;
 using test::random_town;
 using test::Result;
+using test::some_plan;
 using test::StepsInTiles;
 using test::TileOrder;
 using test::WorkFolder;
-
-constexpr std::uint64_t some_plan = 0x1234;
 
 Options options_of(unsigned seed) {
     Options options;
@@ -42,12 +42,8 @@ Options options_of(unsigned seed) {
 
 void compare(MemorySource& dem, const Options& options, const UnitSize& units, const TileOrder& order) {
     Result whole;
-    whole.report = run_in_units(options, {dem}, {whole.sink}, {}, units);
-    WorkFolder folder;
-    Result tiles;
-    StepsInTiles(dem, options, {folder.path(), some_plan, 1, units}).run(order, tiles);
+    test::expect_same_in_tiles({dem}, options, units, order, whole);
     EXPECT_GT(whole.report.buildings, 0);
-    expect_same(tiles, whole);
 }
 
 class RandomTownInTiles : public testing::TestWithParam<unsigned> {};
@@ -113,7 +109,7 @@ TEST(Tiles, OfBlocksThatSeamsCut) {
         for (const std::int32_t side : {1, 2, 5}) {
             WorkFolder folder;
             Result tiles;
-            StepsInTiles steps(dem, options, {folder.path(), some_plan, side, units});
+            StepsInTiles steps({dem}, options, {folder.path(), some_plan, side, units});
             steps.run({side, false, false, 2}, tiles);
             EXPECT_EQ(steps.count(), side == 1 ? 20 : side == 2 ? 6 : 1);
             expect_same(tiles, whole);
@@ -160,7 +156,7 @@ TEST(Tiles, OfContoursOrBuildingsAlone) {
         whole.report = run_in_units(options, {dem}, {whole.sink}, {}, units);
         WorkFolder folder;
         Result tiles;
-        StepsInTiles(dem, options, {folder.path(), some_plan, 1, units}, layers).run({}, tiles);
+        StepsInTiles({dem}, options, {folder.path(), some_plan, 1, units}, layers).run({}, tiles);
         EXPECT_GT(whole.sink.features.at(0).size(), 5U);
         expect_same(tiles, whole);
     }
@@ -176,11 +172,103 @@ TEST(Tiles, OfOneColumnAndOfNothing) {
         whole.report = run_in_units(options_for_blocks(), {dem}, {whole.sink}, {}, {0, 64});
         WorkFolder folder;
         Result tiles;
-        StepsInTiles(dem, options_for_blocks(), {folder.path(), some_plan, 1, {0, 64}}).run({}, tiles);
+        StepsInTiles({dem}, options_for_blocks(), {folder.path(), some_plan, 1, {0, 64}}).run({}, tiles);
         EXPECT_EQ(whole.report.buildings, 0);
         EXPECT_FALSE(whole.report.warnings.empty());
         expect_same(tiles, whole);
     }
+}
+
+/// What lies beside a town: its terrain, where to look, and what is green.
+struct Beside {
+    explicit Beside(const BlockTown& town)
+        : terrain(town.on_grid([&](int r, int c) { return town.ground(r, c); })),
+          mask(town.on_grid([](int r, int c) { return r < 250 || c > 180 ? 1.0 : 0.0; })),
+          ndvi(town.on_grid([](int r, int c) { return (r + c) % 90 < 45 ? 0.5 : -0.2; })) {}
+
+    MemorySource terrain;
+    MemorySource mask;
+    MemorySource ndvi;
+};
+
+TEST(Tiles, WithWhatLiesBesideTheDem) {
+    const BlockTown town = cut_town();
+    MemorySource dem = town.source();
+    Beside beside(town);
+    for (MemorySource* source : {&dem, &beside.terrain, &beside.mask, &beside.ndvi})
+        test::place_in_utm(*source, 1);
+    Options options;
+    options.ground.mode = GroundMode::given;
+    options.ground.terrain = "terrain";
+    options.detect.mask = "mask";
+    options.detect.ndvi = "ndvi";
+    for (const std::int32_t side : {1, 2}) {
+        Result whole;
+        expect_same_in_tiles({dem, &beside.terrain, &beside.mask, &beside.ndvi}, options, {0, 100}, {side},
+                             whole);
+        EXPECT_GT(whole.report.buildings, 3);
+    }
+}
+
+/// What can be no ground in some cells, which is told when all have been read.
+class DoubtfulTerrain final : public DemSource {
+  public:
+    explicit DoubtfulTerrain(MemorySource& sound)
+        : sound_(sound), seen_(static_cast<std::size_t>(sound.info().window.points())) {}
+    [[nodiscard]] const DemInfo& info() const override { return sound_.info(); }
+    void read(const Window& part, std::span<double> elevations) override {
+        sound_.read(part, elevations);
+        const std::lock_guard lock(mutex_);
+        for (std::int32_t row = part.row; row < part.end_row(); ++row)
+            for (std::int32_t col = part.col; col < part.end_col(); ++col) {
+                const auto cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(info().cols) +
+                                  static_cast<std::size_t>(col);
+                if (seen_[cell])
+                    continue;
+                seen_[cell] = true;
+                outside_ += row % 100 < 3 && col < 5 ? 1 : 0;
+                ++read_;
+            }
+    }
+    [[nodiscard]] std::int64_t cells_outside_range() const override { return outside_; }
+    [[nodiscard]] std::vector<std::string> take_warnings() override {
+        if (read_ < std::ssize(seen_) || std::exchange(told_, true))
+            return {};
+        return {std::to_string(outside_) + " cells are no ground."};
+    }
+
+  private:
+    MemorySource& sound_;
+    std::mutex mutex_;
+    std::vector<bool> seen_;
+    std::int64_t read_ = 0;
+    std::int64_t outside_ = 0;
+    bool told_ = false;
+};
+
+TEST(Tiles, OfATerrainThatIsPartlyNone) {
+    const BlockTown town = cut_town();
+    MemorySource dem = town.source();
+    MemorySource sound = town.on_grid([&](int r, int c) { return town.ground(r, c); });
+    for (MemorySource* source : {&dem, &sound})
+        test::place_in_utm(*source, 1);
+    Options options;
+    options.ground.mode = GroundMode::given;
+    options.ground.terrain = "terrain";
+    const UnitSize units{0, 100};
+    Result whole;
+    {
+        DoubtfulTerrain terrain(sound);
+        whole.report = run_in_units(options, {dem, &terrain}, {whole.sink}, {}, units);
+    }
+    EXPECT_EQ(whole.report.counted(Reason::terrain_outside_range), 4 * 3 * 5);
+    ASSERT_FALSE(whole.report.warnings.empty());
+    EXPECT_EQ(whole.report.warnings.front(), "60 cells are no ground.");
+    DoubtfulTerrain terrain(sound);
+    const WorkFolder folder;
+    Result tiles;
+    StepsInTiles({dem, &terrain}, options, {folder.path(), some_plan, 1, units}).run({}, tiles);
+    expect_same(tiles, whole);
 }
 
 /// What a step ends with.
@@ -198,7 +286,7 @@ class TilesOfATown : public testing::Test {
   protected:
     TilesOfATown() : dem_(cut_town().source()) { test::place_in_utm(dem_, 1); }
     [[nodiscard]] StepsInTiles steps(std::uint64_t plan = some_plan) {
-        return {dem_, options_for_blocks(), {folder_.path(), plan, 2, {0, 100}}};
+        return {{dem_}, options_for_blocks(), {folder_.path(), plan, 2, {0, 100}}};
     }
     [[nodiscard]] std::string name(const std::string& file) const {
         return "'" + (folder_.path() / file).string() + "'";
@@ -304,10 +392,12 @@ TEST(TilesRefuse, WhatTheyCannotDoExactly) {
         return refusal([&] { require_tiles(options); });
     };
     EXPECT_EQ(said([](Options&) {}), "(nothing)");
-    EXPECT_EQ(
-        said([](Options& o) { o.preset = Preset::thesis; }),
-        "-preset thesis does not work in tiles: what stands above a threshold may fill the country; leave it "
-        "out, or run dem2buildings.");
+    EXPECT_EQ(said([](Options& o) {
+                  o.preset = Preset::thesis;
+                  o.outline.simplify = 1;
+                  o.write.rejected = true;
+              }),
+              "(nothing)");
     EXPECT_EQ(said([](Options& o) { o.outline.simplify = 1; }),
               "-simplify does not work in tiles: borders are simplified that the whole shares; leave it out, "
               "or run "
@@ -321,10 +411,7 @@ TEST(TilesRefuse, WhatTheyCannotDoExactly) {
         {"-write_rejected", [](Options& o) { o.write.rejected = true; }},
         {"-write_ground", [](Options& o) { o.write.ground = "a.tif"; }},
         {"-write_height", [](Options& o) { o.write.height = "a.tif"; }},
-        {"-write_canopy", [](Options& o) { o.write.canopy = "a.tif"; }},
-        {"-ground with a terrain model", [](Options& o) { o.ground.mode = GroundMode::given; }},
-        {"-mask", [](Options& o) { o.detect.mask = "a.tif"; }},
-        {"-ndvi", [](Options& o) { o.detect.ndvi = "a.tif"; }}};
+        {"-write_canopy", [](Options& o) { o.write.canopy = "a.tif"; }}};
     for (const auto& [option, ask] : refused)
         EXPECT_TRUE(said(ask).starts_with(option + " does not work in tiles: ")) << said(ask);
 }

@@ -21,11 +21,9 @@ constexpr std::string_view steps_text =
 constexpr std::string_view place_text =
     "Relative names of files are of the folder in which plan was run, on every machine.";
 constexpr std::string_view refused_text =
-    "plan refuses what the steps cannot do exactly: -preset thesis, -ground with a terrain model, -mask, "
-    "-ndvi, "
-    "-simplify, -flow_ready, -min_gap, -min_wall, -write_rejected, -surface, -write_ground, -write_height, "
-    "-write_canopy, "
-    "-preview and -sweep.";
+    "plan refuses what the steps cannot do exactly: -flow_ready, -min_gap, -min_wall, -surface, "
+    "-write_ground, -write_height, -write_canopy, -preview and -sweep; with -preset buildings also -simplify "
+    "and -write_rejected.";
 
 std::string heading(const TileOption& option) {
     return "-" + std::string(option.name) + (option.value.empty() ? "" : " ") + std::string(option.value);

@@ -13,6 +13,7 @@
 #include "pipeline/tiles/draw_margin.hpp"
 #include "pipeline/tiles/tile_labels.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
+#include "pipeline/tiles/trace_tile.hpp"
 #include "pipeline/trace_contours.hpp"
 #include "tiles/drawn_tile.hpp"
 
@@ -193,6 +194,8 @@ DrawnTile TileDrawing::draw(DrawnBlocks& blocks) {
 }  // namespace
 
 void draw_tile(TileRun& run, std::int64_t tile) {
+    if (!run.setup().plan.detects_buildings())
+        return trace_tile(run, tile);
     const auto path = run.file(TileStep::draw, tile);
     const Seal seal = run.seal(TileStep::draw, tile);
     if (is_sealed(path, seal))
@@ -207,8 +210,8 @@ void draw_tile(TileRun& run, std::int64_t tile) {
         drawn = TileDrawing(run, joined).draw(blocks);
     ByteWriter writer;
     save(drawn, writer);
-    writer.put_list(blocks.blocks());
-    write_sealed(path, seal, writer.bytes(), blocks.bytes());
+    writer.put_list(blocks.all().blocks());
+    write_sealed(path, seal, writer.bytes(), blocks.all().bytes());
 }
 
 }  // namespace d2b

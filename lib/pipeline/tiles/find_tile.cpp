@@ -25,6 +25,35 @@ FoundUnit found_unit(const Unit& unit, FoundInUnit&& here) {
     return {std::move(here.objects), std::move(boxes), std::move(runs), edges_of(unit, here.labels)};
 }
 
+void find_units(TileRun& run, std::int64_t tile, PartSource& part, ElevationReader& reader,
+                FoundTile& found) {
+    const Sources sources{part, run.sources().terrain, run.sources().mask, run.sources().ndvi};
+    PlannedSink nowhere(run.setup().plan.layers);
+    const Sinks sinks{nowhere};
+    const UnitSearch search{
+        run.setup().plan, sources, sinks, reader, {run.window(), run.setup().cell, run.metres()},
+        run.context()};
+    FoundFacts& facts = found.facts;
+    for (const PlacedUnit& placed : run.tiles().units_of(tile)) {
+        FoundInUnit here = find_in_unit(search, placed.unit);
+        facts.fit.merge(here.fit);
+        facts.slope.merge(here.slope);
+        facts.sides.merge(here.sides);
+        found.units.push_back(found_unit(placed.unit, std::move(here)));
+    }
+    if (run.setup().plan.ground == GroundMode::given)
+        facts.terrain_outside = run.sources().terrain->cells_outside_range();
+}
+
+/// Elevations of the tile's own cells are all that is asked for.
+void find_sums(TileRun& run, std::int64_t tile, FoundTile& found) {
+    const Window own = run.tiles().whole(tile).own;
+    PartSource part(run.sources().dem, own);
+    ElevationReader reader(part, run.context(), {.keep_bytes = 0});  // which is read once
+    found.facts.survey = survey(reader, run, own, run.context());
+    found.units.resize(run.tiles().units_of(tile).size());
+}
+
 }  // namespace
 
 void find_tile(TileRun& run, std::int64_t tile) {
@@ -33,26 +62,18 @@ void find_tile(TileRun& run, std::int64_t tile) {
     if (is_sealed(path, seal))
         return;
     Context& context = run.context();
-    const Unit whole = run.tiles().whole(tile);
-    PartSource part(run.sources().dem, grown(whole.seen, 1, 1, run.window()));
-    ElevationReader reader(part, context);
     FoundTile found{run.no_facts(), {}};
-    FoundFacts& facts = found.facts;
-    facts.survey = survey(reader, run, whole.own, context);
-    const Sources sources{part, run.sources().terrain, run.sources().mask, run.sources().ndvi};
-    PlannedSink nowhere(run.setup().plan.layers);
-    const Sinks sinks{nowhere};
-    const UnitSearch search{
-        run.setup().plan, sources, sinks, reader, {run.window(), run.setup().cell, run.metres()}, context};
-    for (const PlacedUnit& placed : run.tiles().units_of(tile)) {
-        FoundInUnit here = find_in_unit(search, placed.unit);
-        facts.fit.merge(here.fit);
-        facts.slope.merge(here.slope);
-        facts.sides.merge(here.sides);
-        found.units.push_back(found_unit(placed.unit, std::move(here)));
+    if (run.setup().plan.detects_buildings()) {
+        const Unit whole = run.tiles().whole(tile);
+        PartSource part(run.sources().dem, grown(whole.seen, 1, 1, run.window()));
+        ElevationReader reader(part, context);
+        found.facts.survey = survey(reader, run, whole.own, context);
+        find_units(run, tile, part, reader, found);
+    } else {
+        find_sums(run, tile, found);
     }
-    facts.tally.merge(context.report);
-    facts.warnings = run.sources().dem.take_warnings();
+    found.facts.tally.merge(context.report);
+    found.facts.warnings = run.take_warnings();
     ByteWriter writer;
     save(found, writer);
     write_sealed(path, seal, writer.bytes());

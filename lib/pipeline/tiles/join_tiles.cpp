@@ -35,7 +35,9 @@ class Join {
 
     void load();
     void join();
-    void write();
+    void write_tiles();
+    /// Last: where it is there, so is the rest.
+    void write_frame();
 
   private:
     [[nodiscard]] Label number(const SeenUnit& unit, std::size_t object) const {
@@ -130,7 +132,7 @@ void Join::write(std::int64_t tile, std::vector<Label> numbers) {
     write_sealed(run_.file(TileStep::join, tile), run_.seal(TileStep::join, tile), writer.bytes());
 }
 
-void Join::write() {
+void Join::write_tiles() {
     std::vector<std::vector<Label>> numbers(static_cast<std::size_t>(run_.tiles().count()));
     for (std::size_t i = 0; i < objects_.size(); ++i)
         numbers[static_cast<std::size_t>(run_.tiles().tile_of(objects_[i].unit))].push_back(
@@ -139,7 +141,9 @@ void Join::write() {
         run_.context().check_stop();
         write(tile, std::move(numbers[static_cast<std::size_t>(tile)]));
     }
-    // Last: where it is there, so is the rest.
+}
+
+void Join::write_frame() {
     ByteWriter writer;
     facts_.save(writer);
     write_sealed(run_.frame_file(), run_.frame_seal(), writer.bytes());
@@ -152,8 +156,11 @@ void join_tiles(TileRun& run) {
         return;
     Join join(run);
     join.load();
-    join.join();
-    join.write();
+    if (run.setup().plan.detects_buildings()) {
+        join.join();
+        join.write_tiles();
+    }
+    join.write_frame();
 }
 
 }  // namespace d2b

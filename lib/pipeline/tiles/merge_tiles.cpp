@@ -3,7 +3,6 @@
 #include <queue>
 #include <utility>
 
-#include "diagnose/strange_values.hpp"
 #include "features/feature_writer.hpp"
 #include "features/target_frame.hpp"
 #include "filter/contour_shelf.hpp"
@@ -11,6 +10,8 @@
 #include "pipeline/report_run.hpp"
 #include "pipeline/tiles/left_elevations.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
+#include "pipeline/tiles/trace_tile.hpp"
+#include "pipeline/tiles/traced_frame.hpp"
 #include "tiles/drawn_tile.hpp"
 
 namespace d2b {
@@ -44,10 +45,10 @@ DrawnTiles::DrawnTiles(const TileRun& run, Context& context) : elevations(contex
     for (std::int64_t i = 0; i < run.tiles().count(); ++i) {
         context.check_stop();
         SealedFile file(run.file(TileStep::draw, i), run.seal(TileStep::draw, i));
-        std::vector<DrawnBlocks::Block> blocks;
+        std::vector<TailBlocks::Block> blocks;
         DrawnTile tile = load_body(file, [&](ByteReader& reader) {
             DrawnTile loaded = load_drawn_tile(reader);
-            blocks = reader.take_list<DrawnBlocks::Block>();
+            blocks = reader.take_list<TailBlocks::Block>();
             return loaded;
         });
         streams.emplace_back(std::move(file), std::move(blocks));
@@ -156,21 +157,37 @@ void write_all(const FeatureInput& input, const RecordMaker& records, DrawnTiles
     writer.finish();
 }
 
+/// Each tile knows some of a terrain model. Where any of it can be no elevation, the whole is read once more,
+/// which judges it as a run does.
+void judge_terrain(TileRun& run, const FoundFacts& facts, FeatureSink& features) {
+    constexpr std::int32_t rows_at_once = 64;
+    if (facts.terrain_outside == 0)
+        return;
+    Context& context = run.context();
+    const Window& window = run.window();
+    std::vector<double> values;
+    for (std::int32_t row = window.row; row < window.end_row(); row += rows_at_once) {
+        context.check_stop();
+        const Window part{row, window.col, std::min(rows_at_once, window.end_row() - row), window.cols};
+        values.resize(static_cast<std::size_t>(part.points()));
+        run.sources().terrain->read(part, values);
+    }
+    context.report.count(Reason::terrain_outside_range, run.sources().terrain->cells_outside_range());
+    pass_warnings(run.sources(), {features}, context);
+}
+
 /// @throws Error
 void merge_drawn(TileRun& run, FeatureSink& features) {
     Context& context = run.context();
     RunReport& report = context.report;
     const RunSetup& setup = run.setup();
     const Options& options = setup.plan.asked;
-    const FoundFacts facts = run.load_frame();
+    const FoundFacts facts = tell_frame(run, features);
     const ElevationStatistics& statistics = facts.survey.statistics;
     const FixedPoint fixed = statistics.fixed_point();
-    report_strange_values(facts.survey.strange, statistics.moments.n, setup.dem, options.read, context);
-    for (const std::string& text : facts.warnings)
-        context.warn(text);
-    pass_warnings(run.sources(), {features}, context);
     const LevelPlan global = plan_global_levels(statistics, options.levels, setup.plan.levels, context);
     report.merge(facts.tally);
+    judge_terrain(run, facts, features);
     DrawnTiles drawn(run, context);
     report.merge(drawn.tally);
     drawn.plan.minimum = global.minimum;
@@ -194,7 +211,10 @@ void merge_drawn(TileRun& run, FeatureSink& features) {
 
 RunReport merge_tiles(TileRun& run, FeatureSink& features) {
     try {
-        merge_drawn(run, features);
+        if (run.setup().plan.detects_buildings())
+            merge_drawn(run, features);
+        else
+            merge_traced(run, features);
     } catch (...) {
         pass_warnings(run.sources(), {features}, run.context());  // which may say why
         throw;

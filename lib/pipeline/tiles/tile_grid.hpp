@@ -21,6 +21,8 @@ class TileGrid {
     TileGrid(const UnitGrid& units, std::int32_t side);
 
     [[nodiscard]] std::int64_t count() const { return std::int64_t{rows_} * cols_; }
+    [[nodiscard]] std::int32_t rows() const { return rows_; }
+    [[nodiscard]] std::int32_t cols() const { return cols_; }
     [[nodiscard]] const UnitGrid& units() const { return units_; }
     /// The units of a tile, row by row.
     [[nodiscard]] std::vector<PlacedUnit> units_of(std::int64_t tile) const;

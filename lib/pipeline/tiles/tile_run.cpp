@@ -51,6 +51,15 @@ FoundFacts TileRun::load_frame() const {
     });
 }
 
+std::vector<std::string> TileRun::take_warnings() const {
+    std::vector<std::string> all;
+    for (DemSource* source : {&sources_.dem, sources_.terrain, sources_.mask, sources_.ndvi})
+        if (source != nullptr)
+            for (std::string& text : source->take_warnings())
+                all.push_back(std::move(text));
+    return all;
+}
+
 void require_tiles(const Options& options) {
     const auto refuse = [](bool asked, const std::string& option, const std::string& what) {
         if (asked)
@@ -58,23 +67,20 @@ void require_tiles(const Options& options) {
                               "; leave it out, or run dem2buildings.");
     };
     const WriteOptions& write = options.write;
-    refuse(!detects_buildings(options), "-preset thesis",
-           "what stands above a threshold may fill the country");
     refuse(!write.preview.empty(), "-preview", "a picture is drawn of the whole");
     refuse(!write.surfaces.empty(), "-surface", "a surface is made of the whole");
     const std::string flow = "outlines are changed for the sake of others that may be far away";
     refuse(options.outline.flow_ready > 0, "-flow_ready", flow);
     refuse(options.outline.min_gap.has_value(), "-min_gap", flow);
     refuse(options.outline.min_wall.has_value(), "-min_wall", flow);
-    refuse(options.outline.simplify > 0, "-simplify", "borders are simplified that the whole shares");
-    refuse(write.rejected, "-write_rejected", "what is dropped is kept in one run alone");
+    // With -preset thesis merge has all contours.
+    const bool found = detects_buildings(options);
+    refuse(found && options.outline.simplify > 0, "-simplify",
+           "borders are simplified that the whole shares");
+    refuse(found && write.rejected, "-write_rejected", "what is dropped is kept in one run alone");
     refuse(!write.ground.empty(), "-write_ground", "rasters are written by one run alone");
     refuse(!write.height.empty(), "-write_height", "rasters are written by one run alone");
     refuse(!write.canopy.empty(), "-write_canopy", "rasters are written by one run alone");
-    refuse(options.ground.mode == GroundMode::given, "-ground with a terrain model",
-           "its values are judged by one run alone");
-    refuse(!options.detect.mask.empty(), "-mask", "how it lies is judged by one run alone");
-    refuse(!options.detect.ndvi.empty(), "-ndvi", "how it lies is judged by one run alone");
 }
 
 }  // namespace d2b

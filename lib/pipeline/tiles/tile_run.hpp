@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "core/context.hpp"
@@ -53,6 +54,8 @@ class TileRun {
     /// @throws InputError
     [[nodiscard]] FoundTile load_found(std::int64_t tile) const;
     [[nodiscard]] FoundFacts load_frame() const;
+    /// What reading all sources has shown since the last call.
+    [[nodiscard]] std::vector<std::string> take_warnings() const;
 
   private:
     TileWork work_;

@@ -1,0 +1,139 @@
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "core/stage_clock.hpp"
+#include "pipeline/feature_input.hpp"
+#include "pipeline/measure_stack.hpp"
+#include "pipeline/report_run.hpp"
+#include "pipeline/tiles/trace_tile.hpp"
+#include "pipeline/tiles/traced_frame.hpp"
+#include "pipeline/trace_contours.hpp"
+#include "tiles/traced_tile.hpp"
+
+namespace d2b {
+namespace {
+
+/// The tiles of a row, whose lines are read side by side, some at a time and from any thread.
+class TileRow {
+  public:
+    /// @param first tile of the row @throws InputError
+    TileRow(const TileRun& run, std::int64_t first, const TraceFrame& frame, RunReport& report);
+
+    /// Of how many pieces its lines are.
+    [[nodiscard]] std::size_t pieces() const { return pieces_; }
+    /// @throws InputError
+    [[nodiscard]] std::vector<TraceLine> lines(std::size_t piece) const;
+
+  private:
+    struct Tile {
+        SealedFile file;
+        TracedTile head;
+        std::vector<std::uint64_t> begins;  ///< of its blocks
+    };
+    [[nodiscard]] std::vector<TileLine> lines_of(const Tile& tile, std::size_t piece) const;
+
+    const TraceFrame& frame_;
+    std::vector<Tile> tiles_;
+    std::size_t pieces_ = 0;
+};
+
+TileRow::TileRow(const TileRun& run, std::int64_t first, const TraceFrame& frame, RunReport& report)
+    : frame_(frame) {
+    for (std::int64_t tile = first; tile < first + run.tiles().cols(); ++tile) {
+        SealedFile file(run.file(TileStep::draw, tile), run.seal(TileStep::draw, tile));
+        TracedTile head = load_body(file, load_traced_tile);
+        std::vector<std::uint64_t> begins{0};
+        for (const TailBlocks::Block& block : head.blocks)
+            begins.push_back(begins.back() + block.size);
+        report.merge(head.tally);
+        if (!tiles_.empty() && head.lines != tiles_.front().head.lines)
+            throw InputError(file.damaged("it has other lines than its neighbour"));
+        pieces_ = head.blocks.size();
+        tiles_.push_back({std::move(file), std::move(head), std::move(begins)});
+    }
+}
+
+std::vector<TileLine> TileRow::lines_of(const Tile& tile, std::size_t piece) const {
+    ByteReader reader = read_block(tile.file, tile.begins[piece], tile.head.blocks[piece]);
+    std::vector<TileLine> lines;
+    const std::size_t first = piece * TracedTile::lines_a_block;
+    const std::size_t count = std::min(TracedTile::lines_a_block, tile.head.lines - first);
+    try {
+        for (std::size_t i = 0; i < count; ++i)
+            lines.push_back(load_tile_line(reader, frame_));
+    } catch (const BrokenRecord& broken) {
+        throw InputError(tile.file.damaged(broken.what()));
+    }
+    return lines;
+}
+
+std::vector<TraceLine> TileRow::lines(std::size_t piece) const {
+    std::vector<std::vector<TileLine>> parts;  // by line
+    for (const Tile& tile : tiles_) {
+        std::vector<TileLine> lines = lines_of(tile, piece);
+        parts.resize(lines.size());
+        for (std::size_t i = 0; i < lines.size(); ++i)
+            parts[i].push_back(std::move(lines[i]));
+    }
+    std::vector<TraceLine> joined;
+    for (std::vector<TileLine>& line : parts)
+        joined.push_back(join_lines(std::move(line), frame_));
+    return joined;
+}
+
+/// Traces what all tiles have taken apart.
+std::unique_ptr<StoredContours> trace_tiles(TileRun& run, const TraceFrame& frame) {
+    constexpr std::size_t ahead = 2;  // lines are as long as the window is wide
+    Context& context = run.context();
+    const RunSetup& setup = run.setup();
+    ContourStore store = contour_store(frame, nullptr, setup.plan, setup.area, run.metres(), context);
+    Tracer tracer(frame, setup.plan.trace, store);
+    for (std::int64_t first = 0; first < run.tiles().count(); first += run.tiles().cols()) {
+        const TileRow row(run, first, frame, context.report);
+        context.threads->in_order(
+            row.pieces(), [&](std::size_t piece, std::size_t /*thread*/) { return row.lines(piece); },
+            [&](std::size_t, std::vector<TraceLine>&& lines) {
+                const StageClock clock(context.report, Stage::trace);
+                tracer.trace(std::move(lines));
+            },
+            ahead);
+        context.progress(0.5 * static_cast<double>(first) / static_cast<double>(run.tiles().count()));
+    }
+    const StageClock clock(context.report, Stage::filter);
+    return store.finish();
+}
+
+/// How far a stack is from the elevations, which are read again.
+StackError measure_again(TileRun& run, const DrawnStack& stack, const FixedPoint& fixed) {
+    ElevationReader reader(run.sources().dem, run.context(), {.keep_bytes = 0});
+    reader.apply(run.sift_rules());
+    return measure_stack(stack, fixed, reader);
+}
+
+}  // namespace
+
+void merge_traced(TileRun& run, FeatureSink& features) {
+    Context& context = run.context();
+    RunReport& report = context.report;
+    const RunSetup& setup = run.setup();
+    const FoundFacts facts = tell_frame(run, features);
+    const auto [plan, frame] = traced_frame(run, facts, context);
+    report.merge(facts.tally);
+    const auto contours = trace_tiles(run, frame);
+    const std::vector<Footprint> none;
+    const RecordMaker records(
+        *contours, {plan, frame.fixed, none, run.metres(), lattice_frame(run.window(), setup.plan.trace)});
+    report_levels(plan, plan.level_count(), report);
+    constexpr Label all = std::numeric_limits<Label>::max();
+    warn_of_result(setup, plan, buildings_up_to(all, *contours), nullptr, context);
+    const Outliner outliner = draw_outlines(*contours, setup, context);
+    const FixedPoint fixed = frame.fixed;
+    const FeatureInput input =
+        feature_input(setup, {*contours, outliner, all, fixed}, report,
+                      [&](const DrawnStack& stack) { return measure_again(run, stack, fixed); });
+    write_features(input, records, features, context);
+    finish_sinks({features}, context);
+}
+
+}  // namespace d2b

@@ -1,0 +1,68 @@
+#include "pipeline/tiles/trace_tile.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "elevations/part_source.hpp"
+#include "pipeline/tiles/tile_lines.hpp"
+#include "pipeline/tiles/traced_frame.hpp"
+#include "pipeline/trace_contours.hpp"
+#include "tiles/traced_tile.hpp"
+
+namespace d2b {
+namespace {
+
+/// A tile's cells; of points also those around that the squares of its own depend on.
+Window seen_by(const Window& own, TraceMode mode, const Window& window) {
+    if (mode == TraceMode::cells)
+        return own;
+    Window seen = grown(own, rows_above(mode), 1, window);
+    seen.rows = own.end_row() - seen.row;  // the tile below sees the squares between
+    return seen;
+}
+
+TailBlocks blocks_of(const std::vector<TileLine>& lines) {
+    TailBlocks blocks;
+    for (std::size_t first = 0; first < lines.size(); first += TracedTile::lines_a_block) {
+        ByteWriter block;
+        for (std::size_t i = first; i < std::min(first + TracedTile::lines_a_block, lines.size()); ++i)
+            save(lines[i], block);
+        blocks.add(block);
+    }
+    return blocks;
+}
+
+}  // namespace
+
+void trace_tile(TileRun& run, std::int64_t tile) {
+    const auto path = run.file(TileStep::draw, tile);
+    const Seal seal = run.seal(TileStep::draw, tile);
+    if (is_sealed(path, seal))
+        return;
+    Context& context = run.context();
+    const TraceMode mode = run.setup().plan.trace;
+    Context uncounted;  // levels that are dropped count once for all tiles
+    const TracedFrame traced = traced_frame(run, run.load_frame(), uncounted);
+    const Window own = run.tiles().whole(tile).own;
+    const Window seen = seen_by(own, mode, run.window());
+    PartSource part(run.sources().dem, seen);
+    ElevationReader reader(part, context, {.keep_bytes = 0});  // which is read once
+    reader.apply(run.sift_rules());
+    TileLines lines(traced.frame, mode, seen, own);
+    const ColSpan summed{own.col - seen.col, own.end_col() - seen.col};
+    take_bands_apart(
+        reader, {traced.frame, {traced.plan, nullptr, nullptr}, mode, summed},
+        [&](const BandShape& band, std::vector<TraceLine>&& more) {
+            lines.add(std::move(more));
+            context.progress(static_cast<double>(band.first_row + band.rows - seen.row) / seen.rows);
+        });
+    const std::vector<TileLine> all = lines.finish();
+    const TailBlocks blocks = blocks_of(all);
+    TracedTile drawn{{}, all.size(), blocks.blocks()};
+    drawn.tally.merge(context.report);
+    ByteWriter writer;
+    save(drawn, writer);
+    write_sealed(path, seal, writer.bytes(), blocks.bytes());
+}
+
+}  // namespace d2b

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/byte_record.hpp"
+#include "tiles/sealed_file.hpp"
+
+namespace d2b {
+
+/// The tail of a file in blocks, each with a digest of its own.
+class TailBlocks {
+  public:
+    struct Block {
+        std::uint64_t size = 0;
+        std::uint64_t digest = 0;
+    };
+    /// Nothing where it is empty.
+    void add(const ByteWriter& block);
+    [[nodiscard]] const std::vector<Block>& blocks() const { return blocks_; }
+    [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_; }
+
+  private:
+    std::vector<Block> blocks_;
+    std::vector<std::byte> bytes_;
+};
+
+/// @param begin of the block in the tail @throws InputError where it is damaged
+[[nodiscard]] ByteReader read_block(const SealedFile& file, std::uint64_t begin,
+                                    const TailBlocks::Block& block);
+
+}  // namespace d2b

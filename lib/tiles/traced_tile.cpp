@@ -1,0 +1,146 @@
+#include "tiles/traced_tile.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "core/packed_elevations.hpp"
+
+namespace d2b {
+namespace {
+
+void save(const ContourSum& sum, ByteWriter& writer) {
+    writer.put_varint(2 * static_cast<std::uint64_t>(sum.level) + (sum.above ? 1 : 0));
+    writer.put_varint(static_cast<std::uint64_t>(sum.col));
+    writer.put(sum.stats);
+    if (sum.level == 1)
+        sum.roof.save(writer);
+}
+
+ContourSum load_sum(ByteReader& reader, const TraceFrame& frame) {
+    ContourSum sum;
+    const std::int32_t level = reader.take_varint(2 * frame.levels - 1);
+    sum.above = level % 2 == 1;
+    sum.level = level / 2;
+    sum.col = reader.take_varint(frame.window.cols - 1);
+    sum.stats = reader.take<PointStats>();
+    if (sum.level == 1)
+        sum.roof = ElevationSample::load(reader);
+    return sum;
+}
+
+/// Where stretches begin and end that come from left to right: by how far each is from the one before.
+class Gaps {
+  public:
+    void put(std::int32_t to, ByteWriter& writer) {
+        writer.put_varint(static_cast<std::uint64_t>(to - at_));
+        at_ = to;
+    }
+    /// @param last that there may be @throws BrokenRecord
+    [[nodiscard]] std::int32_t take(ByteReader& reader, std::int32_t last) {
+        at_ += reader.take_varint(last - at_);
+        return at_;
+    }
+    /// @throws BrokenRecord
+    void pass(std::size_t length, std::int32_t last) {
+        if (length == 0 || length > static_cast<std::size_t>(last - at_))
+            throw BrokenRecord("a line is longer than the window");
+        at_ += static_cast<std::int32_t>(length);
+    }
+
+  private:
+    std::int32_t at_ = 0;
+};
+
+}  // namespace
+
+void save(const TileLine& line, ByteWriter& writer) {
+    writer.put(line.line);
+    writer.put_varint(line.squares.size());
+    Gaps gaps;
+    for (const TileLine::Squares& squares : line.squares) {
+        gaps.put(squares.begin, writer);
+        gaps.put(squares.end, writer);
+        writer.put_varint(static_cast<std::uint64_t>(squares.count));
+    }
+    writer.put_varint(line.outside.size());
+    Gaps beside;
+    for (const TileLine::Outside& outside : line.outside) {
+        beside.put(outside.begin, writer);
+        put_elevations(outside.elevations, writer);
+        beside.pass(outside.elevations.size(), std::numeric_limits<std::int32_t>::max());
+    }
+    writer.put_varint(line.sums.size());
+    for (const ContourSum& sum : line.sums)
+        save(sum, writer);
+}
+
+TileLine load_tile_line(ByteReader& reader, const TraceFrame& frame) {
+    const std::int32_t cols = frame.window.cols;
+    TileLine line;
+    line.line = reader.take<std::int32_t>();
+    Gaps squares;
+    for (std::uint64_t left = reader.take_varint(); left > 0; --left) {
+        TileLine::Squares& next = line.squares.emplace_back();
+        next.begin = squares.take(reader, cols);
+        next.end = squares.take(reader, cols);
+        next.count = reader.take_varint(frame.levels);
+        if (next.begin == next.end || next.count == 0)
+            throw BrokenRecord("squares belong to no level");
+    }
+    Gaps outside;
+    for (std::uint64_t left = reader.take_varint(); left > 0; --left) {
+        TileLine::Outside& next = line.outside.emplace_back();
+        next.begin = outside.take(reader, cols);
+        next.elevations = take_elevations(reader);
+        outside.pass(next.elevations.size(), cols);
+    }
+    for (std::uint64_t left = reader.take_varint(); left > 0; --left)
+        line.sums.push_back(load_sum(reader, frame));
+    return line;
+}
+
+void save(const TracedTile& tile, ByteWriter& writer) {
+    writer.put(tile.tally);
+    writer.put(tile.lines);
+    writer.put_list(tile.blocks);
+}
+
+TracedTile load_traced_tile(ByteReader& reader) {
+    TracedTile tile;
+    tile.tally = reader.take<Tally>();
+    tile.lines = reader.take<std::uint64_t>();
+    tile.blocks = reader.take_list<TailBlocks::Block>();
+    if (tile.lines > tile.blocks.size() * TracedTile::lines_a_block ||
+        tile.lines + TracedTile::lines_a_block <= tile.blocks.size() * TracedTile::lines_a_block)
+        throw BrokenRecord("there are not as many blocks as lines need");
+    return tile;
+}
+
+TraceLine join_lines(std::vector<TileLine>&& parts, const TraceFrame& frame) {
+    TraceLine joined;
+    joined.line = parts.front().line;
+    joined.squares.levels.resize(static_cast<std::size_t>(frame.levels));
+    joined.outside.resize(static_cast<std::size_t>(frame.window.cols),
+                          std::numeric_limits<double>::infinity());
+    RunCutter cutter(joined.squares);
+    std::int32_t end = 0;
+    for (TileLine& part : parts) {
+        if (part.line != joined.line)
+            throw BrokenRecord("its lines are not those of its neighbour");
+        for (const TileLine::Squares& squares : part.squares) {
+            const std::int32_t begin = std::max(squares.begin, end);  // what both know counts once
+            if (begin < squares.end)
+                cutter.add(begin, squares.end, squares.count, 1);
+            end = std::max(end, squares.end);
+        }
+        for (const TileLine::Outside& outside : part.outside)
+            std::ranges::copy(outside.elevations, joined.outside.begin() + outside.begin);
+        joined.sums.insert(joined.sums.end(), std::make_move_iterator(part.sums.begin()),
+                           std::make_move_iterator(part.sums.end()));
+    }
+    cutter.finish();
+    return joined;
+}
+
+}  // namespace d2b
