@@ -24,7 +24,7 @@ struct Place {
 [[nodiscard]] Scene hillside(std::uint64_t seed);   ///< houses and rows of houses on walled terraces
 [[nodiscard]] Scene rows(std::uint64_t seed);       ///< rows of equal houses, each on a parcel of its own
 [[nodiscard]] Scene outskirts(std::uint64_t seed);  ///< a mall of 260 x 125 m, halls, slabs
-[[nodiscard]] Scene park(std::uint64_t seed);       ///< woods, meadows, a brook, a bridge, a pavilion
+[[nodiscard]] Scene park(std::uint64_t seed);       ///< woods, meadows, a brook, a bridge, kiosks
 [[nodiscard]] Scene forest(std::uint64_t seed);     ///< closed, on hills: no building
 [[nodiscard]] Scene fields(std::uint64_t seed);     ///< furrows, ditches, a dike, bushes: no building
 

@@ -68,7 +68,7 @@ Scene hillside(std::uint64_t seed) {
                         Direction::from_half_tangent(random.between(-0.03, 0.03)));
         }
     Random random(hash(seed, 5, 5));
-    plant_wood({scene, random, {}, 400, 400}, 22, 3, 11, 0.3);
+    plant_wood({scene, random, {}, 400, 400}, 13, 2, 11, 0.3);
     return scene;
 }
 

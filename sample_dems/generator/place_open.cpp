@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "draft.hpp"
 #include "garden.hpp"
 #include "lots.hpp"
@@ -34,6 +36,30 @@ void build_mall(const Site& site) {
                 site.scene.add_block(site.frame, {x, y - 4.4, x + 1.8, y}, site.random.between(1.4, 1.9));
 }
 
+bool is_free(const Scene& scene, const Rect& rect) {
+    const Rect around = rect.grown(1);
+    const auto meets = [&](const Building& building) {
+        const Rect box = bounds(building.footprint.exterior);
+        return box.x0 < around.x1 && around.x0 < box.x1 && box.y0 < around.y1 && around.y0 < box.y1;
+    };
+    return std::none_of(scene.trees.begin(), scene.trees.end(),
+                        [&](const Tree& tree) { return around.contains(tree.trunk); }) &&
+           std::none_of(scene.buildings.begin(), scene.buildings.end(), meets);
+}
+
+/// Kiosks, a cafe, greenhouses between the trees, away from the brook.
+void build_kiosks(Scene& scene, Random& random) {
+    for (int k = 0; k < 200 && scene.buildings.size() < 16; ++k) {
+        const double x = random.eighths(230, 460);
+        const double y = random.eighths(30, 460);
+        const double width = random.eighths(5.5, 14);
+        const Rect rect{x, y, x + width, y + random.eighths(5.5, 9)};
+        const Roof roof = random.chance(0.4) ? Roof::hipped : random.chance(0.5) ? Roof::gabled : Roof::flat;
+        if (is_free(scene, rect))
+            scene.add(box_house("kiosk", rect, {roof, random.eighths(2.75, 4), 0.5}), {});
+    }
+}
+
 }  // namespace
 
 Scene outskirts(std::uint64_t seed) {
@@ -53,6 +79,7 @@ Scene park(std::uint64_t seed) {
     Scene scene = land(seed, 30, 12);
     Random random(hash(seed, 9, 9));
     build_park({scene, random, {{20, 20}, {}}, 460, 460});
+    build_kiosks(scene, random);
     return scene;
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::int32_t rows_at_a_time = 64;
 
-std::array<Survey, 7> table() {
+std::array<Survey, 8> table() {
     return {{
         {.name = "lidar20", .cell = 0.5, .pulses = 20},
         {.name = "lidar8", .cell = 0.5, .pulses = 8},
@@ -23,6 +23,7 @@ std::array<Survey, 7> table() {
         {.name = "thin", .cell = 2, .pulses = 10, .kept = 0.06, .beam = 0.25},
         {.name = "thinned", .cell = 2.5, .pulses = 10, .kept = 0.03},
         {.name = "metres", .cell = 2.5, .pulses = 2, .beam = 0.25, .step = 1, .heights_alone = true},
+        {.name = "whole", .cell = 0.5, .pulses = 4, .step = 1},
         {.name = "satellite", .cell = 1, .pulses = 0, .range_noise = 0.1, .blur = 2},
     }};
 }
