@@ -127,8 +127,7 @@ bool FeatureWriter::add_contour(std::size_t contour, DrawnContour& drawn) {
     return true;
 }
 
-void FeatureWriter::add(GivenNumbers& numbers, std::size_t contour, DrawnContour&& drawn) {
-    number(numbers, drawn);
+void FeatureWriter::add_numbered(GivenNumbers& numbers, std::size_t contour, DrawnContour&& drawn) {
     count(drawn);
     if (stack_)
         add_to_stack(drawn, places(), *stack_);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "attributes/attribute_table.hpp"
@@ -32,13 +33,19 @@ class FeatureWriter {
     void begin();
     /// @param numbers of the contour's list @param contour place in its list, in whose order those of one
     /// list come
-    void add(GivenNumbers& numbers, std::size_t contour, DrawnContour&& drawn);
+    void add(GivenNumbers& numbers, std::size_t contour, DrawnContour&& drawn) {
+        number(numbers, drawn);
+        add_numbered(numbers, contour, std::move(drawn));
+    }
+    /// The first half of add(): gives a contour its numbers.
+    void number(GivenNumbers& numbers, DrawnContour& drawn);
+    /// The second half, for a contour that has its numbers, from this writer or another.
+    void add_numbered(GivenNumbers& numbers, std::size_t contour, DrawnContour&& drawn);
     void finish();
     [[nodiscard]] ContourDrawer& drawer() { return drawer_; }
 
   private:
     [[nodiscard]] const LayerPlaces& places() const { return input_.layers.places; }
-    void number(GivenNumbers& numbers, DrawnContour& drawn);
     void count(const DrawnContour& drawn);
     void measure_building(DrawnContour& drawn);
     void add_building(std::size_t contour, DrawnContour& drawn);

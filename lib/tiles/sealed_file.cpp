@@ -99,7 +99,8 @@ bool is_whole(const Head& head, std::uint64_t size) {
 
 std::string again(const Seal& seal) {
     const std::string step = "'" + std::string(step_name(seal.step)) + "'";
-    return seal.step == TileStep::join ? step : step + " of tile " + std::to_string(seal.part);
+    const bool of_all = seal.step == TileStep::join || seal.step == TileStep::merge;
+    return of_all ? step : step + " of tile " + std::to_string(seal.part);
 }
 
 bool is_of(const Head& head, const Seal& seal) {
@@ -134,7 +135,8 @@ std::string reason(int error) {
 }  // namespace
 
 std::string_view step_name(TileStep step) {
-    return step == TileStep::find ? "find" : step == TileStep::join ? "join" : "draw";
+    constexpr std::array<std::string_view, 5> names{"find", "join", "draw", "merge", "write"};
+    return names[static_cast<std::size_t>(step)];
 }
 
 std::uint64_t digest_of(std::span<const std::byte> bytes) {

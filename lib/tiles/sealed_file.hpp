@@ -15,7 +15,7 @@
 namespace d2b {
 
 /// The steps whose files others read, as messages call them.
-enum class TileStep : std::uint32_t { find, join, draw };
+enum class TileStep : std::uint32_t { find, join, draw, merge, write };
 [[nodiscard]] std::string_view step_name(TileStep step);
 
 /// What a file between two steps is: it is of one step of one plan.

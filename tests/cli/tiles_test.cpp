@@ -79,6 +79,44 @@ TEST_F(TilesTool, givesTheBytesOfOneRun) {
     }
 }
 
+TEST_F(TilesTool, writesPartsWithTheNumbersOfOneRun) {
+    run_well({"-q", "-f", "FlatGeobuf", sample("town.tif"), "one"});
+    well({"plan", "-q", "-f", "FlatGeobuf", sample("town.tif"), "parts", "work"});
+    well({"find", "work", "0"});
+    well({"join", "work"});
+    well({"draw", "work", "0"});
+    EXPECT_NE(well({"merge", "work"}).find(" contours in parts"), std::string::npos);
+    EXPECT_EQ(well({"merge", "work"}), "");  // it has been done
+    EXPECT_FALSE(std::filesystem::exists(path("parts")));
+    for (int time = 0; time < 2; ++time) {
+        well({"write", "work", "0"});
+        for (const std::string layer : {"buildings", "contours"}) {
+            EXPECT_TRUE(read_bytes(path("parts/" + layer + "/0.fgb")) ==
+                        read_bytes(path("one/" + layer + ".fgb")));
+            const std::string mosaic = read_bytes(path("parts/" + layer + ".vrt"));
+            EXPECT_NE(mosaic.find(">" + layer + "/0.fgb</SrcDataSource>"), std::string::npos) << mosaic;
+        }
+    }
+    std::filesystem::remove(path("work/merge/0"));
+    std::filesystem::remove(path("work/write/0"));
+    expect_refused(
+        1, "'" + path("work") + "/merge/0' cannot be read: No such file or directory; run 'merge' first.",
+        {"write", "work", "0"});
+    expect_refused(
+        2,
+        "A folder to which each tile adds its files is a new one; give another name, or delete that one, "
+        "without -append and -overwrite.",
+        {"plan", "-overwrite", "-f", "FlatGeobuf", sample("town.tif"), "parts", "again"});
+}
+
+TEST_F(TilesTool, writesNoPartsOfOneFile) {
+    well({"plan", "-q", sample("town.tif"), "a.gpkg", "work"});
+    expect_refused(
+        1,
+        "'work' is the plan of one file, which merge writes; -f FlatGeobuf and a folder make one of parts.",
+        {"write", "work", "0"});
+}
+
 TEST_F(TilesTool, isKilledAndRunAgain) {
     (void)whole({}, "one.gpkg");
     well({"plan", "-q", sample("town.tif"), "tiles.gpkg", "work"});

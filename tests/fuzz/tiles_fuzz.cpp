@@ -9,6 +9,7 @@
 #include "tiles/drawn_tile.hpp"
 #include "tiles/found_tile.hpp"
 #include "tiles/joined_tile.hpp"
+#include "tiles/numbered_tile.hpp"
 
 namespace d2b::test {
 namespace {
@@ -77,6 +78,24 @@ void read_drawn(std::span<const std::byte> bytes) {
     }
 }
 
+void read_numbered(std::span<const std::byte> bytes) {
+    ByteReader reader({bytes.begin(), bytes.end()});
+    const NumberedTile tile = load_numbered_tile(reader);
+    ByteWriter again;
+    save(tile, again);
+    demand(std::ranges::equal(again.bytes(), bytes.first(bytes.size() - reader.left())),
+           "it is written as it was");
+}
+
+void read_numbered_whole(std::span<const std::byte> bytes) {
+    ByteReader reader({bytes.begin(), bytes.end()});
+    const NumberedWhole whole = load_numbered_whole(reader, 3);
+    for (const NumberedLayer& layer : whole.layers)
+        demand(layer.tiles.size() <= 3 &&
+                   std::ranges::all_of(layer.tiles, [](std::int64_t tile) { return tile >= 0 && tile < 3; }),
+               "a part is of one of the plan's tiles");
+}
+
 void read_contour(std::span<const std::byte> bytes) {
     ByteReader reader({bytes.begin(), bytes.end()});
     const DrawnContour drawn = load_drawn_contour(reader);
@@ -95,7 +114,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         return 0;
     const std::span<const std::byte> bytes = std::as_bytes(std::span(data, size)).subspan(1);
     try {
-        switch (data[0] % 4) {
+        switch (data[0] % 6) {
             case 0:
                 read_found(bytes);
                 break;
@@ -104,6 +123,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                 break;
             case 2:
                 read_drawn(bytes);
+                break;
+            case 3:
+                read_numbered(bytes);
+                break;
+            case 4:
+                read_numbered_whole(bytes);
                 break;
             default:
                 read_contour(bytes);

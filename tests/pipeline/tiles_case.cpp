@@ -1,7 +1,9 @@
 #include "pipeline/tiles_case.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -109,6 +111,34 @@ void StepsInTiles::merge(Result& result) {
     result.report = merge_tiles(run, result.sink);
 }
 
+void StepsInTiles::number_and_write(Result& result) {
+    {
+        PlannedSink sink(layers_);
+        TileRun run(work_, options_, sources_, sink, {});
+        EXPECT_FALSE(are_numbered(run));
+        result.report = number_tiles(run);
+        EXPECT_TRUE(are_numbered(run));
+    }
+    for (std::int64_t tile = count(); tile-- > 0;) {
+        MemorySink part;
+        TileRun run(work_, options_, sources_, part, {});
+        EXPECT_FALSE(written_parts(run, tile));
+        write_tile(run, tile, part);
+        result.sink.features.resize(part.features.size());
+        for (std::size_t layer = 0; layer < part.features.size(); ++layer)
+            std::ranges::move(part.features[layer], std::back_inserter(result.sink.features[layer]));
+        result.sink.provenance = part.provenance;
+        result.sink.finished = part.finished;
+        const std::optional<NumberedWhole> whole = written_parts(run, tile);
+        EXPECT_EQ(whole.has_value(), tile == 0);
+        for (std::size_t layer = 0; whole && layer < whole->layers.size(); ++layer)
+            EXPECT_EQ(whole->layers[layer].features, std::ssize(result.sink.features[layer]));
+    }
+    for (std::vector<Feature>& layer : result.sink.features)
+        std::ranges::sort(layer, {},
+                          [](const Feature& feature) { return std::get<std::int64_t>(feature.values[0]); });
+}
+
 template <typename Step>
 void StepsInTiles::each(const TileOrder& order, const Step& step) {
     const std::int64_t tiles = count();
@@ -146,8 +176,14 @@ void expect_same_in_tiles(const Sources& sources, const Options& options, const 
     whole.report = run_in_units(options, sources, {whole.sink}, {}, units);
     const WorkFolder folder;
     Result tiles;
-    StepsInTiles(sources, options, {folder.path(), some_plan, 1, units}).run(order, tiles);
+    StepsInTiles steps(sources, options, {folder.path(), some_plan, 1, units});
+    steps.run(order, tiles);
     expect_same(tiles, whole);
+    if (!detects_buildings(options))
+        return;
+    Result parts;
+    steps.number_and_write(parts);
+    expect_same(parts, whole);
 }
 
 }  // namespace d2b::test

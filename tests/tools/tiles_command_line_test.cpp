@@ -44,10 +44,9 @@ TEST(TilesCommandLine, takesTiles) {
 }
 
 TEST(TilesCommandLine, refusesWhatItDoesNotKnow) {
-    EXPECT_EQ(
-        refused_with({"fnd", "work"}),
-        "The first argument names a step, plan, find, join, draw or merge, not 'fnd'; dem2buildings_tiles "
-        "--help says what they do.");
+    EXPECT_EQ(refused_with({"fnd", "work"}),
+              "The first argument names a step, plan, find, join, draw, merge or write, not 'fnd'; "
+              "dem2buildings_tiles --help says what they do.");
     EXPECT_EQ(refused_with({"join"}), "The work folder is missing; usage: dem2buildings_tiles join <work>.");
     EXPECT_EQ(refused_with({"join", "a", "b"}),
               "join takes the work folder alone, not 'b' as well; usage: dem2buildings_tiles join <work>.");

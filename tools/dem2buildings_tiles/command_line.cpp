@@ -186,7 +186,8 @@ void parse_step(const TileStepName& step, const Strings& arguments, TileCommand&
     if (names.empty() || names[0].empty())
         throw OptionError("The work folder is missing; " + usage_of(step) + ".");
     command.work = names[0];
-    if (step.kind == TileCommandKind::find || step.kind == TileCommandKind::draw)
+    if (step.kind == TileCommandKind::find || step.kind == TileCommandKind::draw ||
+        step.kind == TileCommandKind::write)
         take_tiles(step, names, command);
     else if (names.size() > 1)
         throw OptionError(std::string(step.name) + " takes the work folder alone, not '" + names[1] +
@@ -207,7 +208,12 @@ const std::vector<TileStepName>& tile_step_names() {
          "Joins what tiles have cut, when all of them have been found."},
         {"draw", TileCommandKind::draw, "<work> <tile>...", "Draws the buildings of tiles."},
         {"merge", TileCommandKind::merge, "<work>",
-         "Writes the destination, when all tiles have been drawn, and prints what was found."},
+         "Writes the destination, when all tiles have been drawn, and prints what was found. Where that is "
+         "a folder of "
+         "FlatGeobuf files, it gives the features their numbers alone."},
+        {"write", TileCommandKind::write, "<work> <tile>...",
+         "Writes the features of tiles into files of their own, where the destination is a folder of "
+         "FlatGeobuf files."},
     };
     return steps;
 }
@@ -220,9 +226,9 @@ const std::vector<TileOption>& tile_options() {
          "Default: 1.",
          "plan"},
         {"threads", "<n>", "Threads of this process, in place of those that plan was given.",
-         "find join draw merge"},
+         "find join draw merge write"},
         {"json", "", "The report to stdout as JSON.", "merge"},
-        {"q", "", "Say nothing but errors and warnings.", "find join draw merge"},
+        {"q", "", "Say nothing but errors and warnings.", "find join draw merge write"},
         {"help", "", "Print this help.", ""},
         {"version", "", "Print the version of the program.", ""},
         {"man", "", "Print the man page as roff.", ""},

@@ -9,7 +9,7 @@
 namespace d2b {
 
 /// What the program can be asked to do.
-enum class TileCommandKind { plan, find, join, draw, merge, text };
+enum class TileCommandKind { plan, find, join, draw, merge, write, text };
 
 /// An option of the program's own.
 struct TileOption {
@@ -33,7 +33,7 @@ struct TileCommand {
     TileCommandKind kind = TileCommandKind::text;
     std::string text;  ///< name of the option that asks for a text: help, version, man, bash_completion
     std::string work;
-    std::vector<std::int64_t> tiles;  ///< of find and draw, ascending
+    std::vector<std::int64_t> tiles;  ///< of find, draw and write, ascending
     std::int32_t side = 1;            ///< of plan
     int threads = 0;                  ///< of all but plan; 0: as plan was given
     bool json = false;                ///< of merge

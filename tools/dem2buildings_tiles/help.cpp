@@ -15,7 +15,9 @@ constexpr std::string_view description =
 constexpr std::string_view steps_text =
     "plan comes first. Then find works on all tiles, in any order and at the same time; then join; then "
     "draw, again on "
-    "all tiles; then merge. Processes share the work folder. Each step writes its file in one rename, and "
+    "all tiles; then merge. Where the destination is a folder (-f FlatGeobuf), write works on all tiles "
+    "last. "
+    "Processes share the work folder. Each step writes its file in one rename, and "
     "does nothing "
     "where that is there: what was interrupted is begun again with the same command.";
 constexpr std::string_view place_text =
@@ -36,7 +38,7 @@ std::string help_of(const TileOption& option) {
 }  // namespace
 
 std::string tiles_short_usage() {
-    return "Usage: dem2buildings_tiles plan|find|join|draw|merge ...\n"
+    return "Usage: dem2buildings_tiles plan|find|join|draw|merge|write ...\n"
            "Try dem2buildings_tiles --help for the steps.\n";
 }
 

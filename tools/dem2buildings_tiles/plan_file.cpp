@@ -64,6 +64,7 @@ Json json_of(const TilePlan& plan, const TileCost& cost) {
             {"tile", plan.side},
             {"arguments", words},
             {"folder", to_json(plan.folder)},
+            {"parts", plan.parts},
             {"layers", layer_words[static_cast<std::size_t>(plan.layers)]},
             {"window", {plan.window.row, plan.window.col, plan.window.rows, plan.window.cols}},
             {"files", files},
@@ -83,6 +84,7 @@ TilePlan plan_of(const Json& json) {
     for (std::size_t i = 0; i < layer_words.size(); ++i)
         if (layers == layer_words[i])
             plan.layers = static_cast<Layers>(i);
+    plan.parts = json.at("parts").get<bool>();
     plan.side = json.at("tile").get<std::int32_t>();
     plan.tiles = json.at("tiles").get<std::int64_t>();
     const Json& window = json.at("window");

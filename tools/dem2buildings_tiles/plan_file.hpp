@@ -16,6 +16,7 @@ struct TilePlan {
     std::vector<std::string> words;  ///< the command line of dem2buildings that the result is that of
     std::string folder;              ///< in which it was given: relative names of files are of it
     Layers layers = Layers::both;    ///< that the destination gets
+    bool parts = false;              ///< the destination is a folder in which each tile has files
     std::int32_t side = 1;           ///< units of a tile in a row, and rows
     std::int64_t tiles = 0;
     Window window;  ///< of the source

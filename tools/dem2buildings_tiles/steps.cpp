@@ -15,6 +15,8 @@
 #include "dem2buildings/progress.hpp"
 #include "dem2buildings_tiles/plan_file.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
+#include "write/layer_mosaic.hpp"
+#include "write/part_sink.hpp"
 
 namespace d2b {
 namespace {
@@ -75,6 +77,11 @@ void require_no_other(const std::filesystem::path& work, const TilePlan& plan) {
 void plan(const TileCommand& command, const Callbacks& callbacks) {
     const Options& options = command.request.options;
     require_tiles(options);
+    const bool parts = detects_buildings(options) && writes_parts(options.write);
+    if (parts && (options.write.append || options.write.overwrite))
+        throw OptionError(
+            "A folder to which each tile adds its files is a new one; give another name, or delete "
+            "that one, without -append and -overwrite.");
     const Inputs inputs = open_inputs(options, callbacks);
     const auto sink = open_sink(options.write, callbacks);
     const std::filesystem::path work(command.work);
@@ -82,6 +89,7 @@ void plan(const TileCommand& command, const Callbacks& callbacks) {
     const TilePlan plan{command.words,
                         std::filesystem::current_path().string(),
                         run.setup().plan.layers,
+                        parts,
                         command.side,
                         run.tiles().count(),
                         run.window(),
@@ -156,18 +164,73 @@ void join(const TileCommand& command, const Callbacks& callbacks) {
     join_tiles(run);
 }
 
+/// Other files would have been written over; and what merge has numbered it does not number again.
+RunReport merged(const Planned& planned, const Callbacks& callbacks) {
+    const auto sink = open_sink(planned.options.write, callbacks);
+    TileRun run(planned.known.work, planned.options, planned.inputs.sources(), *sink, callbacks);
+    if (!planned.known.plan.parts)
+        return merge_tiles(run, *sink);
+    RunReport report = number_tiles(run);
+    report.output = planned.options.write.destination;
+    return report;
+}
+
+bool has_numbers(const Planned& planned) {
+    if (!planned.known.plan.parts)
+        return false;
+    PlannedSink nowhere(planned.known.plan.layers);
+    return are_numbered(TileRun(planned.known.work, planned.options, planned.inputs.sources(), nowhere, {}));
+}
+
 void merge(const TileCommand& command, const Callbacks& callbacks) {
     std::vector<std::string> warnings;
     const Callbacks heard = remembering(callbacks, warnings);
     const Planned planned = open_planned(command, heard);
-    const auto sink = open_sink(planned.options.write, heard);
-    TileRun run(planned.known.work, planned.options, planned.inputs.sources(), *sink, heard);
-    RunReport report = merge_tiles(run, *sink);
+    if (has_numbers(planned))
+        return;
+    RunReport report = merged(planned, heard);
     report.warnings = std::move(warnings);
     if (!command.quiet)
         std::cout << summary(report, report.layers, report.output);
     if (command.json)
         std::cout << json_report(report);
+}
+
+/// Where all parts are there, each layer is shown as one.
+void show_parts(const TileRun& run, std::int64_t after) {
+    const std::optional<NumberedWhole> whole = written_parts(run, after);
+    if (!whole)
+        return;
+    const RunSetup& setup = run.setup();
+    for (std::size_t i = 0; i < setup.layers.layers.size(); ++i) {
+        const NumberedLayer& layer = whole->layers.at(i);
+        LayerMosaic mosaic{setup.layers.layers[i],
+                           setup.written().wkt(),
+                           layer.features,
+                           layer.least,
+                           layer.most,
+                           layer.tiles};
+        if (mosaic.parts.empty() || mosaic.parts.front() != 0)
+            mosaic.parts.insert(mosaic.parts.begin(), 0);
+        write_layer_mosaic(setup.plan.asked.write, mosaic);
+    }
+}
+
+void write(const TileCommand& command, const Callbacks& callbacks) {
+    const Planned planned = open_planned(command, callbacks);
+    if (!planned.known.plan.parts)
+        throw InputError("'" + command.work +
+                         "' is the plan of one file, which merge writes; -f FlatGeobuf and a "
+                         "folder make one of parts.");
+    for (const std::int64_t tile : command.tiles)
+        require_tile(tile, planned.known.plan);
+    for (const std::int64_t tile : command.tiles) {
+        const auto sink = open_part_sink(planned.options.write, tile, callbacks);
+        TileRun run(planned.known.work, planned.options, planned.inputs.sources(), *sink, callbacks);
+        write_tile(run, tile, *sink);
+        if (tile == command.tiles.back())
+            show_parts(run, tile);
+    }
 }
 
 }  // namespace
@@ -187,6 +250,8 @@ void run_step(const TileCommand& command, const Callbacks& callbacks) {
             return on_tiles(command, silent, draw_tile);
         case TileCommandKind::merge:
             return merge(command, callbacks);
+        case TileCommandKind::write:
+            return write(command, silent);
         case TileCommandKind::text:
             return;
     }

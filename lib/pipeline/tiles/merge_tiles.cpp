@@ -9,6 +9,7 @@
 #include "pipeline/feature_input.hpp"
 #include "pipeline/report_run.hpp"
 #include "pipeline/tiles/left_elevations.hpp"
+#include "pipeline/tiles/part_numbers.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
 #include "pipeline/tiles/trace_tile.hpp"
 #include "pipeline/tiles/traced_frame.hpp"
@@ -31,6 +32,7 @@ class DrawnTiles {
     std::vector<Footprint> footprints{{}};  ///< of what is left, by label
     LevelPlan plan;                         ///< likewise
     Label sure = 0;                         ///< of these labels
+    std::vector<std::int64_t> tiles{-1};    ///< that have left them, likewise
     LeftElevations elevations;
 
   private:
@@ -38,6 +40,7 @@ class DrawnTiles {
     void number_left(double metres);
 
     std::vector<LeftBuilding> left_buildings_;  ///< of one tile after the other
+    std::vector<std::int64_t> left_by_;         ///< the tile of each
     std::vector<LeftContour> left_;             ///< likewise, with labels and parents among all
 };
 
@@ -71,6 +74,7 @@ void DrawnTiles::take(DrawnTile&& tile) {
     const auto labels = static_cast<Label>(left_buildings_.size());
     const auto before = static_cast<std::int64_t>(left_.size());
     left_buildings_.insert(left_buildings_.end(), tile.left_buildings.begin(), tile.left_buildings.end());
+    left_by_.resize(left_buildings_.size(), static_cast<std::int64_t>(streams.size()) - 1);
     for (LeftContour& contour : tile.left) {
         contour.head.label += labels;
         if (contour.head.parent >= 0)
@@ -92,6 +96,7 @@ void DrawnTiles::number_left(double metres) {
             number[i + 1] = static_cast<Label>(footprints.size());
             footprints.push_back({facts.ground / metres, facts.confidence, doubt_name(facts.doubt)});
             plan.thresholds.push_back(left_buildings_[i].thresholds);
+            tiles.push_back(left_by_[i]);
         }
         if (is_sure)
             sure = static_cast<Label>(footprints.size() - 1);
@@ -103,8 +108,9 @@ void DrawnTiles::number_left(double metres) {
 /// Hands out what tiles have drawn in the order of keys.
 class Sequence {
   public:
-    Sequence(std::vector<DrawnStream>& streams, FeatureWriter& writer)
-        : streams_(streams), writer_(writer), numbers_(streams.size()) {
+    /// @param parts null where features go into one dataset
+    Sequence(std::vector<DrawnStream>& streams, FeatureWriter& writer, PartNumbers* parts)
+        : streams_(streams), writer_(writer), parts_(parts), numbers_(streams.size()) {
         for (std::size_t i = 0; i < streams.size(); ++i)
             push(i);
     }
@@ -113,10 +119,14 @@ class Sequence {
         while (!next_.empty() && (!end || next_.top().first < *end)) {
             const std::size_t i = next_.top().second;
             next_.pop();
+            if (parts_ != nullptr)
+                parts_->set_tile(static_cast<std::int64_t>(i));
             writer_.add(numbers_[i], 0, streams_[i].take());
             push(i);
         }
     }
+    /// Of what each tile has drawn.
+    [[nodiscard]] std::vector<GivenNumbers>& numbers() { return numbers_; }
 
   private:
     using Next = std::pair<ContourKey, std::size_t>;
@@ -126,16 +136,19 @@ class Sequence {
     }
     std::vector<DrawnStream>& streams_;
     FeatureWriter& writer_;
+    PartNumbers* parts_;
     std::vector<GivenNumbers> numbers_;  ///< by stream
     std::priority_queue<Next, std::vector<Next>, std::greater<>> next_;
 };
 
-void write_all(const FeatureInput& input, const RecordMaker& records, DrawnTiles& drawn, FeatureSink& sink,
-               Context& context) {
+/// @param parts the sink, where tiles write features into files of their own, else null
+/// @return the numbers of what each tile has drawn
+std::vector<GivenNumbers> write_all(const FeatureInput& input, const RecordMaker& records, DrawnTiles& drawn,
+                                    FeatureSink& sink, PartNumbers* parts, Context& context) {
     constexpr std::size_t piece = 64;  // contours that a thread draws at a time
     FeatureWriter writer(input, records, sink, context);
     writer.begin();
-    Sequence sequence(drawn.streams, writer);
+    Sequence sequence(drawn.streams, writer, parts);
     GivenNumbers numbers;
     const std::size_t count = input.contours.size();
     context.threads->in_order(
@@ -149,12 +162,18 @@ void write_all(const FeatureInput& input, const RecordMaker& records, DrawnTiles
         [&](std::size_t k, std::vector<DrawnContour> all) {
             for (std::size_t i = 0; i < all.size(); ++i) {
                 sequence.write_before(all[i].key);
-                writer.add(numbers, k * piece + i, std::move(all[i]));
+                writer.number(numbers, all[i]);
+                if (parts != nullptr) {
+                    parts->set_tile(drawn.tiles[input.contours.head(k * piece + i).label]);
+                    parts->keep(all[i]);
+                }
+                writer.add_numbered(numbers, k * piece + i, std::move(all[i]));
             }
             context.progress(static_cast<double>(k * piece) / static_cast<double>(count));
         });
     sequence.write_before({});
     writer.finish();
+    return std::move(sequence.numbers());
 }
 
 /// Each tile knows some of a terrain model. Where any of it can be no elevation, the whole is read once more,
@@ -177,7 +196,7 @@ void judge_terrain(TileRun& run, const FoundFacts& facts, FeatureSink& features)
 }
 
 /// @throws Error
-void merge_drawn(TileRun& run, FeatureSink& features) {
+void merge_drawn(TileRun& run, FeatureSink& features, PartNumbers* parts) {
     Context& context = run.context();
     RunReport& report = context.report;
     const RunSetup& setup = run.setup();
@@ -203,16 +222,16 @@ void merge_drawn(TileRun& run, FeatureSink& features) {
             error.merge(drawn.error);
             return error;
         });
-    write_all(input, records, drawn, features, context);
+    std::vector<GivenNumbers> numbers = write_all(input, records, drawn, features, parts, context);
     finish_sinks({features}, context);
+    if (parts != nullptr)
+        parts->write(run, numbers, drawn.levels);
 }
 
-}  // namespace
-
-RunReport merge_tiles(TileRun& run, FeatureSink& features) {
+RunReport merge(TileRun& run, FeatureSink& features, PartNumbers* parts) {
     try {
         if (run.setup().plan.detects_buildings())
-            merge_drawn(run, features);
+            merge_drawn(run, features, parts);
         else
             merge_traced(run, features);
     } catch (...) {
@@ -221,6 +240,17 @@ RunReport merge_tiles(TileRun& run, FeatureSink& features) {
     }
     pass_warnings(run.sources(), {features}, run.context());
     return run.context().report;
+}
+
+}  // namespace
+
+RunReport merge_tiles(TileRun& run, FeatureSink& features) {
+    return merge(run, features, nullptr);
+}
+
+RunReport number_tiles(TileRun& run) {
+    PartNumbers parts(run.context().make_spool());
+    return merge(run, parts, &parts);
 }
 
 }  // namespace d2b

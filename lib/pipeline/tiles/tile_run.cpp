@@ -30,8 +30,8 @@ std::filesystem::path TileRun::file(TileStep step, std::int64_t tile) const {
     return work_.folder / step_name(step) / std::to_string(tile);
 }
 
-Seal TileRun::frame_seal() const {
-    return {TileStep::join, work_.plan, std::numeric_limits<std::uint32_t>::max()};
+Seal TileRun::frame_seal(TileStep step) const {
+    return {step, work_.plan, std::numeric_limits<std::uint32_t>::max()};
 }
 
 FoundTile TileRun::load_found(std::int64_t tile) const {

@@ -48,9 +48,11 @@ class TileRun {
         return {step, work_.plan, static_cast<std::uint32_t>(tile)};
     }
     [[nodiscard]] std::filesystem::path file(TileStep step, std::int64_t tile) const;
-    /// What join says of the whole.
-    [[nodiscard]] std::filesystem::path frame_file() const { return work_.folder / "join" / "frame"; }
-    [[nodiscard]] Seal frame_seal() const;
+    /// What join or merge says of the whole.
+    [[nodiscard]] std::filesystem::path frame_file(TileStep step = TileStep::join) const {
+        return work_.folder / step_name(step) / "frame";
+    }
+    [[nodiscard]] Seal frame_seal(TileStep step = TileStep::join) const;
     /// @throws InputError
     [[nodiscard]] FoundTile load_found(std::int64_t tile) const;
     [[nodiscard]] FoundFacts load_frame() const;

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "pipeline/tiles/tile_run.hpp"
+#include "tiles/numbered_tile.hpp"
 
 namespace d2b {
 
@@ -21,5 +23,19 @@ void draw_tile(TileRun& run, std::int64_t tile);
 /// Draws what is left, numbers all, and writes the result. @param run on the destination, which stays as it
 /// was where something is thrown @return the report of the run @throws as find_tile()
 RunReport merge_tiles(TileRun& run, FeatureSink& features);
+
+// Where features are many, tiles write them into files of their own: number_tiles() comes in the place of
+// merge_tiles(), and write_tile() for each tile after it.
+
+/// Draws what is left and numbers all. @return the report of the run @throws as find_tile()
+RunReport number_tiles(TileRun& run);
+/// Whether that has been done. @throws nothing
+[[nodiscard]] bool are_numbered(const TileRun& run);
+/// Writes a tile's features, with their numbers. @param features begun where the tile has some, and finished
+/// @throws as find_tile()
+void write_tile(TileRun& run, std::int64_t tile, FeatureSink& features);
+/// What all layers come to, by their place in the run's. @return nothing as long as a tile is not written
+/// @param after a tile that was written @throws InputError
+[[nodiscard]] std::optional<NumberedWhole> written_parts(const TileRun& run, std::int64_t after);
 
 }  // namespace d2b

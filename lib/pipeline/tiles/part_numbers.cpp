@@ -1,0 +1,45 @@
+#include "pipeline/tiles/part_numbers.hpp"
+
+#include <utility>
+
+#include "tiles/drawn_contour.hpp"
+
+namespace d2b {
+
+void PartNumbers::begin(std::span<const LayerSpec> layers, const Provenance& /*provenance*/) {
+    whole_.layers.resize(layers.size());
+}
+
+void PartNumbers::add(std::size_t layer, const Feature& feature) {
+    whole_.layers[layer].add(tile_, feature.parts);
+}
+
+void PartNumbers::keep(const DrawnContour& drawn) {
+    ByteWriter writer;
+    save(drawn, writer);
+    kept_[tile_].push_back(append(*spool_, writer));
+}
+
+void PartNumbers::write(const TileRun& run, std::vector<GivenNumbers>& numbers, int levels) {
+    for (std::int64_t i = 0; i < run.tiles().count(); ++i) {
+        NumberedTile tile{std::move(numbers[static_cast<std::size_t>(i)]), {}};
+        DrawnBlocks blocks;
+        if (const auto kept = kept_.find(i); kept != kept_.end())
+            for (const SpoolEntry& entry : kept->second) {
+                ByteReader reader(*spool_, entry);
+                blocks.add(load_drawn_contour(reader));
+            }
+        blocks.finish();
+        tile.left = blocks.all().blocks();
+        ByteWriter writer;
+        save(tile, writer);
+        write_sealed(run.file(TileStep::merge, i), run.seal(TileStep::merge, i), writer.bytes(),
+                     blocks.all().bytes());
+    }
+    whole_.levels = levels;
+    ByteWriter writer;
+    save(whole_, writer);
+    write_sealed(run.frame_file(TileStep::merge), run.frame_seal(TileStep::merge), writer.bytes());
+}
+
+}  // namespace d2b

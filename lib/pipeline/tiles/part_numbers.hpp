@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "dem2buildings/spool.hpp"
+#include "pipeline/tiles/tile_run.hpp"
+#include "tiles/numbered_tile.hpp"
+
+namespace d2b {
+
+/// Takes the place of the destination where tiles write features into files of their own: notes which tiles
+/// have features in which layer, and what each tile must know to write them.
+class PartNumbers final : public FeatureSink {
+  public:
+    explicit PartNumbers(std::unique_ptr<Spool> spool) : spool_(std::move(spool)) {}
+
+    void begin(std::span<const LayerSpec> layers, const Provenance& provenance) override;
+    void add(std::size_t layer, const Feature& feature) override;
+    void finish() override {}
+
+    /// The tile that the next features are of.
+    void set_tile(std::int64_t tile) { tile_ = tile; }
+    /// A contour of that tile that merge has drawn and numbered. @throws OutputError the spool has no room
+    void keep(const DrawnContour& drawn);
+    /// Writes what tiles must know, and last what all must. @param numbers of what each tile has drawn
+    /// @throws OutputError
+    void write(const TileRun& run, std::vector<GivenNumbers>& numbers, int levels);
+
+  private:
+    std::unique_ptr<Spool> spool_;
+    std::map<std::int64_t, std::vector<SpoolEntry>> kept_;  ///< by tile, in the order of keys
+    NumberedWhole whole_;
+    std::int64_t tile_ = 0;
+};
+
+}  // namespace d2b

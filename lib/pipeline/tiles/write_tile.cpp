@@ -1,0 +1,120 @@
+#include <optional>
+#include <utility>
+
+#include "features/feature_writer.hpp"
+#include "features/target_frame.hpp"
+#include "filter/contour_shelf.hpp"
+#include "pipeline/feature_input.hpp"
+#include "pipeline/report_run.hpp"
+#include "pipeline/tiles/tile_steps.hpp"
+
+namespace d2b {
+namespace {
+
+NumberedWhole load_whole(const TileRun& run) {
+    SealedFile file(run.frame_file(TileStep::merge), run.frame_seal(TileStep::merge));
+    return load_body(file,
+                     [&](ByteReader& reader) { return load_numbered_whole(reader, run.tiles().count()); });
+}
+
+/// What a tile has drawn, in the order of keys.
+DrawnStream drawn_stream(const TileRun& run, std::int64_t tile) {
+    SealedFile file(run.file(TileStep::draw, tile), run.seal(TileStep::draw, tile));
+    std::vector<TailBlocks::Block> blocks = load_body(file, [](ByteReader& reader) {
+        (void)load_drawn_tile(reader);
+        return reader.take_list<TailBlocks::Block>();
+    });
+    return {std::move(file), std::move(blocks)};
+}
+
+/// Gives contours of a tile the numbers that merge has found.
+class Numbering {
+  public:
+    Numbering(const GivenNumbers& numbers, std::string damaged)
+        : numbers_(numbers), damaged_(std::move(damaged)) {}
+
+    /// Of one contour after the other.
+    void number(DrawnContour& drawn) {
+        drawn.record.id = at(numbers_.written, next_++);
+        drawn.record.parent_id = drawn.parent < 0 ? 0 : at(numbers_.written, drawn.parent);
+        drawn.record.building_id =
+            drawn.building_place < 0 ? 0 : at(numbers_.buildings, drawn.building_place);
+        drawn.building_record.id = drawn.record.building_id;
+    }
+
+  private:
+    [[nodiscard]] std::int64_t at(const std::vector<std::int64_t>& numbers, std::int64_t place) const {
+        if (place >= std::ssize(numbers))
+            throw InputError(damaged_);
+        return numbers[static_cast<std::size_t>(place)];
+    }
+    const GivenNumbers& numbers_;
+    std::string damaged_;
+    std::int64_t next_ = 0;
+};
+
+void write_features(const TileRun& run, std::int64_t tile, FeatureWriter& writer) {
+    SealedFile file(run.file(TileStep::merge, tile), run.seal(TileStep::merge, tile));
+    NumberedTile numbered = load_body(file, [](ByteReader& reader) { return load_numbered_tile(reader); });
+    Numbering numbering(numbered.numbers, file.damaged("it has not the numbers of all contours"));
+    DrawnStream drawn = drawn_stream(run, tile);
+    DrawnStream left(std::move(file), std::move(numbered.left));
+    GivenNumbers given;  // again, to nobody
+    for (std::size_t i = 0;; ++i) {
+        const auto own = drawn.key();
+        const auto other = left.key();
+        if (!own && !other)
+            return;
+        const bool is_own = own && (!other || *own < *other);
+        DrawnContour contour = is_own ? drawn.take() : left.take();
+        if (is_own)
+            numbering.number(contour);
+        writer.add_numbered(given, i, std::move(contour));
+    }
+}
+
+}  // namespace
+
+bool are_numbered(const TileRun& run) {
+    return is_sealed(run.frame_file(TileStep::merge), run.frame_seal(TileStep::merge));
+}
+
+void write_tile(TileRun& run, std::int64_t tile, FeatureSink& features) {
+    const auto path = run.file(TileStep::write, tile);
+    const Seal seal = run.seal(TileStep::write, tile);
+    if (is_sealed(path, seal))
+        return;
+    Context& context = run.context();
+    const RunSetup& setup = run.setup();
+    const FoundFacts facts = run.load_frame();
+    const FixedPoint fixed = facts.survey.statistics.fixed_point();
+    // As merge has them, for what the files say of themselves.
+    LevelPlan plan =
+        plan_global_levels(facts.survey.statistics, setup.plan.asked.levels, setup.plan.levels, context);
+    plan.footprints = true;
+    plan.thresholds = {{}};
+    report_levels(plan, load_whole(run).levels, context.report);
+    const std::unique_ptr<StoredContours> none = ContourShelf(context.make_spool()).finish();
+    const std::vector<Footprint> footprints{{}};
+    const RecordMaker records(
+        *none, {plan, fixed, footprints, run.metres(), lattice_frame(run.window(), setup.plan.trace)});
+    const Outliner outliner = draw_outlines(*none, setup, context);
+    const FeatureInput input = feature_input(setup, {*none, outliner, 0, fixed}, context.report, {});
+    FeatureWriter writer(input, records, features, context);
+    writer.begin();
+    write_features(run, tile, writer);
+    finish_sinks({features}, context);
+    write_sealed(path, seal, {});
+}
+
+std::optional<NumberedWhole> written_parts(const TileRun& run, std::int64_t after) {
+    const std::int64_t count = run.tiles().count();
+    for (std::int64_t i = 1; i <= count; ++i) {
+        const std::int64_t tile = (after + i) % count;
+        if (!is_sealed(run.file(TileStep::write, tile), run.seal(TileStep::write, tile)))
+            return {};
+    }
+    return load_whole(run);
+}
+
+}  // namespace d2b

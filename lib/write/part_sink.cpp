@@ -1,0 +1,119 @@
+#include "write/part_sink.hpp"
+
+#include <filesystem>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "dem2buildings/error.hpp"
+#include "dem2buildings/open_sinks.hpp"
+#include "read/start_gdal.hpp"
+#include "write/layer_choice.hpp"
+#include "write/vector_format.hpp"
+
+namespace d2b {
+namespace {
+
+class PartSink final : public FeatureSink {
+  public:
+    PartSink(WriteOptions options, std::int64_t part, const Callbacks& callbacks);
+
+    void begin(std::span<const LayerSpec> layers, const Provenance& provenance) override;
+    void add(std::size_t layer, const Feature& feature) override;
+    void finish() override;
+    [[nodiscard]] Layers layers(std::optional<Layers> asked) const override;
+    [[nodiscard]] std::string layer_name(LayerRole role, Layers layers) const override;
+    [[nodiscard]] std::vector<std::string> take_warnings() override;
+
+  private:
+    [[nodiscard]] FeatureSink& sink(std::size_t layer);
+
+    WriteOptions options_;
+    VectorFormat format_;
+    std::int64_t part_;
+    Callbacks callbacks_;
+    std::vector<LayerSpec> specs_;
+    Provenance provenance_;
+    std::vector<std::unique_ptr<FeatureSink>> sinks_;  ///< null: nothing has come for it
+};
+
+PartSink::PartSink(WriteOptions options, std::int64_t part, const Callbacks& callbacks)
+    : options_(std::move(options)), format_(format_for(options_)), part_(part), callbacks_(callbacks) {}
+
+void PartSink::begin(std::span<const LayerSpec> layers, const Provenance& provenance) {
+    specs_.assign(layers.begin(), layers.end());
+    provenance_ = provenance;
+    sinks_.resize(specs_.size());
+    // Where nothing was found anywhere, the layers are there all the same.
+    for (std::size_t layer = 0; part_ == 0 && layer < specs_.size(); ++layer)
+        (void)sink(layer);
+}
+
+FeatureSink& PartSink::sink(std::size_t layer) {
+    std::unique_ptr<FeatureSink>& sink = sinks_[layer];
+    if (sink)
+        return *sink;
+    const std::filesystem::path folder = std::filesystem::path(options_.destination) / specs_[layer].name;
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error)
+        throw OutputError("\"" + folder.string() + "\" cannot be made: " + error.message() +
+                          "; make room for it, or let it be written to.");
+    // Of the whole only the way in which a layer is written is left.
+    WriteOptions options;
+    options.format = options_.format;
+    options.destination = (folder / (std::to_string(part_) + ".fgb")).string();
+    options.overwrite = true;
+    options.layers = Layers::buildings;
+    options.layer_options = options_.layer_options;
+    options.dataset_options = options_.dataset_options;
+    sink = open_sink(options, callbacks_);
+    sink->begin({&specs_[layer], 1}, provenance_);
+    return *sink;
+}
+
+void PartSink::add(std::size_t layer, const Feature& feature) {
+    sink(layer).add(0, feature);
+}
+
+void PartSink::finish() {
+    for (const auto& sink : sinks_)
+        if (sink)
+            sink->finish();
+}
+
+Layers PartSink::layers(std::optional<Layers> asked) const {
+    WriteOptions options = options_;
+    options.layers = asked;
+    return resolve_layers(options, format_);
+}
+
+std::string PartSink::layer_name(LayerRole role, Layers layers) const {
+    return name_of(options_, format_, role, layers);
+}
+
+std::vector<std::string> PartSink::take_warnings() {
+    std::vector<std::string> all;
+    for (const auto& sink : sinks_)
+        if (sink)
+            for (std::string& warning : sink->take_warnings())
+                all.push_back(std::move(warning));
+    return all;
+}
+
+}  // namespace
+
+std::unique_ptr<FeatureSink> open_part_sink(const WriteOptions& options, std::int64_t part,
+                                            const Callbacks& callbacks) {
+    return std::make_unique<PartSink>(options, part, callbacks);
+}
+
+bool writes_parts(const WriteOptions& options) {
+    if (options.format.empty() || options.destination.empty() || options.destination.starts_with("/vsi"))
+        return false;
+    register_formats();
+    const VectorFormat format = format_for(options);
+    return format.name == "FlatGeobuf" && format.folder;
+}
+
+}  // namespace d2b
