@@ -86,21 +86,28 @@ def kind(place):
 
 
 def left_out(known):
-    """Lines of a table: each place judged by weights that others gave, beside the weights of the program."""
-    rows = []
+    """For each place: its objects with the chances that the weights of all others give, in two columns with whether
+    they are buildings, and the confidences of the program."""
     for place, (features, right, now) in known:
         others = [seen for other, seen in known if kind(other) != kind(place)]
-        if not len(right) or not others:
-            continue
-        p = chances(features, fit(others))
-        rows.append([place.title, str(len(right)), text(right.mean(), 2), text(agreed(right, now)),
-                     text(agreed(right, p)), text(loss(right, now)), text(loss(right, p))])
+        if len(right) and others:
+            yield {"name": place.title, "now": now,
+                   "objects": np.column_stack([chances(features, fit(others)), right])}
+
+
+def left_out_table(tried):
+    rows = []
+    for place in tried:
+        p, right = place["objects"].T
+        rows.append([place["name"], str(len(right)), text(right.mean(), 2), text(agreed(right, place["now"])),
+                     text(agreed(right, p)), text(loss(right, place["now"])), text(loss(right, p))])
     return table(["place", "objects", "buildings", "agreed", "agreed, left out", "loss", "loss, left out"], rows)
 
 
 def learned(build, places, work):
-    """Tables by name: places left out, and the weights of all."""
+    """Tables by name, and the places as they were left out."""
     known = [(place, evidence(build, place, work)) for place in places]
+    tried = list(left_out(known))
     weights = fit([seen for _, seen in known])
-    return {"left_out": left_out(known),
-            "weights": table(NAMES, [[text(weight, 2) for weight in weights]])}
+    return {"left_out": left_out_table(tried),
+            "weights": table(NAMES, [[text(weight, 2) for weight in weights]])}, tried

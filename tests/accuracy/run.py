@@ -28,15 +28,24 @@ import walls
 from places import Place, scene, title_of
 
 
+def output_of(*command):
+    """What a program prints; ends with what it complains of where it fails."""
+    try:
+        return subprocess.run(command, check=True, capture_output=True, text=True).stdout
+    except FileNotFoundError:
+        sys.exit(f"There is no {command[0]}; build the project, and give its folder with --build.")
+    except subprocess.CalledProcessError as error:
+        sys.exit(error.stderr.strip())
+
+
 def find(tools, place, out, *options):
     """Finds the buildings of a place with the defaults."""
-    subprocess.run([os.path.join(tools, "dem2buildings"), "-q", "-overwrite", "-write_doubtful", *options,
-                    place.dsm, out], check=True, stderr=subprocess.DEVNULL)
+    output_of(os.path.join(tools, "dem2buildings"), "-q", "-overwrite", "-write_doubtful", *options, place.dsm, out)
 
 
 def score(tools, place, out):
-    command = [os.path.join(tools, "dem2buildings_score"), "-json", "-dem", place.dsm, out, place.reference]
-    return json.loads(subprocess.run(command, check=True, capture_output=True).stdout)
+    return json.loads(output_of(os.path.join(tools, "dem2buildings_score"), "-json", "-dem", place.dsm, out,
+                                place.reference))
 
 
 def measure(tools, place, work):
@@ -59,9 +68,8 @@ def measure(tools, place, work):
 
 
 def make_scenes(build, work, seed, names):
-    command = [os.path.join(build, "sample_dems", "d2b_make_scenes"), "-seed", str(seed), work, *names]
-    made = subprocess.run(command, check=True, capture_output=True, text=True).stdout.split()
-    return [scene(work, name) for name in made]
+    made = output_of(os.path.join(build, "sample_dems", "d2b_make_scenes"), "-seed", str(seed), work, *names)
+    return [scene(work, name) for name in made.split()]
 
 
 def cities(folder):
@@ -72,20 +80,23 @@ def cities(folder):
 
 
 def learn(arguments, work):
-    """Tables of weights that are fitted to scenes of another seed and to the real places."""
+    """Tables of weights that are fitted to scenes of another seed and to the real places, and the real places as they
+    were left out."""
     with tempfile.TemporaryDirectory(dir=work) as folder:
         others = make_scenes(arguments.build, folder, arguments.seed + 100, arguments.scenes)
         real = cities(arguments.cities) if arguments.cities else []
-        return learning.learned(arguments.build, real + others, folder)
+        found, tried = learning.learned(arguments.build, real + others, folder)
+        titles = [place.title for place in real]
+        return found, [place for place in tried if place["name"] in titles]
 
 
 def measure_all(arguments, work):
-    """The figures of scenes and of real places, and tables of what was learned."""
+    """The figures of scenes and of real places, and what learn() gives."""
     tools = os.path.join(arguments.build, "tools")
     made = make_scenes(arguments.build, work, arguments.seed, arguments.scenes)
     real = cities(arguments.cities) if arguments.cities else []
     return ([measure(tools, place, work) for place in made], [measure(tools, place, work) for place in real],
-            learn(arguments, work) if arguments.learn else {})
+            *(learn(arguments, work) if arguments.learn else ({}, [])))
 
 
 def main(words):
@@ -100,15 +111,18 @@ def main(words):
     parser.add_argument("--least-iou", type=float, default=0)
     parser.add_argument("scenes", nargs="*")
     arguments = parser.parse_args(words)
+    if arguments.cities and not os.path.isdir(arguments.cities):
+        sys.exit(f"There is no folder {arguments.cities}; --cities needs one with a folder a place.")
     with tempfile.TemporaryDirectory() as scratch:
         if arguments.work:
             os.makedirs(arguments.work, exist_ok=True)
-        made, real, more = measure_all(arguments, arguments.work or scratch)
+        made, real, more, tried = measure_all(arguments, arguments.work or scratch)
     found = tables.all_tables(made, real) | more
     for name, lines in found.items():
         print(f"\n{name}\n", *lines, sep="\n")
     if arguments.plot:
-        confidence.plot(arguments.plot, {"real places": real, "scenes": made})
+        confidence.plot(arguments.plot, {"real places": real, "each left out, weights of all others": tried,
+                                          "scenes": made})
     if arguments.write:
         tables.put_into(arguments.write, found)
     mean = tables.mean([figures["iou"] for figures in made if figures["built"]])

@@ -109,6 +109,15 @@ class Command(unittest.TestCase):
         self.assertEqual(done.returncode, 1)
         self.assertRegex(done.stderr, "The mean IoU of the scenes is 0[.][0-9]*, not 0.999 or more.")
 
+    def test_says_what_is_missing(self):
+        for words, message in ((("moon_lidar8",), "There is no scene moon_lidar8; "),
+                               (("--cities", "/no/such"), "There is no folder /no/such; "),
+                               (("--build", "/no/such"), "There is no /no/such/sample_dems/d2b_make_scenes; build ")):
+            done = self.run_it(*words)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(message, done.stderr)
+            self.assertNotIn("Traceback", done.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()
