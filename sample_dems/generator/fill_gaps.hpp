@@ -5,11 +5,17 @@
 
 namespace d2b::sample {
 
-/// Fills cells that are NaN with the nearest cell that is not, of those that are equally near with the first
-/// one in rows.
+/// What a cell without a return gets.
+enum class GapFilling {
+    nearest,  ///< the nearest cell that has one; of those that are equally near the first in rows
+    weighted  ///< the mean of all in reach, weighted by the inverse square of the distance
+};
+
+/// Fills cells that are NaN from cells that are not.
 /// @param values rows of `cols` values
 /// @param reach cells, from centre to centre; what is farther away stays NaN
 /// @return how many were filled
-std::int64_t fill_gaps(std::span<double> values, std::int32_t cols, double reach);
+std::int64_t fill_gaps(std::span<double> values, std::int32_t cols, double reach,
+                       GapFilling filling = GapFilling::nearest);
 
 }  // namespace d2b::sample

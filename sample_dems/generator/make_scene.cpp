@@ -68,12 +68,12 @@ SceneChoice choose_scene(const std::string& name) {
 }
 
 std::vector<SceneChoice> measured_scenes() {
-    constexpr std::array all{"village_lidar8",   "village_thin",    "village_thinned",  "village_metres",
-                             "village_whole",    "hamlet_lidar2",   "hamlet_thinned",   "pines_lidar20",
-                             "pines_thin",       "hillside_lidar8", "hillside_thinned", "rows_lidar8",
-                             "outskirts_lidar2", "park_lidar2",     "town_lidar2",      "town_thinned",
-                             "town_satellite",   "forest_lidar2",   "forest_lidar8",    "forest_thin",
-                             "fields_lidar2",    "fields_thinned"};
+    constexpr std::array all{"village_lidar8", "village_thin",         "village_thinned", "village_metres",
+                             "village_whole",  "village_interpolated", "hamlet_lidar2",   "hamlet_thinned",
+                             "pines_lidar20",  "pines_thin",           "hillside_lidar8", "hillside_thinned",
+                             "rows_lidar8",    "outskirts_lidar2",     "park_lidar2",     "town_lidar2",
+                             "town_thinned",   "town_satellite",       "forest_lidar2",   "forest_lidar8",
+                             "forest_thin",    "fields_lidar2",        "fields_thinned"};
     std::vector<SceneChoice> chosen;
     for (const char* const name : all)
         chosen.push_back(choose_scene(name));

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "blur.hpp"
-#include "fill_gaps.hpp"
 #include "random.hpp"
 #include "scan.hpp"
 
@@ -15,13 +14,19 @@ namespace {
 
 constexpr std::int32_t rows_at_a_time = 64;
 
-std::array<Survey, 8> table() {
+std::array<Survey, 9> table() {
     return {{
         {.name = "lidar20", .cell = 0.5, .pulses = 20},
         {.name = "lidar8", .cell = 0.5, .pulses = 8},
         {.name = "lidar2", .cell = 1, .pulses = 2, .beam = 0.25},
+        {.name = "interpolated",
+         .cell = 1,
+         .pulses = 0.5,
+         .beam = 0.25,
+         .fill_reach = 4,
+         .filling = GapFilling::weighted},
         {.name = "thin", .cell = 2, .pulses = 10, .kept = 0.06, .beam = 0.25},
-        {.name = "thinned", .cell = 2.5, .pulses = 10, .kept = 0.03},
+        {.name = "thinned", .cell = 2.5, .pulses = 10, .kept = 0.03, .beam = 0.25},
         {.name = "metres", .cell = 2.5, .pulses = 2, .beam = 0.25, .step = 1, .heights_alone = true},
         {.name = "whole", .cell = 0.5, .pulses = 4, .step = 1},
         {.name = "satellite", .cell = 1, .pulses = 0, .range_noise = 0.1, .blur = 2},
@@ -61,7 +66,7 @@ Seen see(const Scene& scene, const Grid& grid, const Survey& survey) {
     std::vector<double> metres(static_cast<std::size_t>(grid.rows) * static_cast<std::size_t>(grid.cols));
     if (survey.pulses > 0) {
         scan_all(scene, grid, survey, metres);
-        fill_gaps(metres, grid.cols, survey.fill_reach);
+        fill_gaps(metres, grid.cols, survey.fill_reach, survey.filling);
     } else {
         sample_surface(scene, grid, metres);
     }

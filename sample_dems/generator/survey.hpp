@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fill_gaps.hpp"
 #include "render.hpp"
 #include "scene.hpp"
 
@@ -18,8 +19,9 @@ struct Survey {
     double pulses = 4;   ///< a square metre, as they are sent; 0: the surface itself at the middles of cells
     double kept = 1;     ///< share of the pulses that thinning leaves, drawn at random
     double beam = 0.15;  ///< radius of a pulse on a roof, metres: what it touches first sends it back
-    double range_noise = 0.03;   ///< standard deviation of an elevation, metres
-    double fill_reach = 1.5;     ///< cells without a return take the nearest within so many cells
+    double range_noise = 0.03;  ///< standard deviation of an elevation, metres
+    double fill_reach = 1.5;    ///< cells without a return are filled from so many cells around
+    GapFilling filling = GapFilling::nearest;
     double blur = 0;             ///< standard deviation of a Gaussian over the surface, metres
     double step = 1.0 / 64;      ///< elevations are multiples of this many metres
     bool heights_alone = false;  ///< it is the heights above ground that are multiples of the step

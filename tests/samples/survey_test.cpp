@@ -144,6 +144,16 @@ TEST(FillGaps, TakesTheNearestWithinReach) {
     EXPECT_EQ(fill_gaps(z, 4, 1), 0);
 }
 
+TEST(FillGaps, TakesTheMeanByInverseSquares) {
+    std::vector<double> z{1, nan, nan, 7};
+    EXPECT_EQ(fill_gaps(z, 4, 2, GapFilling::weighted), 2);
+    EXPECT_DOUBLE_EQ(z[1], (1.0 / 1 + 7.0 / 4) / (1.0 / 1 + 1.0 / 4));
+    EXPECT_DOUBLE_EQ(z[2], (1.0 / 4 + 7.0 / 1) / (1.0 / 4 + 1.0 / 1));
+    std::vector<double> far{1, nan, nan, nan, nan, 7};
+    EXPECT_EQ(fill_gaps(far, 6, 1, GapFilling::weighted), 2);
+    EXPECT_TRUE(std::isnan(far[2]));
+}
+
 TEST(Blur, MakesAStepAsWideAsAGaussianDoes) {
     constexpr int cols = 101;
     constexpr double deviation = 8;
