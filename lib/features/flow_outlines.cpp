@@ -60,6 +60,50 @@ std::vector<Numbers> flow_clusters(const ContourList& contours, const Outliner& 
     return clusters;
 }
 
+/// The border of what is known, which -preset thesis has a contour of: what stands beside it may not move
+/// across.
+class TerrainBorder {
+  public:
+    /// @param reach in cells
+    TerrainBorder(const ContourList& contours, const Outliner& outliner, double reach)
+        : tree_(boxes(contours, outliner)), margin_(reach * FinePoint::steps) {}
+
+    [[nodiscard]] bool is_near(const FinePolygon& outline) const {
+        bool near = false;
+        for_each_edge(outline, [&](const Box& box) {
+            tree_.query({box.left - margin_, box.low - margin_, box.right + margin_, box.high + margin_},
+                        [&](std::size_t) { near = true; });
+        });
+        return near;
+    }
+
+  private:
+    template <typename Visit>
+    static void for_each_edge(const FinePolygon& outline, const Visit& visit) {
+        const auto along = [&](const FineRing& ring) {
+            for (std::size_t i = 0; i < ring.size(); ++i) {
+                Box box;
+                for (const FinePoint& end : {ring[i], ring[(i + 1) % ring.size()]})
+                    box.add(Position{static_cast<double>(end.col), static_cast<double>(end.row)});
+                visit(box);
+            }
+        };
+        along(outline.exterior);
+        for (const FineRing& ring : outline.interiors)
+            along(ring);
+    }
+    static std::vector<Box> boxes(const ContourList& contours, const Outliner& outliner) {
+        std::vector<Box> boxes;
+        for (std::uint32_t i = 0; i < contours.size(); ++i)
+            if (contours.head(i).key.level == 0)
+                for_each_edge(outliner.outline(i), [&](const Box& box) { boxes.push_back(box); });
+        return boxes;
+    }
+
+    BoxTree tree_;
+    double margin_;
+};
+
 std::vector<PlanContour> drawn(const ContourList& contours, const Outliner& outliner,
                                const Numbers& numbers) {
     std::map<std::int64_t, std::int32_t> place;
@@ -96,6 +140,7 @@ std::vector<FlowProblem> make_outlines_flow_ready(const ContourList& contours, O
     const double cell =
         FinePoint::steps * std::min(std::hypot(m.col_x, m.col_y), std::hypot(m.row_x, m.row_y));
     const double reach = 3 * std::max(limits.gap, limits.wall) / cell;
+    const TerrainBorder border(contours, outliner, reach);
     const std::vector<Numbers> clusters = flow_clusters(contours, outliner, reach, context.threads->stop());
     std::vector<FlowProblem> problems;
     // Others still read the outlines of their clusters.
@@ -103,7 +148,11 @@ std::vector<FlowProblem> make_outlines_flow_ready(const ContourList& contours, O
     context.threads->in_order(
         clusters.size(),
         [&](std::size_t k, std::size_t) {
-            return make_flow_ready(drawn(contours, outliner, clusters[k]), limits, context.threads->stop());
+            const std::vector<PlanContour> cluster = drawn(contours, outliner, clusters[k]);
+            std::vector<bool> frozen;
+            for (const PlanContour& contour : cluster)
+                frozen.push_back(border.is_near(contour.outline));
+            return make_flow_ready(cluster, limits, std::move(frozen), context.threads->stop());
         },
         [&](std::size_t k, FlowReady ready) {
             for (std::size_t i = 0; i < ready.outlines.size(); ++i)
@@ -120,7 +169,8 @@ std::vector<FlowProblem> make_outlines_flow_ready(const ContourList& contours, O
     if (const std::int64_t left = context.report.counted(Reason::flow_left); left > 0)
         context.warn(std::to_string(left) + (left == 1 ? " place falls" : " places fall") +
                      " short of -flow_ready and " + (left == 1 ? "is" : "are") +
-                     " left, since mending would change more than 1 % of a block or cross a neighbour; "
+                     " left, since mending would change more than 1 % of a block, or cross a neighbour or "
+                     "the border of the terrain; "
                      "-write_problems shows where.");
     return problems;
 }

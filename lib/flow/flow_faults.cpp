@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <tuple>
+#include <utility>
 
 #include "outline/fine_geometry.hpp"
 
@@ -26,6 +27,7 @@ class FaultFinder {
     [[nodiscard]] std::vector<FlowFault> find();
 
   private:
+    void look_along(std::uint32_t first, std::uint32_t next);
     void look_at_wall(std::uint32_t edge);
     void look_at_angles(std::uint32_t node, const std::vector<NodeArm>& arms);
     void look_across(std::uint32_t node, const std::vector<NodeArm>& arms);
@@ -93,11 +95,32 @@ bool FaultFinder::ends_a_gap(const PlanEdge& edge) const {
     return false;
 }
 
+/// From the first corner of a wall on, through places where it but runs on.
+void FaultFinder::look_along(std::uint32_t first, std::uint32_t next) {
+    const auto way = [&](std::uint32_t a, std::uint32_t b) {
+        return limits_.metric.distance(plan_.at(a), plan_.at(b));
+    };
+    double length = way(first, next);
+    std::uint32_t before = first;
+    std::uint32_t last = next;
+    while (length < limits_.wall && runs_on(last)) {
+        const std::vector<NodeArm> arms = plan_.around(last);
+        const std::uint32_t after = arms[arms[0].end == before ? 1 : 0].end;
+        before = std::exchange(last, after);
+        length += way(before, last);
+    }
+    if (length < limits_.wall && first < last)
+        faults_.push_back({FlowKind::wall, first, next, 0, length, {}});
+}
+
 void FaultFinder::look_at_wall(std::uint32_t edge) {
     const PlanEdge& e = plan_.edges()[edge];
+    if (!runs_on(e.from))
+        look_along(e.from, e.to);
+    if (!runs_on(e.to))
+        look_along(e.to, e.from);
     const double length = limits_.metric.distance(plan_.at(e.from), plan_.at(e.to));
-    const double least = ends_a_gap(e) ? std::max(limits_.wall, limits_.gap) : limits_.wall;
-    if (length < least && !runs_on(e.from) && !runs_on(e.to))
+    if (length >= limits_.wall && length < limits_.gap && ends_a_gap(e))
         faults_.push_back({FlowKind::wall, e.from, e.to, 0, length, {}});
 }
 
@@ -169,11 +192,7 @@ void FaultFinder::look_at_gap(std::uint32_t node, const std::vector<NodeArm>& ar
 
 void FaultFinder::look_across(std::uint32_t node, const std::vector<NodeArm>& arms) {
     const FlowMetric& m = limits_.metric;
-    const double step = std::min(std::hypot(m.col_x, m.col_y), std::hypot(m.row_x, m.row_y));
-    // Cells that are no rectangles reach farther along the lattice than on the ground.
-    const auto reach = static_cast<std::int64_t>(
-        std::ceil(limits_.gap * step / m.area() *
-                  std::max(std::hypot(m.col_x, m.col_y), std::hypot(m.row_x, m.row_y)) / step));
+    const std::int64_t reach = m.steps_around(limits_.gap);
     const FinePoint p = plan_.at(node);
     std::vector<std::uint32_t> edges;
     plan_.near({p.row - reach, p.col - reach}, {p.row + reach, p.col + reach},

@@ -19,7 +19,8 @@ enum class FlowKind {
 struct FlowFault {
     FlowKind kind = FlowKind::wall;
     std::uint32_t node = 0;
-    std::uint32_t one = 0;    ///< wall: its other end; angle: end of the first edge; gap: the edge
+    std::uint32_t one = 0;    ///< wall: its other end, or what lies on the way to it; angle: end of the first
+                              ///< edge; gap: the edge
     std::uint32_t other = 0;  ///< angle: end of the second edge
     double size = 0;          ///< m, or degrees
     FinePoint place;          ///< gap: of the edge, nearest to the node

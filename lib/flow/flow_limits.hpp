@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "core/lattice.hpp"
 
@@ -22,6 +24,19 @@ struct FlowMetric {
                static_cast<double>(to.row - from.row) * row_y;
     }
     [[nodiscard]] double distance(FinePoint a, FinePoint b) const { return std::hypot(x(a, b), y(a, b)); }
+    /// From a point to a straight line between two others, which are distinct.
+    [[nodiscard]] double distance_to(FinePoint point, FinePoint a, FinePoint b) const {
+        const double along =
+            (x(a, point) * x(a, b) + y(a, point) * y(a, b)) / (x(a, b) * x(a, b) + y(a, b) * y(a, b));
+        const double share = std::clamp(along, 0.0, 1.0);
+        return std::hypot(x(a, point) - share * x(a, b), y(a, point) - share * y(a, b));
+    }
+    /// Steps in which all lies that is so near, m. Cells that are no rectangles reach farther along the
+    /// lattice than on the ground.
+    [[nodiscard]] std::int64_t steps_around(double metres) const {
+        return static_cast<std::int64_t>(
+            std::ceil(metres * std::max(std::hypot(col_x, col_y), std::hypot(row_x, row_y)) / area()));
+    }
     /// Square metres in a square step.
     [[nodiscard]] double area() const { return std::abs(col_x * row_y - col_y * row_x); }
 };
@@ -35,7 +50,7 @@ struct FlowLimits {
     double gap = 0;              ///< m: what is nearer is closed; 0: nothing
     double wall = 0;             ///< m: shorter walls are merged; 0: none
     double angle = least_angle;  ///< degrees in plan
-    double share = most_share;   ///< of a block's area that one change may take
+    double share = most_share;   ///< of a block's area that changes may take, all together
     FlowMetric metric;
 };
 

@@ -1,23 +1,30 @@
 #include "flow/flow_mender.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
-namespace d2b {
+#include "outline/fine_geometry.hpp"
 
-/// What a change at a node may take at most, m2; negative where there may be none.
-double FlowMender::most(std::uint32_t node, double most) const {
-    for (const NodeArm& arm : plan_.around(node)) {
-        if (arm.left != open_ground)
-            most = std::min(most, limits_.share * block_area_[static_cast<std::size_t>(arm.left)]);
-        for (std::int32_t c = arm.left; c != open_ground && !frozen_.empty();
-             c = contours_[static_cast<std::size_t>(c)].parent)
+namespace d2b {
+namespace {
+
+/// How much longer than the limit new walls are made, since corners lie on the lattice.
+constexpr double slack = 1.02;
+/// How far along a wall a corner may be cut off, in lengths of the limit.
+constexpr std::array reaches{1.0, 1.4, 2.0, 2.7};
+/// Of what a block may still take, what moving a long wall may: else the first ones would take all.
+constexpr double merge_share = 0.1;
+
+}  // namespace
+
+bool FlowMender::is_frozen(std::uint32_t node) const {
+    for (const NodeArm& arm : plan_.around(node))
+        for (std::int32_t c = arm.left; c != open_ground; c = contours_[static_cast<std::size_t>(c)].parent)
             if (frozen_[static_cast<std::size_t>(c)])
-                return -1;
-    }
-    return most;
+                return true;
+    return false;
 }
 
 void FlowMender::touch(std::uint32_t node) {
@@ -28,19 +35,38 @@ void FlowMender::touch(std::uint32_t node) {
 }
 
 /// The one first that changes least.
-bool FlowMender::merge_best(std::vector<Merge> merges) {
-    std::ranges::stable_sort(merges, {}, [&](const Merge& m) { return plan_.swept(m.first, m.second); });
+bool FlowMender::merge_best(std::vector<Merge> merges, double share) {
+    std::ranges::stable_sort(merges, {},
+                             [&](const Merge& m) { return plan_.swept(m.first, plan_.at(m.second)); });
     return std::ranges::any_of(merges, [&](const Merge& m) {
         const auto [node, into] = m;
-        const double area = static_cast<double>(plan_.swept(node, into)) / 2 * limits_.metric.area();
-        if (area > most(node, most(into, std::numeric_limits<double>::infinity())))
+        const auto metres = [&](Int128 twice) {
+            return static_cast<double>(twice) / 2 * limits_.metric.area();
+        };
+        const double outside = metres(plan_.swept_outside(node, plan_.at(into)));
+        const double inside = metres(plan_.swept(node, plan_.at(into))) - outside;
+        std::vector<std::int32_t> contours;
+        for (const std::uint32_t at : {node, into})
+            for (const NodeArm& arm : plan_.around(at))
+                contours.push_back(arm.left);
+        if (is_frozen(node) || is_frozen(into) || !budget_.allows(contours, outside / share, inside))
             return false;
         touch(node);
         if (!plan_.merge(node, into))
             return false;
+        budget_.take(contours, outside);
         touch(into);
         return true;
     });
+}
+
+/// A place on the way from one node to another.
+FinePoint FlowMender::along(std::uint32_t from, std::uint32_t to, double metres) const {
+    const FinePoint a = plan_.at(from);
+    const FinePoint b = plan_.at(to);
+    const double share = metres / limits_.metric.distance(a, b);
+    return {a.row + std::llround(share * static_cast<double>(b.row - a.row)),
+            a.col + std::llround(share * static_cast<double>(b.col - a.col))};
 }
 
 /// A node of an edge at a place, or near it.
@@ -64,7 +90,100 @@ bool FlowMender::is_fresh(const FlowFault& fault) const {
     return !is_old(fault.one) && (fault.kind == FlowKind::wall || !is_old(fault.other));
 }
 
+/// Whether a wall at the other end of a short one runs beside the next one, so that what is between them is
+/// as narrow as the short one is.
+bool FlowMender::ends_a_narrow_place(std::uint32_t gone, std::uint32_t stays, std::uint32_t next) const {
+    constexpr double beside = 0.3;  // cosine
+    const FlowMetric& m = limits_.metric;
+    const FinePoint a = plan_.at(gone);
+    const FinePoint b = plan_.at(stays);
+    const FinePoint to = plan_.at(next);
+    const auto runs_beside = [&](const NodeArm& arm) {
+        const FinePoint end = plan_.at(arm.end);
+        const double along = m.x(a, to) * m.x(b, end) + m.y(a, to) * m.y(b, end);
+        return arm.end != gone && along > beside * m.distance(a, to) * m.distance(b, end) &&
+               side(a, b, to) * side(a, b, end) >= 0;
+    };
+    return std::ranges::any_of(plan_.around(stays), runs_beside);
+}
+
+/// In place of a short wall a slanted one, which begins a little way along the next wall: where that one is
+/// long, it changes far less than moving its whole length does.
+bool FlowMender::slant(std::uint32_t gone, std::uint32_t stays) {
+    const std::vector<NodeArm> arms = plan_.around(gone);
+    if (arms.size() != 2)
+        return false;
+    const std::uint32_t next = arms[arms[0].end == stays ? 1 : 0].end;
+    const FlowMetric& m = limits_.metric;
+    const double least = slack * std::max(limits_.wall, limits_.gap);
+    if (ends_a_narrow_place(gone, stays, next))
+        return false;
+    for (const double reach : reaches) {
+        if (m.distance(plan_.at(gone), plan_.at(next)) < (reach + 1) * least)
+            return false;
+        const FinePoint place = along(gone, next, reach * least);
+        if (m.distance(place, plan_.at(stays)) < least)
+            continue;
+        const auto edge = plan_.edge_between(gone, next);
+        return edge && plan_.split(*edge, place) && merge_best({{gone, stays}});
+    }
+    return false;
+}
+
+bool FlowMender::mend_wall(const FlowFault& fault) {
+    const std::vector<Merge> merges{{fault.node, fault.one}, {fault.one, fault.node}};
+    return merge_best(merges, merge_share) || slant(fault.node, fault.one) || slant(fault.one, fault.node) ||
+           merge_best(merges);
+}
+
+/// Whether a place on a wall of a node is that far from all other walls.
+bool FlowMender::is_away(FinePoint place, std::uint32_t node, double metres) const {
+    const std::int64_t reach = limits_.metric.steps_around(metres);
+    bool away = true;
+    plan_.near(
+        {place.row - reach, place.col - reach}, {place.row + reach, place.col + reach}, [&](std::uint32_t e) {
+            const PlanEdge& edge = plan_.edges()[e];
+            if (edge.from != node && edge.to != node)
+                away = away &&
+                       limits_.metric.distance_to(place, plan_.at(edge.from), plan_.at(edge.to)) >= metres;
+        });
+    return away;
+}
+
+/// Where a gap is but a corner near a wall, the corner is cut off where both its walls are far enough.
+bool FlowMender::cut_corner(const FlowFault& fault) {
+    const std::vector<NodeArm> arms = plan_.around(fault.node);
+    if (arms.size() != 2)
+        return false;
+    const FlowMetric& m = limits_.metric;
+    const double least = slack * std::max(limits_.wall, limits_.gap);
+    std::vector<std::pair<std::uint32_t, FinePoint>> places;
+    for (const NodeArm& arm : arms)
+        for (const double reach : reaches) {
+            if (m.distance(plan_.at(fault.node), plan_.at(arm.end)) < (reach + 1) * least)
+                return false;
+            const FinePoint place = along(fault.node, arm.end, reach * least);
+            if (!is_away(place, fault.node, least))
+                continue;
+            places.emplace_back(arm.end, place);
+            break;
+        }
+    if (places.size() != 2 || m.distance(places[0].second, places[1].second) < least)
+        return false;
+    std::vector<std::uint32_t> ends;
+    for (const auto& [end, place] : places) {
+        const auto edge = plan_.edge_between(fault.node, end);
+        const auto node = edge ? plan_.split(*edge, place) : std::nullopt;
+        if (!node)
+            return false;
+        ends.push_back(*node);
+    }
+    return merge_best({{fault.node, ends[0]}, {fault.node, ends[1]}});
+}
+
 bool FlowMender::mend_gap(const FlowFault& fault) {
+    if (cut_corner(fault))
+        return true;
     const auto across = place_on(fault.one, fault.place);
     if (!across)
         return false;
@@ -127,26 +246,46 @@ bool FlowMender::mend_angle(const FlowFault& fault) {
 
 bool FlowMender::mend(const FlowFault& fault) {
     if (fault.kind == FlowKind::wall)
-        return merge_best({{fault.node, fault.one}, {fault.one, fault.node}});
+        return mend_wall(fault);
     return fault.kind == FlowKind::gap ? mend_gap(fault) : mend_angle(fault);
 }
 
-FlowProblem FlowMender::problem(const FlowFault& fault) const {
+/// Corners, then walls by the area that merging passes over, then gaps from the narrowest on: where a gap is
+/// closed at its narrowest, the rest of it follows.
+std::vector<FlowFault> FlowMender::in_order() const {
+    std::vector<std::pair<std::pair<int, double>, FlowFault>> faults;
+    for (const FlowFault& fault : find_faults(plan_, contours_, limits_)) {
+        std::pair<int, double> key{0, 0};
+        if (fault.kind == FlowKind::wall)
+            key = {1, static_cast<double>(std::min(plan_.swept(fault.node, plan_.at(fault.one)),
+                                                   plan_.swept(fault.one, plan_.at(fault.node))))};
+        if (fault.kind == FlowKind::gap)
+            key = {2, fault.size};
+        faults.emplace_back(key, fault);
+    }
+    std::ranges::stable_sort(faults, {}, [](const auto& fault) { return fault.first; });
+    std::vector<FlowFault> sorted;
+    for (const auto& [key, fault] : faults)
+        sorted.push_back(fault);
+    return sorted;
+}
+
+FlowProblem problem_of(const FlowFault& fault, const PlanEditor& plan) {
     FlowProblem problem;
     problem.kind = fault.kind == FlowKind::wall    ? FlowProblemKind::wall
                    : fault.kind == FlowKind::angle ? FlowProblemKind::angle
                                                    : FlowProblemKind::gap;
     problem.before = problem.after = fault.size;
-    problem.place = plan_.at(fault.node);
+    problem.place = plan.at(fault.node);
     const auto add = [&](std::int32_t contour) {
         if (contour != open_ground)
             problem.contours.push_back(contour);
     };
-    for (const NodeArm& arm : plan_.around(fault.node))
+    for (const NodeArm& arm : plan.around(fault.node))
         add(arm.left);
     if (fault.kind == FlowKind::gap) {
-        add(plan_.edges()[fault.one].left);
-        add(plan_.edges()[fault.one].right);
+        add(plan.edges()[fault.one].left);
+        add(plan.edges()[fault.one].right);
     }
     return problem;
 }
@@ -154,10 +293,10 @@ FlowProblem FlowMender::problem(const FlowFault& fault) const {
 bool FlowMender::round() {
     touched_.assign(plan_.nodes().size(), false);
     bool any = false;
-    for (const FlowFault& fault : find_faults(plan_, contours_, limits_)) {
+    for (const FlowFault& fault : in_order()) {
         if (!is_fresh(fault))
             continue;
-        FlowProblem what = problem(fault);
+        FlowProblem what = problem_of(fault, plan_);
         if (!mend(fault))
             continue;
         any = true;

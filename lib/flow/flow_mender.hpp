@@ -6,48 +6,55 @@
 #include <utility>
 #include <vector>
 
-#include "flow/block_areas.hpp"
+#include "flow/block_budget.hpp"
 #include "flow/flow_faults.hpp"
 #include "flow/flow_problem.hpp"
 
 namespace d2b {
 
-/// Mends the faults of a plan, round by round.
+/// Mends the faults of a plan, round by round; in each those first that change the least, so that what a
+/// block may take goes far.
 class FlowMender {
   public:
+    /// @param budget what changes may take, of which they take
     /// @param frozen contours that stay as they are; empty for none
     FlowMender(PlanEditor& plan, std::span<const PlanContour> contours, const FlowLimits& limits,
-               std::vector<bool> frozen = {})
-        : plan_(plan),
-          contours_(contours),
-          limits_(limits),
-          block_area_(block_areas(contours, plan.edges(), limits.metric)),
-          frozen_(std::move(frozen)) {}
+               BlockBudget& budget, const std::vector<bool>& frozen)
+        : plan_(plan), contours_(contours), limits_(limits), budget_(budget), frozen_(frozen) {}
 
     /// @return whether anything has changed
     [[nodiscard]] bool round();
     [[nodiscard]] std::vector<FlowProblem> take_changed() { return std::move(changed_); }
-    [[nodiscard]] FlowProblem problem(const FlowFault& fault) const;
 
   private:
     using Merge = std::pair<std::uint32_t, std::uint32_t>;  // a node, and what it is merged into
-    [[nodiscard]] double most(std::uint32_t node, double most) const;
+    [[nodiscard]] std::vector<FlowFault> in_order() const;
+    [[nodiscard]] bool is_frozen(std::uint32_t node) const;
     [[nodiscard]] bool is_fresh(const FlowFault& fault) const;
     [[nodiscard]] bool mend(const FlowFault& fault);
     [[nodiscard]] bool mend_angle(const FlowFault& fault);
     [[nodiscard]] bool cut_off(const FlowFault& fault);
+    [[nodiscard]] bool mend_wall(const FlowFault& fault);
+    [[nodiscard]] bool ends_a_narrow_place(std::uint32_t gone, std::uint32_t stays, std::uint32_t next) const;
+    [[nodiscard]] bool slant(std::uint32_t gone, std::uint32_t stays);
     [[nodiscard]] bool mend_gap(const FlowFault& fault);
-    [[nodiscard]] bool merge_best(std::vector<Merge> merges);
+    [[nodiscard]] bool is_away(FinePoint place, std::uint32_t node, double metres) const;
+    [[nodiscard]] bool cut_corner(const FlowFault& fault);
+    [[nodiscard]] bool merge_best(std::vector<Merge> merges, double share = 1);
     [[nodiscard]] std::optional<std::uint32_t> place_on(std::uint32_t edge, FinePoint place);
+    [[nodiscard]] FinePoint along(std::uint32_t from, std::uint32_t to, double metres) const;
     void touch(std::uint32_t node);
 
     PlanEditor& plan_;
     std::span<const PlanContour> contours_;
     const FlowLimits& limits_;
-    std::vector<double> block_area_;  // m2, of the block of each contour
-    std::vector<bool> frozen_;        // contours
-    std::vector<bool> touched_;       // nodes, this round
+    BlockBudget& budget_;
+    const std::vector<bool>& frozen_;  // contours
+    std::vector<bool> touched_;        // nodes, this round
     std::vector<FlowProblem> changed_;
 };
+
+/// What is said of a fault that is left. @param plan it was found in
+[[nodiscard]] FlowProblem problem_of(const FlowFault& fault, const PlanEditor& plan);
 
 }  // namespace d2b

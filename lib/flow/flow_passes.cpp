@@ -26,7 +26,7 @@ std::int64_t steps_of(double metres, const FlowMetric& metric) {
 
 void FlowPasses::mend(const StopRequest& stop) {
     PlanEditor editor(std::move(plan_));
-    FlowMender mender(editor, contours_, limits_, frozen_);
+    FlowMender mender(editor, contours_, limits_, budget_, frozen_);
     for (int round = 0; round < most_rounds && mender.round(); ++round)
         stop.check();
     std::ranges::move(mender.take_changed(), std::back_inserter(problems_));
@@ -37,9 +37,12 @@ void FlowPasses::mend(const StopRequest& stop) {
 bool FlowPasses::take_apart(std::span<const PlanContour> leveled) {
     const std::int64_t wanted = steps_of(std::max(limits_.wall, limits_.gap), limits_.metric);
     const PinchesTaken taken = take_apart_pinches(plan_, leveled, wanted);
-    for (const PinchMend& mend : taken.mends)
+    for (const PinchMend& mend : taken.mends) {
+        // Nothing may touch, whatever it takes.
+        budget_.take(mend.contours, static_cast<double>(mend.twice_area) / 2 * limits_.metric.area());
         problems_.push_back({FlowProblemKind::touch, 0, limits_.metric.distance(mend.place, mend.moved), true,
                              mend.place, mend.contours});
+    }
     return taken.stuck.empty();
 }
 
@@ -62,11 +65,10 @@ std::optional<ChangedOutlines> FlowPasses::make(std::span<const PlanContour> lev
     broken_ = std::move(drawn.broken);
     if (!broken_.empty() || !is_sound(drawn.outlines))
         return std::nullopt;
-    PlanEditor editor(std::move(plan_));
-    const FlowMender measure(editor, contours_, limits_);
+    const PlanEditor editor(std::move(plan_));
     const std::vector<FlowFault> after = find_faults(editor, contours_, limits_);
     for (const FlowFault& fault : after)
-        problems_.push_back(measure.problem(fault));
+        problems_.push_back(problem_of(fault, editor));
     return ChangedOutlines{std::move(drawn.outlines), std::move(problems_), after.size()};
 }
 

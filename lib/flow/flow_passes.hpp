@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/stop_request.hpp"
+#include "flow/block_budget.hpp"
 #include "flow/flow_limits.hpp"
 #include "flow/flow_problem.hpp"
 #include "surface/plan.hpp"
@@ -26,7 +27,11 @@ class FlowPasses {
   public:
     FlowPasses(Plan plan, std::span<const PlanContour> contours, const FlowLimits& limits,
                const std::vector<bool>& frozen)
-        : plan_(std::move(plan)), contours_(contours), limits_(limits), frozen_(frozen) {}
+        : plan_(std::move(plan)),
+          contours_(contours),
+          limits_(limits),
+          frozen_(frozen),
+          budget_(contours, plan_.edges, limits) {}
 
     /// @return nothing where outlines would not be what they are to be
     [[nodiscard]] std::optional<ChangedOutlines> make(std::span<const PlanContour> leveled,
@@ -43,6 +48,7 @@ class FlowPasses {
     std::span<const PlanContour> contours_;
     const FlowLimits& limits_;
     const std::vector<bool>& frozen_;
+    BlockBudget budget_;  // of all passes together
     std::vector<FlowProblem> problems_;
     std::vector<std::uint32_t> broken_;
 };

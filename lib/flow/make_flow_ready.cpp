@@ -30,9 +30,9 @@ std::vector<PlanContour> with_levels(std::span<const PlanContour> contours) {
 /// help
 std::optional<ChangedOutlines> change(const Plan& plan, std::span<const PlanContour> contours,
                                       std::span<const PlanContour> leveled, const FlowLimits& limits,
-                                      const StopRequest& stop) {
+                                      std::vector<bool> frozen, const StopRequest& stop) {
     constexpr int most_tries = 8;
-    std::vector<bool> frozen(contours.size());
+    frozen.resize(contours.size());
     for (int i = 0; i < most_tries; ++i) {
         FlowPasses passes(plan, contours, limits, frozen);
         if (auto changed = passes.make(leveled, stop))
@@ -57,7 +57,7 @@ void settle(std::vector<FlowProblem>& problems) {
 }  // namespace
 
 FlowReady make_flow_ready(std::span<const PlanContour> contours, const FlowLimits& limits,
-                          const StopRequest& stop) {
+                          std::vector<bool> frozen, const StopRequest& stop) {
     FlowReady result;
     Partition partition = make_partition(contours);
     for (const std::uint32_t c : std::set(partition.at_odds.begin(), partition.at_odds.end()))
@@ -72,18 +72,17 @@ FlowReady make_flow_ready(std::span<const PlanContour> contours, const FlowLimit
     const std::vector<PlanContour> leveled = with_levels(contours);
     std::vector<FlowFault> before;
     {
-        PlanEditor plan(partition.plan);
-        const FlowMender mender(plan, contours, limits);
+        const PlanEditor plan(partition.plan);
         before = find_faults(plan, contours, limits);
         for (const FlowFault& fault : before)
-            result.problems.push_back(mender.problem(fault));
+            result.problems.push_back(problem_of(fault, plan));
         Plan touching = partition.plan;
         const PinchesTaken touches = take_apart_pinches(touching, leveled);
         for (const PinchMend& mend : touches.mends)
             result.problems.push_back({FlowProblemKind::touch, 0, 0, false, mend.place, mend.contours});
     }
     if (!result.problems.empty())
-        if (auto changed = change(partition.plan, contours, leveled, limits, stop);
+        if (auto changed = change(partition.plan, contours, leveled, limits, std::move(frozen), stop);
             changed && changed->left < result.problems.size())
             result = {std::move(changed->outlines), std::move(changed->problems)};
     settle(result.problems);

@@ -18,11 +18,13 @@ struct FlowReady {
 /// Changes the outlines of contours that may come near each other until a flow solver can take them: walls
 /// that are too short are merged, gaps that are too narrow closed, corners that are too sharp or touch taken
 /// off. Works on the planar partition, whose nodes are moved onto others and whose edges are split, exactly;
-/// nothing that would change more than a share of a block is done. What is left has an entry. Outlines nest
-/// as they did, share what they shared, and are valid; where that cannot be had, or nothing is won, all stays
-/// as it was.
-/// @param contours parents before what stands on them @throws Cancelled
+/// changes that would come to more than a share of a block are not made. What is left has an entry. Outlines
+/// nest as they did, share what they shared, and are valid; where that cannot be had, or nothing is won, all
+/// stays as it was.
+/// @param contours parents before what stands on them
+/// @param frozen those whose walls stay where they are, but for corners that touch; empty for none
+/// @throws Cancelled
 [[nodiscard]] FlowReady make_flow_ready(std::span<const PlanContour> contours, const FlowLimits& limits,
-                                        const StopRequest& stop = {});
+                                        std::vector<bool> frozen = {}, const StopRequest& stop = {});
 
 }  // namespace d2b

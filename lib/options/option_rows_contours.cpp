@@ -69,23 +69,20 @@ std::vector<OptionRow> flow() {
         {.title = "Outlines for flow solvers",
          .help = "Close gaps and courtyards that are narrower than this, and merge walls that are shorter.",
          .details =
-             "Corners below 20.7 degrees and corners that touch go as well. What would change more than 1 % "
-             "of a block is left; -write_problems shows it. 0 changes nothing.",
-         .unit = "m",
-         .scope = where_buildings_are_found()}));
+             "Corners below 20.7 degrees and corners that touch go as well. What would change a block by "
+             "more than 1 % in all is left; -write_problems shows it. 0 changes nothing.",
+         .unit = "m"}));
     rows.push_back(number_row("min_gap", "<m>", {.lowest = 0, .highest = most},
                               [](auto& r) -> auto& { return r.options.outline.min_gap; },
                               {.title = "Narrowest gap",
                                .help = "The same of gaps and courtyards alone; by default as -flow_ready.",
-                               .unit = "m",
-                               .scope = where_buildings_are_found()}));
+                               .unit = "m"}));
     rows.push_back(number_row("min_wall", "<m>", {.lowest = 0, .highest = most},
                               [](auto& r) -> auto& { return r.options.outline.min_wall; },
                               {.title = "Shortest wall",
                                .help = "The same of walls alone; by default as -flow_ready.",
                                .details = "Corners that touch are taken apart by up to this length.",
-                               .unit = "m",
-                               .scope = where_buildings_are_found()}));
+                               .unit = "m"}));
     return rows;
 }
 

@@ -70,12 +70,23 @@ std::optional<std::uint32_t> PlanEditor::edge_between(std::uint32_t a, std::uint
     return std::nullopt;
 }
 
-Int128 PlanEditor::swept(std::uint32_t node, std::uint32_t into) const {
+Int128 PlanEditor::swept_by(std::uint32_t edge, std::uint32_t node, FinePoint place) const {
+    const Int128 twice = turn(nodes_[node], place, nodes_[other_end(edge, node)]);
+    return twice < 0 ? -twice : twice;
+}
+
+Int128 PlanEditor::swept(std::uint32_t node, FinePoint place) const {
     Int128 sum = 0;
-    for (const std::uint32_t e : at_node_[node]) {
-        const Int128 twice = turn(nodes_[node], nodes_[into], nodes_[other_end(e, node)]);
-        sum += twice < 0 ? -twice : twice;
-    }
+    for (const std::uint32_t e : at_node_[node])
+        sum += swept_by(e, node, place);
+    return sum;
+}
+
+Int128 PlanEditor::swept_outside(std::uint32_t node, FinePoint place) const {
+    Int128 sum = 0;
+    for (const std::uint32_t e : at_node_[node])
+        if (edges_[e].left == open_ground || edges_[e].right == open_ground)
+            sum += swept_by(e, node, place);
     return sum;
 }
 

@@ -40,8 +40,10 @@ class PlanEditor {
                             visit(edge);
     }
 
-    /// Twice the area that merging passes over, in square steps.
-    [[nodiscard]] Int128 swept(std::uint32_t node, std::uint32_t into) const;
+    /// Twice the area that a node's edges pass over when it moves to a place, in square steps.
+    [[nodiscard]] Int128 swept(std::uint32_t node, FinePoint place) const;
+    /// The same of edges that border on open ground.
+    [[nodiscard]] Int128 swept_outside(std::uint32_t node, FinePoint place) const;
     /// Moves a node onto another one; what then lies between two equal edges is gone. @return whether it
     /// could
     [[nodiscard]] bool merge(std::uint32_t node, std::uint32_t into);
@@ -66,6 +68,7 @@ class PlanEditor {
     [[nodiscard]] std::uint32_t other_end(std::uint32_t edge, std::uint32_t node) const {
         return edges_[edge].from == node ? edges_[edge].to : edges_[edge].from;
     }
+    [[nodiscard]] Int128 swept_by(std::uint32_t edge, std::uint32_t node, FinePoint place) const;
     [[nodiscard]] bool is_way_free(std::uint32_t node, std::uint32_t into, std::uint32_t end) const;
     [[nodiscard]] bool is_clear_of(std::uint32_t edge, std::uint32_t from, FinePoint to) const;
     [[nodiscard]] std::optional<std::set<std::uint32_t>> ends_that_follow(std::uint32_t node,

@@ -101,6 +101,8 @@ class PinchTaker {
                                                      std::int64_t reach) const;
     [[nodiscard]] bool is_free(std::uint32_t node, const std::vector<NodeArm>& arms, FinePoint place) const;
     [[nodiscard]] bool move_one(std::uint32_t node, const Pinch& pinch);
+    [[nodiscard]] Int128 swept_outside(std::uint32_t node, const std::vector<NodeArm>& arms,
+                                       FinePoint place) const;
     void move(std::uint32_t node, const SectorRun& run, FinePoint place);
     [[nodiscard]] std::vector<std::int32_t> contours_at(std::uint32_t node) const;
 
@@ -171,6 +173,17 @@ std::optional<FinePoint> PinchTaker::place_for(std::uint32_t node, const std::ve
     return std::nullopt;
 }
 
+Int128 PinchTaker::swept_outside(std::uint32_t node, const std::vector<NodeArm>& arms,
+                                 FinePoint place) const {
+    Int128 sum = 0;
+    for (const NodeArm& arm : arms)
+        if (arm.left == open_ground || arm.right == open_ground) {
+            const Int128 twice = turn(plan_.nodes[node], place, plan_.nodes[arm.end]);
+            sum += twice < 0 ? -twice : twice;
+        }
+    return sum;
+}
+
 void PinchTaker::move(std::uint32_t node, const SectorRun& run, FinePoint place) {
     const auto moved = static_cast<std::uint32_t>(plan_.nodes.size());
     std::vector<NodeArm>& all = around_[node];
@@ -203,7 +216,9 @@ bool PinchTaker::move_one(std::uint32_t node, const Pinch& pinch) {
     for (const std::int64_t reach : reaches_)
         for (const SectorRun& run : pinch.runs)
             if (const auto place = place_for(node, arms_of(node, run), reach)) {
-                taken_.mends.push_back({plan_.nodes[node], *place, pinch.fills, contours_at(node)});
+                taken_.mends.push_back({plan_.nodes[node], *place,
+                                        swept_outside(node, arms_of(node, run), *place), pinch.fills,
+                                        contours_at(node)});
                 move(node, run, *place);
                 return true;
             }

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/int128.hpp"
 #include "surface/plan.hpp"
 
 namespace d2b {
@@ -11,8 +12,9 @@ namespace d2b {
 /// What was done at a node.
 struct PinchMend {
     FinePoint place;
-    FinePoint moved;      ///< where the corner that moved is now
-    bool filled = false;  ///< a notch within a building, else buildings were cut back from each other
+    FinePoint moved;        ///< where the corner that moved is now
+    Int128 twice_area = 0;  ///< that edges beside open ground passed over, in square steps
+    bool filled = false;    ///< a notch within a building, else buildings were cut back from each other
     std::vector<std::int32_t> contours;  ///< around it
 };
 

@@ -75,19 +75,92 @@ TEST(FlowReady, whatIsReadyStays) {
 }
 
 TEST(FlowReady, aShortWallGoes) {
-    // A step of half a metre in a wall of 20 m.
+    // A step of 20 cm in a wall of 20 m.
     const std::vector<PlanContour> town{
-        house({{0, 0}, {1000, 0}, {1000, 50}, {2000, 50}, {2000, 3000}, {0, 3000}}, 0)};
+        house({{0, 0}, {500, 0}, {500, 20}, {2000, 20}, {2000, 3000}, {0, 3000}}, 0)};
     const FlowReady ready = make_flow_ready(town, limits(1, 1));
     ASSERT_EQ(ready.outlines.size(), 1U);
     EXPECT_EQ(ready.outlines[0].exterior.size(), 5U);
-    // A triangle of 0.5 x 10 m.
-    EXPECT_NEAR(std::abs(area(ready.outlines[0]) - 595), 2.5, 1e-9);
+    // A triangle of 0.2 x 5 m.
+    EXPECT_NEAR(std::abs(area(ready.outlines[0]) - 597), 0.5, 1e-9);
     ASSERT_EQ(ready.problems.size(), 1U);
     EXPECT_EQ(ready.problems[0].kind, FlowProblemKind::wall);
-    EXPECT_DOUBLE_EQ(ready.problems[0].before, 0.5);
+    EXPECT_DOUBLE_EQ(ready.problems[0].before, 0.2);
     EXPECT_EQ(ready.problems[0].after, 0);
     EXPECT_EQ(ready.problems[0].contours, (std::vector<std::int32_t>{0}));
+}
+
+/// A house of 10 x 10 m with a step of half a metre in the middle of a wall: moving 5 m of wall would take
+/// more than its square metre, so a slanted wall of a metre takes the step's place.
+TEST(FlowReady, aShortWallBetweenLongOnesBecomesASlantedOne) {
+    const std::vector<PlanContour> town{
+        house({{0, 0}, {500, 0}, {500, 50}, {1000, 50}, {1000, 1000}, {0, 1000}}, 0)};
+    const FlowReady ready = make_flow_ready(town, limits(1, 1));
+    ASSERT_EQ(ready.outlines.size(), 1U);
+    EXPECT_EQ(left(ready), 0U);
+    const FineRing& walls = ready.outlines[0].exterior;
+    ASSERT_EQ(walls.size(), 6U);
+    for (std::size_t i = 0; i < walls.size(); ++i)
+        EXPECT_GE(limits(1, 1).metric.distance(walls[i], walls[(i + 1) % walls.size()]), 1);
+    // A triangle of half a metre by 1.02 m.
+    EXPECT_NEAR(std::abs(area(ready.outlines[0]) - 97.5), 0.255, 0.01);
+}
+
+/// Steps of half a metre in a wall of 60 m: each alone is within a hundredth of the house, all are not.
+TEST(FlowReady, allChangesTogetherAreWithinTheShare) {
+    std::vector<std::pair<int, int>> corners;
+    for (int step = 0; step < 12; ++step) {
+        corners.emplace_back(500 * step, 50 * (step % 2));
+        corners.emplace_back(500 * (step + 1), 50 * (step % 2));
+    }
+    corners.emplace_back(6000, 400);
+    corners.emplace_back(0, 400);
+    const std::vector<PlanContour> town{house(corners, 0)};
+    FlowLimits wanted = limits(1, 1);
+    wanted.share = 0.1;
+    const FlowReady all = make_flow_ready(town, wanted);
+    ASSERT_EQ(all.outlines.size(), 1U);
+    EXPECT_EQ(left(all), 0U);
+    wanted.share = 0.01;
+    const FlowReady some = make_flow_ready(town, wanted);
+    ASSERT_EQ(some.outlines.size(), 1U);
+    EXPECT_GT(changed(some, FlowProblemKind::wall), 2U);
+    EXPECT_GT(left(some), 2U);
+    EXPECT_EQ(left(some) + changed(some, FlowProblemKind::wall), 11U);
+    const double house_m2 = area(town[0].outline);
+    EXPECT_NEAR(area(some.outlines[0]), house_m2, 0.01 * house_m2);
+}
+
+/// The tip of one stands 40 cm from a long wall of the other, and is cut off.
+TEST(FlowReady, aCornerNearAWallIsCutOff) {
+    const std::vector<PlanContour> town{house({{0, 0}, {4000, 0}, {4000, 1000}, {0, 1000}}, 0),
+                                        house({{2000, 1040}, {3000, 2040}, {2000, 3040}, {1000, 2040}}, 1)};
+    const FlowReady ready = make_flow_ready(town, limits(1, 1));
+    ASSERT_EQ(ready.outlines.size(), 2U);
+    EXPECT_EQ(left(ready), 0U);
+    EXPECT_EQ(changed(ready, FlowProblemKind::gap), 1U);
+    EXPECT_EQ(ready.outlines[0].exterior.size(), 4U);
+    ASSERT_EQ(ready.outlines[1].exterior.size(), 5U);
+    for (const FinePoint& corner : ready.outlines[1].exterior)
+        EXPECT_LE(corner.row, -1100);
+    EXPECT_NEAR(area(ready.outlines[1]), 200, 2);
+}
+
+/// A wall with places on it that are no corners is as long as all of it.
+TEST(FlowReady, aShortWallInPiecesIsSeen) {
+    const std::vector<PlanContour> town{
+        house({{0, 0}, {2000, 0}, {2000, 2000}, {1400, 2000}, {1420, 2020}, {1450, 2050}, {0, 3500}}, 0)};
+    const auto faults = find_faults(PlanEditor(make_partition(town).plan), town, limits(0, 1));
+    ASSERT_EQ(faults.size(), 1U);
+    EXPECT_NEAR(faults[0].size, std::hypot(0.5, 0.5), 1e-9);
+}
+
+TEST(FlowReady, whatIsFrozenStays) {
+    const std::vector<PlanContour> town{
+        house({{0, 0}, {1000, 0}, {1000, 50}, {2000, 50}, {2000, 3000}, {0, 3000}}, 0)};
+    const FlowReady ready = make_flow_ready(town, limits(1, 1), {true});
+    EXPECT_TRUE(ready.outlines.empty());
+    EXPECT_EQ(left(ready), 1U);
 }
 
 TEST(FlowReady, onlyWhatIsAskedFor) {
@@ -100,10 +173,10 @@ TEST(FlowReady, onlyWhatIsAskedFor) {
     EXPECT_TRUE(make_flow_ready(gap, limits(0, 1)).problems.empty());
 }
 
-/// Two houses of 40 x 40 m half a metre apart share a wall then.
+/// Two houses of 40 x 40 m that are 30 cm apart share a wall then.
 TEST(FlowReady, aGapIsClosed) {
     const std::vector<PlanContour> town{house({{0, 0}, {4000, 0}, {4000, 4000}, {0, 4000}}, 0),
-                                        house({{4050, 0}, {8000, 0}, {8000, 4000}, {4050, 4000}}, 1)};
+                                        house({{4030, 0}, {8000, 0}, {8000, 4000}, {4030, 4000}}, 1)};
     const FlowReady ready = make_flow_ready(town, limits(1, 1));
     ASSERT_EQ(ready.outlines.size(), 2U);
     EXPECT_EQ(left(ready), 0U);

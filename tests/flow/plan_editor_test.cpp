@@ -31,7 +31,7 @@ TEST(PlanEditor, splitsAndMergesAnEdge) {
     const auto middle = editor.split(*edge, {50, 1});
     ASSERT_TRUE(middle);
     EXPECT_EQ(editor.plan().edges.size(), 5U);
-    EXPECT_EQ(editor.swept(*middle, node_at(editor, {0, 0})), 100);
+    EXPECT_EQ(editor.swept(*middle, {0, 0}), 100);
     EXPECT_TRUE(editor.merge(*middle, node_at(editor, {0, 0})));
     EXPECT_EQ(editor.plan().edges.size(), 4U);
     EXPECT_EQ(editor.plan().nodes.size(), 4U);
