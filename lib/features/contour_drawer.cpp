@@ -40,7 +40,7 @@ void add_to_stack(const DrawnContour& drawn, const LayerPlaces& places, DrawnSta
         return;
     if (!places.buildings && drawn.record.level == 1)
         stack.add_building(drawn.contour->cells);
-    stack.add_contour(drawn.contour->cells, drawn.record.tier_z);
+    stack.add_contour(drawn.contour->cells, {drawn.record.tier_z, drawn.record.mean, drawn.record.level});
 }
 
 ContourDrawer::ContourDrawer(const FeatureInput& input, const RecordMaker& records, Context& context)
@@ -64,13 +64,15 @@ ContourDrawer::ContourDrawer(const FeatureInput& input, const RecordMaker& recor
 DrawnContour ContourDrawer::draw(std::size_t contour, std::size_t thread) {
     PolygonMaker& maker = makers_[thread];
     const ContourHead& head = input_.contours.head(contour);
-    DrawnContour drawn{head.key, head.parent, head.building, input_.is_doubtful(contour), {}, {}, {}, {}, {}};
+    DrawnContour drawn{head.key, head.parent, head.building, input_.is_doubtful(contour), {}, {}, {}, {},
+                       {},       {}};
     const bool is_building = head.key.level == 1;
     {
         const StageClock clock(maker.tally(), Stage::attributes);
         const StoredContours::Stored stored = input_.contours.fetch_stored(contour);
         drawn.record = records_.contour(contour, stored.contour);
-        drawn.own = stored.contour.own;
+        drawn.own = drawn.whole = stored.contour.own;
+        drawn.whole.merge(stored.contour.above);
         if (is_building)
             drawn.building_record = records_.building(contour, stored.contour, drawn.record, stored.roof);
     }

@@ -19,6 +19,7 @@ struct DrawnContour {
     bool is_doubtful = false;
     ContourRecord record;  ///< its numbers are those of a run on its list alone
     PointStats own;
+    PointStats whole;                ///< with what stands on it
     BuildingRecord building_record;  ///< of level 1 alone
     std::optional<FeaturePolygon> building;
     std::optional<FeaturePolygon> contour;

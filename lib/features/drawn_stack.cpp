@@ -14,27 +14,37 @@ namespace {
 
 constexpr double no_tier = std::numeric_limits<double>::quiet_NaN();
 
+}  // namespace
+
 /// The tiers of a band, which only buildings' cells have.
-class Tiers {
+class DrawnStack::BandTiers {
   public:
-    Tiers(const BandShape& shape, std::int32_t first_col)
+    BandTiers(const BandShape& shape, std::int32_t first_col)
         : shape_(shape), first_col_(first_col), tiers_(shape.size()) {}
 
-    /// Calls use(first, last) with the tiers of each run of an entry that lies in the band.
+    /// Calls use(first, last, tier) with the tiers of each run of an entry that lies in the band.
     template <typename Use>
     void for_runs(const Spool& spool, const SpoolEntry& entry, const Use& use) {
         ByteReader reader(spool, entry);
-        const auto tier = reader.take<double>();
-        for (std::size_t i = 0; i < (entry.size - sizeof(double)) / sizeof(RowSpan); ++i) {
-            const auto run = reader.take<RowSpan>();
+        const auto own = reader.take<double>();
+        const auto whole = reader.take<double>();
+        const StackTier tier{own, whole, reader.take<std::int32_t>()};
+        for (const RowSpan& run : reader.take_list<RowSpan>()) {
             const std::int32_t begin = std::max(run.begin - first_col_, 0);
             const std::int32_t end = std::min(run.end - first_col_, shape_.cols);
             if (run.row >= shape_.first_row && run.row < shape_.first_row + shape_.rows && begin < end)
                 use(index(run.row, begin), index(run.row, end), tier);
         }
     }
+    void clear(std::size_t begin, std::size_t end) {
+        std::fill(tiers_.begin() + static_cast<std::ptrdiff_t>(begin),
+                  tiers_.begin() + static_cast<std::ptrdiff_t>(end), no_tier);
+    }
     [[nodiscard]] double& at(std::size_t i) { return tiers_[i]; }
+    /// Nothing where the tier is NaN.
     void fill(std::size_t begin, std::size_t end, double tier) {
+        if (std::isnan(tier))
+            return;
         std::fill(tiers_.begin() + static_cast<std::ptrdiff_t>(begin),
                   tiers_.begin() + static_cast<std::ptrdiff_t>(end), tier);
     }
@@ -49,8 +59,6 @@ class Tiers {
     std::vector<double> tiers_;
 };
 
-}  // namespace
-
 double StackError::rms(const FixedPoint& fixed) const {
     return n == 0 ? 0
                   : std::sqrt(fixed.squares(static_cast<double>(coarse_squares)) / static_cast<double>(n));
@@ -60,46 +68,46 @@ DrawnStack::DrawnStack(std::unique_ptr<Spool> spool, const Window& window)
     : spool_(std::move(spool)), window_(window), slabs_(window.row, window.rows) {}
 
 void DrawnStack::add_building(const std::vector<RowSpan>& cells) {
-    add(cells, no_tier, &Slab::buildings);
+    add(cells, {no_tier, no_tier, 0}, &Slab::buildings);
 }
 
-void DrawnStack::add_contour(const std::vector<RowSpan>& cells, double tier) {
-    if (!std::isnan(tier))
-        add(cells, tier, &Slab::contours);
+void DrawnStack::add_contour(const std::vector<RowSpan>& cells, const StackTier& tier) {
+    add(cells, tier, &Slab::contours);
 }
 
-void DrawnStack::add(const std::vector<RowSpan>& cells, double tier, std::vector<SpoolEntry> Slab::*entries) {
-    std::map<std::size_t, ByteWriter> parts;  // by slab
+void DrawnStack::add(const std::vector<RowSpan>& cells, const StackTier& tier,
+                     std::vector<SpoolEntry> Slab::*entries) {
+    std::map<std::size_t, std::vector<RowSpan>> parts;  // by slab
     for (const RowSpan& cell : cells) {
         const std::int32_t row = cell.row - window_.row;
         // Columns as a band has them.
         const RowSpan run{cell.row, std::max(cell.begin - window_.col, 0),
                           std::min(cell.end - window_.col, window_.cols)};
-        if (row < 0 || row >= window_.rows || run.begin >= run.end)
-            continue;
-        ByteWriter& part = parts[slabs_.index(cell.row)];
-        if (part.bytes().empty())
-            part.put(tier);
-        part.put(run);
+        if (row >= 0 && row < window_.rows && run.begin < run.end)
+            parts[slabs_.index(cell.row)].push_back(run);
     }
-    for (const auto& [slab, part] : parts)
+    for (const auto& [slab, runs] : parts) {
+        ByteWriter part;
+        part.put(tier.own);
+        part.put(tier.whole);
+        part.put(tier.level);
+        part.put_list(runs);
         (slabs_[slab].*entries).push_back(append(*spool_, part));
+    }
 }
 
-StackError DrawnStack::error(const ElevationBand& band, std::int32_t first_col,
-                             const FixedPoint& fixed) const {
+template <typename Use>
+void DrawnStack::for_runs(BandTiers& tiers, const BandShape& band,
+                          const std::vector<SpoolEntry> Slab::*entries, const Use& use) const {
+    slabs_.for_band(band, [&](const Slab& slab) {
+        for (const SpoolEntry& entry : slab.*entries)
+            tiers.for_runs(*spool_, entry, use);
+    });
+}
+
+StackError DrawnStack::measured(BandTiers& tiers, const ElevationBand& band, const FixedPoint& fixed) const {
     StackError error;
-    Tiers tiers(band.shape, first_col);
-    const auto for_runs = [&](const std::vector<SpoolEntry> Slab::*entries, const auto& use) {
-        slabs_.for_band(band.shape, [&](const Slab& slab) {
-            for (const SpoolEntry& entry : slab.*entries)
-                tiers.for_runs(*spool_, entry, use);
-        });
-    };
-    const auto paint = [&](std::size_t begin, std::size_t end, double tier) { tiers.fill(begin, end, tier); };
-    for_runs(&Slab::buildings, paint);
-    for_runs(&Slab::contours, paint);
-    for_runs(&Slab::buildings, [&](std::size_t begin, std::size_t end, double) {
+    for_runs(tiers, band.shape, &Slab::buildings, [&](std::size_t begin, std::size_t end, const StackTier&) {
         for (std::size_t i = begin; i < end; ++i) {
             const double distance = tiers.at(i) - band.elevations[i];
             tiers.at(i) = no_tier;  // each cell once
@@ -108,6 +116,40 @@ StackError DrawnStack::error(const ElevationBand& band, std::int32_t first_col,
         }
     });
     return error;
+}
+
+void DrawnStack::begin_buildings(BandTiers& tiers, const BandShape& band) const {
+    for_runs(tiers, band, &Slab::buildings,
+             [&](std::size_t begin, std::size_t end, const StackTier&) { tiers.clear(begin, end); });
+}
+
+StackError DrawnStack::error(const ElevationBand& band, std::int32_t first_col,
+                             const FixedPoint& fixed) const {
+    BandTiers tiers(band.shape, first_col);
+    begin_buildings(tiers, band.shape);
+    for_runs(
+        tiers, band.shape, &Slab::contours,
+        [&](std::size_t begin, std::size_t end, const StackTier& tier) { tiers.fill(begin, end, tier.own); });
+    return measured(tiers, band, fixed);
+}
+
+std::vector<StackError> DrawnStack::errors_by_level(const ElevationBand& band, const FixedPoint& fixed,
+                                                    std::int32_t levels) const {
+    std::vector<StackError> errors;
+    BandTiers below(band.shape, 0);
+    begin_buildings(below, band.shape);
+    for (std::int32_t level = 1; level <= levels; ++level) {
+        BandTiers cut = below;
+        for_runs(cut, band.shape, &Slab::contours,
+                 [&](std::size_t begin, std::size_t end, const StackTier& tier) {
+                     if (tier.level != level)
+                         return;
+                     cut.fill(begin, end, tier.whole);
+                     below.fill(begin, end, tier.own);
+                 });
+        errors.push_back(measured(cut, band, fixed));
+    }
+    return errors;
 }
 
 }  // namespace d2b

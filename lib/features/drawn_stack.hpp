@@ -32,6 +32,13 @@ struct StackError {
     [[nodiscard]] double rms(const FixedPoint& fixed) const;
 };
 
+/// What a contour adds to a stack.
+struct StackTier {
+    double own = 0;    ///< elevation of what no higher contour holds; NaN where that is nothing
+    double whole = 0;  ///< the same where the stack ends at this contour
+    std::int32_t level = 1;
+};
+
 /// The surface that a stack of contours stands for, from their polygons as they are drawn: in a cell of a
 /// building the tier of the highest contour that holds its middle. Waits in a spool as runs of cells.
 class DrawnStack {
@@ -40,8 +47,8 @@ class DrawnStack {
 
     /// @throws OutputError the spool has no room
     void add_building(const std::vector<RowSpan>& cells);
-    /// What comes later stands on what came before. @param tier elevation; nothing is added where it is NaN
-    void add_contour(const std::vector<RowSpan>& cells, double tier);
+    /// What comes later stands on what came before.
+    void add_contour(const std::vector<RowSpan>& cells, const StackTier& tier);
     /// In the cells of buildings that some contour holds, and that are valid. From any thread, once all are
     /// there. @throws OutputError the spool cannot be read
     [[nodiscard]] StackError error(const ElevationBand& band, const FixedPoint& fixed) const {
@@ -50,13 +57,26 @@ class DrawnStack {
     /// The same of some columns. @param first_col of the band, counted from the window's first
     [[nodiscard]] StackError error(const ElevationBand& band, std::int32_t first_col,
                                    const FixedPoint& fixed) const;
+    /// The same of the stacks that end at level 1, 2, ... @param levels how many
+    [[nodiscard]] std::vector<StackError> errors_by_level(const ElevationBand& band, const FixedPoint& fixed,
+                                                          std::int32_t levels) const;
 
   private:
     struct Slab {
         std::vector<SpoolEntry> buildings;
         std::vector<SpoolEntry> contours;
     };
-    void add(const std::vector<RowSpan>& cells, double tier, std::vector<SpoolEntry> Slab::*entries);
+    class BandTiers;
+    /// Calls use(first, last, tier) with the runs of the entries that lie in the band.
+    template <typename Use>
+    void for_runs(BandTiers& tiers, const BandShape& band, const std::vector<SpoolEntry> Slab::*entries,
+                  const Use& use) const;
+    /// Where buildings stand there is no tier until a contour has one.
+    void begin_buildings(BandTiers& tiers, const BandShape& band) const;
+    [[nodiscard]] StackError measured(BandTiers& tiers, const ElevationBand& band,
+                                      const FixedPoint& fixed) const;
+    void add(const std::vector<RowSpan>& cells, const StackTier& tier,
+             std::vector<SpoolEntry> Slab::*entries);
 
     std::unique_ptr<Spool> spool_;
     Window window_;

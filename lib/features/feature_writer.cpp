@@ -74,6 +74,32 @@ void FeatureWriter::count(const DrawnContour& drawn) {
     level.points += drawn.record.points;
     if (drawn.record.level > 0)
         rmse_.add(drawn.own, input_.fixed);
+    if (drawn.record.level > 0 && input_.compare_cuts)
+        add_to_cuts(drawn);
+}
+
+/// Contours come from the low level to the high.
+void FeatureWriter::add_to_cuts(const DrawnContour& drawn) {
+    const auto level = static_cast<std::size_t>(drawn.record.level);
+    while (cut_rmses_.size() < level)
+        cut_rmses_.push_back(rmse_below_);
+    cut_rmses_[level - 1].add(drawn.whole, input_.fixed);
+    rmse_below_.add(drawn.own, input_.fixed);
+}
+
+void FeatureWriter::measure_cuts() {
+    const double metres = context_.report.units.vertical_metres;
+    const auto levels = static_cast<std::int32_t>(cut_rmses_.size());
+    std::vector<double> rmses;
+    if (stack_)
+        for (const StackError& error : input_.compare_cuts(*stack_, levels))
+            rmses.push_back(error.rms(input_.fixed));
+    else
+        for (const StackRmse& rmse : cut_rmses_)
+            rmses.push_back(rmse.value());
+    for (const double rmse : rmses)
+        context_.report.cuts.push_back(
+            {static_cast<std::int32_t>(context_.report.cuts.size()) + 1, rmse * metres});
 }
 
 void FeatureWriter::measure_building(DrawnContour& drawn) {
@@ -157,6 +183,8 @@ void FeatureWriter::finish() {
         context_.report.merge(maker.tally());
     const double rmse = stack_ ? input_.compare(*stack_).rms(input_.fixed) : rmse_.value();
     context_.report.stack_rmse_m = rmse * context_.report.units.vertical_metres;
+    if (input_.compare_cuts)
+        measure_cuts();
 }
 
 }  // namespace d2b

@@ -52,6 +52,9 @@ class FeatureWriter {
     /// @return whether it is in its layer
     bool add_contour(std::size_t contour, DrawnContour& drawn);
     void warn_of_traced();
+    /// Of the stacks that end at each level, where that is asked for.
+    void add_to_cuts(const DrawnContour& drawn);
+    void measure_cuts();
     template <typename Record>
     void write(std::size_t layer, std::span<const Attribute<Record>> attributes, const Record& record,
                FeaturePolygon&& made, double threshold);
@@ -60,8 +63,10 @@ class FeatureWriter {
     FeatureSink& sink_;
     Context& context_;
     ContourDrawer drawer_;
-    StackRmse rmse_;                   // of the contours as they were traced
-    std::optional<DrawnStack> stack_;  // where they are drawn differently
+    StackRmse rmse_;                    // of the contours as they were traced
+    std::vector<StackRmse> cut_rmses_;  // the same of the stacks that end at level 1, 2, ...
+    StackRmse rmse_below_;              // of what stands below the level that contours have come to
+    std::optional<DrawnStack> stack_;   // where they are drawn differently
     std::int64_t next_id_ = 1;
     std::int64_t next_building_ = 1;
     std::optional<RejectedLayer> rejected_;

@@ -18,6 +18,17 @@ double map_metres(const FeatureInput& input) {
     return unit && unit->metres > 0 ? unit->metres : 1;
 }
 
+/// Of what has a reason and no height.
+LayerStyle reason_style(const char* title, const char* field, double label_scale) {
+    LayerStyle style;
+    style.title = title;
+    style.label = field;
+    style.label_scale = label_scale;
+    return style;
+}
+
+}  // namespace
+
 LayerStyle building_style(FieldNames names) {
     LayerStyle style;
     style.title = "Height above ground, 90th percentile, m";
@@ -47,17 +58,6 @@ LayerStyle contour_style(bool disjoint) {
     style.labelled = {"elev_mean", "tier_z"};
     return style;
 }
-
-/// Of what has a reason and no height.
-LayerStyle reason_style(const char* title, const char* field, double label_scale) {
-    LayerStyle style;
-    style.title = title;
-    style.label = field;
-    style.label_scale = label_scale;
-    return style;
-}
-
-}  // namespace
 
 void give_styles(std::vector<LayerSpec>& layers, const FeatureInput& input, double vertical_metres) {
     const LayerPlaces& places = input.layers.places;

@@ -47,10 +47,7 @@ bool ClusterDrawer::is_wanted(std::uint32_t contour) const {
 double ClusterDrawer::top(std::uint32_t contour, const BuildingRecord& record) const {
     if (input_.of == SurfaceOf::contours)
         return input_.records.top(contour);
-    if (input_.roof == SurfaceRoof::max)
-        return record.roof;
-    const auto share = static_cast<std::size_t>(input_.roof);
-    return record.ground + record.heights_m[share] / input_.lattice.frame().vertical_metres;
+    return flat_roof(record, input_.roof, input_.lattice);
 }
 
 /// What stands no higher than its ground is no building of a surface.
@@ -87,6 +84,7 @@ void ClusterDrawer::add_contour(std::uint32_t contour) {
     plan.top = input_.lattice.height(top(contour, drawn_.buildings[static_cast<std::size_t>(plan.building)]));
     if (const auto parent = contour_place_.find(head(contour).parent); parent != contour_place_.end())
         plan.parent = parent->second;
+    drawn_.levels.push_back(head(contour).key.level);
     contour_place_[contour] = static_cast<std::int32_t>(drawn_.cluster.contours.size());
     drawn_.cluster.contours.push_back(std::move(plan));
 }
@@ -132,6 +130,7 @@ void ClusterDrawer::drop(const std::vector<bool>& is_lost) {
             contour.parent = place[static_cast<std::size_t>(contour.parent)];
         place[i] = static_cast<std::int32_t>(rest.cluster.contours.size());
         rest.cluster.contours.push_back(std::move(contour));
+        rest.levels.push_back(drawn_.levels[i]);
     }
     rest.lost = std::move(drawn_.lost);
     drawn_ = std::move(rest);
@@ -146,6 +145,12 @@ DrawnCluster ClusterDrawer::draw(std::span<const std::uint32_t> contours) {
 }
 
 }  // namespace
+
+double flat_roof(const BuildingRecord& record, SurfaceRoof roof, const SurfaceLattice& lattice) {
+    if (roof == SurfaceRoof::max)
+        return record.roof;
+    return record.ground + record.heights_m[static_cast<std::size_t>(roof)] / lattice.frame().vertical_metres;
+}
 
 DrawnCluster draw_cluster(const SurfaceInput& input, std::span<const std::uint32_t> contours,
                           std::optional<RingTransform>& transform) {

@@ -35,8 +35,12 @@ struct LostBuilding {
 struct DrawnCluster {
     SurfaceCluster cluster;
     std::vector<BuildingRecord> buildings;  ///< of the cluster's, in their order
+    std::vector<std::int32_t> levels;       ///< of its contours, in their order
     std::vector<LostBuilding> lost;         ///< those that have no ground, no height or no place in the CRS
 };
+
+/// The elevation of the roof of a building that is one block.
+[[nodiscard]] double flat_roof(const BuildingRecord& record, SurfaceRoof roof, const SurfaceLattice& lattice);
 
 /// The outlines and heights of the buildings in a group, on the lattice of the surface.
 /// @param contours ascending @param transform to the CRS of the output; one a thread

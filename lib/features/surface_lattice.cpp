@@ -30,9 +30,10 @@ double metres_of(const Crs& crs) {
     return unit ? unit->metres : 1;
 }
 
-void require_lengths(const Crs& crs) {
+void require_lengths(const Crs& crs, std::string_view asked_by) {
     if (crs.turn() > 0)
-        throw OptionError("-surface needs coordinates in a unit of length, and those of '" + crs.name() +
+        throw OptionError(std::string(asked_by) + " needs coordinates in a unit of length, and those of '" +
+                          crs.name() +
                           "' are angles; bring them to a projected CRS with -t_srs, such as the UTM zone of "
                           "the area.");
 }
@@ -46,7 +47,7 @@ SurfaceLattice::SurfaceLattice(const SurfaceTerms& terms)
       south_(terms.georeference.step(1, 0).y < 0),
       corner_(fine(LatticePoint{south_ ? terms.frame.high.row : terms.frame.low.row,
                                 east_ ? terms.frame.low.col : terms.frame.high.col})) {
-    require_lengths(terms.written());
+    require_lengths(terms.written(), terms.asked_by);
     frame_.horizontal_metres = metres_of(terms.written());
     frame_.vertical_metres = terms.vertical_metres;
     frame_.scale[2] = millimetre / terms.vertical_metres;
@@ -54,6 +55,7 @@ SurfaceLattice::SurfaceLattice(const SurfaceTerms& terms)
     auto transform = output_transform(terms.crs, terms.target_crs, terms.georeference, terms.window, {});
     if (transform)
         static_cast<void>(transform->apply_to_positions(corners));
+    std::ranges::copy_n(corners.begin(), 4, corners_.begin());
     std::erase_if(corners, [](const Position& p) { return !std::isfinite(p.x) || !std::isfinite(p.y); });
     const auto [west, east] = std::ranges::minmax(corners, {}, &Position::x);
     const auto [south, north] = std::ranges::minmax(corners, {}, &Position::y);

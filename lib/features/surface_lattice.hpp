@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <string_view>
 
 #include "core/crs.hpp"
 #include "core/georeference.hpp"
@@ -21,6 +22,7 @@ struct SurfaceTerms {
     double cell_size_m = 1;  ///< side of a square of a cell's area
     double vertical_metres = 1;
     std::optional<std::array<double, 3>> origin;  ///< of local coordinates, metres
+    std::string_view asked_by = "-surface";       ///< the option that messages name
 
     [[nodiscard]] const Crs& written() const {
         return target_crs.kind() == Crs::Kind::none ? crs : target_crs;
@@ -36,6 +38,8 @@ class SurfaceLattice {
     explicit SurfaceLattice(const SurfaceTerms& terms);
 
     [[nodiscard]] const SurfaceFrame& frame() const { return frame_; }
+    /// Of the window, in the CRS that is written, as SurfaceMeta has them.
+    [[nodiscard]] const std::array<Position, 4>& window_corners() const { return corners_; }
     /// Whether outlines come onto it without rounding.
     [[nodiscard]] bool is_exact() const { return is_exact_; }
     /// In millimetres. @param elevation in the vertical unit
@@ -61,6 +65,7 @@ class SurfaceLattice {
 
     SurfaceTerms terms_;
     SurfaceFrame frame_;
+    std::array<Position, 4> corners_{};
     bool is_exact_;
     bool east_;         ///< columns run to the east
     bool south_;        ///< rows run to the south

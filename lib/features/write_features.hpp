@@ -33,6 +33,8 @@ struct FeatureInput {
     /// Goes through the elevations once more.
     std::function<StackError(const DrawnStack&)> compare;
     BuildingRecords* kept = nullptr;  ///< gets the records of all buildings, whether or not they are written
+    /// The same of the stacks that end at level 1, 2, ...; empty where that is not asked for.
+    std::function<std::vector<StackError>(const DrawnStack&, std::int32_t levels)> compare_cuts = {};
 
     [[nodiscard]] bool is_doubtful(std::size_t contour) const {
         return contours.head(contour).label > buildings;

@@ -9,7 +9,10 @@
 #include <vector>
 
 #include "attributes/attribute_table.hpp"
+#include "attributes/field_names.hpp"
 #include "core/stage_clock.hpp"
+#include "features/building_tiers.hpp"
+#include "features/layer_styles.hpp"
 #include "features/problem_layer.hpp"
 #include "features/surface_problems.hpp"
 #include "geometry/geos.hpp"
@@ -29,6 +32,7 @@ struct SurfaceRoom {
 /// What was made of a group.
 struct GroupSurfaces {
     MadeSurfaces made;
+    std::vector<SurfacePart> tiers;
     std::vector<LostBuilding> lost;
     std::vector<PlacedProblem> problems;  // where they are asked for
 };
@@ -51,6 +55,10 @@ class SurfaceWriter {
     void finish();
 
   private:
+    void make_closed(std::span<const std::uint32_t> group, SurfaceRoom& room, GroupSurfaces& result);
+    void make_tiers(std::span<const std::uint32_t> group, SurfaceRoom& room, GroupSurfaces& result);
+    [[nodiscard]] bool has_closed() const { return forms_.solids || forms_.shell; }
+    [[nodiscard]] const char* whole() const { return has_closed() ? "surface" : "page"; }
     void count(const MadeSurfaces& made);
     void warn_of_lost(const std::vector<LostBuilding>& lost);
 
@@ -58,6 +66,7 @@ class SurfaceWriter {
     std::span<SurfaceSink* const> sinks_;
     Context& context_;
     SurfaceForms forms_;
+    bool has_tiers_ = false;
     std::vector<SurfaceRoom> rooms_;
     SurfaceReport report_;
     std::int64_t lost_ = 0;
@@ -66,7 +75,9 @@ class SurfaceWriter {
 SurfaceWriter::SurfaceWriter(const SurfaceInput& input, std::span<SurfaceSink* const> sinks, Context& context)
     : input_(input), sinks_(sinks), context_(context) {
     for (const SurfaceSink* sink : sinks)
-        (sink->form() == SurfaceForm::solids ? forms_.solids : forms_.shell) = true;
+        (sink->form() == SurfaceForm::solids  ? forms_.solids
+         : sink->form() == SurfaceForm::shell ? forms_.shell
+                                              : has_tiers_) = true;
     const FeatureInput& features = input.features;
     const SurfaceFrame& frame = input.lattice.frame();
     forms_.pinch_steps = std::llround(features.plan.asked.outline.shortest_wall() /
@@ -78,11 +89,9 @@ SurfaceWriter::SurfaceWriter(const SurfaceInput& input, std::span<SurfaceSink* c
     report_.origin = input.lattice.frame().origin;
 }
 
-GroupSurfaces SurfaceWriter::make(std::span<const std::uint32_t> group, std::size_t thread) {
-    SurfaceRoom& room = rooms_[thread];
-    const StageClock clock(room.tally, Stage::surface);
+void SurfaceWriter::make_closed(std::span<const std::uint32_t> group, SurfaceRoom& room,
+                                GroupSurfaces& result) {
     DrawnCluster drawn = draw_cluster(input_, group, room.transform);
-    GroupSurfaces result;
     result.made = make_surfaces(drawn.cluster, forms_,
                                 [&](const FinePolygon& polygon) { return room.geos.triangles(polygon); });
     fill_values(drawn.buildings, result.made.solids);
@@ -92,6 +101,28 @@ GroupSurfaces SurfaceWriter::make(std::span<const std::uint32_t> group, std::siz
     std::ranges::sort(result.lost, {}, &LostBuilding::id);
     if (input_.problems != nullptr)
         result.problems = surface_problems(drawn.cluster, result.made, result.lost, input_.lattice.frame());
+}
+
+/// What is lost is told once, where surfaces are made as well.
+void SurfaceWriter::make_tiers(std::span<const std::uint32_t> group, SurfaceRoom& room,
+                               GroupSurfaces& result) {
+    SurfaceInput input = input_;
+    input.of = SurfaceOf::contours;
+    DrawnCluster drawn = draw_cluster(input, group, room.transform);
+    result.tiers = building_tiers(drawn, input.roof, input.lattice);
+    fill_values(drawn.buildings, result.tiers);
+    if (!has_closed())
+        result.lost = std::move(drawn.lost);
+}
+
+GroupSurfaces SurfaceWriter::make(std::span<const std::uint32_t> group, std::size_t thread) {
+    SurfaceRoom& room = rooms_[thread];
+    const StageClock clock(room.tally, Stage::surface);
+    GroupSurfaces result;
+    if (has_closed())
+        make_closed(group, room, result);
+    if (has_tiers_)
+        make_tiers(group, room, result);
     return result;
 }
 
@@ -111,9 +142,10 @@ void SurfaceWriter::count(const MadeSurfaces& made) {
 void SurfaceWriter::warn_of_lost(const std::vector<LostBuilding>& lost) {
     for (const LostBuilding& building : lost)
         if (++lost_ <= most_lost_named)
-            context_.warn("Building " + std::to_string(building.id) +
-                          " is not in the surface: it has no height above its ground, or no closed surface "
-                          "was found for it.");
+            context_.warn("Building " + std::to_string(building.id) + " is not in the " + whole() +
+                          (has_closed() ? ": it has no height above its ground, or no closed surface was "
+                                          "found for it."
+                                        : ": it has no ground, or no place in the CRS."));
     context_.report.count(Reason::surface_lost, static_cast<std::int64_t>(lost.size()));
 }
 
@@ -124,8 +156,9 @@ void SurfaceWriter::add(GroupSurfaces&& group) {
         input_.problems->note(std::move(group.problems));
     const StageClock clock(context_.report, Stage::write);
     for (SurfaceSink* sink : sinks_) {
-        for (const SurfacePart& part :
-             sink->form() == SurfaceForm::solids ? group.made.solids : group.made.shell)
+        for (const SurfacePart& part : sink->form() == SurfaceForm::tiers    ? group.tiers
+                                       : sink->form() == SurfaceForm::solids ? group.made.solids
+                                                                             : group.made.shell)
             sink->add(part);
         sink->end_group();
     }
@@ -133,10 +166,12 @@ void SurfaceWriter::add(GroupSurfaces&& group) {
 
 void SurfaceWriter::finish() {
     if (lost_ > most_lost_named)
-        context_.warn(std::to_string(lost_ - most_lost_named) + " more buildings are not in the surface.");
+        context_.warn(std::to_string(lost_ - most_lost_named) + " more buildings are not in the " + whole() +
+                      ".");
     for (SurfaceRoom& room : rooms_)
         context_.report.merge(room.tally);
-    context_.report.surface = report_;
+    if (has_closed())
+        context_.report.surface = report_;
 }
 
 }  // namespace
@@ -144,11 +179,18 @@ void SurfaceWriter::finish() {
 SurfaceMeta surface_meta(const RunPlan& plan, const SurfaceLattice& lattice, const Crs& written,
                          const UnitReport& units) {
     const bool tiers = plan.surface_of == SurfaceOf::contours || plan.asked.detect.split_height > 0;
-    return {lattice.frame(),
-            tiers ? "1.3" : "1.2",
-            field_specs(building_attributes(), units.vertical, plan.asked.write.fields),
-            units.vertical_is_known ? units.vertical : "",
-            {written.wkt(), {}}};
+    const FieldNames names = plan.asked.write.fields;
+    SurfaceMeta meta{lattice.frame(),
+                     tiers ? "1.3" : "1.2",
+                     field_specs(building_attributes(), units.vertical, names),
+                     units.vertical_is_known ? units.vertical : "",
+                     {written.wkt(), {}}};
+    meta.corners = lattice.window_corners();
+    meta.block_style = building_style(names);
+    meta.tier_style = contour_style(false);
+    for (const char* field : {"p90", "num_floors", "area_m2", "volume_m3", "confidence"})
+        meta.first_fields.emplace_back(field_name(names, field));
+    return meta;
 }
 
 void write_surfaces(const SurfaceInput& input, SurfaceMeta meta, std::span<SurfaceSink* const> sinks,

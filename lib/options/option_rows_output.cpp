@@ -174,6 +174,16 @@ std::vector<OptionRow> also_written() {
     for (OptionRow& row : surface())
         rows.push_back(std::move(row));
     rows.push_back(text_row(
+        "page", OptionKind::page, "<file.html>", [](auto& r) -> auto& { return r.options.write.page; },
+        {.title = "Page of the buildings in 3D",
+         .section = DialogSection::output,
+         .help = "Also write a page that shows the buildings in 3D in a browser.",
+         .details = "One file that needs no network: the stack on the shaded terrain, turned with mouse, "
+                    "touch or keys, with a slider through its levels, what is known of a building that is "
+                    "clicked, and a flat map to print.",
+         .python = Python::extract_file,
+         .repeats = false}));
+    rows.push_back(text_row(
         "preview", OptionKind::picture, "<file>", [](auto& r) -> auto& { return r.options.write.preview; },
         {.title = "Picture of the result",
          .section = DialogSection::output,

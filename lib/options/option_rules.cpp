@@ -101,6 +101,7 @@ constexpr std::array rules{
     no_effect(given("write_height"), given("sweep"), no_layers),
     no_effect(given("write_canopy"), given("sweep"), no_layers),
     no_effect(given("surface"), given("sweep"), no_layers),
+    no_effect(given("page"), given("sweep"), no_layers),
     no_effect(given("overwrite"), given("sweep"), "it writes a picture at most, with -preview",
               given("preview")),
 };

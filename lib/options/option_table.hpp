@@ -74,12 +74,13 @@ enum class OptionKind {
     geotiff,   ///< a file that is written
     picture,   ///< a PNG, SVG or PDF that is written
     surface,   ///< a surface that is written
+    page,      ///< an HTML page that is written
     text
 };
-inline constexpr std::array<std::string_view, 15> option_kind_names{
-    "switch", "choice", "whole",   "number",  "numbers",  "extent",           "crs",
-    "raster", "vector", "dataset", "terrain", "file:tif", "file:png,svg,pdf", "file:city.json,obj,stl,glb",
-    "text"};
+inline constexpr std::array<std::string_view, 16> option_kind_names{
+    "switch",    "choice", "whole",   "number",  "numbers",  "extent",           "crs",
+    "raster",    "vector", "dataset", "terrain", "file:tif", "file:png,svg,pdf", "file:city.json,obj,stl,glb",
+    "file:html", "text"};
 
 inline constexpr std::array every_preset{Preset::buildings, Preset::thesis};
 [[nodiscard]] constexpr std::string_view preset_name(Preset preset) {

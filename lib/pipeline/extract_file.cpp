@@ -6,7 +6,9 @@
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/open_sinks.hpp"
 #include "dem2buildings/open_sources.hpp"
+#include "options/run_plan.hpp"
 #include "pipeline/preview.hpp"
+#include "pipeline/raster_tee.hpp"
 #include "read/source_advice.hpp"
 
 namespace d2b {
@@ -60,9 +62,13 @@ RunReport extract_file(const Options& options, const Callbacks& callbacks) {
     const auto sink = open_sink(options.write, heard);
     const SideSinks side = open_side_sinks(options, inputs.dem->info());
     Preview preview(options, *sink, inputs.dem->info());
+    // A page shows the buildings on their terrain, or where there is none on what the elevations have lowest.
+    const bool has_terrain = detects_buildings(options);
+    RasterTee ground(side.ground.get(), has_terrain ? side.page_relief.get() : nullptr);
+    RasterTee elevations(preview.elevations(), has_terrain ? nullptr : side.page_relief.get());
     RunReport report = run(options, inputs.sources(),
-                           {preview.features(), side.ground.get(), side.height.get(), side.canopy.get(),
-                            preview.elevations(), pointers(side.surfaces)},
+                           {preview.features(), ground.sink(), side.height.get(), side.canopy.get(),
+                            elevations.sink(), pointers(side.surfaces)},
                            heard);
     preview.publish(heard);
     report.warnings = std::move(warnings);

@@ -15,4 +15,19 @@ StackError measure_stack(const DrawnStack& stack, const FixedPoint& fixed, Eleva
     return error;
 }
 
+std::vector<StackError> measure_cuts(const DrawnStack& stack, std::int32_t levels, const FixedPoint& fixed,
+                                     ElevationReader& reader) {
+    std::vector<StackError> errors(static_cast<std::size_t>(levels));
+    reader.for_each(
+        [&](const ElevationBand& band, Tally& tally) {
+            const StageClock clock(tally, Stage::attributes);
+            return stack.errors_by_level(band, fixed, levels);
+        },
+        [&](const ElevationBand&, const std::vector<StackError>& of_band) {
+            for (std::size_t i = 0; i < errors.size(); ++i)
+                errors[i].merge(of_band[i]);
+        });
+    return errors;
+}
+
 }  // namespace d2b

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "elevations/elevation_reader.hpp"
 #include "features/drawn_stack.hpp"
 
@@ -8,5 +11,9 @@ namespace d2b {
 /// How far the stack is from the elevations. @param stack as it is drawn, in the reader's window
 [[nodiscard]] StackError measure_stack(const DrawnStack& stack, const FixedPoint& fixed,
                                        ElevationReader& reader);
+
+/// The same of the stacks that end at level 1, 2, ... @param levels how many
+[[nodiscard]] std::vector<StackError> measure_cuts(const DrawnStack& stack, std::int32_t levels,
+                                                   const FixedPoint& fixed, ElevationReader& reader);
 
 }  // namespace d2b

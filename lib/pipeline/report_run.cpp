@@ -58,8 +58,10 @@ void finish_sinks(const Sinks& sinks, Context& context) {
     for (RasterSink* raster : {sinks.ground, sinks.height, sinks.canopy, sinks.elevations})
         if (raster != nullptr)
             raster->finish();
-    for (SurfaceSink* surface : sinks.surfaces)
+    for (SurfaceSink* surface : sinks.surfaces) {
+        surface->take_report(context.report);
         surface->finish();
+    }
     sinks.features.take_report(context.report);
     sinks.features.finish();
     if (context.on_progress)

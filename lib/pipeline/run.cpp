@@ -192,10 +192,14 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
     std::optional<BuildingRecords> kept;
     if (lattice)
         kept.emplace(context.make_spool());
-    const FeatureInput input = feature_input(
+    FeatureInput input = feature_input(
         setup, {*contours, outliner, last_building, frame.fixed}, report,
         [&](const DrawnStack& stack) { return measure_stack(stack, frame.fixed, reader); },
         kept ? &*kept : nullptr);
+    if (has_tiers(sinks))
+        input.compare_cuts = [&](const DrawnStack& stack, std::int32_t levels) {
+            return measure_cuts(stack, levels, frame.fixed, reader);
+        };
     write_result(input, records, setup, sinks, {flow, lattice ? &*lattice : nullptr}, context);
     finish_sinks(sinks, context);
 }

@@ -14,7 +14,18 @@ bool has_shells(const Sinks& sinks) {
                                [](const SurfaceSink* sink) { return sink->form() == SurfaceForm::shell; });
 }
 
+/// Whether there are tiers alone.
+bool is_page(const Sinks& sinks) {
+    return std::ranges::all_of(sinks.surfaces,
+                               [](const SurfaceSink* sink) { return sink->form() == SurfaceForm::tiers; });
+}
+
 }  // namespace
+
+bool has_tiers(const Sinks& sinks) {
+    return std::ranges::any_of(sinks.surfaces,
+                               [](const SurfaceSink* sink) { return sink->form() == SurfaceForm::tiers; });
+}
 
 std::optional<SurfaceLattice> set_up_surfaces(const RunSetup& setup, const Sinks& sinks,
                                               const UnitReport& units) {
@@ -23,7 +34,7 @@ std::optional<SurfaceLattice> set_up_surfaces(const RunSetup& setup, const Sinks
     SurfaceLattice lattice({setup.georeference, setup.crs, setup.target, setup.dem.window,
                             lattice_frame(setup.dem.window, setup.plan.trace),
                             cell_size_m(setup.dem.window, setup.area), units.vertical_metres,
-                            setup.plan.asked.write.surface_origin});
+                            setup.plan.asked.write.surface_origin, is_page(sinks) ? "-page" : "-surface"});
     if (has_shells(sinks))
         lattice.require_single_precision();
     for (SurfaceSink* sink : sinks.surfaces)

@@ -14,6 +14,9 @@ namespace d2b {
 [[nodiscard]] std::optional<SurfaceLattice> set_up_surfaces(const RunSetup& setup, const Sinks& sinks,
                                                             const UnitReport& units);
 
+/// Whether a sink gets the tiers of stacks.
+[[nodiscard]] bool has_tiers(const Sinks& sinks);
+
 /// Told as soon as it is known. @param range of the elevations, in the vertical unit @throws OptionError
 void set_heights(SurfaceLattice& lattice, const ElevationRange& range, const Sinks& sinks);
 

@@ -12,8 +12,10 @@
 #include "dem2buildings/version.hpp"
 #include "elevations/sift_rules.hpp"
 #include "options/given_words.hpp"
+#include "options/run_plan.hpp"
 #include "read/start_gdal.hpp"
 #include "write/geotiff_sink.hpp"
+#include "write/page_sink.hpp"
 #include "write/surface_sinks.hpp"
 
 namespace d2b {
@@ -78,6 +80,12 @@ SideSinks open_side_sinks(const Options& options, const DemInfo& dem) {
     for (const std::string& destination : write.surfaces) {
         sinks.surfaces.push_back(open_surface(destination, write.overwrite, in_use));
         in_use.push_back(destination);
+    }
+    if (!write.page.empty()) {
+        Page page = open_page(locate_raster({write.page, write.overwrite, in_use, RasterFormat::page}),
+                              {.dem = dem, .terrain = detects_buildings(options)});
+        sinks.surfaces.push_back(std::move(page.surface));
+        sinks.page_relief = std::move(page.relief);
     }
     return sinks;
 }

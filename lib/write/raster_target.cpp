@@ -15,6 +15,7 @@
 #include "write/existing_dataset.hpp"
 #include "write/local_path.hpp"
 #include "write/ogr_handles.hpp"
+#include "write/page_mark.hpp"
 #include "write/surface_format.hpp"
 
 namespace d2b {
@@ -42,6 +43,8 @@ FormatWords words_of(RasterFormat format) {
             return {"a picture is written as", "no PNG, SVG or PDF"};
         case RasterFormat::surface:
             return {"a surface is written as", "no surface of this format"};
+        case RasterFormat::page:
+            return {"a page is written as", "no page of dem2buildings"};
         case RasterFormat::geotiff:
             break;
     }
@@ -57,6 +60,8 @@ void require_name(const std::string& name, RasterFormat format) {
     std::string extension = fs::path(name).extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (format == RasterFormat::page && extension != ".html")
+        throw OptionError("Pages are written as HTML; give " + quoted(name) + " a name that ends in .html.");
     if (format == RasterFormat::geotiff && extension != ".tif" && extension != ".tiff")
         throw OptionError("Rasters are written as GeoTIFF; give " + quoted(name) +
                           " a name that ends in .tif.");
@@ -107,6 +112,8 @@ bool is_of(RasterFormat format, const RasterPlace& place) {
         return begins_a_picture(beginning_of(place.path));
     if (format == RasterFormat::surface)
         return begins_a_surface(*surface_format_of(place.name), beginning_of(place.path));
+    if (format == RasterFormat::page)
+        return begins_a_page(beginning_of(place.path));
     const std::array<const char*, 2> drivers{"GTiff", nullptr};
     return DatasetOwner(GDALOpenEx(place.path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers.data(),
                                    nullptr, nullptr)) != nullptr;

@@ -153,6 +153,9 @@ TEST_F(TilesTool, refusesWhatItCannotDo) {
         "-write_canopy does not work in tiles: rasters are written by one run alone; leave it out, or run "
         "dem2buildings.",
         {"plan", "-write_canopy", "a.tif", sample("town.tif"), "a.gpkg", "work"});
+    expect_refused(
+        2, "-page does not work in tiles: a page is made of the whole; leave it out, or run dem2buildings.",
+        {"plan", "-page", "a.html", sample("town.tif"), "a.gpkg", "work"});
     expect_refused(2, "There is no tile to find; usage: dem2buildings_tiles find <work> <tile>....",
                    {"find", "work"});
     expect_refused(2, "Tile 3 is named twice; name it once.", {"draw", "work", "3", "1", "3"});

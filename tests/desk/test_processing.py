@@ -105,6 +105,7 @@ class Toolbox(DeskCase):
         lod = shown["lod"]
         self.assertEqual((lod.defaultValue(), lod.minimum(), lod.maximum()), (4, 1, 10000))
         self.assertEqual(shown["preview"].fileFilter(), "PNG (*.png);;SVG (*.svg);;PDF (*.pdf)")
+        self.assertEqual(shown["page"].fileFilter(), "HTML (*.html)")
         self.assertEqual(shown["surface_cityjson"].fileFilter(), "CITY.JSON (*.city.json)")
         self.assertEqual(shown["surface_glb"].description(), "Output: Surface of the buildings (.glb)")
         self.assertEqual(shown["preset"].options(), ["buildings", "thesis"])
@@ -169,6 +170,12 @@ class Toolbox(DeskCase):
         for file in files.values():
             self.assertIn(f"-surface {file}", log)
             self.assertGreater(pathlib.Path(file).stat().st_size, 10000)
+
+    def test_a_page_is_written(self):
+        page = self.folder / "town.html"
+        _, log = self.log_of(INPUT=str(self.folder / "town.tif"), page=str(page))
+        self.assertIn(f"-page {page}", log)
+        self.assertIn("A page of dem2buildings", page.read_text()[:100])
 
     def test_layers_are_loaded_in_their_style(self):
         results, well, context = self.run_it(INPUT=str(self.folder / "town.tif"))

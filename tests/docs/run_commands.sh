@@ -1,7 +1,8 @@
 #!/bin/sh
 # Runs every command of README.md, docs/*.md and docs/tasks/*.md that stands in a block marked ```sh, in a scratch folder where
 # sample_dems/ lies beside and the tool is on the PATH. A block marked ```output holds what the block before it prints;
-# empty lines do not count. Blocks marked ```sh mesh are run where dem2buildings_mesh is built.
+# empty lines do not count. Blocks marked ```sh mesh are run where dem2buildings_mesh is built, those
+# marked ```sh page where pages are (D2B_BUILD_PAGE).
 #   run_commands.sh <source folder> <folder of the tool> <scratch folder> <build folder>
 # What programs are built with is installed in <scratch folder>/installed.
 set -eu
@@ -17,10 +18,13 @@ mkdir "$scratch/docs"
 ln -s "$source_folder/docs/examples" "$scratch/docs/examples"
 cmake --install "$4" --prefix "$scratch/installed" > "$scratch/install.txt"
 mesh=$(command -v dem2buildings_mesh || true)
+pages=$(grep -x D2B_BUILD_PAGE:BOOL=ON "$4/CMakeCache.txt" || true)
 count=0
 compared=0
 for page in "$source_folder"/README.md "$source_folder"/docs/*.md "$source_folder"/docs/tasks/*.md; do
-    awk -v mesh="$mesh" '/^```sh$/ || (mesh && /^```sh mesh$/) {kind = "C"; print "B"; next} /^```sh mesh$/ {without = 1}
+    awk -v mesh="$mesh" -v pages="$pages" '/^```sh$/ || (mesh && /^```sh mesh$/) || (pages && /^```sh page$/) {
+             kind = "C"; print "B"; next}
+         /^```sh (mesh|page)$/ {without = 1}
          /^```output$/ {if (without) {without = 0; next} kind = "O"; next}
          /^```$/ {if (kind == "O") print "E"; kind = ""} kind {print kind $0}' "$page" > "$scratch/lines.txt"
     while IFS= read -r line; do

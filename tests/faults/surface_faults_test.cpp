@@ -12,16 +12,19 @@ namespace {
 using std::chrono::milliseconds;
 namespace fs = std::filesystem;
 
-/// Files of surfaces on disks that fail, and of runs that are killed.
+/// Files of surfaces and pages on disks that fail, and of runs that are killed.
 class SurfaceFaults : public FaultyTest {
   protected:
     /// A run that replaces what is there. @param source with its result for the layers beside it
     static Arguments writing(const std::string& source) {
         Arguments arguments{"-q", "-overwrite"};
         for (const std::string& name : names)
-            arguments.insert(arguments.end(), {"-surface", name});
+            arguments.insert(arguments.end(), {option_of(name), name});
         arguments.insert(arguments.end(), {source, "out.gpkg"});
         return arguments;
+    }
+    static std::string option_of(const std::string& name) {
+        return name.ends_with(".html") ? "-page" : "-surface";
     }
     /// Bytes of the surfaces that are there, by their names.
     [[nodiscard]] std::map<std::string, std::string> surfaces() const {
@@ -39,7 +42,11 @@ class SurfaceFaults : public FaultyTest {
     static const std::vector<std::string> names;
 };
 
-const std::vector<std::string> SurfaceFaults::names{"city.city.json", "city.glb", "city.obj", "city.stl"};
+const std::vector<std::string> SurfaceFaults::names{"city.city.json", "city.glb",
+#ifdef D2B_PAGE
+                                                    "city.html",
+#endif
+                                                    "city.obj", "city.stl"};
 
 /// At any moment each is as it was, or as it is to be.
 TEST_F(SurfaceFaults, aKilledRunLeavesEachWhole) {
@@ -86,7 +93,7 @@ TEST_F(SurfaceFaults, aWriteThatFailsLeavesTheOld) {
         for (const std::string kind : {"write", "sync"}) {
             const std::string error = kind == "sync" ? "EIO" : "ENOSPC";
             const ToolResult result =
-                run({"-q", "-overwrite", "-surface", name, "dem.tif", "out.gpkg"},
+                run({"-q", "-overwrite", option_of(name), name, "dem.tif", "out.gpkg"},
                     {.environment = {"LD_PRELOAD=" D2B_SHIM, "D2B_FAULT=" + kind + ":1:" + error,
                                      "D2B_FAULT_PATH=" + name, "D2B_FAULT_COUNT=" + counter}});
             EXPECT_EQ(result.status, 1) << name << " " << kind;
@@ -107,7 +114,7 @@ TEST_F(SurfaceFaults, aDiskThatIsFull) {
         GTEST_SKIP() << "no disk can be mounted here";
     for (const std::string& name : names) {
         const std::string place = "disk/" + name;
-        const ToolResult result = run({"-q", "-surface", place, "dem.tif", "out.gpkg"});
+        const ToolResult result = run({"-q", option_of(name), place, "dem.tif", "out.gpkg"});
         EXPECT_EQ(result.status, 1) << name;
         EXPECT_TRUE(result.err.starts_with("ERROR: Cannot write \"" + place + "\": ")) << result.err;
         EXPECT_TRUE(fs::is_empty(disk)) << name;

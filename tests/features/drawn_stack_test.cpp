@@ -90,9 +90,9 @@ TEST(DrawnStack, IsTheHighestContourInTheBuildings) {
     // that reaches beyond it.
     DrawnStack stack(std::make_unique<MemorySpool>(), {100, 50, 80, 6});
     stack.add_building({{163, 51, 54}, {164, 51, 54}, {165, 51, 54}});
-    stack.add_contour({{163, 51, 54}, {164, 51, 54}, {165, 51, 54}}, 10);
-    stack.add_contour({{162, 52, 53}, {163, 52, 53}, {164, 52, 53}}, 20);
-    stack.add_contour({{163, 40, 90}}, unknown);
+    stack.add_contour({{163, 51, 54}, {164, 51, 54}, {165, 51, 54}}, {10, 10, 1});
+    stack.add_contour({{162, 52, 53}, {163, 52, 53}, {164, 52, 53}}, {20, 20, 2});
+    stack.add_contour({{163, 40, 90}}, {unknown, unknown, 3});
     const auto error_of = [&](std::int32_t first, std::int32_t rows) {
         ElevationBand band{{first, rows, 6}, std::vector<double>(static_cast<std::size_t>(rows) * 6, 10)};
         if (first <= 164 && 164 < first + rows)
@@ -111,10 +111,30 @@ TEST(DrawnStack, IsTheHighestContourInTheBuildings) {
     EXPECT_EQ(StackError().rms(fixed), 0);
 }
 
+/// Where a stack ends, a tier is the mean of all that it holds.
+TEST(DrawnStack, OfEachLevelIsWhatIsLeftOfIt) {
+    const FixedPoint fixed(100);
+    DrawnStack stack(std::make_unique<MemorySpool>(), {0, 0, 1, 6});
+    stack.add_building({{0, 1, 5}});
+    stack.add_contour({{0, 1, 5}}, {10, 13, 1});
+    stack.add_contour({{0, 2, 4}}, {unknown, 16, 2});  // its children hold all of it
+    stack.add_contour({{0, 2, 3}}, {15, 15, 3});
+    stack.add_contour({{0, 3, 4}}, {17, 17, 3});
+    const ElevationBand band{{0, 1, 6}, {0, 10, 15, 17, 10, 0}};
+    const std::vector<StackError> cuts = stack.errors_by_level(band, fixed, 3);
+    ASSERT_EQ(cuts.size(), 3U);
+    for (const StackError& cut : cuts)
+        EXPECT_EQ(cut.n, 4);
+    EXPECT_NEAR(cuts[0].rms(fixed), std::sqrt((9 + 4 + 16 + 9) / 4.0), 1e-9);
+    EXPECT_NEAR(cuts[1].rms(fixed), std::sqrt((0 + 1 + 1 + 0) / 4.0), 1e-9);
+    EXPECT_EQ(cuts[2].rms(fixed), 0);
+    EXPECT_EQ(cuts[2].coarse_squares, stack.error(band, fixed).coarse_squares);
+}
+
 TEST(DrawnStack, EndsWithTheWindow) {
     DrawnStack stack(std::make_unique<MemorySpool>(), {0, 0, 2, 2});
     stack.add_building({{-1, 0, 2}, {0, -3, 9}, {1, 2, 5}, {2, 0, 2}});
-    stack.add_contour({{0, -3, 1}}, 5);
+    stack.add_contour({{0, -3, 1}}, {5, 5, 1});
     const StackError error = stack.error({{0, 2, 2}, {5, 5, 5, 5}}, FixedPoint(5));
     EXPECT_EQ(error.n, 1);
     EXPECT_EQ(error.rms(FixedPoint(5)), 0);

@@ -56,6 +56,7 @@ const std::map<std::string, std::vector<Texts>>& values() {
         {"write_canopy", {{"c.tif"}}},
         {"surface", {{"s.obj"}}},
         {"surface_origin", {{"391000", "5820000", "7"}}},
+        {"page", {{"p.html"}}},
         {"preview", {{"p.png"}}},
         {"preview_size", {{"800"}}},
         {"sweep", {{"lod=1..2"}, {"nf=5..10"}, {"detail=0..2"}}},

@@ -233,13 +233,18 @@ class Writer {
     }
 
     void add(const MemorySurface& surface) {
-        add("surface " + surface.meta.lod);
+        add((surface.form() == SurfaceForm::tiers ? "tiers " : "surface ") + surface.meta.lod);
         for (const double metres : surface.meta.frame.origin)
             add(metres);
         for (const SurfacePart& part : surface.parts)
             for (const SurfacePoint& point : part.points)
                 for (const double metres : surface.meta.frame.local(point))
                     add(metres);
+        for (const SurfacePart& part : surface.parts)
+            for (const SurfaceBuilding& building : part.buildings)
+                for (const SurfaceTier& tier : building.tiers)
+                    for (const double metres : surface.meta.frame.local(tier.rings.front().front()))
+                        add(metres);
     }
 
     Outcome outcome;
@@ -258,6 +263,9 @@ void run_into(Writer& writer, const Texts& words) {
     std::vector<SurfaceSink*> surfaces;
     if (!options.write.surfaces.empty())
         surfaces.push_back(&surface);
+    MemorySurface tiers(SurfaceForm::tiers);
+    if (!options.write.page.empty())
+        surfaces.push_back(&tiers);
     run(options, {*source, sides.terrain.get(), sides.mask.get(), sides.ndvi.get()},
         {sink, &ground_raster, &height, &canopy, nullptr, surfaces});
     const auto given = sink.provenance.metadata.find("D2B_OPTIONS");
@@ -267,8 +275,10 @@ void run_into(Writer& writer, const Texts& words) {
     writer.add(options.write.ground, ground_raster);
     writer.add(options.write.height, height);
     writer.add(options.write.canopy, canopy);
-    if (!surfaces.empty())
+    if (!options.write.surfaces.empty())
         writer.add(surface);
+    if (!options.write.page.empty())
+        writer.add(tiers);
 }
 
 }  // namespace

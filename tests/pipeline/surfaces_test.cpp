@@ -1,5 +1,9 @@
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <set>
 #include <variant>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -16,12 +20,14 @@ struct SurfaceRun {
         place_in_utm(source, 1);
         options.run.threads = threads;
         options.write.surfaces = {"s.obj"};  // what says more of it asks for one
-        report = run(options, {source}, {sink, nullptr, nullptr, nullptr, nullptr, {&shell, &solids}});
+        report =
+            run(options, {source}, {sink, nullptr, nullptr, nullptr, nullptr, {&shell, &solids, &tiers}});
     }
 
     MemorySink sink;
     MemorySurface shell;
     MemorySurface solids{SurfaceForm::solids};
+    MemorySurface tiers{SurfaceForm::tiers};
     RunReport report;
 };
 
@@ -78,11 +84,118 @@ TEST(Surfaces, doNotDependOnThreads) {
         EXPECT_EQ(one.shell.parts[i].points, four.shell.parts[i].points);
 }
 
+/// Corners of roofs, each a place and a height.
+std::set<SurfacePoint> roof_corners(const MemorySurface& solids) {
+    std::set<SurfacePoint> corners;
+    for (const SurfacePart& part : solids.parts)
+        for (const SurfaceFace& face : part.buildings.front().faces)
+            if (face.kind == FaceKind::roof) {
+                std::vector<std::vector<std::uint32_t>> rings = face.interiors;
+                rings.push_back(face.exterior);
+                for (const auto& ring : rings)
+                    for (const std::uint32_t corner : ring)
+                        corners.insert(part.points[corner]);
+            }
+    return corners;
+}
+
+std::set<SurfacePoint> tier_corners(const MemorySurface& tiers) {
+    std::set<SurfacePoint> corners;
+    for (const SurfacePart& part : tiers.parts)
+        for (const SurfaceTier& tier : part.buildings.front().tiers)
+            for (const auto& ring : tier.rings)
+                corners.insert(ring.begin(), ring.end());
+    return corners;
+}
+
+/// Whether a point lies on an edge of a ring, between its ends.
+bool is_on(const std::vector<SurfacePoint>& ring, const SurfacePoint& p) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const SurfacePoint& a = ring[i];
+        const SurfacePoint& b = ring[(i + 1) % ring.size()];
+        if ((b.x - a.x) * (p.y - a.y) == (b.y - a.y) * (p.x - a.x) && std::min(a.x, b.x) <= p.x &&
+            p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y))
+            return true;
+    }
+    return false;
+}
+
+/// A surface has corners more only where another outline ends on an edge.
+TEST(Surfaces, tiersHaveTheirCornersAndHeights) {
+    Options options;
+    options.detect.split_height = 3;
+    options.write.surface_of = SurfaceOf::contours;
+    const SurfaceRun town(options);
+    EXPECT_TRUE(town.tiers.finished);
+    ASSERT_EQ(town.tiers.parts.size(), town.solids.parts.size());
+    EXPECT_EQ(town.report.counted(Reason::surface_corner_cut), 0);
+    const std::set<SurfacePoint> roofs = roof_corners(town.solids);
+    const std::set<SurfacePoint> corners = tier_corners(town.tiers);
+    EXPECT_GE(corners.size(), 16U);
+    for (const SurfacePoint& corner : roofs) {
+        if (corners.contains(corner))
+            continue;
+        bool on_edge = false;
+        for (const SurfacePart& part : town.tiers.parts)
+            for (const SurfaceTier& tier : part.buildings.front().tiers)
+                for (const auto& ring : tier.rings)
+                    on_edge = on_edge || (tier.top == corner.z && is_on(ring, corner)) || is_on(ring, corner);
+        EXPECT_TRUE(on_edge) << corner.x << " " << corner.y << " " << corner.z;
+    }
+    // Each tier whose roof is seen somewhere has its height among the roofs.
+    std::set<std::int64_t> heights;
+    for (const SurfacePoint& corner : roofs)
+        heights.insert(corner.z);
+    for (const SurfacePart& part : town.tiers.parts)
+        for (const SurfaceTier& tier : part.buildings.front().tiers)
+            EXPECT_TRUE(heights.contains(tier.top)) << tier.top;
+    for (std::size_t i = 0; i < town.tiers.parts.size(); ++i) {
+        const SurfaceBuilding& building = town.tiers.parts[i].buildings.front();
+        const SurfaceBuilding& solid = town.solids.parts[i].buildings.front();
+        EXPECT_EQ(building.id, solid.id);
+        EXPECT_EQ(building.values, solid.values);
+        const auto lowest = std::ranges::min(town.solids.parts[i].points, {}, &SurfacePoint::z).z;
+        EXPECT_EQ(building.base, lowest);
+    }
+}
+
+/// The flat roof of a tier form is that of the surface of blocks.
+TEST(Surfaces, tiersKnowTheirFlatRoofs) {
+    const SurfaceRun town{Options()};
+    for (std::size_t i = 0; i < town.tiers.parts.size(); ++i)
+        EXPECT_EQ(town.tiers.parts[i].buildings.front().roof,
+                  std::ranges::max(town.solids.parts.at(i).points, {}, &SurfacePoint::z).z);
+}
+
+/// The whole stack is the last of those that end at a level, and fewer levels are no nearer.
+TEST(Surfaces, cutsEndWithTheWholeStack) {
+    const SurfaceRun town{Options()};
+    ASSERT_GE(town.report.cuts.size(), 2U);
+    EXPECT_EQ(town.report.cuts.back().rmse_m, town.report.stack_rmse_m);
+    for (std::size_t i = 0; i < town.report.cuts.size(); ++i) {
+        EXPECT_EQ(town.report.cuts[i].level, static_cast<std::int32_t>(i + 1));
+        if (i > 0) {
+            EXPECT_LE(town.report.cuts[i].rmse_m, town.report.cuts[i - 1].rmse_m + 0.01);
+        }
+    }
+}
+
+/// As traced, sums of points say the same as cells.
+TEST(Surfaces, cutsOfTheThesis) {
+    Options options;
+    options.preset = Preset::thesis;
+    const SurfaceRun town(options);
+    ASSERT_GE(town.report.cuts.size(), 2U);
+    EXPECT_NEAR(town.report.cuts.back().rmse_m, town.report.stack_rmse_m, 1e-12);
+    EXPECT_GT(town.report.cuts.front().rmse_m, town.report.cuts.back().rmse_m);
+}
+
 /// Nothing is looked for that nobody takes.
 TEST(Surfaces, areNotReportedWhereNoneIsAskedFor) {
     TownRun town;
     town.run();
     EXPECT_FALSE(town.report.surface);
+    EXPECT_TRUE(town.report.cuts.empty());
 }
 
 }  // namespace

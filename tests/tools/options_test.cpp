@@ -103,6 +103,7 @@ TEST(OptionTable, holdsTheseOptions) {
                                          "surface_of",
                                          "surface_roof",
                                          "surface_origin",
+                                         "page",
                                          "preview",
                                          "preview_size",
                                          "sweep"};
@@ -159,11 +160,13 @@ TEST(OptionTable, saysWhatAValueIs) {
                                                                       {"write_canopy", OptionKind::geotiff},
                                                                       {"preview", OptionKind::picture},
                                                                       {"surface", OptionKind::surface},
+                                                                      {"page", OptionKind::page},
                                                                       {"zunit", OptionKind::text},
                                                                       {"arcs", OptionKind::toggle}})
         EXPECT_EQ(find_option(name)->kind, kind) << name;
     EXPECT_EQ(option_kind_names[static_cast<std::size_t>(OptionKind::toggle)], "switch");
     EXPECT_EQ(option_kind_names[static_cast<std::size_t>(OptionKind::picture)], "file:png,svg,pdf");
+    EXPECT_EQ(option_kind_names[static_cast<std::size_t>(OptionKind::page)], "file:html");
     EXPECT_EQ(option_kind_names[static_cast<std::size_t>(OptionKind::text)], "text");
 }
 
@@ -265,6 +268,7 @@ TEST(OptionTable, defaultsAreThoseOfTheOptions) {
                              "surface",
                              "surface_of",  // what the preset decides
                              "surface_origin",
+                             "page",
                              "fl",
                              "i",
                              "oo",
@@ -420,6 +424,7 @@ TEST(Options, ofTheOutput) {
     EXPECT_EQ(write({"-fields", "osm"}).fields, FieldNames::osm);
     EXPECT_TRUE(write({"-write_doubtful"}).doubtful);
     EXPECT_TRUE(write({"-write_rejected"}).rejected);
+    EXPECT_EQ(write({"-page", "a.html"}).page, "a.html");
     EXPECT_TRUE(write({"-surface", "a.obj", "-write_problems"}).problems);
     EXPECT_EQ(write({"-write_ground", "g.tif"}).ground, "g.tif");
     EXPECT_EQ(write({"-write_height", "h.tif"}).height, "h.tif");
@@ -578,6 +583,7 @@ TEST(Options, everyOptionChangesWhatItShows) {
                                            {"-surface", "x", "-surface_roof", "p90"},
                                            {"-surface", "x", "-surface_origin", "1", "2", "3"},
                                            {"-surface", "x", "-write_problems"},
+                                           {"-page", "x"},
                                            {"-preview", "x"},
                                            {"-preview", "x", "-preview_size", "800"},
                                            {"-sweep", "lod=1..2"},

@@ -24,6 +24,7 @@ bool names_a_file(OptionKind kind) {
         case OptionKind::geotiff:
         case OptionKind::picture:
         case OptionKind::surface:
+        case OptionKind::page:
             return true;
         default:
             return false;

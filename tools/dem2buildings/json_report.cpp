@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -71,6 +72,13 @@ Json surface_of(const SurfaceReport& surface) {
             {"triangles", surface.triangles}};
 }
 
+Json cuts_of(const std::vector<CutStack>& cuts) {
+    Json list = Json::array();
+    for (const CutStack& cut : cuts)
+        list.push_back({{"level", cut.level}, {"rmse_m", cut.rmse_m}});
+    return list;
+}
+
 Json dropped_of(const RunReport& report) {
     Json dropped = Json::object();
     for (std::size_t reason = 0; reason < reason_names.size(); ++reason)
@@ -94,6 +102,8 @@ std::string json_report(const RunReport& report) {
               {"threads", report.threads},   {"stages", stages_of(report)}, {"warnings", report.warnings}};
     if (report.surface)
         json["surface"] = surface_of(*report.surface);
+    if (!report.cuts.empty())
+        json["cuts"] = cuts_of(report.cuts);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

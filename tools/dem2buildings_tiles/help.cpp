@@ -23,7 +23,7 @@ constexpr std::string_view steps_text =
 constexpr std::string_view place_text =
     "Relative names of files are of the folder in which plan was run, on every machine.";
 constexpr std::string_view refused_text =
-    "plan refuses what the steps cannot do exactly: -flow_ready, -min_gap, -min_wall, -surface, "
+    "plan refuses what the steps cannot do exactly: -flow_ready, -min_gap, -min_wall, -surface, -page, "
     "-write_ground, -write_height, -write_canopy, -preview and -sweep; with -preset buildings also -simplify "
     "and -write_rejected.";
 

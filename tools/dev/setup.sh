@@ -7,6 +7,9 @@ build_packages="g++ cmake ninja-build libgdal-dev libgeos-dev libproj-dev libgeo
 # What dem2buildings_mesh is built with; without it, all else is built.
 mesh_packages="libcgal-dev"
 
+# What -page is built with.
+page_packages="esbuild libjs-three"
+
 # What the package for Python is built with and needs, and what its tests and its page in docs/ use.
 python_packages="python3-dev pybind11-dev python3-numpy"
 python_test_packages="mypy python3-geopandas python3-matplotlib"

@@ -5,12 +5,12 @@ cd "$(dirname "$0")/../.."
 . tools/dev/setup.sh
 . tools/dev/watched.sh
 
-install_packages $build_packages $mesh_packages libgtest-dev gdal-bin $python_packages $python_test_packages
+install_packages $build_packages $mesh_packages $page_packages libgtest-dev gdal-bin $python_packages $python_test_packages
 mkdir -p build
 : >build/test.log
 echo "Building; the whole log is in $PWD/build/test.log"
 # The system's own Python: others do not see its packages.
-logged build/test.log build_progress configure -DD2B_BUILD_TESTS=ON -DD2B_BUILD_PYTHON=ON \
+logged build/test.log build_progress configure -DD2B_BUILD_TESTS=ON -DD2B_BUILD_PAGE=ON -DD2B_BUILD_PYTHON=ON \
     -DPython_EXECUTABLE=/usr/bin/python3
 logged build/test.log build_progress build
 echo "Testing"

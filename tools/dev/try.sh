@@ -4,9 +4,9 @@ set -eu
 cd "$(dirname "$0")/../.."
 . tools/dev/setup.sh
 
-install_packages $build_packages gdal-bin
+install_packages $build_packages $page_packages gdal-bin
 # Without the tests, unless they are there already.
-if [ -e build/CMakeCache.txt ]; then configure; else configure -DD2B_BUILD_TESTS=OFF; fi
+if [ -e build/CMakeCache.txt ]; then configure -DD2B_BUILD_PAGE=ON; else configure -DD2B_BUILD_PAGE=ON -DD2B_BUILD_TESTS=OFF; fi
 # All that `cmake --install build` copies.
 build --target installed_files
 ./build/tools/dem2buildings -overwrite sample_dems/town.tif build/town.gpkg

@@ -33,6 +33,9 @@ struct SideSinks {
     std::unique_ptr<RasterSink> height;
     std::unique_ptr<RasterSink> canopy;
     std::vector<std::unique_ptr<SurfaceSink>> surfaces;
+    /// Of the page, which is among the surfaces: gets the terrain in metres, or where there is none the
+    /// elevations, before the page is finished. nullptr where there is no page.
+    std::unique_ptr<RasterSink> page_relief;
 };
 
 /// GeoTIFFs and files of surfaces, which appear whole or not at all. @throws OptionError, OutputError

@@ -135,6 +135,7 @@ struct WriteOptions {
     SurfaceRoof surface_roof = SurfaceRoof::p70;
     /// x, y, z in metres that local coordinates begin at; a place in the middle where it is not given
     std::optional<std::array<double, 3>> surface_origin;
+    std::string page;     ///< HTML page of the buildings in 3D; "": none
     std::string preview;  ///< picture of the result over the shaded relief, PNG, SVG or PDF by its extension
     int preview_size = 1600;  ///< pixels of its longer side
 };

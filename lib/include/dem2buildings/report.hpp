@@ -109,6 +109,13 @@ struct SurfaceReport {
     std::int64_t triangles = 0;  ///< likewise
 };
 
+/// A stack that ends at a level.
+struct CutStack {
+    std::int32_t level = 0;
+    double rmse_m = 0;  ///< of its surface against the points of all buildings: at a point, the mean of those
+                        ///< of its highest contour that no higher one of the cut stack holds
+};
+
 /// What stages count. Threads that work at the same time have one each.
 struct Tally {
     std::array<std::int64_t, reason_names.size()> dropped{};
@@ -159,6 +166,7 @@ struct RunReport : Tally {
     OutlineLength building_outlines;  ///< of the layers as written; nothing where one is not
     OutlineLength contour_outlines;
     std::optional<SurfaceReport> surface;  ///< where one was asked for
+    std::vector<CutStack> cuts;            ///< from level 1 up, where a sink gets the tiers of stacks
     int threads = 1;                       ///< that worked on it
     std::vector<std::string> warnings;
 };

@@ -36,25 +36,39 @@ struct SurfaceTriangle {
     std::array<std::uint32_t, 3> corners{};  ///< indices into SurfacePart::points
 };
 
+/// A part of a stack: upright walls around a flat roof, from what it stands on.
+struct SurfaceTier {
+    std::int32_t level = 1;
+    std::int32_t parent = -1;  ///< place of the tier that it stands on, which comes before it; -1: the ground
+    std::int64_t top = 0;      ///< z of its roof
+    /// Corners of the roof, the first is not repeated; the exterior counter-clockwise seen from above, then
+    /// the interiors clockwise. What stands on it is not cut out.
+    std::vector<std::vector<SurfacePoint>> rings;
+};
+
 /// What a building has of a closed surface.
 struct SurfaceBuilding {
     std::int64_t id = 0;
     std::vector<FieldValue> values;          ///< one a field of SurfaceMeta::fields
     std::vector<SurfaceFace> faces;          ///< of SurfaceForm::solids
     std::vector<SurfaceTriangle> triangles;  ///< of SurfaceForm::shell
+    std::int64_t base = 0;                   ///< of SurfaceForm::tiers: z that it stands at ...
+    std::int64_t roof = 0;                   ///< ... and of its flat roof, where it is one block
+    std::vector<SurfaceTier> tiers;          ///< of SurfaceForm::tiers
 };
 
 /// What a format holds.
 enum class SurfaceForm {
     solids,  ///< each building for itself, its faces as polygons
-    shell    ///< touching buildings as one, without walls where both stand, in triangles
+    shell,   ///< touching buildings as one, without walls where both stand, in triangles
+    tiers    ///< each building as the polygons of its stack; walls are for whoever draws them
 };
 
 /// A closed surface: of all its buildings together every edge is passed once each way, and so is every edge
 /// of what hangs together.
 struct SurfacePart {
-    std::vector<SurfacePoint> points;        ///< distinct; each is used
-    std::vector<SurfaceBuilding> buildings;  ///< ascending ids; one of SurfaceForm::solids
+    std::vector<SurfacePoint> points;        ///< distinct; each is used; none of SurfaceForm::tiers
+    std::vector<SurfaceBuilding> buildings;  ///< ascending ids; one of SurfaceForm::solids and tiers
 };
 
 /// What turns steps into coordinates.
@@ -86,6 +100,11 @@ struct SurfaceMeta {
     std::vector<FieldSpec> fields;  ///< of a building; the first is its number
     std::string vertical_unit;      ///< its name; "" where nothing says what it is
     Provenance provenance;          ///< with the CRS of the coordinates; "" for none
+    /// Of the DEM's window, in the CRS: where its first row begins, then around it, along the column first.
+    std::array<Position, 4> corners{};
+    LayerStyle block_style = {};              ///< of a building as one block; by names of the fields
+    LayerStyle tier_style = {};               ///< of a tier, whose height is that of its roof above the base
+    std::vector<std::string> first_fields{};  ///< what most want to know of a building; names of the fields
 };
 
 /// Where the surface of the buildings goes: a file (write/), or a list in tests and in other programs.
@@ -110,6 +129,8 @@ class SurfaceSink {
     virtual void add(const SurfacePart& part) = 0;
     /// Called when no part that comes later touches those that came before.
     virtual void end_group() {}
+    /// Told before finish() what the run has done.
+    virtual void take_report(const RunReport& /*report*/) {}
     /// Makes the result visible, all of it or nothing; of no part at all as well. @throws OutputError
     virtual void finish() = 0;
 

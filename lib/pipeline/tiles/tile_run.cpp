@@ -69,6 +69,7 @@ void require_tiles(const Options& options) {
     const WriteOptions& write = options.write;
     refuse(!write.preview.empty(), "-preview", "a picture is drawn of the whole");
     refuse(!write.surfaces.empty(), "-surface", "a surface is made of the whole");
+    refuse(!write.page.empty(), "-page", "a page is made of the whole");
     const std::string flow = "outlines are changed for the sake of others that may be far away";
     refuse(options.outline.flow_ready > 0, "-flow_ready", flow);
     refuse(options.outline.min_gap.has_value(), "-min_gap", flow);

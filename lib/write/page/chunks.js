@@ -1,0 +1,103 @@
+// Buildings in squares of the plan: all of them are blocks at once; stacks are made a square at a time, where one
+// looks.
+import * as THREE from 'three';
+
+import {edge} from './colours.js';
+import {blocks, foundations, stacks} from './extrude.js';
+
+const buildingsAChunk = 60;
+
+function meshOf(prisms, materials) {
+  const positions = new THREE.BufferAttribute(new Float32Array(prisms.positions), 3);
+  const faces = new THREE.BufferGeometry();
+  faces.setAttribute('position', positions);
+  faces.setAttribute('color', new THREE.BufferAttribute(new Uint8Array(prisms.colours), 3, true));
+  faces.setIndex(new THREE.BufferAttribute(new Uint32Array(prisms.indices), 1));
+  const lines = new THREE.BufferGeometry();
+  lines.setAttribute('position', positions);
+  lines.setIndex(new THREE.BufferAttribute(new Uint32Array(prisms.lines), 1));
+  const group = new THREE.Group();
+  group.add(new THREE.Mesh(faces, materials.faces), new THREE.LineSegments(lines, materials.lines));
+  return group;
+}
+
+function squares(town) {
+  const [west, south, east, north] = town.extent;
+  const side = Math.max(1, Math.sqrt((east - west) * (north - south) * buildingsAChunk / Math.max(1, town.buildings)));
+  const found = new Map();
+  for (let building = 0; building < town.buildings; ++building) {
+    const box = town.boxOf(building);
+    const key = `${Math.floor((box[0] + box[2] - 2 * west) / 2 / side)} ${
+        Math.floor((box[1] + box[3] - 2 * south) / 2 / side)}`;
+    if (!found.has(key))
+      found.set(key, []);
+    found.get(key).push(building);
+  }
+  return [...found.values()];
+}
+
+class Chunk {
+  constructor(town, relief, buildings, materials) {
+    Object.assign(this, {town, buildings, materials});
+    this.root = new THREE.Group();
+    this.block = meshOf(blocks(town, buildings), materials);
+    this.stack = null;
+    this.root.add(this.block, meshOf(foundations(town, relief, buildings), materials));
+    this.middle = new THREE.Box3().setFromObject(this.block).getCenter(new THREE.Vector3());
+  }
+
+  makeStack() {
+    const {prisms, ends} = stacks(this.town, this.buildings);
+    this.ends = ends;
+    this.stack = meshOf(prisms, this.materials);
+    this.triangles = prisms.indices.length / 3;
+    this.root.add(this.stack);
+  }
+
+  show(asStack, level) {
+    this.block.visible = !asStack;
+    if (!this.stack)
+      return;
+    this.stack.visible = asStack;
+    const [faces, lines] = this.ends[level];
+    this.stack.children[0].geometry.setDrawRange(0, faces);
+    this.stack.children[1].geometry.setDrawRange(0, lines);
+  }
+}
+
+export class Chunks {
+  constructor(town, relief) {
+    this.materials = {
+      faces: new THREE.MeshBasicMaterial({
+        vertexColors: THREE.VertexColors,
+        side: THREE.DoubleSide,
+        polygonOffset: true,
+        polygonOffsetFactor: 1,
+        polygonOffsetUnits: 1,
+      }),
+      lines: new THREE.LineBasicMaterial(
+          {color: new THREE.Color(...edge.map((part) => part / 255)), opacity: 0.45, transparent: true}),
+    };
+    this.root = new THREE.Group();
+    this.level = town.levels;
+    this.all = squares(town).map((buildings) => new Chunk(town, relief, buildings, this.materials));
+    for (const chunk of this.all)
+      this.root.add(chunk.root);
+  }
+
+  // Shows stacks near the eye, of so many triangles at most, and blocks beyond. Makes stacks that are missing until it
+  // is so late. Whether some are still missing.
+  update(eye, budget, late) {
+    this.all.sort((a, b) => a.middle.distanceToSquared(eye) - b.middle.distanceToSquared(eye));
+    let missing = false;
+    let left = budget;
+    for (const chunk of this.all) {
+      if (left > 0 && !chunk.stack && performance.now() < late)
+        chunk.makeStack();
+      missing = missing || (left > 0 && !chunk.stack);
+      chunk.show(chunk.stack !== null && left > 0, this.level);
+      left -= chunk.stack?.triangles ?? 0;
+    }
+    return missing;
+  }
+}

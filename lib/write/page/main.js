@@ -1,0 +1,178 @@
+// A page of dem2buildings: reads what is packed in it, and shows it.
+import {FlatMap} from './flat_map.js';
+import {showBuilding, showLegend, showLevel, showSource, showSum} from './panels.js';
+import {Relief} from './relief.js';
+import {Scene} from './scene.js';
+import {Town} from './town.js';
+import {unpack} from './unpack.js';
+
+const byId = (id) => document.getElementById(id);
+
+function notice(sentence) {
+  byId('notice').textContent = sentence;
+  byId('notice').hidden = false;
+}
+
+// Who draws 3D here: "card", "processor" (slowly), or nobody: null. Asked before three.js does, which would complain in
+// the console.
+function painter() {
+  const context = document.createElement('canvas').getContext('webgl');
+  if (!context)
+    return null;
+  const info = context.getExtension('WEBGL_debug_renderer_info');
+  const name = info ? context.getParameter(info.UNMASKED_RENDERER_WEBGL) : '';
+  context.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name) ? 'processor' : 'card';
+}
+
+class Page {
+  constructor(town) {
+    this.town = town;
+    this.relief = new Relief(town);
+    const onPick = (building) => this.choose(building);
+    this.map = new FlatMap(town, this.relief, byId('map'), onPick);
+    this.scene = this.makeScene(onPick);
+    this.views = this.scene ? [this.scene, this.map] : [this.map];
+    this.chosen = -1;
+    showSum(town);
+    showSource(town);
+    showLegend(town);
+    this.setUpLevels();
+    this.setUpButtons();
+    this.setUpKeys();
+    this.setTheme(window.matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light');
+    this.show(this.scene ?? this.map);
+    for (const view of this.views) {
+      view.resize();
+      view.home();
+    }
+    window.addEventListener('resize', () => this.views.forEach((view) => view.resize()));
+    window.addEventListener('beforeprint', () => this.beginPrint());
+    window.addEventListener('afterprint', () => this.endPrint());
+  }
+
+  makeScene(onPick) {
+    const machine = painter();
+    if (!machine) {
+      notice('This browser does not show 3D (it has no WebGL), so here is the map.');
+      return null;
+    }
+    return new Scene(this.town, this.relief, byId('view'), machine, onPick);
+  }
+
+  choose(building) {
+    this.chosen = building;
+    this.views.forEach((view) => view.choose(building));
+    showBuilding(this.town, building, () => this.choose(-1));
+  }
+
+  show(view) {
+    this.shown = view;
+    byId('view').hidden = view !== this.scene;
+    byId('map').hidden = view !== this.map;
+    byId('to3d').setAttribute('aria-pressed', String(view === this.scene));
+    byId('tomap').setAttribute('aria-pressed', String(view === this.map));
+    view.ask();
+  }
+
+  setUpLevels() {
+    const slider = byId('level');
+    slider.max = Math.max(1, this.town.levels);
+    slider.value = slider.max;
+    slider.disabled = this.town.levels < 2;
+    const level = () => Math.min(this.town.levels, Number(slider.value));
+    slider.addEventListener('input', () => {
+      this.views.forEach((view) => view.setLevel(level()));
+      showLevel(this.town, level());
+      this.choose(this.chosen);
+    });
+    showLevel(this.town, level());
+  }
+
+  setTheme(theme) {
+    this.theme = theme;
+    document.documentElement.dataset.theme = theme;
+    byId('theme').textContent = theme === 'dark' ? 'Light' : 'Dark';
+    this.views.forEach((view) => view.setTheme(theme));
+  }
+
+  setUpButtons() {
+    const on = (id, act) => byId(id).addEventListener('click', act);
+    byId('to3d').disabled = !this.scene;
+    on('to3d', () => this.show(this.scene));
+    on('tomap', () => this.show(this.map));
+    on('home', () => this.shown.home());
+    on('print', () => window.print());
+    on('theme', () => this.setTheme(this.theme === 'dark' ? 'light' : 'dark'));
+    const help = () => {
+      byId('about').hidden = !byId('about').hidden;
+      byId('help').setAttribute('aria-expanded', String(!byId('about').hidden));
+    };
+    on('help', help);
+    on('closehelp', help);
+  }
+
+  setUpKeys() {
+    const arrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
+    const turned = 1 / 36;
+    const moved = 0.06;
+    const onKey = (event) => {
+      if (arrows[event.key]) {
+        const [right, up] = arrows[event.key];
+        if (this.shown === this.map || event.shiftKey)
+          this.shown.move(right * moved, up * moved);
+        else
+          this.scene.turn(right * turned, up * turned / 2);
+      } else if (event.key === '+' || event.key === '=' || event.key === '-') {
+        this.shown.zoom(event.key === '-' ? 1.2 : 1 / 1.2);
+      } else if (event.key === 'Home') {
+        this.shown.home();
+      } else if (event.key === 'Escape') {
+        this.choose(-1);
+      } else if (event.key === 'Enter' && this.shown === this.scene) {
+        this.choose(this.scene.pick(byId('view').clientWidth / 2, byId('view').clientHeight / 2));
+      } else {
+        return;
+      }
+      event.preventDefault();
+    };
+    byId('view').addEventListener('keydown', onKey);
+    byId('map').addEventListener('keydown', onKey);
+  }
+
+  // Paper is light, white, and finer than a screen. Of the map there is what was seen of it, of a scene all.
+  beginPrint() {
+    this.printed = {theme: this.theme, view: this.shown};
+    byId('legend').open = true;
+    const [west, south, east, north] = this.town.extent;
+    const ofMap = this.shown === this.map;
+    const [width, height] = ofMap ? [this.map.canvas.width, this.map.canvas.height] : [east - west, north - south];
+    const finer = 2400 / Math.max(1, width, height);
+    this.setTheme('light');
+    this.show(this.map);
+    this.map.setSize(Math.round(width * finer), Math.round(height * finer), 3);
+    if (!ofMap)
+      this.map.home(1);
+    this.map.isPaper = true;
+    this.map.draw();
+  }
+
+  endPrint() {
+    this.map.isPaper = false;
+    this.map.resize();
+    this.setTheme(this.printed.theme);
+    this.show(this.printed.view);
+  }
+}
+
+async function start() {
+  if (typeof DecompressionStream === 'undefined') {
+    notice('This browser is too old to unpack the buildings; use one of 2023 or later.');
+    return;
+  }
+  const town = new Town(await unpack(byId('data').textContent));
+  // For whoever wants to ask the page by script.
+  window.dem2buildings = new Page(town);
+}
+
+start();

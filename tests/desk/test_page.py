@@ -1,0 +1,238 @@
+"""The page of -page in Chromium: what is seen, what answers, and that it speaks to nobody."""
+
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+import numpy as np
+from osgeo import gdal
+from PIL import Image
+
+from browser import WITHOUT_WEBGL, Browser, difference
+
+gdal.UseExceptions()
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+TOOL = os.environ.get("D2B_TOOL", str(SOURCE / "build/tools/dem2buildings"))
+TOWN = SOURCE / "sample_dems/town.tif"
+PICTURES = SOURCE / "docs/pictures"
+# Of a mean over all pixels: letters of another font and another way to draw lines are less.
+SAME = 4
+
+
+class Page(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="d2b_page_"))
+        cls.town = cls.make(TOWN, "town.html", "-surface", str(cls.folder / "town.city.json"),
+                            "-surface_of", "contours")
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(cls.folder)
+
+    @classmethod
+    def make(cls, dem, name, *options):
+        page = cls.folder / name
+        subprocess.run([TOOL, "-q", "-overwrite", *options, "-page", str(page), str(dem),
+                        str(page.with_suffix(".gpkg"))], check=True)
+        return page
+
+    def looks_like(self, browser, name):
+        """Is the picture in docs. With D2B_NEW_PICTURES it becomes that."""
+        path = PICTURES / name
+        picture = browser.picture()
+        if os.environ.get("D2B_NEW_PICTURES"):
+            picture.quantize(256).save(path, optimize=True)
+        self.assertLess(difference(picture, Image.open(path).convert("RGB")), SAME, name)
+
+    def quiet(self, browser):
+        self.assertEqual(browser.complaints(), [])
+        for address in browser.requests():
+            self.assertTrue(address.startswith("file://"), address)
+
+    def test_is_drawn_light_and_dark(self):
+        for name, dark in (("page_town.png", False), ("page_town_dark.png", True)):
+            with self.subTest(name), Browser(dark=dark) as browser:
+                browser.open(self.town)
+                self.assertTrue(browser.is_seen("view"))
+                self.assertEqual(browser.text("theme"), "Light" if dark else "Dark")
+                self.looks_like(browser, name)
+                self.quiet(browser)
+
+    def test_is_drawn_on_a_telephone(self):
+        with Browser(size=(390, 780)) as browser:
+            browser.open(self.town)
+            wide = browser.run("return document.documentElement.scrollWidth")
+            self.assertLessEqual(wide, 390)
+            self.looks_like(browser, "page_town_phone.png")
+            self.quiet(browser)
+
+    def test_corners_are_those_of_the_surface(self):
+        """Of the triangles in the page, and of the CityJSON; a solid has corners more where walls of others end."""
+        city = json.loads((self.folder / "town.city.json").read_text())
+        scale, translate = city["transform"]["scale"], city["transform"]["translate"]
+        roofs = set()
+        for item in city["CityObjects"].values():
+            shell = item["geometry"][0]["boundaries"][0]
+            kinds = item["geometry"][0]["semantics"]["values"][0]
+            names = item["geometry"][0]["semantics"]["surfaces"]
+            for face, kind in zip(shell, kinds):
+                if names[kind]["type"] == "RoofSurface":
+                    roofs.update(corner for ring in face for corner in ring)
+        expected = {tuple(part * scale[i] + translate[i] for i, part in enumerate(city["vertices"][corner]))
+                    for corner in roofs}
+        with Browser() as browser:
+            browser.open(self.town)
+            drawn, origin = browser.run("""
+                const {scene, town} = window.dem2buildings;
+                const all = [];
+                for (const {stack} of scene.chunks.all)
+                  all.push(...stack.children[0].geometry.getAttribute('position').array);
+                return [all, town.about.frame.origin];""")
+        near = lambda x, y, z: (round(x, 2), round(y, 2), round(z, 2))
+        corners = set()
+        for i in range(0, len(drawn), 3):
+            corners.add((drawn[i] + origin[0], origin[1] - drawn[i + 2], drawn[i + 1] + origin[2]))
+        cells = {}
+        for corner in corners:
+            cells.setdefault(near(*corner), corner)
+
+        def is_drawn(x, y, z):
+            return any(near(x + i / 100, y + j / 100, z + k / 100) in cells
+                       for i in (-1, 0, 1) for j in (-1, 0, 1) for k in (-1, 0, 1))
+        missed = [corner for corner in expected if not is_drawn(*corner)]
+        self.assertGreater(len(expected), 100)
+        self.assertLess(len(missed), 0.02 * len(expected))
+
+    def test_a_click_answers(self):
+        with Browser() as browser:
+            browser.open(self.town)
+            browser.press("tomap")
+            browser.wait()
+            # The middle of the largest footprint, in pixels of the map.
+            x, y, number = browser.run("""
+                const {map, town} = window.dem2buildings;
+                let best = 0;
+                const size = (b) => (town.boxOf(b)[2] - town.boxOf(b)[0]) * (town.boxOf(b)[3] - town.boxOf(b)[1]);
+                for (let b = 0; b < town.buildings; ++b)
+                  if (size(b) > size(best))
+                    best = b;
+                const box = town.boxOf(best);
+                for (let i = 1; i < 10; ++i)
+                  for (let j = 1; j < 10; ++j) {
+                    const [x, y] = [box[0] + (box[2] - box[0]) * i / 10, box[1] + (box[3] - box[1]) * j / 10];
+                    if (town.holds(town.tiersOf(best)[0], x, y))
+                      return [...map.toPixels(x, y), town.stack.id[best]];
+                  }""")
+            browser.click(x, y)
+            said = browser.text("building")
+            self.assertIn(f"Building {number}", said)
+            for field in ("90 % height", "Floors", "Area", "Volume", "Confidence"):
+                self.assertIn(field, said)
+            values = self.record(number)
+            self.assertIn(f"{values['num_floors']:.0f}", said)
+            self.assertIn(f"{values['p90']:,.2f}".rstrip("0").rstrip("."), said)
+            browser.press("to3d")
+            browser.wait()
+            browser.click(640, 400)  # something, or nothing: what a ray says of it is compared
+            said = browser.text("building") if browser.is_seen("building") else ""
+            seen = browser.run("return window.dem2buildings.scene.pick(640, 400)")
+            self.assertEqual(said.startswith("Building"), seen >= 0)
+            self.quiet(browser)
+
+    def record(self, number):
+        text = subprocess.run(["ogrinfo", "-ro", "-q", str(self.folder / "town.gpkg"), "buildings", "-where",
+                               f"id = {number}", "-geom=NO"], check=True, capture_output=True, text=True).stdout
+        values = {}
+        for line in text.splitlines():
+            name, equals, value = line.strip().partition(" = ")
+            if equals:
+                values[name.split(" (")[0]] = float(value) if value.replace(".", "").isdigit() else value
+        return values
+
+    def test_the_slider_changes_what_is_seen_and_counted(self):
+        with Browser() as browser:
+            browser.open(self.town)
+            whole = browser.picture()
+            counts = [browser.text(name) for name in ("contours", "corners", "rmse")]
+            browser.slide(1)
+            browser.run("delete document.documentElement.dataset.ready")
+            browser.run("window.dem2buildings.scene.ask()")
+            browser.wait()
+            low = [browser.text(name) for name in ("contours", "corners", "rmse")]
+            number = lambda text: float(text.replace(",", "").split()[0])
+            self.assertLess(number(low[0]), number(counts[0]))
+            self.assertLess(number(low[1]), number(counts[1]))
+            self.assertGreater(number(low[2]), number(counts[2]))
+            self.assertGreater(difference(browser.picture(), whole), 0.05)
+            self.quiet(browser)
+
+    def test_keys_turn_and_zoom(self):
+        with Browser() as browser:
+            browser.open(self.town)
+            where = lambda: browser.run("return window.dem2buildings.scene.camera.position.toArray()")
+            places = [where()]
+            for key in ("ArrowLeft", "ArrowUp", "+", "-"):
+                browser.run("document.getElementById('view').dispatchEvent("
+                            "new KeyboardEvent('keydown', {key: arguments[0]}))", key)
+                self.assertNotEqual(where(), places[-1], key)
+                places.append(where())
+            self.quiet(browser)
+
+    def test_without_webgl_there_is_the_map(self):
+        with Browser(flags=WITHOUT_WEBGL) as browser:
+            browser.open(self.town)
+            self.assertIn("does not show 3D", browser.text("notice"))
+            self.assertTrue(browser.is_seen("map"))
+            self.assertFalse(browser.is_seen("view"))
+            self.looks_like(browser, "page_town_map.png")
+            self.quiet(browser)
+
+    def test_prints_the_map(self):
+        with Browser() as browser:
+            browser.open(self.town)
+            paper = browser.call("Page.printToPDF", landscape=False)
+            self.assertGreater(len(paper["data"]), 20000)
+            self.assertTrue(browser.is_seen("view"))  # afterwards as before
+            self.quiet(browser)
+
+    def test_a_city_is_soon_there(self):
+        """Sixteen towns: more than 5,000 buildings, on two cores without a graphics card."""
+        town = gdal.Open(str(TOWN))
+        cells = np.tile(town.ReadAsArray(), (4, 4))
+        city = gdal.GetDriverByName("GTiff").Create(str(self.folder / "city.tif"), *cells.shape[::-1], 1,
+                                                    gdal.GDT_Float32, ["COMPRESS=DEFLATE", "TILED=YES"])
+        city.SetGeoTransform(town.GetGeoTransform())
+        city.SetProjection(town.GetProjection())
+        city.WriteArray(cells)
+        city = None
+        page = self.make(self.folder / "city.tif", "city.html")
+        self.assertLess(page.stat().st_size, 25e6)
+        seconds = []
+        for _ in range(3):  # the machine may be busy
+            with Browser() as browser:
+                browser.open(page)
+                self.assertGreater(browser.run("return window.dem2buildings.town.buildings"), 5000)
+                seconds.append(browser.run(
+                    "return performance.getEntriesByName('first-picture')[0].startTime") / 1000)
+                self.quiet(browser)
+        print(f"a city of {page.stat().st_size / 1e6:.1f} MB, first picture after {min(seconds):.1f} s")
+        self.assertLess(min(seconds), 5)
+
+    def test_names_are_text(self):
+        named = self.folder / "<script>document.title='run'<b>&amp;.tif"
+        shutil.copy(TOWN, named)
+        page = self.make(named, "named.html")
+        with Browser() as browser:
+            browser.open(page)
+            self.assertEqual(browser.run("return document.title"), named.name)
+            self.assertEqual(browser.run("return document.querySelector('h1').textContent"), named.name)
+            self.quiet(browser)
+
+
+if __name__ == "__main__":
+    unittest.main()
