@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <set>
+#include <utility>
 
 #include <cpl_string.h>
 #include <cpl_vsi.h>
@@ -36,16 +37,9 @@ std::vector<std::string> add_files(GDALDatasetH dataset, std::set<std::string>& 
     return vrts;
 }
 
-}  // namespace
-
-std::vector<SourceFile> source_files(const ReadOptions& options) {
-    register_formats();
-    Warnings unheard;
-    const OpenRaster raster = open_raster(options, options.source, unheard);
-    const GdalMessages messages(options.source, options.source);
-    std::set<std::string> names;
+/// @param vrts among the names, which have files of their own
+std::vector<SourceFile> all_stated(std::set<std::string> names, std::vector<std::string> vrts) {
     // GDAL lists the files of a VRT, but not those of the VRTs among them.
-    std::vector<std::string> vrts = add_files(raster.dataset.get(), names);
     while (!vrts.empty()) {
         const DatasetOwner inner(GDALOpenEx(vrts.back().c_str(), GDAL_OF_RASTER, nullptr, nullptr, nullptr));
         vrts.pop_back();
@@ -56,6 +50,36 @@ std::vector<SourceFile> source_files(const ReadOptions& options) {
     files.reserve(names.size());
     for (const std::string& name : names)
         files.push_back(stated(name));
+    return files;
+}
+
+}  // namespace
+
+std::vector<SourceFile> source_files(const ReadOptions& options) {
+    register_formats();
+    Warnings unheard;
+    const OpenRaster raster = open_raster(options, options.source, unheard);
+    const GdalMessages messages(options.source, options.source);
+    std::set<std::string> names;
+    std::vector<std::string> vrts = add_files(raster.dataset.get(), names);
+    return all_stated(std::move(names), std::move(vrts));
+}
+
+std::vector<SourceFile> side_files(const Options& options) {
+    register_formats();
+    std::vector<SourceFile> files;
+    for (const std::string& path :
+         {options.ground.terrain, options.detect.mask, options.detect.ndvi, options.read.cutline}) {
+        if (path.empty())
+            continue;
+        const GdalMessages messages;
+        const DatasetOwner dataset(
+            GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_VECTOR, nullptr, nullptr, nullptr));
+        std::set<std::string> names{path};
+        std::vector<std::string> vrts =
+            dataset ? add_files(dataset.get(), names) : std::vector<std::string>();
+        std::ranges::copy(all_stated(std::move(names), std::move(vrts)), std::back_inserter(files));
+    }
     return files;
 }
 

@@ -21,4 +21,8 @@ struct SourceFile {
 /// Sorted by name. @throws InputError where it cannot be opened
 [[nodiscard]] std::vector<SourceFile> source_files(const ReadOptions& options);
 
+/// The same of what lies beside it: a terrain model, a mask, an NDVI, a cutline. One after the other, each
+/// sorted by name.
+[[nodiscard]] std::vector<SourceFile> side_files(const Options& options);
+
 }  // namespace d2b

@@ -179,10 +179,18 @@ void write_sealed(const std::filesystem::path& path, const Seal& seal, std::span
     }
     if (error == 0 && std::rename(hidden.c_str(), path.c_str()) != 0)
         error = errno;
-    if (error == 0)
+    // Someone else may have been quicker, and have seen this one as left over.
+    if (error == 0 || (error == ENOENT && is_sealed(path, seal)))
         return;
     ::unlink(hidden.c_str());
     fail(path, error);
+}
+
+void remove_unfinished(const std::filesystem::path& folder) {
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
+        if (entry.path().filename().string().starts_with('.'))
+            std::filesystem::remove(entry.path(), ignored);
 }
 
 bool is_sealed(const std::filesystem::path& path, const Seal& seal) {

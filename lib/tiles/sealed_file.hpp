@@ -33,6 +33,10 @@ struct Seal {
 void write_sealed(const std::filesystem::path& path, const Seal& seal, std::span<const std::byte> body,
                   std::span<const std::byte> tail = {});
 
+/// Removes what write_sealed() has left in a folder where it was killed. A process that still writes a file
+/// which another one has written as well loses nothing by it.
+void remove_unfinished(const std::filesystem::path& folder);
+
 /// Whether the file is there, of this plan and version, and as long as it has to be.
 [[nodiscard]] bool is_sealed(const std::filesystem::path& path, const Seal& seal);
 

@@ -203,6 +203,40 @@ TEST_F(TilesTool, refusesASourceThatHasChanged) {
         {"plan", "town.tif", "a.gpkg", "work"});
 }
 
+TEST_F(TilesTool, refusesWhatLiesBesideASourceAndHasChanged) {
+    std::filesystem::copy(sample("town.tif"), path("dtm.tif"));
+    well({"plan", "-q", "-ground", "dtm.tif", sample("town.tif"), "a.gpkg", "work"});
+    std::ofstream(path("dtm.tif"), std::ios::app | std::ios::binary) << "more";
+    expect_refused(1, "'dtm.tif' has changed since the plan was made; plan again, with a new work folder.",
+                   {"find", "work", "0"});
+}
+
+TEST_F(TilesTool, losesNothingOnADiskThatIsFull) {
+    well({"plan", "-q", sample("town.tif"), "a.gpkg", "work"});
+    ToolSetup setup;
+    setup.working_directory = folder_.string();
+    const ToolResult full = run_tool(
+        {"sh", "-c", "ulimit -f 1; exec \"$@\"", "sh", D2B_TILES_TOOL, "find", "-threads", "1", "work", "0"},
+        setup);
+    EXPECT_EQ(full.status, 1);
+    EXPECT_EQ(full.err, "ERROR: '" + path("work/find/0") +
+                            "' cannot be written: File too large; make room in the work folder or let it be "
+                            "written to, and run the step again.\n");
+    EXPECT_TRUE(std::filesystem::is_empty(path("work/find")));
+    well({"find", "work", "0"});
+}
+
+TEST_F(TilesTool, refusesFilesThatAreNotItsOwn) {
+    well({"plan", "-q", sample("town.tif"), "a.gpkg", "work"});
+    std::filesystem::create_directory(path("work/find"));
+    std::filesystem::copy(sample("town.tif"), path("work/find/0"));
+    expect_refused(1,
+                   "'" + path("work/find/0") +
+                       "' is not the file that 'find' of tile 0 writes; delete it and run 'find' of tile 0 "
+                       "again.",
+                   {"join", "work"});
+}
+
 TEST_F(TilesTool, refusesADestinationThatIsThere) {
     std::ofstream(path("a.gpkg")) << "not a database";
     const ToolResult result = tiles({"plan", sample("town.tif"), "a.gpkg", "work"});

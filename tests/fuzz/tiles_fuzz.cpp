@@ -10,6 +10,7 @@
 #include "tiles/found_tile.hpp"
 #include "tiles/joined_tile.hpp"
 #include "tiles/numbered_tile.hpp"
+#include "tiles/traced_tile.hpp"
 
 namespace d2b::test {
 namespace {
@@ -105,6 +106,39 @@ void read_contour(std::span<const std::byte> bytes) {
     demand(again.bytes().size() == bytes.size() - reader.left(), "it is written as long as it was");
 }
 
+void read_lines(std::span<const std::byte> bytes) {
+    TraceFrame frame;
+    frame.window = window;
+    frame.levels = 4;
+    ByteReader reader({bytes.begin(), bytes.end()});
+    std::vector<TileLine> parts;
+    parts.push_back(load_tile_line(reader, frame));
+    parts.push_back(load_tile_line(reader, frame));
+    ByteWriter again;
+    for (const TileLine& part : parts) {
+        save(part, again);
+        for (const ContourSum& sum : part.sums)
+            demand(sum.level >= 0 && sum.level < frame.levels && sum.col < window.cols,
+                   "a sum is of a level and a column");
+    }
+    ByteReader twice({again.bytes().begin(), again.bytes().end()});
+    for (const TileLine& part : parts)
+        demand(load_tile_line(twice, frame).squares.size() == part.squares.size(), "it is written as it was");
+    const TraceLine line = join_lines(std::move(parts), frame);
+    for (const std::vector<Run>& runs : line.squares.levels)
+        for (std::size_t i = 0; i < runs.size(); ++i) {
+            demand(runs[i].begin < runs[i].end && runs[i].end <= window.cols, "a run lies in the window");
+            demand(i == 0 || runs[i - 1].end < runs[i].begin, "runs of a level are apart");
+        }
+}
+
+void read_traced(std::span<const std::byte> bytes) {
+    ByteReader reader = after([](ByteWriter& writer) { writer.put(Tally()); }, bytes);
+    const TracedTile tile = load_traced_tile(reader);
+    demand((tile.lines + TracedTile::lines_a_block - 1) / TracedTile::lines_a_block == tile.blocks.size(),
+           "there are as many blocks as lines need");
+}
+
 }  // namespace
 }  // namespace d2b::test
 
@@ -114,7 +148,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         return 0;
     const std::span<const std::byte> bytes = std::as_bytes(std::span(data, size)).subspan(1);
     try {
-        switch (data[0] % 6) {
+        switch (data[0] % 8) {
             case 0:
                 read_found(bytes);
                 break;
@@ -129,6 +163,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                 break;
             case 4:
                 read_numbered_whole(bytes);
+                break;
+            case 5:
+                read_lines(bytes);
+                break;
+            case 6:
+                read_traced(bytes);
                 break;
             default:
                 read_contour(bytes);

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <functional>
 #include <mutex>
+#include <thread>
 #include <tuple>
 
 #include <gtest/gtest.h>
@@ -322,6 +323,45 @@ TEST_F(TilesOfATown, AreNotDoneAgain) {
     Result fourth;
     steps().merge(fourth);
     expect_same(fourth, first);
+}
+
+TEST_F(TilesOfATown, LeaveNothingOfStepsThatWereKilled) {
+    const auto begun = [&](const std::string& file) {
+        std::ofstream(folder_.path() / file) << "a part of one";
+        return folder_.path() / file;
+    };
+    for (std::int64_t tile = 0; tile < 6; ++tile)
+        steps().find(tile);
+    const auto found = begun("find/.3.17.4");
+    steps().join();
+    EXPECT_FALSE(std::filesystem::exists(found));
+    for (std::int64_t tile = 0; tile < 6; ++tile)
+        steps().draw(tile);
+    const auto drawn = begun("draw/.0.17.4");
+    Result result;
+    steps().merge(result);
+    EXPECT_FALSE(std::filesystem::exists(drawn));
+    EXPECT_TRUE(std::filesystem::exists(folder_.path() / "draw" / "0"));
+}
+
+TEST_F(TilesOfATown, AreDoneByTwoAtATime) {
+    Result alone;
+    steps().run({2}, alone);
+    for (const char* step : {"find", "join", "draw"})
+        std::filesystem::remove_all(folder_.path() / step);
+    const auto both = [&](const auto& step) {
+        std::thread other(step);
+        step();
+        other.join();
+    };
+    for (std::int64_t tile = 0; tile < 6; ++tile)
+        both([&] { steps().find(tile); });
+    both([&] { steps().join(); });
+    for (std::int64_t tile = 0; tile < 6; ++tile)
+        both([&] { steps().draw(tile); });
+    Result together;
+    steps().merge(together);
+    expect_same(together, alone);
 }
 
 TEST_F(TilesOfATown, WaitForTheStepsBefore) {

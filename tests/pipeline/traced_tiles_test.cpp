@@ -1,9 +1,12 @@
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <tuple>
 
 #include <gtest/gtest.h>
 
+#include "dem2buildings/error.hpp"
 #include "pipeline/random_town.hpp"
 #include "pipeline/tiles_case.hpp"
 
@@ -14,6 +17,9 @@ using test::expect_same_in_tiles;
 using test::MemorySource;
 using test::random_town;
 using test::Result;
+using test::some_plan;
+using test::StepsInTiles;
+using test::WorkFolder;
 
 Options thesis(TraceMode trace, int lod) {
     Options options;
@@ -71,6 +77,46 @@ TEST(TracedTiles, OfContoursThatTouchAtEverySeam) {
                 EXPECT_GE(whole.report.contours, 50);
             }
         }
+}
+
+TEST(TracedTiles, OfRotatedGridsDegreesAndWindows) {
+    MemorySource dem = random_town(5, {150, 170, 20, true, true});
+    dem.edit().transform = {600000, 0.8, -0.6, 5800000, -0.6, -0.8};
+    dem.edit().crs_wkt = Crs("EPSG:25832").wkt();
+    dem.edit().window = {7, 11, 130, 150};
+    Result rotated;
+    expect_same_in_tiles({dem}, thesis(TraceMode::points, 4), {0, 50}, {1, true}, rotated);
+    EXPECT_GT(rotated.report.contours, 5);
+    dem.edit().transform = {9, 1.5e-5, 0, 52, 0, -9e-6};
+    dem.edit().crs_wkt = Crs("EPSG:4326").wkt();
+    Result degrees;
+    expect_same_in_tiles({dem}, thesis(TraceMode::cells, 4), {0, 50}, {2}, degrees);
+    EXPECT_GT(degrees.report.contours, 5);
+}
+
+TEST(TracedTiles, RefuseLinesThatAreDamaged) {
+    MemorySource dem = random_town(5, {150, 170, 20, true, true});
+    test::place_in_utm(dem, 1);
+    const WorkFolder folder;
+    Result result;
+    StepsInTiles steps({dem}, thesis(TraceMode::points, 4), {folder.path(), some_plan, 1, {0, 80}});
+    steps.run({1}, result);
+    const std::filesystem::path file = folder.path() / "draw" / "1";
+    std::fstream bytes(file, std::ios::in | std::ios::out | std::ios::binary);
+    bytes.seekp(-1, std::ios::end);
+    bytes.put('\x55');
+    bytes.close();
+    Result again;
+    try {
+        steps.merge(again);
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what()),
+                  "'" + file.string() +
+                      "' is damaged: its bytes are not those that were written; delete it and run 'draw' of "
+                      "tile 1 again.");
+    }
+    EXPECT_FALSE(again.sink.finished);
 }
 
 TEST(TracedTiles, OfOneColumnAndOfNothing) {

@@ -1,8 +1,10 @@
 #include "dem2buildings_tiles/steps.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -61,6 +63,13 @@ std::string spoken(const TilePlan& plan, const TileCost& cost, const std::string
            rounded(static_cast<double>(cost.bytes_read) / 1e9) + " GB of elevations are read.\n";
 }
 
+/// All that the steps read beside each other's files.
+std::vector<SourceFile> files_behind(const Options& options) {
+    std::vector<SourceFile> files = source_files(options.read);
+    std::ranges::copy(side_files(options), std::back_inserter(files));
+    return files;
+}
+
 /// What is in the folder was planned otherwise, and would be lost to who needs it.
 void require_no_other(const std::filesystem::path& work, const TilePlan& plan) {
     if (!std::filesystem::exists(work / "plan.json"))
@@ -93,7 +102,7 @@ void plan(const TileCommand& command, const Callbacks& callbacks) {
                         command.side,
                         run.tiles().count(),
                         run.window(),
-                        source_files(options.read)};
+                        files_behind(options)};
     const TileCost cost = cost_of(run.tiles());
     require_no_other(work, plan);
     if (!std::filesystem::exists(work / "plan.json"))
@@ -110,7 +119,7 @@ struct Planned {
 };
 
 void require_same_source(const TilePlan& plan, const Options& options, const DemInfo& dem) {
-    const std::vector<SourceFile> files = source_files(options.read);
+    const std::vector<SourceFile> files = files_behind(options);
     for (const SourceFile& file : files)
         if (std::ranges::find(plan.files, file) == plan.files.end())
             throw InputError("'" + file.name +

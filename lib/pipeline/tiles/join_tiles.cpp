@@ -44,7 +44,9 @@ class Join {
         return merged_.number[unit.first + object + 1];
     }
     void place_objects();
-    void write(std::int64_t tile, std::vector<Label> numbers);
+    /// What a unit's labels are to a tile with these objects.
+    [[nodiscard]] JoinedUnit labels_for(std::int64_t number, const std::vector<Label>& numbers) const;
+    void write(std::int64_t tile, const std::vector<Label>& numbers);
 
     TileRun& run_;
     std::vector<SeenUnit> units_;
@@ -99,8 +101,23 @@ void Join::place_objects() {
         }
 }
 
+JoinedUnit Join::labels_for(std::int64_t number, const std::vector<Label>& numbers) const {
+    const SeenUnit& seen = units_[static_cast<std::size_t>(number)];
+    const auto other = static_cast<Label>(numbers.size() + 1);
+    JoinedUnit unit{number, {0}};
+    for (std::size_t k = 0; k < seen.objects.size(); ++k) {
+        const Label label = this->number(seen, k);
+        const auto place = std::ranges::lower_bound(numbers, label);
+        unit.number.push_back(label == 0 ? 0
+                              : place != numbers.end() && *place == label
+                                  ? static_cast<Label>(place - numbers.begin() + 1)
+                                  : other);
+    }
+    return unit;
+}
+
 /// @param numbers of its objects, ascending: what is doubtful comes last
-void Join::write(std::int64_t tile, std::vector<Label> numbers) {
+void Join::write(std::int64_t tile, const std::vector<Label>& numbers) {
     JoinedTile joined;
     for (const Label label : numbers) {
         const SeenObject& seen = merged_.objects[label - 1];
@@ -111,21 +128,8 @@ void Join::write(std::int64_t tile, std::vector<Label> numbers) {
     if (!numbers.empty()) {
         const LatticePoint margin = draw_margin(run_.setup(), run_.context());
         joined.window = grown(joined.window, margin.row, margin.col, run_.window());
-    }
-    for (std::size_t i = 0; i < units_.size(); ++i) {
-        const Window own = run_.tiles().unit(static_cast<std::int64_t>(i)).unit.own;
-        if (!meet(own, joined.window))
-            continue;
-        JoinedUnit unit{static_cast<std::int64_t>(i), {0}};
-        for (std::size_t k = 0; k < units_[i].objects.size(); ++k) {
-            const Label label = number(units_[i], k);
-            const auto place = std::ranges::lower_bound(numbers, label);
-            unit.number.push_back(label == 0 ? 0
-                                  : place != numbers.end() && *place == label
-                                      ? static_cast<Label>(place - numbers.begin() + 1)
-                                      : joined.other());
-        }
-        joined.units.push_back(std::move(unit));
+        for (const PlacedUnit& placed : run_.tiles().units_in(joined.window))
+            joined.units.push_back(labels_for(placed.number, numbers));
     }
     ByteWriter writer;
     save(joined, writer);
@@ -139,7 +143,7 @@ void Join::write_tiles() {
             static_cast<Label>(i + 1));
     for (std::int64_t tile = 0; tile < run_.tiles().count(); ++tile) {
         run_.context().check_stop();
-        write(tile, std::move(numbers[static_cast<std::size_t>(tile)]));
+        write(tile, numbers[static_cast<std::size_t>(tile)]);
     }
 }
 
@@ -161,6 +165,8 @@ void join_tiles(TileRun& run) {
         join.write_tiles();
     }
     join.write_frame();
+    run.tidy(TileStep::find);
+    run.tidy(TileStep::join);
 }
 
 }  // namespace d2b

@@ -239,6 +239,7 @@ RunReport merge(TileRun& run, FeatureSink& features, PartNumbers* parts) {
         throw;
     }
     pass_warnings(run.sources(), {features}, run.context());
+    run.tidy(TileStep::draw);
     return run.context().report;
 }
 

@@ -24,6 +24,10 @@ class TileRow {
     [[nodiscard]] std::size_t pieces() const { return pieces_; }
     /// @throws InputError
     [[nodiscard]] std::vector<TraceLine> lines(std::size_t piece) const;
+    /// For what none of its files shows by itself.
+    [[nodiscard]] std::string damaged(const std::string& what) const {
+        return tiles_.front().file.damaged(what + ", or one beside it does not fit it");
+    }
 
   private:
     struct Tile {
@@ -91,13 +95,17 @@ std::unique_ptr<StoredContours> trace_tiles(TileRun& run, const TraceFrame& fram
     Tracer tracer(frame, setup.plan.trace, store);
     for (std::int64_t first = 0; first < run.tiles().count(); first += run.tiles().cols()) {
         const TileRow row(run, first, frame, context.report);
-        context.threads->in_order(
-            row.pieces(), [&](std::size_t piece, std::size_t /*thread*/) { return row.lines(piece); },
-            [&](std::size_t, std::vector<TraceLine>&& lines) {
-                const StageClock clock(context.report, Stage::trace);
-                tracer.trace(std::move(lines));
-            },
-            ahead);
+        try {
+            context.threads->in_order(
+                row.pieces(), [&](std::size_t piece, std::size_t /*thread*/) { return row.lines(piece); },
+                [&](std::size_t, std::vector<TraceLine>&& lines) {
+                    const StageClock clock(context.report, Stage::trace);
+                    tracer.trace(std::move(lines));
+                },
+                ahead);
+        } catch (const BrokenRecord& broken) {
+            throw InputError(row.damaged(broken.what()));
+        }
         context.progress(0.5 * static_cast<double>(first) / static_cast<double>(run.tiles().count()));
     }
     const StageClock clock(context.report, Stage::filter);

@@ -1,6 +1,7 @@
 #include "pipeline/tiles/tile_grid.hpp"
 
 #include <algorithm>
+#include <ranges>
 
 namespace d2b {
 
@@ -27,6 +28,27 @@ std::int64_t TileGrid::tile_of(std::int64_t unit) const {
 PlacedUnit TileGrid::unit(std::int64_t number) const {
     return {number, units_.unit(static_cast<std::int32_t>(number / units_.cols()),
                                 static_cast<std::int32_t>(number % units_.cols()))};
+}
+
+std::vector<PlacedUnit> TileGrid::units_in(const Window& window) const {
+    // Rows and columns ascend, so neither needs to be gone through.
+    const auto rows = std::views::iota(0, units_.rows());
+    const auto cols = std::views::iota(0, units_.cols());
+    const auto first_row = *std::ranges::upper_bound(rows, window.row, {},
+                                                     [&](int i) { return units_.unit(i, 0).own.end_row(); });
+    const auto first_col = *std::ranges::upper_bound(cols, window.col, {},
+                                                     [&](int i) { return units_.unit(0, i).own.end_col(); });
+    std::vector<PlacedUnit> all;
+    for (std::int32_t row = first_row; row < units_.rows(); ++row) {
+        for (std::int32_t col = first_col; col < units_.cols(); ++col) {
+            all.push_back(unit(std::int64_t{row} * units_.cols() + col));
+            if (all.back().unit.own.end_col() >= window.end_col())
+                break;
+        }
+        if (all.back().unit.own.end_row() >= window.end_row())
+            break;
+    }
+    return all;
 }
 
 Unit TileGrid::whole(std::int64_t tile) const {

@@ -29,6 +29,8 @@ class TileGrid {
     /// The tile that has a unit.
     [[nodiscard]] std::int64_t tile_of(std::int64_t unit) const;
     [[nodiscard]] PlacedUnit unit(std::int64_t number) const;
+    /// Those with own cells in a window, row by row.
+    [[nodiscard]] std::vector<PlacedUnit> units_in(const Window& window) const;
     /// Of all units of a tile.
     [[nodiscard]] Unit whole(std::int64_t tile) const;
 

@@ -48,6 +48,9 @@ class TileRun {
         return {step, work_.plan, static_cast<std::uint32_t>(tile)};
     }
     [[nodiscard]] std::filesystem::path file(TileStep step, std::int64_t tile) const;
+    /// Removes what processes have left that were killed while they worked on this step, all of whose files
+    /// are there.
+    void tidy(TileStep step) const { remove_unfinished(work_.folder / step_name(step)); }
     /// What join or merge says of the whole.
     [[nodiscard]] std::filesystem::path frame_file(TileStep step = TileStep::join) const {
         return work_.folder / step_name(step) / "frame";
