@@ -64,7 +64,7 @@ TEST_F(MeshGround, followsAHillWithinTheError) {
         EXPECT_TRUE(mesh.is_closed());
         EXPECT_LE(report["ground"]["largest_error_m"],
                   std::stoi(error) == 1 ? 1.0 : (error[2] == '2' ? 0.25 : 0.05));
-        EXPECT_EQ(report["ground"]["cells_farther_off"], 0);
+        EXPECT_EQ(report["ground"]["cells_farther_off"].size(), 0U);
         EXPECT_GT(mesh.points.size(), before);
         EXPECT_GE(mesh.smallest_plan_angle(), 20.7);
         before = mesh.points.size();
@@ -140,6 +140,13 @@ TEST_F(MeshGround, sharesItsVerticesInCityJson) {
     for (const std::size_t vertex : vertices_of("building_1"))
         shared += terrain.count(vertex);
     EXPECT_GE(shared, 4U);
+    // What sides and plate stand on is not there.
+    std::set<std::size_t> used = terrain;
+    for (const char* building : {"building_1", "building_2"})
+        used.merge(vertices_of(building));
+    EXPECT_EQ(used.size(), made["vertices"].size());
+    EXPECT_EQ(*used.rbegin() + 1, made["vertices"].size());
+    EXPECT_EQ(made["metadata"]["geographicalExtent"][2], 2);
     EXPECT_EQ(made["CityObjects"]["terrain"]["type"], "TINRelief");
     EXPECT_EQ(made["CityObjects"].size(), 3U);
 }

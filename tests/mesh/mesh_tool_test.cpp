@@ -1,5 +1,7 @@
 #include "mesh/mesh_tool.hpp"
 
+#include <chrono>
+
 namespace d2b::test {
 namespace {
 
@@ -136,6 +138,36 @@ TEST_F(MeshTool, leavesNothingWhereThereIsNoRoom) {
     EXPECT_EQ(full.status, 1);
     EXPECT_EQ(full.err, "ERROR: Cannot write \"out.obj\": File too large.\n");
     EXPECT_EQ(entries(), (std::vector<std::string>{"in.city.json"}));
+}
+
+/// The old file or the new one, whole, at any moment.
+TEST_F(MeshTool, aKilledRunLeavesTheOldFileOrTheNew) {
+    city(two_boxes());
+    const Arguments fine{"-overwrite", "-max_edge", "0.2", "in.city.json", "out.obj"};
+    mesh_well(to_obj);
+    const std::string old = read_bytes(path("out.obj"));
+    const auto start = std::chrono::steady_clock::now();
+    ASSERT_EQ(mesh(fine).status, 0);
+    const auto whole =
+        std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - start);
+    const std::string finished = read_bytes(path("out.obj"));
+    Arguments command{D2B_MESH_TOOL};
+    command.insert(command.end(), fine.begin(), fine.end());
+    ToolSetup setup;
+    setup.working_directory = folder_.string();
+    int killed = 0;
+    for (int i = 0; i < 12; ++i) {
+        write_text(path("out.obj"), old);
+        setup.kill = Kill{SIGKILL, whole * (300 + 60 * i) / 1000};
+        const int status = run_tool(command, setup).status;
+        killed += status == 128 + SIGKILL ? 1 : 0;
+        const std::string found = read_bytes(path("out.obj"));
+        EXPECT_TRUE(found == finished || (found == old && status != 0)) << found.size();
+    }
+    EXPECT_GT(killed, 2);
+    // What killed runs have left behind does not disturb the next.
+    ASSERT_EQ(mesh(fine).status, 0);
+    EXPECT_EQ(read_bytes(path("out.obj")), finished);
 }
 
 TEST_F(MeshTool, saysWhatItIs) {

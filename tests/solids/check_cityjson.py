@@ -56,6 +56,38 @@ def solid_faults(solid, vertices):
         yield "it encloses nothing"
 
 
+def surface_faults(geometry, vertices):
+    """Of a building's triangles, or of a relief, which looks up."""
+    if geometry["type"] == "CompositeSurface":
+        if any(normal(face, vertices)[2] <= 0 for face in geometry["boundaries"]):
+            yield "terrain does not look up"
+        return
+    kinds = geometry["semantics"]["values"]
+    if len(kinds) != len(geometry["boundaries"]):
+        yield "not every face has a kind"
+    for face, kind in zip(geometry["boundaries"], kinds):
+        yield from face_faults(face, geometry["semantics"]["surfaces"][kind]["type"], vertices)
+
+
+def shell_faults(triangles, vertices, has_border):
+    """Of all triangles together: no edge is passed twice the same way, and but for the border of a terrain each is passed
+    once each way; the border is one ring."""
+    ways = collections.Counter((tuple(vertices[a]), tuple(vertices[b])) for t in triangles for a, b in zip(t, t[1:] + t[:1]))
+    if any(count != 1 for count in ways.values()):
+        yield "an edge is passed twice the same way"
+        return
+    border = {a: b for a, b in ways if (b, a) not in ways}
+    if border and not has_border:
+        yield "the surface is open"
+    elif border:
+        at, length = next(iter(border)), 0
+        first = at
+        while length == 0 or (at != first and length <= len(border)):
+            at, length = border.get(at, first), length + 1
+        if length != len(border):
+            yield "the surface is open within the terrain's border"
+
+
 def faults(city):
     validator = jsonschema.Draft7Validator(RULES)
     broken = [f"{'/'.join(map(str, error.path))}: {error.message[:200]}" for error in validator.iter_errors(city)]
@@ -63,15 +95,21 @@ def faults(city):
         yield from broken
         return
     vertices = city["vertices"]
-    used = set()
-    for name, building in city["CityObjects"].items():
-        solid = building["geometry"][0]
-        numbers = {i for face in solid["boundaries"][0] for ring in face for i in ring}
+    used, shell = set(), []
+    for name, thing in city["CityObjects"].items():
+        geometry = thing["geometry"][0]
+        faces = geometry["boundaries"][0] if geometry["type"] == "Solid" else geometry["boundaries"]
+        numbers = {i for face in faces for ring in face for i in ring}
         if not numbers <= set(range(len(vertices))):
             yield f"{name} has a vertex that is not there"
             return
         used |= numbers
-        yield from (f"{name}: {fault}" for fault in solid_faults(solid, vertices))
+        if geometry["type"] == "Solid":
+            yield from (f"{name}: {fault}" for fault in solid_faults(geometry, vertices))
+        else:
+            shell += [face[0] for face in faces]
+            yield from (f"{name}: {fault}" for fault in surface_faults(geometry, vertices))
+    yield from shell_faults(shell, vertices, any(t["type"] == "TINRelief" for t in city["CityObjects"].values()))
     if len(used) != len(vertices):
         yield f"{len(vertices) - len(used)} vertices are not used"
     if len(set(map(tuple, vertices))) != len(vertices):
@@ -84,7 +122,9 @@ def main(path):
     for fault in found:
         print(f"{path}: {fault}", file=sys.stderr)
     if not found:
-        print(f"CityJSON: {len(city['CityObjects'])} solids of {len(city['vertices'])} vertices, all valid")
+        kinds = collections.Counter(thing["geometry"][0]["type"] for thing in city["CityObjects"].values())
+        print("CityJSON: " + ", ".join(f"{count} {kind}" for kind, count in kinds.items()) +
+              f" of {len(city['vertices'])} vertices, all valid")
     return 1 if found else 0
 
 

@@ -70,6 +70,11 @@ Position GroundGrid::plane(const Position& cell) const {
             (y * to_cells_[1] - x * to_cells_[4]) / determinant};
 }
 
+Position GroundGrid::middle(std::size_t cell) const {
+    const auto cols = static_cast<std::size_t>(cols_);
+    return plane({static_cast<double>(cell % cols) + 0.5, static_cast<double>(cell / cols) + 0.5});
+}
+
 double GroundGrid::elevation(const Position& at) const {
     const Position cell = this->cell(at);
     const double x = std::clamp(cell.x - 0.5, 0.0, cols_ - 1.0);

@@ -32,6 +32,8 @@ class GroundGrid {
     /// Cells whose centres lie within these rings say nothing of the terrain. @param edges from and to, on
     /// the plane; all of some rings
     void leave_out(const std::vector<std::array<Position, 2>>& edges);
+    /// On the plane, of a cell that errors() names.
+    [[nodiscard]] Position middle(std::size_t cell) const;
     /// How many cells say something.
     [[nodiscard]] std::int64_t measured() const;
     /// Those of them in a triangle, with how far it is from their elevations. Ends where `take` returns

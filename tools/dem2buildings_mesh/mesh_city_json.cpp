@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -21,13 +23,39 @@ std::string list(const std::array<double, 3>& numbers) {
     return "[" + numbers_text(numbers, ",") + "]";
 }
 
+/// What is written: sides and plate are no part of a city.
+bool is_of_city(Triangles triangles) {
+    return triangles.front().building >= 0 || triangles.front().part == ShellPart::terrain;
+}
+
+/// The corners of a city, numbered anew.
+struct CityVertices {
+    std::vector<std::uint32_t> points;  ///< of the shell
+    std::vector<std::uint32_t> number;  ///< of each point of the shell that is one of them
+
+    explicit CityVertices(const NamedShell& shell) : number(shell.shell.points.size()) {
+        std::vector<bool> used(number.size());
+        for_each_object(shell, [&](const std::string& /*name*/, Triangles triangles) {
+            if (is_of_city(triangles))
+                for (const ShellTriangle& triangle : triangles)
+                    for (const std::uint32_t point : triangle.points)
+                        used[point] = true;
+        });
+        for (std::uint32_t point = 0; point < used.size(); ++point)
+            if (used[point]) {
+                number[point] = static_cast<std::uint32_t>(points.size());
+                points.push_back(point);
+            }
+    }
+};
+
 /// "[[[0,1,2]],[[2,1,3]]]"
-std::string boundaries(Triangles triangles) {
+std::string boundaries(Triangles triangles, const CityVertices& vertices) {
     std::string text;
     for (const ShellTriangle& triangle : triangles) {
         const auto& [a, b, c] = triangle.points;
-        text += (text.empty() ? "[[" : ",[[") + std::to_string(a) + "," + std::to_string(b) + "," +
-                std::to_string(c) + "]]";
+        text += (text.empty() ? "[[" : ",[[") + std::to_string(vertices.number[a]) + "," +
+                std::to_string(vertices.number[b]) + "," + std::to_string(vertices.number[c]) + "]]";
     }
     return "[" + text + "]";
 }
@@ -40,23 +68,24 @@ std::string semantics(Triangles triangles) {
            values + "]}";
 }
 
-std::string building(const CityBuilding& of, const std::string& lod, Triangles triangles) {
+std::string building(const CityBuilding& of, const std::string& lod, Triangles triangles,
+                     const CityVertices& vertices) {
     return R"({"type":"Building",)" +
            (of.attributes.empty() ? "" : R"("attributes":)" + of.attributes + ",") +
            R"("geometry":[{"type":"MultiSurface","lod":)" + quoted(lod) + R"(,"boundaries":)" +
-           boundaries(triangles) + R"(,"semantics":)" + semantics(triangles) + "}]}";
+           boundaries(triangles, vertices) + R"(,"semantics":)" + semantics(triangles) + "}]}";
 }
 
-std::string relief(const std::string& lod, Triangles triangles) {
+std::string relief(const std::string& lod, Triangles triangles, const CityVertices& vertices) {
     return R"({"type":"TINRelief","geometry":[{"type":"CompositeSurface","lod":)" + quoted(lod) +
-           R"(,"boundaries":)" + boundaries(triangles) + "}]}";
+           R"(,"boundaries":)" + boundaries(triangles, vertices) + "}]}";
 }
 
-std::string extent(const NamedShell& shell) {
+std::string extent(const NamedShell& shell, const CityVertices& vertices) {
     constexpr double far = std::numeric_limits<double>::infinity();
     std::array<double, 6> box{far, far, far, -far, -far, -far};
-    for (const SurfacePoint& point : shell.shell.points) {
-        const std::array<double, 3> at = shell.frame.coordinates(point);
+    for (const std::uint32_t point : vertices.points) {
+        const std::array<double, 3> at = shell.frame.coordinates(shell.shell.points[point]);
         for (std::size_t i = 0; i < 3; ++i) {
             box[i] = std::min(box[i], at[i]);
             box[i + 3] = std::max(box[i + 3], at[i]);
@@ -70,23 +99,26 @@ std::string extent(const NamedShell& shell) {
 void write_city_json(const NamedShell& shell, const TextSink& sink) {
     const std::string& crs = shell.city.reference_system;
     const std::string lod = shell.city.lod.empty() ? "1.2" : shell.city.lod;
-    sink(R"({"type":"CityJSON","version":"2.0","metadata":{"geographicalExtent":)" + extent(shell) +
+    const CityVertices vertices(shell);
+    sink(R"({"type":"CityJSON","version":"2.0","metadata":{"geographicalExtent":)" + extent(shell, vertices) +
          (crs.empty() ? "" : R"(,"referenceSystem":)" + quoted(crs)) + R"(},"transform":{"scale":)" +
          list(shell.frame.scale) + R"(,"translate":)" + list(shell.frame.translate) +
          "},\n\"CityObjects\":{");
     std::string comma = "\n";
     for_each_object(shell, [&](const std::string& name, Triangles triangles) {
         const std::int32_t of = triangles.front().building;
-        if (of < 0 && triangles.front().part != ShellPart::terrain)
-            return;  // sides and plate are no part of a city
+        if (!is_of_city(triangles))
+            return;
         sink(comma + quoted(name) + ":" +
-             (of < 0 ? relief(lod, triangles)
-                     : building(shell.city.buildings[static_cast<std::size_t>(of)], lod, triangles)));
+             (of < 0
+                  ? relief(lod, triangles, vertices)
+                  : building(shell.city.buildings[static_cast<std::size_t>(of)], lod, triangles, vertices)));
         comma = ",\n";
     });
     sink("},\n\"vertices\":[");
     comma = "\n";
-    for (const SurfacePoint& point : shell.shell.points) {
+    for (const std::uint32_t used : vertices.points) {
+        const SurfacePoint& point = shell.shell.points[used];
         sink(comma + "[" + std::to_string(point.x) + "," + std::to_string(point.y) + "," +
              std::to_string(point.z) + "]");
         comma = ",\n";

@@ -51,7 +51,7 @@ struct MeshReport {
     std::vector<NamedPlace> lifted;      ///< roofs, by how much
     std::optional<double> ground_error;  ///< largest, metres; nothing without terrain
     std::int64_t ground_cells = 0;       ///< outside the footprints
-    std::int64_t ground_missed = 0;      ///< of these, farther off than MeshRequest::ground_error
+    std::vector<NamedPlace> missed;  ///< of these, farther off than MeshRequest::ground_error, by how much
 };
 
 }  // namespace d2b::mesh

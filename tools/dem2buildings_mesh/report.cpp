@@ -71,9 +71,10 @@ std::string mesh_text(const MeshRequest& request, const MeshReport& report) {
     if (report.ground_error)
         text += line("terrain", "within " + fixed_text(*report.ground_error, 3) + " m of " +
                                     std::to_string(report.ground_cells) + " cells, " +
-                                    std::to_string(report.ground_missed) + " farther than " +
+                                    std::to_string(report.missed.size()) + " farther than " +
                                     number_text(request.ground_error) + " m") +
-                line("roofs lifted", std::to_string(report.lifted.size())) + places(report.lifted, "m");
+                places(report.missed, "m") + line("roofs lifted", std::to_string(report.lifted.size())) +
+                places(report.lifted, "m");
     return text;
 }
 
@@ -101,7 +102,7 @@ std::string mesh_json(const MeshRequest& request, const MeshReport& report,
         json["ground"] = {{"raster", request.ground},
                           {"largest_error_m", *report.ground_error},
                           {"cells", report.ground_cells},
-                          {"cells_farther_off", report.ground_missed},
+                          {"cells_farther_off", json_of(report.missed, "metres")},
                           {"lifted", json_of(report.lifted, "metres")}};
     return json.dump(2, ' ', false, ReportJson::error_handler_t::replace) + "\n";
 }

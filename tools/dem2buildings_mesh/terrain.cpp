@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -148,13 +149,15 @@ void measure_terrain(const PlanMesh& mesh, const PlanHeights& heights, const Gro
         std::array<double, 3> z{};
         for (std::size_t i = 0; i < 3; ++i)
             z[i] = static_cast<double>(heights.terrain[triangle.nodes[i]]);
-        grid.errors(corners_of(mesh, triangle), z, [&](std::size_t, double error) {
+        grid.errors(corners_of(mesh, triangle), z, [&](std::size_t cell, double error) {
             const double metres = error * frame.metres_of_height();
             largest = std::max(largest, metres);
-            report.ground_missed += metres > request.ground_error ? 1 : 0;
+            if (metres > request.ground_error)
+                report.missed.push_back({frame.world(grid.middle(cell)), metres, ""});
             return true;
         });
     }
+    std::ranges::sort(report.missed, std::greater<>(), &NamedPlace::figure);
     report.ground_error = largest;
     report.ground_cells = grid.measured();
 }

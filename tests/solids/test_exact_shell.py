@@ -1,0 +1,52 @@
+"""Each count of exact_shell.py sees what breaks a shell. `python3 test_exact_shell.py`"""
+
+import unittest
+
+import exact_shell
+
+CORNERS = [(x, y, z) for z in (0, 9) for y in (0, 9) for x in (0, 9)]
+CUBE = {"ground": [(0, 2, 1), (1, 2, 3)], "roof": [(4, 5, 6), (5, 7, 6)],
+        "wall": [(0, 1, 4), (1, 5, 4), (1, 3, 5), (3, 7, 5), (3, 2, 7), (2, 6, 7), (2, 0, 6), (0, 4, 6)]}
+
+
+def shell():
+    triangles = [t for group in CUBE.values() for t in group]
+    return list(CORNERS), triangles, [name for name, group in CUBE.items() for _ in group]
+
+
+class Counts(unittest.TestCase):
+    def test_a_cube_is_well(self):
+        corners, triangles, groups = shell()
+        self.assertEqual(exact_shell.edge_faults(corners, triangles), (0, 0))
+        self.assertEqual(exact_shell.inverted(corners, triangles, groups), 0)
+        self.assertEqual(exact_shell.crossings(corners, triangles), 0)
+
+    def test_a_triangle_that_is_missing(self):
+        corners, triangles, _ = shell()
+        self.assertEqual(exact_shell.edge_faults(corners, triangles[1:]), (3, 0))
+
+    def test_a_triangle_that_is_turned(self):
+        corners, triangles, groups = shell()
+        triangles[2] = triangles[2][::-1]
+        self.assertEqual(exact_shell.edge_faults(corners, triangles), (3, 0))
+        self.assertEqual(exact_shell.inverted(corners, triangles, groups), 1)
+
+    def test_a_cube_that_is_turned_inside_out(self):
+        corners, triangles, groups = shell()
+        self.assertGreaterEqual(exact_shell.inverted(corners, [t[::-1] for t in triangles], groups), 12)
+
+    def test_cubes_that_touch_in_an_edge(self):
+        corners, triangles, _ = shell()
+        beside = [tuple(8 + i for i in t) for t in triangles]
+        corners += [(x + 9, y + 9, z) for x, y, z in corners]
+        self.assertEqual(exact_shell.edge_faults(corners, triangles + beside), (0, 1))
+
+    def test_cubes_that_cross(self):
+        corners, triangles, _ = shell()
+        within = [tuple(8 + i for i in t) for t in triangles]
+        corners += [(x + 3, y + 4, z + 5) for x, y, z in corners]
+        self.assertGreater(exact_shell.crossings(corners, triangles + within), 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
