@@ -150,6 +150,7 @@ std::vector<FlowProblem> make_outlines_flow_ready(const ContourList& contours, O
         [&](std::size_t k, std::size_t) {
             const std::vector<PlanContour> cluster = drawn(contours, outliner, clusters[k]);
             std::vector<bool> frozen;
+            frozen.reserve(cluster.size());
             for (const PlanContour& contour : cluster)
                 frozen.push_back(border.is_near(contour.outline));
             return make_flow_ready(cluster, limits, std::move(frozen), context.threads->stop());

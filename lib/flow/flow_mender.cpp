@@ -265,6 +265,7 @@ std::vector<FlowFault> FlowMender::in_order() const {
     }
     std::ranges::stable_sort(faults, {}, [](const auto& fault) { return fault.first; });
     std::vector<FlowFault> sorted;
+    sorted.reserve(faults.size());
     for (const auto& [key, fault] : faults)
         sorted.push_back(fault);
     return sorted;
