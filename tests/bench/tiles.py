@@ -1,0 +1,135 @@
+#!/usr/bin/python3
+"""Measures dem2buildings_tiles beside dem2buildings on a mosaic of 64 files, for docs/scaling.md.
+
+    cmake -S . -B build -D D2B_BUILD_BENCHMARKS=ON && cmake --build build --parallel
+    tests/bench/tiles.py build                     100 million points, in some ten minutes
+    tests/bench/tiles.py --million 1000 build      the figures of a country; some two hours, 20 GB of disk
+
+Two processes with a thread each work on tiles, as the plain run has two threads. Each result is compared with that
+of the plain run, byte for byte. Core seconds are those of user and system together, of all processes: other work on
+the machine disturbs them less than seconds. Needs gdal-bin.
+"""
+import argparse
+import concurrent.futures
+import filecmp
+import json
+import os
+import shutil
+import subprocess
+import sys
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+SIDE = 8  # files in a row, and rows
+
+
+@dataclass
+class Cost:
+    core: float = 0  # s, user and system
+    seconds: float = 0
+    memory: int = 0  # bytes, of the largest process
+
+
+def run(command):
+    """Starts a process and waits for it."""
+    begin = time.monotonic()
+    process = subprocess.Popen([str(word) for word in command], stdout=subprocess.DEVNULL)
+    _, status, usage = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    if process.returncode:
+        sys.exit(f"{' '.join(map(str, command))} ended with {process.returncode}")
+    return Cost(usage.ru_utime + usage.ru_stime, time.monotonic() - begin, usage.ru_maxrss * 1024)
+
+
+def run_all(commands):
+    """Two at a time."""
+    begin = time.monotonic()
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        costs = list(pool.map(run, commands))
+    return Cost(sum(cost.core for cost in costs), time.monotonic() - begin, max(cost.memory for cost in costs))
+
+
+def make_mosaic(build, work, million):
+    mosaic = work / "mosaic.vrt"
+    if mosaic.exists():
+        return mosaic
+    city = work / "city.tif"
+    subprocess.run([build / "tests/bench/make_city", str(million), city], check=True)
+    size = json.loads(subprocess.run(["gdalinfo", "-json", city], check=True, capture_output=True).stdout)["size"]
+    parts = []
+    for row in range(SIDE):
+        for col in range(SIDE):
+            parts.append(work / f"part_{row}_{col}.tif")
+            first = [size[0] * col // SIDE, size[1] * row // SIDE]
+            end = [size[0] * (col + 1) // SIDE, size[1] * (row + 1) // SIDE]
+            subprocess.run(["gdal_translate", "-q", "-co", "TILED=YES", "-co", "BLOCKXSIZE=256", "-co", "BLOCKYSIZE=256",
+                            "-co", "COMPRESS=DEFLATE", "-co", "PREDICTOR=3", "-srcwin",
+                            *map(str, first + [end[0] - first[0], end[1] - first[1]]), city, parts[-1]], check=True)
+    city.unlink()
+    subprocess.run(["gdalbuildvrt", "-q", mosaic, *parts], check=True)
+    return mosaic
+
+
+def bytes_in(folder):
+    return sum(file.stat().st_size for file in folder.rglob("*") if file.is_file())
+
+
+def measure(build, work, options, side, mosaic, whole):
+    """The steps on tiles of so many units a side: cost by step, bytes between steps, tiles."""
+    tool = build / "tools/dem2buildings_tiles"
+    folder, result = work / "steps", work / "tiles.gpkg"
+    shutil.rmtree(folder, ignore_errors=True)
+    result.unlink(missing_ok=True)
+    costs = {"plan": run([tool, "plan", "-q", *options, "-tile", side, mosaic, result, folder])}
+    tiles = json.loads((folder / "plan.json").read_text())["tiles"]
+    costs["find"] = run_all([[tool, "find", "-threads", 1, folder, tile] for tile in range(tiles)])
+    costs["join"] = run([tool, "join", "-threads", 1, folder])
+    costs["draw"] = run_all([[tool, "draw", "-threads", 1, folder, tile] for tile in range(tiles)])
+    costs["merge"] = run([tool, "merge", "-q", "-threads", 1, folder])
+    if not filecmp.cmp(whole, result, shallow=False):
+        sys.exit(f"-tile {side} gives other bytes than the plain run")
+    start = run([tool, "--version"]).core
+    between = {step: bytes_in(folder / step) for step in ("find", "join", "draw")}
+    return costs, between, tiles, start * (2 * tiles + 3)
+
+
+def show(name, plain, costs, between, tiles, start):
+    core = sum(cost.core for cost in costs.values())
+    seconds = sum(cost.seconds for cost in costs.values())
+    print(f"\n{name}: {tiles} tiles, the bytes of the plain run\n\n| step | core s | s | MiB of the largest process | MB it leaves |"
+          "\n|---|---:|---:|---:|---:|")
+    for step, cost in {"plain run": plain, **costs}.items():
+        left = f"{between[step] / 1e6:.0f}" if step in between else ""
+        print(f"| {step} | {cost.core:.1f} | {cost.seconds:.1f} | {cost.memory / 2**20:.0f} | {left} |")
+    print(f"\nall steps : plain run, core s {core / plain.core:.2f} (without {start:.1f} s of starting processes "
+          f"{(core - start) / plain.core:.2f}), s {seconds / plain.seconds:.2f}", flush=True)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build", type=Path, help="build folder with dem2buildings, dem2buildings_tiles and make_city")
+    parser.add_argument("--million", type=int, default=100, help="points; default: %(default)s")
+    parser.add_argument("--tile", default="1", help="units a side, with commas between; default: %(default)s")
+    parser.add_argument("--preset", default="buildings", help="with commas between; default: %(default)s")
+    parser.add_argument("--work", type=Path, help="folder for all files; default: <build>/bench/tiles<million>")
+    given = parser.parse_args()
+    build = given.build.resolve()
+    work = (given.work or build / f"bench/tiles{given.million}").resolve()
+    work.mkdir(parents=True, exist_ok=True)
+    os.environ["OGR_CURRENT_DATE"] = "2026-01-01T00:00:00.000Z"
+    mosaic = make_mosaic(build, work, given.million)
+    for preset in given.preset.split(","):
+        options = ["-preset", preset]
+        whole = work / "whole.gpkg"
+        whole.unlink(missing_ok=True)
+        plain = run([build / "tools/dem2buildings", "-q", "-threads", 2, *options, mosaic, whole])
+        for side in given.tile.split(","):
+            show(f"{preset}, -tile {side}", plain, *measure(build, work, options, side, mosaic, whole))
+        print(f"\n{given.million} million points: {bytes_in(work) / 1e6:.0f} MB in all, of which "
+              f"{whole.stat().st_size / 1e6:.0f} MB are the result and "
+              f"{sum(file.stat().st_size for file in work.glob('part_*.tif')) / 1e6:.0f} MB the source", flush=True)
+
+
+if __name__ == "__main__":
+    main()
