@@ -16,7 +16,7 @@ namespace {
 
 class PartSink final : public FeatureSink {
   public:
-    PartSink(WriteOptions options, std::int64_t part, const Callbacks& callbacks);
+    PartSink(WriteOptions options, std::int64_t part, Callbacks callbacks);
 
     void begin(std::span<const LayerSpec> layers, const Provenance& provenance) override;
     void add(std::size_t layer, const Feature& feature) override;
@@ -37,8 +37,11 @@ class PartSink final : public FeatureSink {
     std::vector<std::unique_ptr<FeatureSink>> sinks_;  ///< null: nothing has come for it
 };
 
-PartSink::PartSink(WriteOptions options, std::int64_t part, const Callbacks& callbacks)
-    : options_(std::move(options)), format_(format_for(options_)), part_(part), callbacks_(callbacks) {}
+PartSink::PartSink(WriteOptions options, std::int64_t part, Callbacks callbacks)
+    : options_(std::move(options)),
+      format_(format_for(options_)),
+      part_(part),
+      callbacks_(std::move(callbacks)) {}
 
 void PartSink::begin(std::span<const LayerSpec> layers, const Provenance& provenance) {
     specs_.assign(layers.begin(), layers.end());
