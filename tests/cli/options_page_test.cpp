@@ -32,8 +32,6 @@ class PageErrors : public OptionEffect {
 
 TEST_F(PageErrors, names) {
     refused(2, "Pages are written as HTML; give \"a.htm\" a name that ends in .html.", {"-page", "a.htm"});
-    refused(2, "\"a.obj.html\" is read or written by this run already; choose another name.",
-            {"-page", "a.obj.html", "-preview", "a.obj.html"});
     refused(1, "there is no folder \"no/such\"; make it first.", {"-page", "no/such/a.html"});
     std::ofstream(path("other.html")) << "<!DOCTYPE html>\n<p>Dear diary\n";
     refused(2, "\"other.html\" exists; give -overwrite to replace it.", {"-page", "other.html"});
@@ -60,7 +58,7 @@ TEST_F(OptionEffect, page) {
     // Layers are the same without it, and whatever of them is written the page has the stack.
     find({"-page", "blocks.html", "-layers", "buildings"});
     EXPECT_GT(text_of(path("blocks.html")).size(), page.size() - 1000);
-    trace({"-page", "thesis.html"});
+    trace({"-overwrite", "-page", "thesis.html"});
     EXPECT_NE(text_of(path("thesis.html")).find("<title>"), std::string::npos);
 }
 
