@@ -3,19 +3,23 @@
 #include <utility>
 
 #include "detect/judged_objects.hpp"
+#include "detect/place_prior.hpp"
 #include "detect/roof_strictness.hpp"
 #include "detect/split.hpp"
 
 namespace d2b {
 namespace {
 
-JudgedObjects with_limits_of_the_data(const Scene& scene, const DetectOptions& options, double smallest_m2,
-                                      Executor& threads) {
+JudgedObjects judged_as_the_data_say(const Scene& scene, const DetectOptions& options, double smallest_m2,
+                                     Executor& threads) {
     SurfaceQuality quality = surface_quality(scene, options, threads);
     JudgedObjects first = judged_objects(scene, options, smallest_m2, quality, threads);
     quality.strictness = roof_strictness(scene, options, smallest_m2, quality, first, threads).value_or(1);
-    return quality.strictness == 1 ? std::move(first)
-                                   : judged_objects(scene, options, smallest_m2, quality, threads);
+    JudgedObjects judged = quality.strictness == 1
+                               ? std::move(first)
+                               : judged_objects(scene, options, smallest_m2, quality, threads);
+    correct_for_place(quality.filled, judged.objects);
+    return judged;
 }
 
 /// Buildings first, then what is doubtful, each in scan order.
@@ -41,7 +45,7 @@ Detection sorted_by_confidence(JudgedObjects&& judged, double least, Executor& t
 Detection detect_buildings(const Scene& scene, const DetectOptions& options, double smallest_m2,
                            Context& context) {
     Executor& threads = *context.threads;
-    Detection result = sorted_by_confidence(with_limits_of_the_data(scene, options, smallest_m2, threads),
+    Detection result = sorted_by_confidence(judged_as_the_data_say(scene, options, smallest_m2, threads),
                                             options.min_confidence, threads);
     if (options.split_height > 0)
         split_buildings(scene, options.split_height, cells_for(smallest_m2, scene.cell), result, threads);

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "detect/detection.hpp"
+
+namespace d2b {
+
+/// How many of the candidates of a place are buildings. A confidence holds where as many of them are as in
+/// the places to which judge() was fitted; among woods fewer are.
+///
+/// The share is estimated by expectation and maximisation from the candidates' own likelihood ratios, without
+/// any labels: M. Saerens, P. Latinne, C. Decaestecker: Adjusting the Outputs of a Classifier to New a Priori
+/// Probabilities, Neural Computation 14 (2002) 21-41. Fifty candidates with the usual share are added, so
+/// that few move it little.
+/// @param ratios how much likelier each candidate is among buildings than among other things, above 0
+[[nodiscard]] double share_of_buildings(std::span<const double> ratios);
+
+/// Makes confidences those of a place with its own share_of_buildings(). That supposes that buildings look
+/// here as they do elsewhere, which thin points and blur undo for small houses: so it is done only where at
+/// most a tenth of the cells was filled, where a fifth of the objects with a confidence above 0.5 are beyond
+/// doubt (above 0.95), and where there are at least a hundred candidates. Elsewhere confidences stay as they
+/// are, as do those of 0 and 1 everywhere. Sums are made in the order of the objects.
+/// @param filled see SurfaceQuality
+void correct_for_place(double filled, std::vector<DetectedObject>& objects);
+
+}  // namespace d2b
