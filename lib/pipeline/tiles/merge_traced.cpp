@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/stage_clock.hpp"
+#include "features/target_frame.hpp"
 #include "pipeline/feature_input.hpp"
 #include "pipeline/measure_stack.hpp"
 #include "pipeline/report_run.hpp"

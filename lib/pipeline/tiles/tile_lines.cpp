@@ -73,7 +73,7 @@ void TileLines::add(TraceLine&& line) {
 
 /// @param all whatever squares are known to be around
 void TileLines::keep_beside(const Beside& beside, bool all) {
-    const std::size_t first = static_cast<std::size_t>(own_.col - seen_.col);
+    const auto first = static_cast<std::size_t>(own_.col - seen_.col);
     const auto cols = static_cast<std::size_t>(own_.cols);
     std::vector<bool> wanted(cols + first, all);
     const auto want = [&](std::int32_t begin, std::int32_t end) {
