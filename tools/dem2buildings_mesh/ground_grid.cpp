@@ -72,7 +72,9 @@ Position GroundGrid::plane(const Position& cell) const {
 
 Position GroundGrid::middle(std::size_t cell) const {
     const auto cols = static_cast<std::size_t>(cols_);
-    return plane({static_cast<double>(cell % cols) + 0.5, static_cast<double>(cell / cols) + 0.5});
+    const std::size_t row = cell / cols;
+    const std::size_t col = cell % cols;
+    return plane({static_cast<double>(col) + 0.5, static_cast<double>(row) + 0.5});
 }
 
 double GroundGrid::elevation(const Position& at) const {
