@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/row_bands.hpp"
+#include "detect/attached_crowns.hpp"
 #include "detect/element.hpp"
 #include "detect/evidence.hpp"
 #include "detect/filled_share.hpp"
@@ -67,7 +68,7 @@ SurfaceQuality surface_quality(const Scene& scene, const DetectOptions& options,
 }
 
 JudgedObjects judged_objects(const Scene& scene, const DetectOptions& options, double smallest_m2,
-                             const SurfaceQuality& quality, Executor& threads) {
+                             const SurfaceQuality& quality, Executor& threads, LeaningCrowns crowns) {
     Mask elevated = elevated_cells(scene, options.min_height, threads);
     const Grid<std::uint8_t> flags = flags_of(scene, quality, threads);
     leave_plants_out(scene, flags, elevated, threads);
@@ -82,6 +83,9 @@ JudgedObjects judged_objects(const Scene& scene, const DetectOptions& options, d
         result.objects.back().cells = found.regions.cells[result.objects.size()];
     }
     result.regions = std::move(found.regions);
+    if (crowns == LeaningCrowns::are_cut_off)
+        result.left_out.crowns =
+            take_crowns_off(scene, segments, flags, least, std::move(found.cells), result, threads);
     return result;
 }
 

@@ -21,10 +21,14 @@ struct JudgedObjects {
 [[nodiscard]] SurfaceQuality surface_quality(const Scene& scene, const DetectOptions& options,
                                              Executor& threads);
 
+/// What becomes of crowns that lean on walls, see take_crowns_off().
+enum class LeaningCrowns { are_cut_off, stay };
+
 /// Finds what stands on the ground and has smooth pieces, and judges it.
 /// @param smallest_m2 what covers less is left out
 [[nodiscard]] JudgedObjects judged_objects(const Scene& scene, const DetectOptions& options,
                                            double smallest_m2, const SurfaceQuality& quality,
-                                           Executor& threads);
+                                           Executor& threads,
+                                           LeaningCrowns crowns = LeaningCrowns::are_cut_off);
 
 }  // namespace d2b

@@ -16,11 +16,18 @@ struct FirstCell {
     friend bool operator==(const FirstCell&, const FirstCell&) = default;
 };
 
+/// A crown that leaned on a roof.
+struct CutCrown {
+    FirstCell first;
+    std::int64_t cells = 0;
+};
+
 /// What options left out before it was judged: each object by its first cell, so that of what overlapping
 /// units see each is counted once.
 struct LeftOut {
     std::vector<FirstCell> small;  ///< objects with fewer cells than a building needs
     std::vector<FirstCell> low;    ///< see low_roofs()
+    std::vector<CutCrown> crowns;  ///< see take_crowns_off(): no option's, but left out as well
 };
 
 /// Takes regions with fewer cells out of others. @return their first cells

@@ -54,8 +54,8 @@ std::optional<double> roof_strictness(const Scene& scene, const DetectOptions& o
         stricter_quality.strictness = factor;
         std::int64_t cells = 0;
         for (const RoofSample& sample : samples) {
-            const JudgedObjects judged =
-                judged_objects(sample.scene(), options, smallest_m2, stricter_quality, threads);
+            const JudgedObjects judged = judged_objects(sample.scene(), options, smallest_m2,
+                                                        stricter_quality, threads, LeaningCrowns::stay);
             cells += common_cells(sample.roofs, cells_above(likely, judged, threads));
         }
         return cells;

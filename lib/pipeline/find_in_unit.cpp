@@ -83,16 +83,19 @@ std::vector<SeenObject> seen_objects(const Detection& detection, const std::vect
     return seen;
 }
 
-/// What options left out whose first cells are the unit's own.
+/// What was left out or cut off whose first cells are the unit's own.
 void count_left_out(const LeftOut& left_out, const Window& own, RunReport& report) {
-    const auto count = [&](const std::vector<FirstCell>& cells, Reason reason) {
-        report.count(reason, std::ranges::count_if(cells, [&](const FirstCell& cell) {
-                         return cell.row >= own.row && cell.row < own.end_row() && cell.col >= own.col &&
-                                cell.col < own.end_col();
-                     }));
+    const auto is_own = [&](const FirstCell& cell) {
+        return cell.row >= own.row && cell.row < own.end_row() && cell.col >= own.col &&
+               cell.col < own.end_col();
     };
-    count(left_out.small, Reason::building_small);
-    count(left_out.low, Reason::building_low);
+    report.count(Reason::building_small, std::ranges::count_if(left_out.small, is_own));
+    report.count(Reason::building_low, std::ranges::count_if(left_out.low, is_own));
+    for (const CutCrown& crown : left_out.crowns)
+        if (is_own(crown.first)) {
+            report.count(Reason::crown_cut);
+            report.count(Reason::crown_cells, crown.cells);
+        }
 }
 
 }  // namespace

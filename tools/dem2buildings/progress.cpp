@@ -50,6 +50,8 @@ const std::vector<Part>& parts() {
          {Reason::threshold_not_above_minimum, Reason::threshold_not_below_maximum,
           Reason::threshold_repeated}},
         {"left out", "", "of the surface", {Reason::surface_lost}},
+        {"cut off at walls", "crown", "", {Reason::crown_cut}},
+        {"cut off at walls", "cell", "of crowns", {Reason::crown_cells}},
         {"filled", "hole", "", {Reason::hole_small, Reason::hole_short}},
         {"drawn differently", "", "as traced", {Reason::outline_kept_traced}},
         {"drawn differently", "", "repaired", {Reason::polygon_repaired}},

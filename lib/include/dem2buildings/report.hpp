@@ -34,6 +34,8 @@ enum class Reason {
     building_doubtful,           ///< its confidence is too low
     building_small,              ///< what may be a building, but covers less than the smallest area
     building_low,                ///< what may be a roof, but is not above the smallest height
+    crown_cut,                   ///< a crown that leaned on a wall, cut off there
+    crown_cells,                 ///< cells of such crowns
     building_not_tall,           ///< its p90 is below the smallest height of a building
     elevation_outside_range,     ///< no elevation: outside of what occurs on land, or of -zrange
     elevation_above_neighbours,  ///< no elevation: far above all around it
@@ -46,7 +48,7 @@ enum class Reason {
     flow_changed,                ///< a wall, gap or corner that a flow solver cannot take, mended
     flow_left,                   ///< the same, left as it is
 };
-inline constexpr std::array<std::string_view, 25> reason_names{"threshold_not_above_minimum",
+inline constexpr std::array<std::string_view, 27> reason_names{"threshold_not_above_minimum",
                                                                "threshold_not_below_maximum",
                                                                "threshold_repeated",
                                                                "contour_short",
@@ -60,6 +62,8 @@ inline constexpr std::array<std::string_view, 25> reason_names{"threshold_not_ab
                                                                "building_doubtful",
                                                                "building_small",
                                                                "building_low",
+                                                               "crown_cut",
+                                                               "crown_cells",
                                                                "building_not_tall",
                                                                "elevation_outside_range",
                                                                "elevation_above_neighbours",

@@ -1,0 +1,136 @@
+#include "detect/attached_crowns.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "core/row_bands.hpp"
+#include "detect/evidence.hpp"
+#include "detect/left_out.hpp"
+#include "detect/morphology.hpp"
+#include "detect/part_seam.hpp"
+
+namespace d2b {
+namespace {
+
+constexpr double large_segment_m2 = 50;
+constexpr double eaves_m = 1;
+constexpr double least_crown_m2 = 4;
+constexpr double sticks_out = 0.55;  // share of a part's border that is the object's own
+constexpr double beyond_doubt = 2;   // of roof_likeness()
+
+/// Cells of large smooth segments.
+Mask roofs_of(const Scene& scene, const SmoothSegments& segments, const Mask& objects, Executor& threads) {
+    const std::int64_t least = cells_for(large_segment_m2, scene.cell);
+    Mask roofs(objects.rows, objects.cols, 0, threads);
+    for_row_bands(threads, objects.rows, objects.cols, [&](RowBand band) {
+        for (std::int32_t r = band.begin; r < band.end; ++r)
+            for (const RegionRun& run : segments.regions.row(r))
+                if (segments.pieces[run.label - 1].cells >= least)
+                    std::copy(objects.row(r).begin() + run.begin, objects.row(r).begin() + run.end,
+                              roofs.row(r).begin() + run.begin);
+    });
+    return roofs;
+}
+
+Regions parts_beside(const Mask& roofs, const Mask& objects, std::int64_t least_cells, Executor& threads) {
+    Mask rest(objects.rows, objects.cols, 0, threads);
+    for_row_bands(threads, objects.rows, objects.cols, [&](RowBand band) {
+        for (std::size_t i = rest.index(band.begin, 0); i < rest.index(band.end, 0); ++i)
+            rest.values[i] = objects.values[i] > roofs.values[i] ? 1 : 0;
+    });
+    return connected_regions(rest, 1, least_cells, threads);
+}
+
+/// What speaks for a roof, as in judge(). Parts are small, so the size of their segments says less than that
+/// of an object's.
+double roof_likeness(const Evidence& part) {
+    return 4.3 * (part.smooth - 0.4) + 1.3 * std::log(std::max(part.step_m, 0.1) / 2.2) -
+           0.4 * std::log(part.tilt / 0.4) + 0.25 * std::log(std::max(part.segment, 1.0) / 48.0);
+}
+
+/// Where a crown is cut off.
+struct Cut {
+    SeamLine seam;
+    WallLine wall;
+};
+
+std::optional<Cut> cut_of(const PartSeam& part, const Evidence& evidence, const Mask& objects,
+                          const CellSize& cell, int eaves) {
+    if (part.free_share() <= sticks_out || roof_likeness(evidence) >= beyond_doubt)
+        return std::nullopt;
+    const std::optional<SeamLine> seam = part.straight_line(cell);
+    if (!seam)
+        return std::nullopt;
+    const std::optional<WallLine> wall = wall_beyond(*seam, objects, cell, eaves);
+    return wall ? std::optional(Cut{*seam, *wall}) : std::nullopt;
+}
+
+/// Regions are numbered in the order of their first cells.
+std::vector<CutCrown> clear(const Regions& parts, const std::vector<std::optional<Cut>>& cuts,
+                            Mask& objects) {
+    std::vector<CutCrown> crowns;
+    Label seen = 0;
+    for (std::int32_t r = 0; r < parts.rows; ++r)
+        for (const RegionRun& run : parts.row(r)) {
+            if (!cuts[run.label - 1])
+                continue;
+            std::fill(objects.row(r).begin() + run.begin, objects.row(r).begin() + run.end, std::uint8_t{0});
+            if (run.label > seen) {
+                seen = run.label;
+                crowns.push_back({{r, run.begin}, parts.cells[seen]});
+            }
+        }
+    return crowns;
+}
+
+/// Makes objects of what is left of objects, with what was thought of them.
+void gather(const Mask& cells, std::int64_t least_cells, JudgedObjects& judged, Executor& threads) {
+    JudgedObjects left;
+    left.regions = connected_regions(cells, 1, 0, threads);
+    const std::vector<FirstCell> small = take_small_out(left.regions, least_cells);
+    judged.left_out.small.insert(judged.left_out.small.end(), small.begin(), small.end());
+    left.regions = connected_regions(mask_of(left.regions, threads), 1, 0, threads);
+    for (std::int32_t r = 0; r < cells.rows; ++r)
+        for (const RegionRun& run : left.regions.row(r))
+            if (run.label > left.objects.size()) {
+                const std::span<const RegionRun> before = judged.regions.row(r);
+                const auto whole = std::ranges::partition_point(
+                    before, [&](const RegionRun& other) { return other.end <= run.begin; });
+                left.objects.push_back(judged.objects[whole->label - 1]);
+                left.objects.back().cells = left.regions.cells[run.label];
+                left.evidence.push_back(judged.evidence[whole->label - 1]);
+            }
+    judged.regions = std::move(left.regions);
+    judged.objects = std::move(left.objects);
+    judged.evidence = std::move(left.evidence);
+}
+
+}  // namespace
+
+std::vector<CutCrown> take_crowns_off(const Scene& scene, const SmoothSegments& segments,
+                                      const Grid<std::uint8_t>& flags, std::int64_t least_cells, Mask cells,
+                                      JudgedObjects& judged, Executor& threads) {
+    const int eaves = std::max(1, static_cast<int>(std::lround(eaves_m / scene.side())));
+    const Mask roofs = roofs_of(scene, segments, cells, threads);
+    const Mask near_roofs = grown(roofs, cells, eaves, threads);
+    DetectedObjects parts{std::move(cells), {}};
+    parts.regions = parts_beside(near_roofs, parts.cells, cells_for(least_crown_m2, scene.cell), threads);
+    const std::vector<PartSeam> seams = seams_of(parts, near_roofs, scene.cell, threads);
+    const std::vector<Evidence> evidence = collect_evidence(scene, parts, segments, flags, threads);
+    std::vector<std::optional<Cut>> cuts(seams.size());
+    threads.for_each(seams.size(), [&](std::size_t i) {
+        cuts[i] = cut_of(seams[i], evidence[i], parts.cells, scene.cell, eaves);
+    });
+    std::vector<CutCrown> crowns = clear(parts.regions, cuts, parts.cells);
+    for (const std::optional<Cut>& cut : cuts)
+        if (cut)
+            clear_outside(cut->seam, cut->wall, roofs, scene.cell, parts.cells);
+    if (!crowns.empty())
+        gather(parts.cells, least_cells, judged, threads);
+    return crowns;
+}
+
+}  // namespace d2b

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "detect/evidence.hpp"
+#include "detect/wall_line.hpp"
+
+namespace d2b {
+
+/// The border of a part of an object: with the rest of the object, the seam, and with what is no object.
+class PartSeam {
+  public:
+    /// An edge between a cell of the part and its neighbour. @param down, across to the neighbour, cells
+    void add(std::int32_t row, std::int32_t col, int down, int across, const CellSize& cell);
+    void add_free() { ++free_; }
+
+    /// Share of the border that is the object's own; 1 where there is no seam.
+    [[nodiscard]] double free_share() const;
+    /// The line that fits the seam best, if it is straight.
+    [[nodiscard]] std::optional<SeamLine> straight_line(const CellSize& cell) const;
+
+  private:
+    std::vector<MetrePlace> middles_;  // of the seam's edges
+    MetrePlace to_rest_;               // sum of the ways over them
+    std::int64_t free_ = 0;
+};
+
+/// One a part, by label - 1. @param parts cells of objects, and regions of these that are parts
+/// @param rest cells of objects that are on the other side of seams
+[[nodiscard]] std::vector<PartSeam> seams_of(const DetectedObjects& parts, const Mask& rest,
+                                             const CellSize& cell, Executor& threads);
+
+}  // namespace d2b
