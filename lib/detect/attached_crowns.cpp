@@ -18,8 +18,8 @@ namespace {
 constexpr double large_segment_m2 = 50;
 constexpr double eaves_m = 1;
 constexpr double least_crown_m2 = 4;
-constexpr double sticks_out = 0.55;  // share of a part's border that is the object's own
-constexpr double beyond_doubt = 2;   // of roof_likeness()
+constexpr double sticks_out = 0.55;    // share of a part's border that is the object's own
+constexpr double surely_no_crown = 2;  // of roof_likeness()
 
 /// Cells of large smooth segments.
 Mask roofs_of(const Scene& scene, const SmoothSegments& segments, const Mask& objects, Executor& threads) {
@@ -59,7 +59,7 @@ struct Cut {
 
 std::optional<Cut> cut_of(const PartSeam& part, const Evidence& evidence, const Mask& objects,
                           const CellSize& cell, int eaves) {
-    if (part.free_share() <= sticks_out || roof_likeness(evidence) >= beyond_doubt)
+    if (part.free_share() <= sticks_out || roof_likeness(evidence) >= surely_no_crown)
         return std::nullopt;
     const std::optional<SeamLine> seam = part.straight_line(cell);
     if (!seam)

@@ -13,8 +13,8 @@
 namespace d2b {
 namespace {
 
-constexpr double beyond_doubt = 0.95;
-constexpr double likely = 0.5;
+constexpr double surely_roof = 0.95;
+constexpr double likely_roof = 0.5;
 constexpr double inside_m = 3;
 constexpr std::int64_t fewest_roofs = 2000;  // cells
 // Laser scans of 0.5 to 2.5 m cells have 0.7 to 1, the town of docs/accuracy.md as satellites see it 0.5.
@@ -22,7 +22,7 @@ constexpr double least_sharp = 0.6;
 constexpr std::array<double, 4> stricter{0.9, 0.8, 0.7, 0.6};
 constexpr std::int64_t most_lost = 5;  // of a thousand
 
-/// Cells of objects that are more likely than this to be buildings.
+/// Cells of objects that are more likely_roof than this to be buildings.
 Mask cells_above(double confidence, const JudgedObjects& judged, Executor& threads) {
     Mask cells(judged.regions.rows, judged.regions.cols, 0, threads);
     for_row_bands(threads, cells.rows, cells.cols, [&](RowBand band) {
@@ -44,7 +44,7 @@ std::int64_t common_cells(const Mask& a, const Mask& b) {
 std::optional<double> roof_strictness(const Scene& scene, const DetectOptions& options, double smallest_m2,
                                       const SurfaceQuality& quality, const JudgedObjects& first,
                                       Executor& threads) {
-    const Mask buildings = cells_above(beyond_doubt, first, threads);
+    const Mask buildings = cells_above(surely_roof, first, threads);
     if (step_sharpness(scene.surface, buildings, threads) < least_sharp)
         return std::nullopt;
     const std::vector<RoofSample> samples =
@@ -56,7 +56,7 @@ std::optional<double> roof_strictness(const Scene& scene, const DetectOptions& o
         for (const RoofSample& sample : samples) {
             const JudgedObjects judged = judged_objects(sample.scene(), options, smallest_m2,
                                                         stricter_quality, threads, LeaningCrowns::stay);
-            cells += common_cells(sample.roofs, cells_above(likely, judged, threads));
+            cells += common_cells(sample.roofs, cells_above(likely_roof, judged, threads));
         }
         return cells;
     };
