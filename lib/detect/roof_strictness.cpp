@@ -22,7 +22,7 @@ constexpr double least_sharp = 0.6;
 constexpr std::array<double, 4> stricter{0.9, 0.8, 0.7, 0.6};
 constexpr std::int64_t most_lost = 5;  // of a thousand
 
-/// Cells of objects that are more likely_roof than this to be buildings.
+/// Cells of objects that are more likely than this to be buildings.
 Mask cells_above(double confidence, const JudgedObjects& judged, Executor& threads) {
     Mask cells(judged.regions.rows, judged.regions.cols, 0, threads);
     for_row_bands(threads, cells.rows, cells.cols, [&](RowBand band) {
