@@ -7,15 +7,6 @@
 #include "cli/town_files.hpp"
 
 namespace d2b::test {
-namespace {
-
-std::string text_of(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
-}  // namespace
-
 class PageErrors : public OptionEffect {
   protected:
     void SetUp() override {
@@ -44,6 +35,15 @@ TEST_F(PageErrors, names) {
 }
 
 #ifdef D2B_PAGE
+
+namespace {
+
+std::string text_of(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
 
 TEST_F(OptionEffect, page) {
     find({"-page", "town.html"});
