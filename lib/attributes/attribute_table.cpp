@@ -123,6 +123,12 @@ constexpr std::array building_table{
     Attribute<BuildingRecord>{"area_chg", "Area change", FieldType::real, Unit::none,
                               "change of the area by straight walls, as a share of the traced area",
                               [](const BuildingRecord& r) { return number(r.area_change); }},
+    Attribute<BuildingRecord>{"parcel", "Parcel", FieldType::text, Unit::none,
+                              "identifier of the polygon of -split_by that holds most of it; there only with "
+                              "that option, NULL for lines",
+                              [](const BuildingRecord& r) {
+                                  return r.parcel.empty() ? FieldValue{} : FieldValue{std::string(r.parcel)};
+                              }},
 };
 
 constexpr std::array contour_table{
@@ -215,8 +221,8 @@ std::string markdown(std::span<const Attribute<Record>> attributes) {
 
 }  // namespace
 
-std::span<const Attribute<BuildingRecord>> building_attributes() {
-    return building_table;
+std::span<const Attribute<BuildingRecord>> building_attributes(bool with_parcel) {
+    return std::span(building_table).first(building_table.size() - (with_parcel ? 0 : 1));
 }
 std::span<const Attribute<ContourRecord>> contour_attributes() {
     return contour_table;
@@ -262,7 +268,7 @@ template std::vector<FieldValue> field_values(std::span<const Attribute<ContourR
                                               const ContourRecord&);
 
 std::string schema_markdown() {
-    return "## buildings\n\n" + markdown(building_attributes()) + "\n## contours\n\n" +
+    return "## buildings\n\n" + markdown(building_attributes(true)) + "\n## contours\n\n" +
            markdown(contour_attributes()) + "\n## rejected\n\n" + markdown(rejected_attributes()) +
            "\n## problems\n\n" + markdown(problem_attributes());
 }

@@ -26,7 +26,8 @@ struct Attribute {
     FieldValue (*value)(const Record&);
 };
 
-[[nodiscard]] std::span<const Attribute<BuildingRecord>> building_attributes();
+/// @param with_parcel the last one is the parcel, which buildings have where parcels cut them
+[[nodiscard]] std::span<const Attribute<BuildingRecord>> building_attributes(bool with_parcel);
 [[nodiscard]] std::span<const Attribute<ContourRecord>> contour_attributes();
 [[nodiscard]] std::span<const Attribute<RejectedRecord>> rejected_attributes();
 [[nodiscard]] std::span<const Attribute<ProblemRecord>> problem_attributes();

@@ -106,8 +106,10 @@ BuildingRecord RecordMaker::building(std::size_t i, const Contour& contour, cons
     building.mean_m = (record.mean - building.ground) * context_.metres;
     const auto& footprints = context_.footprints;
     building.confidence = footprints.empty() ? unknown : footprints[head.label].confidence;
-    if (!footprints.empty())
+    if (!footprints.empty()) {
         building.doubt = footprints[head.label].doubt;
+        building.parcel_number = footprints[head.label].parcel;
+    }
     building.at_edge = touches(contour.exterior.box(), context_.frame);
     return building;
 }

@@ -7,6 +7,7 @@
 #include "core/elevation_sample.hpp"
 #include "core/exact_sum.hpp"
 #include "core/roof_elevations.hpp"
+#include "dem2buildings/parcel_source.hpp"
 #include "dem2buildings/records.hpp"
 #include "levels/level_plan.hpp"
 #include "outline/outline.hpp"
@@ -19,6 +20,7 @@ struct Footprint {
     double ground = 0;      ///< elevation, in the DEM's vertical unit
     double confidence = 0;  ///< 0 to 1
     std::string_view doubt;
+    std::int64_t parcel = ParcelCell::nobody;
 };
 
 struct AttributeContext {

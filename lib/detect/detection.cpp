@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "detect/cut_by_parcels.hpp"
 #include "detect/judged_objects.hpp"
 #include "detect/place_prior.hpp"
 #include "detect/roof_strictness.hpp"
@@ -47,6 +48,8 @@ Detection detect_buildings(const Scene& scene, const DetectOptions& options, dou
     Executor& threads = *context.threads;
     Detection result = sorted_by_confidence(judged_as_the_data_say(scene, options, smallest_m2, threads),
                                             options.min_confidence, threads);
+    if (scene.parcels != nullptr)
+        cut_by_parcels(scene, options.split_width, cells_for(smallest_m2, scene.cell), result, threads);
     if (options.split_height > 0)
         split_buildings(scene, options.split_height, cells_for(smallest_m2, scene.cell), result, threads);
     return result;

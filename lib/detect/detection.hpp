@@ -7,6 +7,7 @@
 #include "core/band.hpp"
 #include "core/context.hpp"
 #include "dem2buildings/options.hpp"
+#include "dem2buildings/parcel_source.hpp"
 #include "detect/left_out.hpp"
 #include "detect/scene.hpp"
 
@@ -27,6 +28,7 @@ struct DetectedObject {
     double confidence = 0;  ///< 0 to 1
     Doubt doubt = Doubt::rough;
     std::int64_t cells = 0;
+    std::int64_t parcel = ParcelCell::nobody;  ///< that holds most of it
 };
 
 /// Objects and where they are.
@@ -40,7 +42,8 @@ struct Detection {
 /// Finds buildings by their form: elevated cells are joined to smooth segments, these grow over what roofs
 /// have between them, and each object that results is judged by its smoothness, the step along its border,
 /// and the tilt and size of its segments. Trees are rough, and crowns shatter into small, steep segments.
-/// Where options.split_height is set, buildings are then divided, see detect/split.hpp.
+/// Where the scene has parcels, buildings are cut by them, see detect/cut_by_parcels.hpp; where
+/// options.split_height is set, they are then divided, see detect/split.hpp.
 /// @param smallest_m2 what covers less is none
 /// Halo: an object, the segments that it meets, and 11 m and five cells around them. Memory: 5 to 9 bytes
 /// a cell beside the scene, the result's four among them; 9 to 13 where buildings are divided.

@@ -28,6 +28,7 @@ struct LeftOut {
     std::vector<FirstCell> small;  ///< objects with fewer cells than a building needs
     std::vector<FirstCell> low;    ///< see low_roofs()
     std::vector<CutCrown> crowns;  ///< see take_crowns_off(): no option's, but left out as well
+    std::vector<FirstCell> parts;  ///< that parcels cut off, but too small or too narrow to be buildings
 };
 
 /// Takes regions with fewer cells out of others. @return their first cells

@@ -4,6 +4,7 @@
 
 #include "core/executor.hpp"
 #include "core/grid.hpp"
+#include "detect/parcel_grid.hpp"
 
 namespace d2b {
 
@@ -17,6 +18,7 @@ struct Scene {
     CellSize cell;
     const Mask* allowed = nullptr;  ///< cells where buildings are looked for; everywhere where there is none
     const MetreGrid* greenness = nullptr;  ///< NDVI, NaN where unknown; may be missing
+    const ParcelGrid* parcels = nullptr;   ///< what cuts buildings; may be missing
 
     [[nodiscard]] float height(std::size_t i) const { return surface.values[i] - terrain.values[i]; }
     /// The side of a square cell of the same area, in metres.

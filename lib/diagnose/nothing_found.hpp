@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/grid.hpp"
@@ -22,6 +23,7 @@ struct Search {
     CellSize cell;
     bool has_crs = true;
     GroundSlope slope = {};
+    std::optional<ParcelReport> parcels = {};
 };
 
 /// What is most probably the reason why no building was found, and what may help. Without a full stop.

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "diagnose/ground_doubt.hpp"
+#include "diagnose/parcel_fit.hpp"
 #include "diagnose/place_doubt.hpp"
 #include "diagnose/warn_of.hpp"
 
@@ -20,6 +21,12 @@ void warn_of_search(const Search& search, bool found_any, Context& context) {
     }
     if (search.dem.bytes && search.dem.bands >= 3)
         warn_of(picture_doubt(search.dem), context);
+    if (search.parcels) {
+        const DetectOptions& detect = search.plan.asked.detect;
+        warn_of(misplaced_doubt(*search.parcels, search.cell, detect), context);
+        warn_of(overlap_doubt(*search.parcels, detect), context);
+        warn_of(validity_doubt(*search.parcels, detect), context);
+    }
     const std::string ground = ground_doubt(search.fit, search.plan.ground, search.plan.asked.ground.terrain);
     warn_of(ground.empty() ? surface_doubt(search.fit, search.dem.name) : ground, context);
 }

@@ -108,6 +108,8 @@ void FeatureWriter::measure_building(DrawnContour& drawn) {
     take_measures(made, record);
     record.deviation_m = made.deviation / std::sqrt(input_.georeference.cell_area()) * input_.cell_size_m;
     record.area_change = made.area_change;
+    if (input_.parcels != nullptr)
+        record.parcel = input_.parcels->name(record.parcel_number);
 }
 
 void FeatureWriter::add_building(std::size_t contour, DrawnContour& drawn) {
@@ -132,8 +134,8 @@ void FeatureWriter::add_building(std::size_t contour, DrawnContour& drawn) {
     BuildingRecord& record = drawn.building_record;
     if (input_.plan.detects_buildings() && !doubtful)
         odd_heights_.note(record, drawn.record);
-    write(*places().of_building(doubtful), building_attributes(), record, std::move(made),
-          drawn.record.threshold);
+    write(*places().of_building(doubtful), building_attributes(input_.plan.asked.detect.is_split_by()),
+          record, std::move(made), drawn.record.threshold);
 }
 
 bool FeatureWriter::add_contour(std::size_t contour, DrawnContour& drawn) {

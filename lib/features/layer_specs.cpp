@@ -18,7 +18,8 @@ LayerSpecs layer_specs(const RunPlan& plan, const std::string& source, const std
                                 std::move(fields), write.with_z, arcs});
         return specs.layers.size() - 1;
     };
-    const auto building_fields = field_specs(building_attributes(), vertical_unit, write.fields);
+    const auto building_fields =
+        field_specs(building_attributes(options.detect.is_split_by()), vertical_unit, write.fields);
     if (plan.layers != Layers::contours)
         specs.places.buildings = add(LayerRole::buildings, "Buildings", "One polygon per building, from ",
                                      building_fields, with_arcs);

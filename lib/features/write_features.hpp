@@ -5,6 +5,7 @@
 #include "attributes/records.hpp"
 #include "core/crs.hpp"
 #include "core/georeference.hpp"
+#include "dem2buildings/parcel_source.hpp"
 #include "dem2buildings/sinks.hpp"
 #include "features/building_records.hpp"
 #include "features/drawn_stack.hpp"
@@ -32,6 +33,7 @@ struct FeatureInput {
     FixedPoint fixed;
     /// Goes through the elevations once more.
     std::function<StackError(const DrawnStack&)> compare;
+    ParcelSource* parcels = nullptr;  ///< says how they are called
     BuildingRecords* kept = nullptr;  ///< gets the records of all buildings, whether or not they are written
     /// The same of the stacks that end at level 1, 2, ...; empty where that is not asked for.
     std::function<std::vector<StackError>(const DrawnStack&, std::int32_t levels)> compare_cuts = {};

@@ -38,11 +38,12 @@ struct GroupSurfaces {
 };
 
 /// @param records by ascending ids
-void fill_values(const std::vector<BuildingRecord>& records, std::vector<SurfacePart>& parts) {
+void fill_values(const std::vector<BuildingRecord>& records,
+                 std::span<const Attribute<BuildingRecord>> attributes, std::vector<SurfacePart>& parts) {
     for (SurfacePart& part : parts)
         for (SurfaceBuilding& building : part.buildings) {
             const auto record = std::ranges::lower_bound(records, building.id, {}, &BuildingRecord::id);
-            building.values = field_values(building_attributes(), *record);
+            building.values = field_values(attributes, *record);
         }
 }
 
@@ -94,8 +95,9 @@ void SurfaceWriter::make_closed(std::span<const std::uint32_t> group, SurfaceRoo
     DrawnCluster drawn = draw_cluster(input_, group, room.transform);
     result.made = make_surfaces(drawn.cluster, forms_,
                                 [&](const FinePolygon& polygon) { return room.geos.triangles(polygon); });
-    fill_values(drawn.buildings, result.made.solids);
-    fill_values(drawn.buildings, result.made.shell);
+    const auto attributes = building_attributes(input_.features.plan.asked.detect.is_split_by());
+    fill_values(drawn.buildings, attributes, result.made.solids);
+    fill_values(drawn.buildings, attributes, result.made.shell);
     result.lost = std::move(drawn.lost);
     add_left_out(drawn, result.made, result.lost);
     std::ranges::sort(result.lost, {}, &LostBuilding::id);
@@ -110,7 +112,8 @@ void SurfaceWriter::make_tiers(std::span<const std::uint32_t> group, SurfaceRoom
     input.of = SurfaceOf::contours;
     DrawnCluster drawn = draw_cluster(input, group, room.transform);
     result.tiers = building_tiers(drawn, input.roof, input.lattice);
-    fill_values(drawn.buildings, result.tiers);
+    fill_values(drawn.buildings, building_attributes(input_.features.plan.asked.detect.is_split_by()),
+                result.tiers);
     if (!has_closed())
         result.lost = std::move(drawn.lost);
 }
@@ -182,7 +185,7 @@ SurfaceMeta surface_meta(const RunPlan& plan, const SurfaceLattice& lattice, con
     const FieldNames names = plan.asked.write.fields;
     SurfaceMeta meta{lattice.frame(),
                      tiers ? "1.3" : "1.2",
-                     field_specs(building_attributes(), units.vertical, names),
+                     field_specs(building_attributes(plan.asked.detect.is_split_by()), units.vertical, names),
                      units.vertical_is_known ? units.vertical : "",
                      {written.wkt(), {}}};
     meta.corners = lattice.window_corners();

@@ -47,6 +47,44 @@ OptionRow ground() {
     return row;
 }
 
+std::vector<OptionRow> parcels() {
+    std::vector<OptionRow> rows;
+    rows.push_back(text_row(
+        "split_by", OptionKind::polygons, "<polygons or lines>",
+        [](auto& r) -> auto& { return r.options.detect.split_by; },
+        {.title = "Parcels that cut blocks into houses",
+         .section = DialogSection::detail,
+         .help = "Cut buildings by parcels: polygons, or lines that cross them.",
+         .details = "Any dataset that GDAL reads, in any CRS. Each part is a building of its own, and "
+                    "parts share their wall exactly. The field parcel holds the identifier of the "
+                    "polygon. -split_height divides the parts further.",
+         .scope = where_buildings_are_found(),
+         .item = "SPLIT_BY"}));
+    rows.push_back(text_row("split_layer", OptionKind::text, "<layer>",
+                            [](auto& r) -> auto& { return r.options.detect.split_layer; },
+                            {.title = "Layer of the parcels",
+                             .help = "Layer of -split_by; by default the first that has geometries.",
+                             .scope = where_buildings_are_found()}));
+    rows.push_back(
+        text_row("split_field", OptionKind::text, "<field>",
+                 [](auto& r) -> auto& { return r.options.detect.split_field; },
+                 {.title = "Field that identifies a parcel",
+                  .help = "Field of -split_by that identifies a parcel; by default the id of the feature.",
+                  .scope = where_buildings_are_found()}));
+    rows.push_back(number_row(
+        "split_width", "<m>", {.lowest = 0}, [](auto& r) -> auto& { return r.options.detect.split_width; },
+        {.title = "Narrowest part that parcels cut off",
+         .help =
+             "Width of the narrowest part that -split_by cuts off; a cut that runs nearer to a wall is that "
+             "wall.",
+         .details = "Parcels and walls never agree exactly. What is narrower stays with what lies beside it, "
+                    "and a part smaller than -min_area with the neighbour it shares most with.",
+         .unit = "m",
+         .scope = where_buildings_are_found(),
+         .item = "SPLIT_WIDTH_M"}));
+    return rows;
+}
+
 std::vector<OptionRow> evidence() {
     std::vector<OptionRow> rows;
     rows.push_back(
@@ -88,12 +126,14 @@ std::vector<OptionRow> evidence() {
          .section = DialogSection::detail,
          .help = "Divide buildings where the height steps by more; 0 divides none. Houses of "
                  "equal height that share walls stay one block.",
-         .details = "A layer of plots divides such a block, for example by Intersection in QGIS. "
-                    "The parts share their wall exactly. Parts smaller than -min_area stay with "
+         .details = "Parcels divide such a block, see -split_by. The parts share their wall exactly. Parts "
+                    "smaller than -min_area stay with "
                     "their neighbour.",
          .unit = "m",
          .scope = where_buildings_are_found("0"),
          .item = "SPLIT_HEIGHT_M"}));
+    for (OptionRow& row : parcels())
+        rows.push_back(std::move(row));
     return rows;
 }
 

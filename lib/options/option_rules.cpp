@@ -73,6 +73,8 @@ constexpr std::array rules{
               "contours alone become bands, with -layers contours or both"),
     no_effect(is_not("fields", "own"), is("layers", "contours"), "only fields of buildings have other names",
               given("write_doubtful")),
+    no_effect(given("split_field"), is("layers", "contours"), "only buildings say whose parcel they are",
+              given("write_doubtful")),
     no_effect(given("write_doubtful"), is("min_confidence", "0"), "nothing is doubtful then"),
     no_effect(given("max_building_width"), is_not("ground", "auto"),
               "it helps to find the ground, which is given"),
@@ -93,6 +95,7 @@ constexpr std::array rules{
     no_effect(given("nln"), given("sweep"), no_layers),
     no_effect(given("append"), given("sweep"), no_layers),
     no_effect(given("fields"), given("sweep"), no_layers),
+    no_effect(given("split_field"), given("sweep"), no_layers),
     no_effect(given("arcs"), given("sweep"), no_layers),
     no_effect(given("write_doubtful"), given("sweep"), no_layers),
     no_effect(given("write_rejected"), given("sweep"), no_layers),
@@ -118,6 +121,9 @@ constexpr std::array needs{
                "what it writes was in the way of the surface",
                {"flow_ready", "min_gap", "min_wall"}},
     OptionNeed{"mask_layer", "mask", "it names the layer of its polygons"},
+    OptionNeed{"split_layer", "split_by", "it names the layer of the parcels"},
+    OptionNeed{"split_field", "split_by", "it is a field of the parcels"},
+    OptionNeed{"split_width", "split_by", "it is the width of what parcels cut off"},
 };
 
 }  // namespace

@@ -10,13 +10,21 @@ namespace d2b {
 
 FeatureInput feature_input(const RunSetup& setup, const ToDraw& what, const RunReport& report,
                            std::function<StackError(const DrawnStack&)> compare, BuildingRecords* kept) {
-    return {setup.plan,         setup.georeference,
-            setup.crs,          setup.target,
-            what.contours,      what.outliner,
-            setup.layers,       make_provenance(setup.plan, setup.dem, setup.crs, setup.target, report),
-            setup.dem.window,   what.buildings,
-            setup.cell_m(),     what.fixed,
-            std::move(compare), kept};
+    return {setup.plan,
+            setup.georeference,
+            setup.crs,
+            setup.target,
+            what.contours,
+            what.outliner,
+            setup.layers,
+            make_provenance(setup.plan, setup.dem, setup.crs, setup.target, report),
+            setup.dem.window,
+            what.buildings,
+            setup.cell_m(),
+            what.fixed,
+            std::move(compare),
+            what.parcels,
+            kept};
 }
 
 OutlineReach reach_of(const ContourList& contours, const RunSetup& setup, Context& context) {

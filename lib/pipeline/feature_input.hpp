@@ -14,6 +14,7 @@ struct ToDraw {
     const Outliner& outliner;
     Label buildings;  ///< labels above are doubtful
     FixedPoint fixed;
+    ParcelSource* parcels = nullptr;
 };
 
 /// What the features of a run need. @param setup which must outlive it, as what is drawn must

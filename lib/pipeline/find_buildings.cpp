@@ -14,7 +14,7 @@ namespace {
 void put_into(FoundBuildings& found, UnitMerger::Merged&& merged, double metres) {
     found.buildings = merged.buildings;
     for (const SeenObject& seen : merged.objects)
-        found.add(seen.ground / metres, seen.object.confidence, seen.object.doubt);
+        found.add(seen.ground / metres, seen.object.confidence, seen.object.doubt, seen.object.parcel);
     found.labels.renumber(std::move(merged.number));
 }
 
@@ -31,6 +31,7 @@ class UnitSum {
         found_.fit.merge(here.fit);
         found_.slope.merge(here.slope);
         found_.sides.merge(here.sides);
+        found_.parcels.merge(here.parcels);
         const Label more = merger_.add(here.objects);
         UnitEdges edges = edges_of(unit, here.labels);
         edges.add(more);
@@ -56,13 +57,13 @@ UnitGrid unit_grid(const RunPlan& plan, const Window& window, const CellSize& ce
 }
 
 FoundBuildings::FoundBuildings() {
-    add(std::numeric_limits<double>::quiet_NaN(), 0, {});
+    add(std::numeric_limits<double>::quiet_NaN(), 0, {}, ParcelCell::nobody);
     footprints.back() = {};
 }
 
-void FoundBuildings::add(double elevation, double confidence, Doubt doubt) {
+void FoundBuildings::add(double elevation, double confidence, Doubt doubt, std::int64_t parcel) {
     ground.push_back(elevation);
-    footprints.push_back({elevation, confidence, doubt_name(doubt)});
+    footprints.push_back({elevation, confidence, doubt_name(doubt), parcel});
 }
 
 UnitMerger::Merged join_units(UnitMerger& merger, const RunPlan& plan, const UnitGrid& units,

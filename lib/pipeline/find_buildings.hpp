@@ -13,7 +13,7 @@ namespace d2b {
 struct FoundBuildings {
     FoundBuildings();
     /// What has the next label. @param elevation of its ground, in the vertical unit
-    void add(double elevation, double confidence, Doubt doubt);
+    void add(double elevation, double confidence, Doubt doubt, std::int64_t parcel);
 
     LabelRows labels;                   ///< of the window; what is doubtful only where it is to be written
     Label buildings = 0;                ///< labels above are doubtful
@@ -22,6 +22,7 @@ struct FoundBuildings {
     GroundFit fit{0};                   ///< of the surface to the ground, before that was kept below it
     GroundSlope slope;                  ///< of the ground, in some of its rows
     SidesKnown sides;
+    ParcelFit parcels;
 
     [[nodiscard]] Label count() const { return static_cast<Label>(footprints.size() - 1); }
     /// The labels of a band of the window. From any thread.

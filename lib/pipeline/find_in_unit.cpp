@@ -91,6 +91,7 @@ void count_left_out(const LeftOut& left_out, const Window& own, RunReport& repor
     };
     report.count(Reason::building_small, std::ranges::count_if(left_out.small, is_own));
     report.count(Reason::building_low, std::ranges::count_if(left_out.low, is_own));
+    report.count(Reason::part_merged, std::ranges::count_if(left_out.parts, is_own));
     for (const CutCrown& crown : left_out.crowns)
         if (is_own(crown.first)) {
             report.count(Reason::crown_cut);
@@ -107,7 +108,7 @@ FoundInUnit find_in_unit(const UnitSearch& search, const Unit& unit) {
     Context& context = search.context;
     Executor& threads = threads_of(search);
     const Window own = own_in_seen(unit);
-    FoundInUnit found{{}, {}, GroundFit(options.detect.min_height), {}, {false, false, false}};
+    FoundInUnit found{{}, {}, GroundFit(options.detect.min_height), {}, {false, false, false}, {}};
     MetreGrid surface = surface_of(search, unit.seen);
     MetreGrid terrain = terrain_of(search, unit.seen, surface);
     add_fit(surface, terrain, own, found.fit, threads);
@@ -126,11 +127,19 @@ FoundInUnit find_in_unit(const UnitSearch& search, const Unit& unit) {
         ndvi = read_grid(*sources.ndvi, unit.seen, 1, context);
         scene.greenness = &ndvi;
     }
+    ParcelGrid parcels;
+    if (sources.parcels != nullptr) {
+        parcels = ParcelGrid(surface.rows, surface.cols);
+        sources.parcels->read(unit.seen, parcels.values);
+        scene.parcels = &parcels;
+    }
     found.sides.ndvi = sources.ndvi == nullptr || meets(surface, ndvi, own);
     Detection detection = [&] {
         const StageClock clock(context.report, Stage::detect);
         return detect_buildings(scene, options.detect, search.plan.building_m2, context);
     }();
+    if (scene.parcels != nullptr)
+        add_fit(scene, detection, own, found.parcels, threads);
     count_left_out(detection.left_out, own, context.report);
     write_scene_rasters(search.sinks, scene, detection, options.detect.min_height, unit);
     const StageClock clock(context.report, Stage::attributes);

@@ -9,6 +9,7 @@
 #include "detect/unit_grid.hpp"
 #include "diagnose/ground_fit.hpp"
 #include "diagnose/ground_slope.hpp"
+#include "diagnose/parcel_fit.hpp"
 #include "diagnose/side_doubt.hpp"
 #include "elevations/elevation_reader.hpp"
 #include "options/run_plan.hpp"
@@ -39,6 +40,7 @@ struct FoundInUnit {
     GroundFit fit;                    ///< the rest is of its own cells
     GroundSlope slope;
     SidesKnown sides;
+    ParcelFit parcels;
 };
 
 /// Estimates or reads the terrain, detects buildings above it, and writes the rasters that are asked for. The

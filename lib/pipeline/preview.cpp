@@ -44,8 +44,8 @@ RasterTarget picture_target(const Options& options) {
     const WriteOptions& write = options.write;
     RasterTarget target{write.preview, write.overwrite, {options.read.source}, RasterFormat::picture};
     std::vector<std::string> others = side_files_of(write);
-    others.insert(others.end(),
-                  {write.destination, options.ground.terrain, options.detect.mask, options.detect.ndvi});
+    others.insert(others.end(), {write.destination, options.ground.terrain, options.detect.mask,
+                                 options.detect.ndvi, options.detect.split_by});
     for (const std::string& name : others)
         if (!name.empty())
             target.in_use.push_back(name);

@@ -23,6 +23,7 @@ void pass_warnings(const Sources& sources, const Sinks& sinks, Context& context)
     };
     for (DemSource* source : {&sources.dem, sources.terrain, sources.mask, sources.ndvi})
         pass(source);
+    pass(sources.parcels);
     pass(&sinks.features);
     for (SurfaceSink* surface : sinks.surfaces)
         pass(surface);
@@ -47,9 +48,11 @@ std::size_t buildings_up_to(Label last, const ContourList& contours) {
 void warn_of_result(const RunSetup& setup, const LevelPlan& plan, std::size_t buildings,
                     const SearchFacts* facts, Context& context) {
     warn_of(empty_result(plan, buildings, setup.dem, context.report), context);
+    if (facts != nullptr && setup.plan.asked.detect.is_split_by())
+        context.report.parcels = parcel_report(facts->parcels, setup.cell);
     if (facts != nullptr)
         warn_of_search({setup.dem, setup.plan, context.report, facts->fit, facts->sides, setup.cell,
-                        setup.crs.kind() != Crs::Kind::none, facts->slope},
+                        setup.crs.kind() != Crs::Kind::none, facts->slope, context.report.parcels},
                        buildings > 0, context);
 }
 

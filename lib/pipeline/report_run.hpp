@@ -6,6 +6,7 @@
 #include "dem2buildings/run.hpp"
 #include "diagnose/ground_fit.hpp"
 #include "diagnose/ground_slope.hpp"
+#include "diagnose/parcel_fit.hpp"
 #include "diagnose/side_doubt.hpp"
 #include "levels/level_plan.hpp"
 #include "pipeline/run_setup.hpp"
@@ -27,6 +28,7 @@ struct SearchFacts {
     GroundFit fit;
     GroundSlope slope;
     SidesKnown sides;
+    ParcelFit parcels;
 };
 /// Warns where nothing was found, and of what makes doubtful what was. @param facts null where nothing was
 /// searched

@@ -184,7 +184,7 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
     const Label last_building = found ? found->buildings : std::numeric_limits<Label>::max();
     std::optional<SearchFacts> facts;
     if (found)
-        facts = SearchFacts{found->fit, found->slope, found->sides};
+        facts = SearchFacts{found->fit, found->slope, found->sides, found->parcels};
     warn_of_result(setup, plan, buildings_up_to(last_building, *contours), facts ? &*facts : nullptr,
                    context);
     Outliner outliner = draw_outlines(*contours, setup, context);
@@ -193,7 +193,7 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
     if (lattice)
         kept.emplace(context.make_spool());
     FeatureInput input = feature_input(
-        setup, {*contours, outliner, last_building, frame.fixed}, report,
+        setup, {*contours, outliner, last_building, frame.fixed, sources.parcels}, report,
         [&](const DrawnStack& stack) { return measure_stack(stack, frame.fixed, reader); },
         kept ? &*kept : nullptr);
     if (has_tiers(sinks))

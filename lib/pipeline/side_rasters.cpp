@@ -13,6 +13,7 @@
 #include "elevations/sift_rules.hpp"
 #include "options/given_words.hpp"
 #include "options/run_plan.hpp"
+#include "read/parcel_reader.hpp"
 #include "read/start_gdal.hpp"
 #include "write/geotiff_sink.hpp"
 #include "write/page_sink.hpp"
@@ -49,6 +50,10 @@ SideSources open_side_sources(const Options& options, const DemInfo& dem, const 
         sources.mask = open_mask(options.detect.mask, options.detect.mask_layer, grid, callbacks);
     if (!options.detect.ndvi.empty())
         sources.ndvi = open_ndvi(options.detect.ndvi, grid, callbacks);
+    const DetectOptions& detect = options.detect;
+    if (!detect.split_by.empty())
+        sources.parcels =
+            open_parcels({detect.split_by, detect.split_layer, detect.split_field}, grid, callbacks);
     return sources;
 }
 
@@ -57,7 +62,8 @@ SideSinks open_side_sinks(const Options& options, const DemInfo& dem) {
     const DemInfo grid = in_its_crs(dem, options);
     const WriteOptions& write = options.write;
     std::vector<std::string> in_use{options.read.source, write.destination};
-    for (const std::string& name : {options.ground.terrain, options.detect.mask, options.detect.ndvi})
+    for (const std::string& name :
+         {options.ground.terrain, options.detect.mask, options.detect.ndvi, options.detect.split_by})
         if (!name.empty())
             in_use.push_back(name);
     const auto open = [&](const std::string& destination, const char* what, bool elevations) {

@@ -110,7 +110,8 @@ std::vector<Trial> run_trials(const Options& options, const Sources& sources, co
         const std::unique_ptr<TrialView> view = make_view ? make_view(nothing, values) : nullptr;
         Sinks sinks{view ? view->features() : nothing};
         sinks.elevations = view ? &view->elevations() : nullptr;
-        RunReport report = run(tried, {dem, get(terrain), get(mask), get(ndvi)}, sinks, of_trial);
+        RunReport report =
+            run(tried, {dem, get(terrain), get(mask), get(ndvi), sources.parcels}, sinks, of_trial);
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
         trials.push_back({values, std::move(report), took.count()});
     }

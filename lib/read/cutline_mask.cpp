@@ -128,7 +128,7 @@ std::unique_ptr<CutlineMask> open_cutline(const ReadOptions& options, const DemI
                                           Warnings& warnings) {
     if (options.cutline.empty())
         return nullptr;
-    const PolygonPlace place{"cutline", options.cutline, options.cutline_layer};
+    const PolygonPlace place{"cutline", "cutline_layer", options.cutline, options.cutline_layer};
     auto mask = std::make_unique<CutlineMask>(read_cutline(place, info, warnings), info.window);
     if (!mask->meets_window())
         warnings.add("The cutline '" + place.path + "' does not meet the part of '" + info.name +

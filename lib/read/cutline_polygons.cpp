@@ -4,7 +4,6 @@
 
 #include "dem2buildings/error.hpp"
 #include "read/gdal_handles.hpp"
-#include "read/gdal_messages.hpp"
 #include "read/polygon_geometry.hpp"
 #include "read/raster_crs.hpp"
 #include "read/ring_clip.hpp"
@@ -15,48 +14,6 @@
 namespace d2b {
 
 namespace {
-
-OGRLayerH layer_of(GDALDatasetH dataset, const PolygonPlace& place, const std::string& name,
-                   Warnings& warnings) {
-    const std::vector<std::string> names = geometry_layers(dataset);
-    const std::string all = quoted_names(names);
-    if (!place.layer.empty()) {
-        const GdalMessages quiet;
-        if (const OGRLayerH layer = GDALDatasetGetLayerByName(dataset, place.layer.c_str()))
-            return layer;
-        throw OptionError("The " + name + " has no layer '" + place.layer + "'; " +
-                          (names.empty() ? "it has none with geometries." : "it has " + all + "."));
-    }
-    if (names.empty())
-        throw InputError("The " + name + " has no layer with geometries; give a dataset with polygons.");
-    if (names.size() > 1)
-        warnings.add("The " + name + " has the layers " + all + "; '" + names.front() + "' is taken, and -" +
-                     place.role + "_layer takes another.");
-    return GDALDatasetGetLayerByName(dataset, names.front().c_str());
-}
-
-/// From the layer's CRS to the DEM's; nothing where they are the same or the layer has none.
-TransformOwner transform_between(OGRSpatialReferenceH from, const std::string& name, const DemInfo& info,
-                                 Warnings& warnings) {
-    if (from == nullptr) {
-        if (!info.crs_wkt.empty())
-            warnings.add("The " + name +
-                         " has no coordinate reference system; its coordinates are taken as the DEM's.");
-        return nullptr;
-    }
-    if (info.crs_wkt.empty())
-        throw InputError("The " + name + " has a coordinate reference system and '" + info.name +
-                         "' has none; give the DEM's with -a_srs.");
-    const GdalMessages messages;
-    const CrsOwner to = horizontal_crs(info.crs_wkt);
-    if (OSRIsSame(from, to.get()) != FALSE)
-        return nullptr;
-    TransformOwner transform(OCTNewCoordinateTransformation(from, to.get()));
-    if (!transform)
-        throw InputError("The " + name + " cannot be converted to the DEM's coordinate reference system: " +
-                         messages.reason() + "; reproject it first.");
-    return transform;
-}
 
 std::vector<WorldRing> rings_of(OGRGeometryH polygon) {
     std::vector<WorldRing> rings;
@@ -95,11 +52,11 @@ void add_polygon(const std::vector<WorldRing>& rings, RingProjector& projector, 
 }  // namespace
 
 std::vector<PixelPolygon> read_cutline(const PolygonPlace& place, const DemInfo& info, Warnings& warnings) {
-    const std::string name = place.role + " '" + place.path + "'";
+    const std::string name = place.name();
     const DatasetOwner dataset =
         open_vector_dataset(place.path, "The " + name + " cannot be opened", warnings);
-    const OGRLayerH layer = layer_of(dataset.get(), place, name, warnings);
-    const TransformOwner transform = transform_between(OGR_L_GetSpatialRef(layer), name, info, warnings);
+    const OGRLayerH layer = layer_of(dataset.get(), place, warnings);
+    const TransformOwner transform = transform_to_dem(OGR_L_GetSpatialRef(layer), place, info, warnings);
     RingProjector projector(transform.get(), info.transform, name);
     Surroundings around;
     if (transform)
@@ -118,7 +75,8 @@ std::vector<PixelPolygon> read_cutline(const PolygonPlace& place, const DemInfo&
     });
     if (!any)
         throw InputError("The layer '" + std::string(OGR_L_GetName(layer)) + "' of the " + name +
-                         " has no polygons; give one that has, for example with -" + place.role + "_layer.");
+                         " has no polygons; give one that has, for example with -" + place.layer_option +
+                         ".");
     return polygons;
 }
 

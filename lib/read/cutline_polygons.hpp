@@ -6,19 +6,12 @@
 #include "core/warnings.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/sinks.hpp"
+#include "read/placed_layer.hpp"
 
 namespace d2b {
 
 /// The rings of one polygon; a point is inside where it is inside of an odd number of them.
 using PixelPolygon = std::vector<WorldRing>;
-
-/// Where polygons are read from.
-struct PolygonPlace {
-    std::string
-        role;  ///< what messages call it: "cutline" or "mask"; with -<role>_layer users name the layer
-    std::string path{};   ///< any vector dataset that GDAL opens
-    std::string layer{};  ///< "": the first that has geometries, with a warning where there are several
-};
 
 /// The polygons of a layer of a vector dataset in pixel coordinates of a DEM: x is columns, y is rows
 /// (downwards), (0, 0) the outer corner of the first cell. Edges that bend on the way from the layer's CRS to

@@ -79,7 +79,8 @@ std::unique_ptr<DemSource> open_mask(const std::string& path, const std::string&
     auto warnings = std::make_unique<Warnings>(callbacks.on_warning);
     // What comes in on the standard input can be opened once; GDAL reads no rasters from there by itself.
     if (!is_standard_input(path) && is_vector(path))
-        return std::make_unique<PolygonMask>(PolygonPlace{"mask", path, layer}, grid, std::move(warnings));
+        return std::make_unique<PolygonMask>(PolygonPlace{"mask", "mask_layer", path, layer}, grid,
+                                             std::move(warnings));
     if (!layer.empty())
         throw OptionError("The mask '" + path + "' is a raster and has no layers; leave out -mask_layer.");
     return std::make_unique<RasterMask>(path, grid, std::move(warnings));

@@ -34,23 +34,34 @@ void add_polygon(OGRGeometryH polygon, PolygonFeature& feature) {
         feature.polygons.push_back(std::move(result));
 }
 
-}  // namespace
-
-std::vector<OGRGeometryH> polygons_within(OGRGeometryH geometry) {
-    std::vector<OGRGeometryH> polygons;
+/// What of a geometry is of a wanted type, at any depth of its collections.
+template <typename IsWanted>
+std::vector<OGRGeometryH> parts_within(OGRGeometryH geometry, const IsWanted& is_wanted) {
+    std::vector<OGRGeometryH> parts;
     std::vector<OGRGeometryH> open{geometry};  // no recursion: files say how deep collections are nested
     while (!open.empty()) {
         OGRGeometryH const next = open.back();
         open.pop_back();
         const OGRwkbGeometryType type = OGR_GT_Flatten(OGR_G_GetGeometryType(next));
-        if (type == wkbPolygon || type == wkbTriangle)
-            polygons.push_back(next);
+        if (is_wanted(type))
+            parts.push_back(next);
         else if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection) != FALSE ||
                  OGR_GT_IsSubClassOf(type, wkbPolyhedralSurface) != FALSE)
             for (int i = OGR_G_GetGeometryCount(next); i-- > 0;)
                 open.push_back(OGR_G_GetGeometryRef(next, i));
     }
-    return polygons;
+    return parts;
+}
+
+}  // namespace
+
+std::vector<OGRGeometryH> polygons_within(OGRGeometryH geometry) {
+    return parts_within(geometry,
+                        [](OGRwkbGeometryType type) { return type == wkbPolygon || type == wkbTriangle; });
+}
+
+std::vector<OGRGeometryH> lines_within(OGRGeometryH geometry) {
+    return parts_within(geometry, [](OGRwkbGeometryType type) { return type == wkbLineString; });
 }
 
 PolygonFeature polygon_feature_of(OGRGeometryH geometry) {

@@ -11,6 +11,8 @@ namespace d2b {
 /// Polygons, triangles as well, that a geometry is or holds at any depth, in its order. They live as long as
 /// it does.
 [[nodiscard]] std::vector<OGRGeometryH> polygons_within(OGRGeometryH geometry);
+/// Likewise lines; edges of polygons are none.
+[[nodiscard]] std::vector<OGRGeometryH> lines_within(OGRGeometryH geometry);
 
 /// The polygons of a geometry of any type, curves as lines, without heights of vertices; none where it has
 /// none.

@@ -98,6 +98,7 @@ void save(const DrawnContour& drawn, ByteWriter& writer) {
     if (drawn.key.level == 1) {
         BuildingRecord record = drawn.building_record;
         writer.put(number_of(std::exchange(record.doubt, {})));
+        record.parcel = {};
         writer.put(record);
     }
     save(drawn.building, writer);
@@ -117,6 +118,7 @@ DrawnContour load_drawn_contour(ByteReader& reader) {
         const auto doubt = reader.take<std::uint8_t>();
         drawn.building_record = reader.take<BuildingRecord>();
         drawn.building_record.status = OutlineStatus::traced;
+        drawn.building_record.parcel = {};  // its number says which
         drawn.building_record.doubt = doubt < doubts.size() ? doubt_name(doubts[doubt]) : std::string_view();
     }
     drawn.building = load_if_made(reader);

@@ -100,6 +100,7 @@ void FoundFacts::merge(const FoundFacts& other) {
     slope.merge(other.slope);
     sides.merge(other.sides);
     terrain_outside += other.terrain_outside;
+    parcels.merge(other.parcels);
     tally.merge(other.tally);
     for (const std::string& text : other.warnings)
         if (std::ranges::find(warnings, text) == warnings.end())
@@ -113,6 +114,7 @@ void FoundFacts::save(ByteWriter& writer) const {
     writer.put(slope);
     writer.put(sides);
     writer.put(terrain_outside);
+    writer.put(parcels);
     writer.put(tally);
     writer.put(static_cast<std::uint64_t>(warnings.size()));
     for (const std::string& text : warnings)
@@ -127,6 +129,7 @@ void FoundFacts::load(ByteReader& reader) {
     slope = reader.take<GroundSlope>();
     sides = reader.take<SidesKnown>();
     terrain_outside = reader.take<std::int64_t>();
+    parcels = reader.take<ParcelFit>();
     tally = reader.take<Tally>();
     warnings.resize(reader.take_count(sizeof(std::uint64_t)));
     for (std::string& text : warnings)

@@ -11,6 +11,7 @@
 #include "detect/unit_seams.hpp"
 #include "diagnose/ground_fit.hpp"
 #include "diagnose/ground_slope.hpp"
+#include "diagnose/parcel_fit.hpp"
 #include "diagnose/side_doubt.hpp"
 #include "elevations/elevation_reader.hpp"
 
@@ -51,6 +52,7 @@ struct FoundFacts {
     SidesKnown sides{false, false, false};
     std::int64_t terrain_outside = 0;  ///< cells of a terrain model outside of its range; of several tiles
                                        ///< some count more than once
+    ParcelFit parcels;
     Tally tally;
     std::vector<std::string> warnings;
 };

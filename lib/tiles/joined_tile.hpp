@@ -16,6 +16,7 @@ struct JoinedBuilding {
     Doubt doubt = Doubt::rough;
     double ground = 0;  ///< elevation, m; NaN where it is not known
     double confidence = 0;
+    std::int64_t parcel = ParcelCell::nobody;
 };
 
 /// What the labels of a unit are to a tile.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "draft.hpp"
 
@@ -56,8 +55,7 @@ void build_parcelled_row(const Site& site) {
         drafts.push_back({"row house",
                           rectangle(house),
                           {{house, flat ? Roof::flat : Roof::gabled, eave, eave + rise, true}}});
-        site.scene.parcels.push_back({"P" + std::to_string(site.scene.parcels.size() + 1),
-                                      site.frame.to_scene(rectangle({x, 0, x + width, deep}))});
+        site.add_plot(rectangle({x, 0, x + width, deep}));
     }
     site.build(drafts);
     // All stand as high as the first: the row is one roof.

@@ -1,5 +1,7 @@
 #include "site.hpp"
 
+#include <string>
+
 #include "draft.hpp"
 
 namespace d2b::sample {
@@ -8,6 +10,10 @@ void Site::build(std::span<Draft> drafts) const {
     join_shared_walls(drafts);
     for (const Draft& draft : drafts)
         scene.add(draft, frame);
+}
+
+void Site::add_plot(const WorldPolygon& local) const {
+    scene.parcels.push_back({"P" + std::to_string(scene.parcels.size() + 1), frame.to_scene(local)});
 }
 
 void Site::plant(const Position& local, double height, bool conifer, std::size_t first_building) const {

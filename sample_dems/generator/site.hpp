@@ -27,6 +27,8 @@ struct Site {
     }
     /// Places drafts that touch, in this site's frame.
     void build(std::span<Draft> drafts) const;
+    /// A plot of land that belongs to a house, in this site's frame.
+    void add_plot(const WorldPolygon& local) const;
     /// @param height of the tree in metres; the crown follows
     void plant(const Position& local, double height, bool conifer, std::size_t first_building) const;
     /// Trees and bushes at random places of a garden.

@@ -12,6 +12,12 @@ RoofStyle town_roof(Random& random, double low, double high) {
     return {roof, random.eighths(low, high), random.between(0.55, 0.9)};
 }
 
+/// A house that fills its plot.
+void add_plots(const Site& site, const std::vector<Draft>& houses) {
+    for (const Draft& house : houses)
+        site.add_plot(house.outline);
+}
+
 /// Splits a side of a block into houses, each with its own height; the ridges run along the street.
 /// @param strip from corner to corner @param along_x whether the street does
 void build_side(const Rect& strip, bool along_x, Random& random, std::vector<Draft>& drafts) {
@@ -43,6 +49,7 @@ void build_ring(const Site& site, double span) {
     // Some blocks are open: one house was never built.
     const std::size_t before = drafts.size();
     build_side({b.x1 - span, b.y0 + span, b.x1, b.y1 - span}, false, site.random, drafts);
+    add_plots(site, drafts);
     if (drafts.size() > before + 1 && site.random.chance(0.3))
         drafts.pop_back();
     const Rect court = b.grown(-span);
@@ -80,6 +87,7 @@ void build_perimeter(const Site& site) {
     // Too small for a courtyard: one row.
     std::vector<Draft> drafts;
     build_side({0, 0, site.width, span}, true, site.random, drafts);
+    add_plots(site, drafts);
     site.build(drafts);
 }
 

@@ -7,6 +7,9 @@ namespace d2b::sample {
 
 namespace {
 
+/// Metres that plots reach from the line of the fronts to their gardens.
+constexpr double plot_depth = 16;
+
 /// Houses that share walls, from x0 to x1, their fronts near y.
 void build_terrace(const Site& site, double x0, double x1, double y, bool street_below) {
     Random& random = site.random;
@@ -26,6 +29,9 @@ void build_terrace(const Site& site, double x0, double x1, double y, bool street
         if (roof == Roof::gabled)
             draft.parts[0].top = style.eave + pitch * depth / 2;
         drafts.push_back(std::move(draft));
+        const double back = street_below ? y + plot_depth : y - plot_depth;
+        const double street = street_below ? y - pavement : y + pavement;
+        site.add_plot(rectangle({x, std::min(street, back), x + width, std::max(street, back)}));
     }
     site.build(drafts);
 }

@@ -139,7 +139,7 @@ void expect_good_names(std::span<const Attribute<Record>> attributes) {
 }
 
 TEST(AttributeTable, NamesSurviveAShapefile) {
-    expect_good_names(building_attributes());
+    expect_good_names(building_attributes(true));
     expect_good_names(contour_attributes());
 }
 
@@ -152,8 +152,8 @@ TEST(AttributeTable, ValuesHaveTheTypesOfTheirFields) {
                : type == FieldType::real  ? std::holds_alternative<double>(value)
                                           : std::holds_alternative<std::string>(value);
     };
-    const auto values = field_values(building_attributes(), records.buildings[0]);
-    const auto fields = field_specs(building_attributes(), "foot");
+    const auto values = field_values(building_attributes(true), records.buildings[0]);
+    const auto fields = field_specs(building_attributes(true), "foot");
     ASSERT_EQ(values.size(), fields.size());
     for (std::size_t i = 0; i < fields.size(); ++i)
         EXPECT_TRUE(check(fields[i].type, values[i])) << fields[i].name;
@@ -168,7 +168,7 @@ TEST(AttributeTable, FloorsAreStoreysOfThreeMetres) {
     BuildingRecord record;
     const auto floors = [&](double p95) {
         record.heights_m[3] = p95;
-        const auto values = field_values(building_attributes(), record);
+        const auto values = field_values(building_attributes(true), record);
         return values[9];
     };
     EXPECT_EQ(floors(2.5), FieldValue{std::int64_t{1}});
@@ -180,7 +180,7 @@ TEST(AttributeTable, FloorsAreStoreysOfThreeMetres) {
 
 TEST(AttributeTable, MarkdownHasEveryField) {
     const std::string text = schema_markdown();
-    for (const auto& attribute : building_attributes())
+    for (const auto& attribute : building_attributes(true))
         EXPECT_NE(text.find("| `" + std::string(attribute.name) + "` |"), std::string::npos);
     for (const auto& attribute : contour_attributes())
         EXPECT_NE(text.find("| `" + std::string(attribute.name) + "` |"), std::string::npos);

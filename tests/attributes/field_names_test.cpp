@@ -14,7 +14,7 @@ namespace {
 /// The fields of buildings that a program calls otherwise.
 std::map<std::string, std::string> renamed(FieldNames names) {
     std::map<std::string, std::string> result;
-    for (const Attribute<BuildingRecord>& attribute : building_attributes())
+    for (const Attribute<BuildingRecord>& attribute : building_attributes(true))
         if (const std::string_view other = field_name(names, attribute.name); other != attribute.name)
             result[std::string(attribute.name)] = other;
     return result;
@@ -37,15 +37,15 @@ TEST(FieldNames, StayDistinct) {
     for (const FieldNames names :
          {FieldNames::own, FieldNames::urock, FieldNames::city4cfd, FieldNames::osm}) {
         std::set<std::string> seen;
-        for (const FieldSpec& field : field_specs(building_attributes(), "metre", names))
+        for (const FieldSpec& field : field_specs(building_attributes(true), "metre", names))
             EXPECT_TRUE(seen.insert(field.name).second) << field.name;
-        EXPECT_EQ(seen.size(), building_attributes().size());
+        EXPECT_EQ(seen.size(), building_attributes(true).size());
     }
 }
 
 TEST(FieldNames, ChangeNothingElseOfAField) {
-    const auto own = field_specs(building_attributes(), "foot");
-    const auto other = field_specs(building_attributes(), "foot", FieldNames::urock);
+    const auto own = field_specs(building_attributes(true), "foot");
+    const auto other = field_specs(building_attributes(true), "foot", FieldNames::urock);
     ASSERT_EQ(own.size(), other.size());
     for (std::size_t i = 0; i < own.size(); ++i) {
         EXPECT_EQ(own[i].alias, other[i].alias);

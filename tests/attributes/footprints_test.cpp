@@ -81,7 +81,7 @@ TEST(FootprintRecords, ContoursBeginAtTheGround) {
 }
 
 FieldValue value_of(const BuildingRecord& record, std::string_view name) {
-    const auto attributes = building_attributes();
+    const auto attributes = building_attributes(true);
     for (const auto& attribute : attributes)
         if (attribute.name == name)
             return attribute.value(record);

@@ -25,6 +25,7 @@ TEST_F(BuildingErrors, refusesValuesOutOfRange) {
             "-max_building_width must be a number above 0 and at most 100000, not '0'.");
     refused(2, {"-min_height", "-1"}, "-min_height must be a number of at least 0, not '-1'.");
     refused(2, {"-min_confidence", "2"}, "-min_confidence must be a number from 0 to 1, not '2'.");
+    refused(2, {"-split_width", "-1"}, "-split_width must be a number of at least 0, not '-1'.");
     refused(2, {"-split_height", "low"}, "-split_height must be a number of at least 0, not 'low'.");
     refused(2, {"-levels", "floor"}, "-levels must be building, natural or global, not 'floor'.");
     refused(2, {"-regularize", "left"}, "-regularize must be auto, off, right or free, not 'left'.");
@@ -41,6 +42,7 @@ TEST_F(BuildingErrors, refusesWhatExcludesEachOther) {
                                        {"-mask", "m.tif"},
                                        {"-ndvi", "n.tif"},
                                        {"-split_height", "1"},
+                                       {"-split_by", "p.gpkg"},
                                        {"-min_height", "1"},
                                        {"-min_confidence", "1"},
                                        {"-max_building_width", "50"},
@@ -68,6 +70,7 @@ TEST_F(BuildingErrors, saysWhatIsNotThere) {
     refused(1, {"-ground", "none.tif"}, "none.tif");
     refused(1, {"-mask", "none.gpkg"}, "The mask 'none.gpkg' cannot be opened as a raster or as polygons");
     refused(1, {"-ndvi", "none.tif"}, "none.tif");
+    refused(1, {"-split_by", "none.gpkg"}, "The parcel dataset 'none.gpkg' cannot be opened");
 }
 
 TEST_F(BuildingErrors, saysWhatDoesNotFit) {

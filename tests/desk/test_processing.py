@@ -219,11 +219,11 @@ class Toolbox(DeskCase):
                 QgsVectorFileWriter.writeAsVectorFormatV3(layer, str(target), QgsCoordinateTransformContext(), options)
         return target
 
-    def test_the_layer_that_was_chosen_is_the_cutline_and_the_mask(self):
-        for option in ("cutline", "mask"):
+    def test_the_layer_that_was_chosen_is_the_one_that_is_named(self):
+        for option, layer in (("cutline", "cutline_layer"), ("mask", "mask_layer"), ("split_by", "split_layer")):
             for place in ("layername=west", "layerid=1"):
                 _, log = self.log_of(**{option: f"{self.areas()}|{place}"})
-                self.assertIn(f"-{option} {self.areas()} -{option}_layer west", log)
+                self.assertIn(f"-{option} {self.areas()} -{layer} west", log)
                 self.assertNotIn("Warning", log)
 
     def test_a_layer_in_memory_is_written_to_a_file_first(self):

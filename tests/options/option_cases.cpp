@@ -33,6 +33,10 @@ const std::map<std::string, std::vector<Texts>>& values() {
         {"mask_layer", {{"middle"}}},
         {"ndvi", {{"/vsimem/scene/ndvi.tif"}}},
         {"split_height", {{"3"}}},
+        {"split_by", {{"/vsimem/scene/parcels.gpkg"}}},
+        {"split_layer", {{"halves"}}},
+        {"split_field", {{"owner"}}},
+        {"split_width", {{"30"}}},
         {"ground", {{"none"}, {"/vsimem/scene/dtm.tif"}}},
         {"lod", {{"2"}}},
         {"detail", {{"6"}}},
@@ -66,16 +70,20 @@ const std::map<std::string, std::vector<Texts>>& values() {
 }
 
 const std::map<std::string, Texts>& needs() {
-    static const std::map<std::string, Texts> all{{"surface_of", {"-surface", "s.obj"}},
-                                                  {"surface_roof", {"-surface", "s.obj"}},
-                                                  {"surface_origin", {"-surface", "s.obj"}},
-                                                  {"write_problems", {"-surface", "s.obj"}},
-                                                  // What it does not change it names.
-                                                  {"min_gap", {"-surface", "s.obj", "-write_problems"}},
-                                                  {"cutline_layer", {"-cutline", "/vsimem/scene/areas.gpkg"}},
-                                                  {"preview_size", {"-preview", "p.png"}},
-                                                  {"mask_layer", {"-mask", "/vsimem/scene/masks.gpkg"}},
-                                                  {"off", {"-i", "2.5"}}};
+    static const std::map<std::string, Texts> all{
+        {"surface_of", {"-surface", "s.obj"}},
+        {"surface_roof", {"-surface", "s.obj"}},
+        {"surface_origin", {"-surface", "s.obj"}},
+        {"write_problems", {"-surface", "s.obj"}},
+        // What it does not change it names.
+        {"min_gap", {"-surface", "s.obj", "-write_problems"}},
+        {"cutline_layer", {"-cutline", "/vsimem/scene/areas.gpkg"}},
+        {"preview_size", {"-preview", "p.png"}},
+        {"mask_layer", {"-mask", "/vsimem/scene/masks.gpkg"}},
+        {"split_layer", {"-split_by", "/vsimem/scene/parcels.gpkg"}},
+        {"split_field", {"-split_by", "/vsimem/scene/parcels.gpkg"}},
+        {"split_width", {"-split_by", "/vsimem/scene/parcels.gpkg"}},
+        {"off", {"-i", "2.5"}}};
     return all;
 }
 

@@ -40,6 +40,9 @@ bool takes_its_object(const std::string& one, const std::string& other) {
                                                                  {"-flow_ready 3", of_short_walls},
                                                                  {"-min_wall 1.5", of_short_walls},
                                                                  {"-snodata 16", high},
+                                                                 {"-split_by /vsimem/scene/parcels.gpkg "
+                                                                  "-split_width 30",
+                                                                  {"-zunit"}},
                                                                  {"-inodata", high}};
     const auto found = of.find(one);
     return found != of.end() && found->second.contains(other);

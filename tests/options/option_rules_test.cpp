@@ -84,7 +84,11 @@ TEST(OptionRules, sayWhichTwoAndWhatToDo) {
              {{"-sweep", "detail=1", "-detail", "2"},
               "-detail has no effect with -sweep detail=...; the sweep names the values itself."},
              {{"-mask_layer", "roofs"},
-              "-mask_layer needs -mask <raster or polygons>; it names the layer of its polygons."}})
+              "-mask_layer needs -mask <raster or polygons>; it names the layer of its polygons."},
+             {{"-split_width", "2"},
+              "-split_width needs -split_by <polygons or lines>; it is the width of what parcels cut off."},
+             {{"-split_by", "p.gpkg", "-split_field", "no", "-layers", "contours"},
+              "-split_field has no effect with -layers contours; only buildings say whose parcel they are."}})
         EXPECT_EQ(refusal_of(words), message);
 }
 

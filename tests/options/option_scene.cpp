@@ -147,19 +147,25 @@ std::string wkt_of(const Block& block) {
            "," + at(block.row, right) + "," + at(block.row, block.col) + "))";
 }
 
+/// @param owner of its first field; "" where there is none
+void add_feature(OGRLayerH layer, std::string wkt, const std::string& owner = "") {
+    const OGRFeatureH feature = OGR_F_Create(OGR_L_GetLayerDefn(layer));
+    char* cursor = wkt.data();
+    OGRGeometryH polygon = nullptr;
+    ASSERT_EQ(OGR_G_CreateFromWkt(&cursor, nullptr, &polygon), OGRERR_NONE);
+    OGR_F_SetGeometryDirectly(feature, polygon);
+    if (!owner.empty())
+        OGR_F_SetFieldString(feature, 0, owner.c_str());
+    ASSERT_EQ(OGR_L_CreateFeature(layer, feature), OGRERR_NONE);
+    OGR_F_Destroy(feature);
+}
+
 void add_layer(GDALDatasetH dataset, const char* name, const std::string& wkt) {
     const OGRSpatialReferenceH crs = OSRNewSpatialReference(nullptr);
     ASSERT_EQ(OSRImportFromEPSG(crs, 25833), OGRERR_NONE);
     const OGRLayerH layer = GDALDatasetCreateLayer(dataset, name, crs, wkbPolygon, nullptr);
     OSRDestroySpatialReference(crs);
-    const OGRFeatureH feature = OGR_F_Create(OGR_L_GetLayerDefn(layer));
-    std::string text = wkt;
-    char* cursor = text.data();
-    OGRGeometryH polygon = nullptr;
-    ASSERT_EQ(OGR_G_CreateFromWkt(&cursor, nullptr, &polygon), OGRERR_NONE);
-    OGR_F_SetGeometryDirectly(feature, polygon);
-    ASSERT_EQ(OGR_L_CreateFeature(layer, feature), OGRERR_NONE);
-    OGR_F_Destroy(feature);
+    add_feature(layer, wkt);
 }
 
 using Areas = std::vector<std::pair<const char*, Block>>;
@@ -169,6 +175,27 @@ void write_areas(const std::string& path, const Areas& areas) {
         GDALCreate(GDALGetDriverByName("GPKG"), path.c_str(), 0, 0, 0, GDT_Unknown, nullptr);
     for (const auto& [name, block] : areas)
         add_layer(dataset, name, wkt_of(block));
+    GDALClose(dataset);
+}
+
+/// Two parcels in each of two layers, which cut other blocks.
+void write_parcels(const std::string& path) {
+    const GDALDatasetH dataset =
+        GDALCreate(GDALGetDriverByName("GPKG"), path.c_str(), 0, 0, 0, GDT_Unknown, nullptr);
+    const OGRSpatialReferenceH crs = OSRNewSpatialReference(nullptr);
+    ASSERT_EQ(OSRImportFromEPSG(crs, 25833), OGRERR_NONE);
+    using Parcels = std::vector<Block>;
+    for (const auto& [name, parcels] :
+         {std::pair<const char*, Parcels>{"strips", {{0, 0, 100, 24}, {0, 24, 100, 66}, {0, 90, 100, 30}}},
+          {"halves", {{0, 0, 55, 120}, {55, 0, 45, 120}}}}) {
+        const OGRLayerH layer = GDALDatasetCreateLayer(dataset, name, crs, wkbPolygon, nullptr);
+        const OGRFieldDefnH field = OGR_Fld_Create("owner", OFTString);
+        OGR_L_CreateField(layer, field, TRUE);
+        OGR_Fld_Destroy(field);
+        for (std::size_t i = 0; i < parcels.size(); ++i)
+            add_feature(layer, wkt_of(parcels[i]), std::string(name) + std::to_string(i));
+    }
+    OSRDestroySpatialReference(crs);
     GDALClose(dataset);
 }
 
@@ -266,7 +293,7 @@ void run_into(Writer& writer, const Texts& words) {
     MemorySurface tiers(SurfaceForm::tiers);
     if (!options.write.page.empty())
         surfaces.push_back(&tiers);
-    run(options, {*source, sides.terrain.get(), sides.mask.get(), sides.ndvi.get()},
+    run(options, {*source, sides.terrain.get(), sides.mask.get(), sides.ndvi.get(), sides.parcels.get()},
         {sink, &ground_raster, &height, &canopy, nullptr, surfaces});
     const auto given = sink.provenance.metadata.find("D2B_OPTIONS");
     if (given != sink.provenance.metadata.end())
@@ -289,6 +316,7 @@ void OptionScene::SetUpTestSuite() {
     VSIMkdirRecursive(folder.c_str(), 0755);
     write_rasters(folder);
     write_areas(folder + "areas.gpkg", {{"west", {0, 0, 100, 72}}, {"north", {0, 0, 58, 120}}});
+    write_parcels(folder + "parcels.gpkg");
     write_areas(folder + "masks.gpkg", {{"east", {0, 12, 100, 108}}, {"middle", {4, 0, 76, 120}}});
 }
 

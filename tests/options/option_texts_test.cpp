@@ -79,6 +79,8 @@ Texts with_value(const OptionRow& row, const std::string& text) {
     Texts words{"-" + row.name + "=" + text};
     if (row.name == "off")
         words.insert(words.begin(), {"-i", "1e300"});  // that can be counted from anywhere
+    if (row.name == "split_width")
+        words.insert(words.begin(), {"-split_by", "parcels.gpkg"});
     return words;
 }
 

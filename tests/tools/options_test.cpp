@@ -83,6 +83,10 @@ TEST(OptionTable, holdsTheseOptions) {
                                          "mask",
                                          "ndvi",
                                          "split_height",
+                                         "split_by",
+                                         "split_layer",
+                                         "split_field",
+                                         "split_width",
                                          "levels",
                                          "detail",
                                          "regularize",
@@ -362,6 +366,14 @@ TEST(Options, ofDetection) {
     EXPECT_EQ(detect({"-mask", "area.gpkg", "-mask_layer", "town"}).mask_layer, "town");
     EXPECT_EQ(detect({"-ndvi", "ndvi.tif"}).ndvi, "ndvi.tif");
     EXPECT_EQ(detect({"-split_height", "4"}).split_height, 4);
+    const DetectOptions cut =
+        detect({"-split_by", "p.gpkg", "-split_layer", "l", "-split_field", "f", "-split_width", "2"});
+    EXPECT_EQ(cut.split_by, "p.gpkg");
+    EXPECT_EQ(cut.split_layer, "l");
+    EXPECT_EQ(cut.split_field, "f");
+    EXPECT_EQ(cut.split_width, 2);
+    EXPECT_TRUE(cut.is_split_by());
+    EXPECT_FALSE(detect({}).is_split_by());
 }
 
 TEST(Options, ofLevels) {
@@ -565,6 +577,10 @@ TEST(Options, everyOptionChangesWhatItShows) {
                                            {"-mask", "x", "-mask_layer", "y"},
                                            {"-ndvi", "x"},
                                            {"-split_height", "3"},
+                                           {"-split_by", "x"},
+                                           {"-split_by", "x", "-split_layer", "y"},
+                                           {"-split_by", "x", "-split_field", "y"},
+                                           {"-split_by", "x", "-split_width", "2"},
                                            {"-levels", "global"},
                                            {"-detail", "1"},
                                            {"-regularize", "off"},
@@ -591,9 +607,10 @@ TEST(Options, everyOptionChangesWhatItShows) {
     std::set<std::string> seen{"p"};  // no effect
     for (const Texts& arguments : command_lines) {
         const bool needs_the_first =
-            arguments.size() >= 3 && (arguments[2] == "-off" || arguments[2] == "-preview_size" ||
-                                      arguments[2].starts_with("-surface_") ||
-                                      arguments[2] == "-write_problems" || arguments[2].ends_with("_layer"));
+            arguments.size() >= 3 &&
+            (arguments[2] == "-off" || arguments[2] == "-preview_size" ||
+             arguments[2].starts_with("-surface_") || arguments[2].starts_with("-split_") ||
+             arguments[2] == "-write_problems" || arguments[2].ends_with("_layer"));
         const OptionRow& row = *find_option(arguments[needs_the_first ? 2 : 0]);
         EXPECT_NE(row.show(parse(arguments)), row.standard) << row.name;
         seen.insert(row.name);

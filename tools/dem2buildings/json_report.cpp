@@ -79,6 +79,17 @@ Json cuts_of(const std::vector<CutStack>& cuts) {
     return list;
 }
 
+Json parcels_of(const ParcelReport& parcels) {
+    return {{"cut_length_m", parcels.cut_length_m},
+            {"beside_length_m", parcels.beside_length_m},
+            {"median_distance_m",
+             std::isfinite(parcels.median_distance_m) ? Json(parcels.median_distance_m) : Json()},
+            {"building_m2", parcels.building_m2},
+            {"inside_m2", parcels.inside_m2},
+            {"several_m2", parcels.several_m2},
+            {"invalid_m2", parcels.invalid_m2}};
+}
+
 Json dropped_of(const RunReport& report) {
     Json dropped = Json::object();
     for (std::size_t reason = 0; reason < reason_names.size(); ++reason)
@@ -104,6 +115,8 @@ std::string json_report(const RunReport& report) {
         json["surface"] = surface_of(*report.surface);
     if (!report.cuts.empty())
         json["cuts"] = cuts_of(report.cuts);
+    if (report.parcels)
+        json["parcels"] = parcels_of(*report.parcels);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -52,6 +52,7 @@ const std::vector<Part>& parts() {
         {"left out", "", "of the surface", {Reason::surface_lost}},
         {"cut off at walls", "crown", "", {Reason::crown_cut}},
         {"cut off at walls", "cell", "of crowns", {Reason::crown_cells}},
+        {"kept with a neighbour", "part", "cut off by -split_by", {Reason::part_merged}},
         {"filled", "hole", "", {Reason::hole_small, Reason::hole_short}},
         {"drawn differently", "", "as traced", {Reason::outline_kept_traced}},
         {"drawn differently", "", "repaired", {Reason::polygon_repaired}},

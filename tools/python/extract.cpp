@@ -45,7 +45,8 @@ Extraction extract(const Options& options, const Opener& open, const PythonEars&
     const SideSources side = open_side_sources(options, source->info(), callbacks);
     CollectingSink sink;
     RunReport report =
-        run(options, {*source, side.terrain.get(), side.mask.get(), side.ndvi.get()}, {sink}, callbacks);
+        run(options, {*source, side.terrain.get(), side.mask.get(), side.ndvi.get(), side.parcels.get()},
+            {sink}, callbacks);
     report.warnings = std::move(warnings);
     return {sink.collected(), sink.provenance(), json_report(report)};
 }

@@ -8,6 +8,7 @@
 #include "dem2buildings/open_sinks.hpp"
 #include "dem2buildings/open_sources.hpp"
 #include "dem2buildings/options.hpp"
+#include "dem2buildings/parcel_source.hpp"
 #include "dem2buildings/records.hpp"
 #include "dem2buildings/report.hpp"
 #include "dem2buildings/run.hpp"

@@ -15,7 +15,7 @@ struct Inputs {
     SideSources side;
 
     [[nodiscard]] Sources sources() const {
-        return {*dem, side.terrain.get(), side.mask.get(), side.ndvi.get()};
+        return {*dem, side.terrain.get(), side.mask.get(), side.ndvi.get(), side.parcels.get()};
     }
 };
 

@@ -9,6 +9,7 @@
 #include "dem2buildings/callbacks.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/options.hpp"
+#include "dem2buildings/parcel_source.hpp"
 
 namespace d2b {
 
@@ -52,9 +53,10 @@ struct SideSources {
     std::unique_ptr<DemSource> terrain;
     std::unique_ptr<DemSource> mask;
     std::unique_ptr<DemSource> ndvi;
+    std::unique_ptr<ParcelSource> parcels;
 };
 
-/// A terrain model, a mask and an NDVI, on the grid of the DEM. @throws InputError
+/// A terrain model, a mask, an NDVI and parcels, on the grid of the DEM. @throws InputError, OptionError
 [[nodiscard]] SideSources open_side_sources(const Options& options, const DemInfo& dem,
                                             const Callbacks& callbacks = {});
 

@@ -54,6 +54,12 @@ struct DetectOptions {
     std::string mask_layer;          ///< of polygons; "": the first with geometries
     std::string ndvi;                ///< raster of the normalised difference vegetation index
     double split_height = 0;         ///< m: a step that divides buildings; 0: none does
+    std::string split_by;            ///< polygons or lines that cut buildings, such as parcels
+    std::string split_layer;         ///< of these; "": the first with geometries
+    std::string split_field;         ///< that identifies a polygon; "": the feature's id
+    double split_width = 1.5;        ///< m: what is narrower is not cut off
+
+    [[nodiscard]] bool is_split_by() const { return !split_by.empty(); }
 };
 
 enum class TraceMode { points, cells };

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <variant>
 
+#include "dem2buildings/parcel_source.hpp"
+
 namespace d2b {
 
 /// What became of an outline on its way from the trace to the file.
@@ -54,6 +56,8 @@ struct BuildingRecord {
     double mean_m = 0;       ///< mean height above ground
     double confidence = 0;   ///< 0 to 1; NaN where nothing was detected
     std::string_view doubt;  ///< what speaks most against it being a building
+    std::int64_t parcel_number = ParcelCell::nobody;
+    std::string_view parcel;  ///< what identifies it; "" for none
     bool at_edge = false;
     double area_m2 = 0;
     double perimeter_m = 0;

@@ -47,8 +47,9 @@ enum class Reason {
     surface_lost,                ///< a building that no closed surface was found for
     flow_changed,                ///< a wall, gap or corner that a flow solver cannot take, mended
     flow_left,                   ///< the same, left as it is
+    part_merged,                 ///< cut off by parcels, but too small or narrow: with its neighbour
 };
-inline constexpr std::array<std::string_view, 27> reason_names{"threshold_not_above_minimum",
+inline constexpr std::array<std::string_view, 28> reason_names{"threshold_not_above_minimum",
                                                                "threshold_not_below_maximum",
                                                                "threshold_repeated",
                                                                "contour_short",
@@ -74,7 +75,8 @@ inline constexpr std::array<std::string_view, 27> reason_names{"threshold_not_ab
                                                                "surface_corner_cut",
                                                                "surface_lost",
                                                                "flow_changed",
-                                                               "flow_left"};
+                                                               "flow_left",
+                                                               "part_merged"};
 
 struct LevelReport {
     int level = 0;
@@ -118,6 +120,17 @@ struct CutStack {
     std::int32_t level = 0;
     double rmse_m = 0;  ///< of its surface against the points of all buildings: at a point, the mean of those
                         ///< of its highest contour that no higher one of the cut stack holds
+};
+
+/// How parcels cut buildings.
+struct ParcelReport {
+    double cut_length_m = 0;       ///< of what they part before narrow parts go back, about
+    double beside_length_m = 0;    ///< of this, what has a wall beside it, within 4 m
+    double median_distance_m = 0;  ///< between a cut and the wall beside it; NaN where there is none
+    double building_m2 = 0;        ///< of all buildings
+    double inside_m2 = 0;          ///< of these, in parcels
+    double several_m2 = 0;         ///< of this, in more than one
+    double invalid_m2 = 0;         ///< of this, in parcels that are not valid
 };
 
 /// What stages count. Threads that work at the same time have one each.
@@ -171,6 +184,7 @@ struct RunReport : Tally {
     OutlineLength contour_outlines;
     std::optional<SurfaceReport> surface;  ///< where one was asked for
     std::vector<CutStack> cuts;            ///< from level 1 up, where a sink gets the tiers of stacks
+    std::optional<ParcelReport> parcels;   ///< where buildings were cut by some
     int threads = 1;                       ///< that worked on it
     std::vector<std::string> warnings;
 };

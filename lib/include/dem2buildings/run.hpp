@@ -5,6 +5,7 @@
 #include "dem2buildings/callbacks.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/options.hpp"
+#include "dem2buildings/parcel_source.hpp"
 #include "dem2buildings/report.hpp"
 #include "dem2buildings/sinks.hpp"
 #include "dem2buildings/surfaces.hpp"
@@ -17,6 +18,7 @@ struct Sources {
     DemSource* terrain = nullptr;  ///< of GroundMode::given, in the DEM's vertical unit
     DemSource* mask = nullptr;     ///< buildings are looked for where it is neither 0 nor invalid
     DemSource* ndvi = nullptr;
+    ParcelSource* parcels = nullptr;  ///< cut buildings
 };
 
 /// Where a run writes to. Rasters are in metres.

@@ -27,7 +27,8 @@ FoundUnit found_unit(const Unit& unit, FoundInUnit&& here) {
 
 void find_units(TileRun& run, std::int64_t tile, PartSource& part, ElevationReader& reader,
                 FoundTile& found) {
-    const Sources sources{part, run.sources().terrain, run.sources().mask, run.sources().ndvi};
+    const Sources sources{part, run.sources().terrain, run.sources().mask, run.sources().ndvi,
+                          run.sources().parcels};
     PlannedSink nowhere(run.setup().plan.layers);
     const Sinks sinks{nowhere};
     const UnitSearch search{
@@ -39,6 +40,7 @@ void find_units(TileRun& run, std::int64_t tile, PartSource& part, ElevationRead
         facts.fit.merge(here.fit);
         facts.slope.merge(here.slope);
         facts.sides.merge(here.sides);
+        facts.parcels.merge(here.parcels);
         found.units.push_back(found_unit(placed.unit, std::move(here)));
     }
     if (run.setup().plan.ground == GroundMode::given)

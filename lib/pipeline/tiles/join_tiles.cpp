@@ -121,8 +121,8 @@ void Join::write(std::int64_t tile, const std::vector<Label>& numbers) {
     JoinedTile joined;
     for (const Label label : numbers) {
         const SeenObject& seen = merged_.objects[label - 1];
-        joined.buildings.push_back(
-            {label <= merged_.buildings, seen.object.doubt, seen.ground, seen.object.confidence});
+        joined.buildings.push_back({label <= merged_.buildings, seen.object.doubt, seen.ground,
+                                    seen.object.confidence, seen.object.parcel});
         joined.window = around(joined.window, objects_[label - 1].box);
     }
     if (!numbers.empty()) {

@@ -94,7 +94,8 @@ void DrawnTiles::number_left(double metres) {
             if (facts.is_building != is_sure)
                 continue;
             number[i + 1] = static_cast<Label>(footprints.size());
-            footprints.push_back({facts.ground / metres, facts.confidence, doubt_name(facts.doubt)});
+            footprints.push_back(
+                {facts.ground / metres, facts.confidence, doubt_name(facts.doubt), facts.parcel});
             plan.thresholds.push_back(left_buildings_[i].thresholds);
             tiles.push_back(left_by_[i]);
         }
@@ -213,15 +214,16 @@ void merge_drawn(TileRun& run, FeatureSink& features, PartNumbers* parts) {
     const RecordMaker records(*drawn.left, {drawn.plan, fixed, drawn.footprints, run.metres(),
                                             lattice_frame(run.window(), setup.plan.trace)});
     report_levels(drawn.plan, drawn.levels, report);
-    const SearchFacts search{facts.fit, facts.slope, facts.sides};
+    const SearchFacts search{facts.fit, facts.slope, facts.sides, facts.parcels};
     warn_of_result(setup, drawn.plan, static_cast<std::size_t>(drawn.buildings), &search, context);
     const Outliner outliner = draw_outlines(*drawn.left, setup, context);
-    const FeatureInput input = feature_input(
-        setup, {*drawn.left, outliner, drawn.sure, fixed}, report, [&](const DrawnStack& stack) {
-            StackError error = drawn.elevations.error(stack, run.window(), fixed);
-            error.merge(drawn.error);
-            return error;
-        });
+    const FeatureInput input =
+        feature_input(setup, {*drawn.left, outliner, drawn.sure, fixed, run.sources().parcels}, report,
+                      [&](const DrawnStack& stack) {
+                          StackError error = drawn.elevations.error(stack, run.window(), fixed);
+                          error.merge(drawn.error);
+                          return error;
+                      });
     std::vector<GivenNumbers> numbers = write_all(input, records, drawn, features, parts, context);
     finish_sinks({features}, context);
     if (parts != nullptr)

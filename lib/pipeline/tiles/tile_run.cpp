@@ -57,6 +57,9 @@ std::vector<std::string> TileRun::take_warnings() const {
         if (source != nullptr)
             for (std::string& text : source->take_warnings())
                 all.push_back(std::move(text));
+    if (sources_.parcels != nullptr)
+        for (std::string& text : sources_.parcels->take_warnings())
+            all.push_back(std::move(text));
     return all;
 }
 

@@ -14,7 +14,9 @@ from qgis.core import (QgsProcessingException, QgsProcessingFeedback, QgsProcess
 # What the dialog does itself: it shows progress, its file dialog has asked whether to replace a file, and a layer that
 # is chosen has its name.
 LEFT_OUT = {"q", "json", "sweep", "help", "version", "overwrite", "f", "srcwin", "projwin", "if", "cutline_layer",
-            "mask_layer"}
+            "mask_layer", "split_layer"}
+# The option that names the layer of another one, where that is not its name with _layer.
+LAYER_OF = {"split_by": "split_layer"}
 # In the order in which they are asked for; the table says which option is in which.
 SECTIONS = ("Basic", "Ground", "Trees", "Detail", "Output", "Advanced")
 TERRAIN = "_model"
@@ -156,7 +158,8 @@ def _polygons(algorithm, option, given, context):
     if not name and number is not None:
         dataset = ogr.Open(place)  # must outlive its layer
         name = dataset.GetLayer(int(number)).GetName()
-    return [place.split("|")[0], *([f"-{option['name']}_layer", name] if name else [])]
+    names_it = LAYER_OF.get(option["name"], option["name"] + "_layer")
+    return [place.split("|")[0], *(["-" + names_it, name] if name else [])]
 
 
 def _values(algorithm, option, given, context):

@@ -1,0 +1,229 @@
+#include "read/parcel_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "dem2buildings/error.hpp"
+#include "read/gdal_messages.hpp"
+#include "read/parcel_cells.hpp"
+#include "read/placed_layer.hpp"
+#include "read/polygon_geometry.hpp"
+#include "read/raster_crs.hpp"
+#include "read/ring_projector.hpp"
+#include "read/vector_dataset.hpp"
+
+namespace d2b {
+namespace {
+
+constexpr double margin_cells = 4;
+constexpr double margin_share = 0.05;  // of a part: its edges bend in another CRS
+
+PolygonPlace place_of(const ParcelChoice& choice) {
+    return {"parcel dataset", "split_layer", choice.dataset, choice.layer};
+}
+
+/// @return -1 for the feature's id
+int field_of(OGRLayerH layer, const ParcelChoice& choice) {
+    if (choice.field.empty())
+        return -1;
+    const OGRFeatureDefnH schema = OGR_L_GetLayerDefn(layer);
+    const int field = OGR_FD_GetFieldIndex(schema, choice.field.c_str());
+    if (field >= 0)
+        return field;
+    std::vector<std::string> names;
+    for (int i = 0; i < OGR_FD_GetFieldCount(schema); ++i)
+        names.emplace_back(OGR_Fld_GetNameRef(OGR_FD_GetFieldDefn(schema, i)));
+    throw OptionError(
+        "The layer '" + std::string(OGR_L_GetName(layer)) + "' of the " + place_of(choice).name() +
+        " has no field '" + choice.field + "' for -split_field; " +
+        (names.empty() ? "it has no fields at all." : "its fields are " + quoted_names(names) + "."));
+}
+
+/// A box in the coordinates of a layer.
+struct LayerBox {
+    double left = HUGE_VAL;
+    double low = HUGE_VAL;
+    double right = -HUGE_VAL;
+    double high = -HUGE_VAL;
+
+    void add(Position p) {
+        left = std::min(left, p.x);
+        right = std::max(right, p.x);
+        low = std::min(low, p.y);
+        high = std::max(high, p.y);
+    }
+};
+
+/// Around a part of a DEM. @param back to the layer's CRS, or null @return nothing where that cannot be told
+std::optional<LayerBox> box_around(const Window& part, const AffineTransform& g,
+                                   OGRCoordinateTransformationH back) {
+    constexpr int n = 16;
+    const GdalMessages quiet;
+    LayerBox box;
+    const double rows = part.rows + 2 * margin_cells;
+    const double cols = part.cols + 2 * margin_cells;
+    for (int i = 0; i <= n; ++i)
+        for (int k = 0; k <= n; ++k) {
+            const double row = part.row - margin_cells + rows * i / n;
+            const double col = part.col - margin_cells + cols * k / n;
+            Position p{g[0] + col * g[1] + row * g[2], g[3] + col * g[4] + row * g[5]};
+            if (back != nullptr && OCTTransform(back, 1, &p.x, &p.y, nullptr) == FALSE)
+                return std::nullopt;
+            if (!std::isfinite(p.x + p.y))
+                return std::nullopt;
+            box.add(p);
+        }
+    const double x = back != nullptr ? margin_share * (box.right - box.left) : 0;
+    const double y = back != nullptr ? margin_share * (box.high - box.low) : 0;
+    return LayerBox{box.left - x, box.low - y, box.right + x, box.high + y};
+}
+
+WorldRing points_of(OGRGeometryH line) {
+    WorldRing points(static_cast<std::size_t>(OGR_G_GetPointCount(line)));
+    for (std::size_t i = 0; i < points.size(); ++i)
+        points[i] = {OGR_G_GetX(line, static_cast<int>(i)), OGR_G_GetY(line, static_cast<int>(i))};
+    return points;
+}
+
+class ParcelReader final : public ParcelSource {
+  public:
+    ParcelReader(const ParcelChoice& choice, const DemInfo& grid, const Callbacks& callbacks);
+
+    void read(const Window& part, std::span<ParcelCell> cells) override;
+    [[nodiscard]] std::string_view name(std::int64_t parcel) override;
+    [[nodiscard]] std::vector<std::string> take_warnings() override { return warnings_.take(); }
+
+  private:
+    void filter_by(const Window& part);
+    void require_some(const DemInfo& grid);
+    [[nodiscard]] PixelParcel parcel_of(OGRFeatureH feature, OGRGeometryH geometry);
+    [[nodiscard]] std::string text_of(OGRFeatureH feature) const;
+
+    PolygonPlace place_;
+    Warnings warnings_;
+    AffineTransform grid_;
+    DatasetOwner dataset_;
+    OGRLayerH layer_;
+    int field_;
+    TransformOwner to_dem_;
+    TransformOwner back_;
+    std::optional<RingProjector> projector_;
+    std::map<std::int64_t, std::string> names_;
+};
+
+ParcelReader::ParcelReader(const ParcelChoice& choice, const DemInfo& grid, const Callbacks& callbacks)
+    : place_(place_of(choice)),
+      warnings_(callbacks.on_warning),
+      grid_(grid.transform),
+      dataset_(open_vector_dataset(place_.path, "The " + place_.name() + " cannot be opened", warnings_)),
+      layer_(layer_of(dataset_.get(), place_, warnings_)),
+      field_(field_of(layer_, choice)) {
+    const OGRSpatialReferenceH own = OGR_L_GetSpatialRef(layer_);
+    to_dem_ = transform_to_dem(own, place_, grid, warnings_);
+    if (to_dem_) {
+        const GdalMessages quiet;
+        back_.reset(OCTNewCoordinateTransformation(horizontal_crs(grid.crs_wkt).get(), own));
+    }
+    projector_.emplace(to_dem_.get(), grid_, place_.name());
+    require_some(grid);
+    warnings_.hold();
+}
+
+void ParcelReader::filter_by(const Window& part) {
+    const std::optional<LayerBox> box =
+        to_dem_ && !back_ ? std::nullopt : box_around(part, grid_, back_.get());
+    if (box)
+        OGR_L_SetSpatialFilterRect(layer_, box->left, box->low, box->right, box->high);
+    else
+        OGR_L_SetSpatialFilter(layer_, nullptr);
+}
+
+void ParcelReader::require_some(const DemInfo& grid) {
+    filter_by(grid.window);
+    const GdalMessages messages;
+    OGR_L_ResetReading(layer_);
+    bool any = false;
+    while (!any) {
+        const FeatureOwner feature{OGR_L_GetNextFeature(layer_)};
+        if (!feature)
+            break;
+        OGRGeometryH const geometry = OGR_F_GetGeometryRef(feature.get());
+        any = geometry != nullptr && OGR_G_IsEmpty(geometry) == FALSE && OGR_G_GetDimension(geometry) > 0;
+    }
+    if (messages.failed())
+        throw InputError("The " + place_.name() + " cannot be read: " + messages.reason() + ".");
+    if (!any)
+        throw InputError("The layer '" + std::string(OGR_L_GetName(layer_)) + "' of the " + place_.name() +
+                         " has no polygon and no line in the part of '" + grid.name +
+                         "' that is used; give the parcels of the same place, or another layer with "
+                         "-split_layer.");
+}
+
+std::string ParcelReader::text_of(OGRFeatureH feature) const {
+    if (field_ < 0)
+        return std::to_string(OGR_F_GetFID(feature));
+    return OGR_F_IsFieldSetAndNotNull(feature, field_) != FALSE ? OGR_F_GetFieldAsString(feature, field_)
+                                                                : std::string();
+}
+
+PixelParcel ParcelReader::parcel_of(OGRFeatureH feature, OGRGeometryH geometry) {
+    PixelParcel parcel;
+    parcel.number = OGR_F_GetFID(feature);
+    const GeometryOwner straight(OGR_G_GetLinearGeometry(geometry, 0, nullptr));  // arcs become lines
+    if (!straight)
+        return parcel;
+    for (OGRGeometryH const polygon : polygons_within(straight.get())) {
+        std::vector<WorldRing>& rings = parcel.polygons.emplace_back();
+        for (int i = 0; i < OGR_G_GetGeometryCount(polygon); ++i)
+            rings.push_back(projector_->project(points_of(OGR_G_GetGeometryRef(polygon, i))));
+    }
+    for (OGRGeometryH const line : lines_within(straight.get()))
+        parcel.lines.push_back(projector_->project(points_of(line)));
+    if (!parcel.polygons.empty()) {
+        const GdalMessages quiet;  // which would say why it is not
+        parcel.valid = OGR_G_IsValid(straight.get()) != FALSE;
+        names_.try_emplace(parcel.number, text_of(feature));
+    }
+    return parcel;
+}
+
+void ParcelReader::read(const Window& part, std::span<ParcelCell> cells) {
+    std::ranges::fill(cells, ParcelCell());
+    filter_by(part);
+    std::vector<PixelParcel> parcels;
+    for_each_geometry(
+        layer_, "The " + place_.name(), warnings_,
+        [&](OGRFeatureH feature, OGRGeometryH geometry) { parcels.push_back(parcel_of(feature, geometry)); });
+    // An index hands them out in any order.
+    std::ranges::stable_sort(parcels, {}, &PixelParcel::number);
+    for (const PixelParcel& parcel : parcels)
+        burn(parcel, part, cells);
+}
+
+std::string_view ParcelReader::name(std::int64_t parcel) {
+    if (parcel == ParcelCell::nobody)
+        return {};
+    auto known = names_.find(parcel);
+    if (known == names_.end()) {
+        const GdalMessages messages;
+        const FeatureOwner feature(OGR_L_GetFeature(layer_, parcel));
+        if (!feature)
+            throw InputError("Feature " + std::to_string(parcel) + " of the " + place_.name() +
+                             " is there no more: it has changed meanwhile.");
+        known = names_.emplace(parcel, text_of(feature.get())).first;
+    }
+    return known->second;
+}
+
+}  // namespace
+
+std::unique_ptr<ParcelSource> open_parcels(const ParcelChoice& choice, const DemInfo& grid,
+                                           const Callbacks& callbacks) {
+    return std::make_unique<ParcelReader>(choice, grid, callbacks);
+}
+
+}  // namespace d2b

@@ -1,0 +1,94 @@
+#include <cmath>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/option_effect.hpp"
+#include "cli/town_files.hpp"
+#include "support/vector_file.hpp"
+
+namespace d2b::test {
+namespace {
+
+std::string rectangle(double left, double low, double right, double high) {
+    const auto at = [](double x, double y) {
+        return std::to_string(391000 + x) + " " + std::to_string(5820000 - y);
+    };
+    return "POLYGON((" + at(left, low) + "," + at(right, low) + "," + at(right, high) + "," + at(left, high) +
+           "," + at(left, low) + "))";
+}
+
+constexpr double flat_middle = MadeTown::flat.col + MadeTown::flat.cols / 2.0;
+constexpr double podium_middle = MadeTown::podium.row + MadeTown::podium.rows / 2.0;
+
+VectorLayer halves_of_flat() {
+    return {"lots",
+            {{rectangle(0, 0, flat_middle, 50), 7}, {rectangle(flat_middle, 0, 60, 50), 8}},
+            25833,
+            "lot",
+            OFTInteger};
+}
+
+std::set<std::string> parcels_of(const Layer& layer) {
+    std::set<std::string> parcels;
+    for (const Record& record : layer.records)
+        parcels.insert(record.is_null("parcel") ? "none" : record.text("parcel"));
+    return parcels;
+}
+
+TEST_F(OptionEffect, split_by) {
+    write_layer(path("lots.gpkg"), halves_of_flat());
+    const nlohmann::json report = nlohmann::json::parse(find({"-split_by", "lots.gpkg", "-json"}));
+    ASSERT_EQ(buildings().records.size(), 4U);
+    EXPECT_EQ(parcels_of(buildings()), (std::set<std::string>{"1", "2", "none"}));
+    for (const Record& record : buildings().records)
+        if (!record.is_null("parcel")) {
+            EXPECT_NEAR(record.area(), MadeTown::flat.area() / 2, 4);
+            EXPECT_NEAR(record.number("p90"), MadeTown::flat_height, 0.5);
+            EXPECT_EQ(record.number("num_floors"), 2);
+        }
+    EXPECT_EQ(buildings().metadata.at("D2B_SPLIT_BY"), "lots.gpkg");
+    EXPECT_NEAR(report["parcels"]["cut_length_m"].get<double>(), MadeTown::flat.rows, 4);
+    EXPECT_NEAR(report["parcels"]["inside_m2"].get<double>(), MadeTown::flat.area(), 6);
+    find({});
+    EXPECT_EQ(buildings().records.size(), 3U);
+    for (const std::string& field : buildings().fields)
+        EXPECT_NE(field, "parcel");
+}
+
+/// A line across the house.
+TEST_F(OptionEffect, split_by__lines) {
+    const std::string x = std::to_string(391000 + flat_middle);
+    write_layer(path("walls.gpkg"), {"walls", {{"LINESTRING(" + x + " 5819900," + x + " 5820000)"}}, 25833});
+    find({"-split_by", "walls.gpkg"});
+    EXPECT_EQ(buildings().records.size(), 4U);
+    EXPECT_EQ(parcels_of(buildings()), std::set<std::string>{"none"});
+}
+
+TEST_F(OptionEffect, split_layer) {
+    write_layer(path("lots.gpkg"), halves_of_flat());
+    write_layer(
+        path("lots.gpkg"),
+        {"blocks", {{rectangle(0, 60, 90, podium_middle)}, {rectangle(0, podium_middle, 90, 120)}}, 25833});
+    find({"-split_by", "lots.gpkg", "-split_layer", "blocks"});
+    EXPECT_EQ(buildings().records.size(), 4U);
+    for (const Record& record : buildings().records)
+        EXPECT_EQ(record.is_null("parcel"), record.box().MinY > 5819940);
+}
+
+TEST_F(OptionEffect, split_field) {
+    write_layer(path("lots.gpkg"), halves_of_flat());
+    find({"-split_by", "lots.gpkg", "-split_field", "lot"});
+    EXPECT_EQ(parcels_of(buildings()), (std::set<std::string>{"7", "8", "none"}));
+}
+
+TEST_F(OptionEffect, split_width) {
+    write_layer(path("lots.gpkg"), halves_of_flat());
+    find({"-split_by", "lots.gpkg", "-split_width", "8"});
+    EXPECT_EQ(buildings().records.size(), 4U);
+    find({"-split_by", "lots.gpkg", "-split_width", "12"});  // the halves are nine metres wide
+    EXPECT_EQ(buildings().records.size(), 3U);
+}
+
+}  // namespace
+}  // namespace d2b::test
