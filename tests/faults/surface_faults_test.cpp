@@ -65,7 +65,7 @@ TEST_F(SurfaceFaults, aKilledRunLeavesEachWhole) {
         if (replaces)
             run_well(writing("small.tif"));
         const int status =
-            run(writing("dem.tif"), {.kill = Kill{SIGKILL, whole * (500 + random() % 550) / 1000}}).status;
+            run(writing("dem.tif"), {.kill = Kill{SIGKILL, whole * (200 + random() % 800) / 1000}}).status;
         killed += status == 128 + SIGKILL ? 1 : 0;
         const auto found = surfaces();
         for (const std::string& name : names) {
