@@ -62,7 +62,9 @@ class TerrainSource final : public WarningSource {
         if (is_last(part))
             judge_outside();
     }
-    [[nodiscard]] std::int64_t cells_outside_range() const override { return raster_.counts().outside.cells(); }
+    [[nodiscard]] std::int64_t cells_outside_range() const override {
+        return raster_.counts().outside.cells();
+    }
 
   private:
     /// Whether it is with this part that all of the window has been read.
