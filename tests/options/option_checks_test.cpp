@@ -57,7 +57,6 @@ TEST(OptionChecks, ThesisRefusesFieldsOfWhatLooksForBuildings) {
         {"-ndvi", [](Options& o) { o.detect.ndvi = "n.tif"; }},
         {"-split_height 2", [](Options& o) { o.detect.split_height = 2; }},
         {"-split_by", [](Options& o) { o.detect.split_by = "p.gpkg"; }},
-        {"-split_width 2", [](Options& o) { o.detect.split_width = 2; }},
         {"-min_height", [](Options& o) { o.detect.min_height = 3; }},
         {"-min_confidence", [](Options& o) { o.detect.min_confidence = 0.4; }},
         {"-write_doubtful", [](Options& o) { o.write.doubtful = true; }},
