@@ -20,7 +20,7 @@ constexpr double small_step = 1e-7;
 // The logarithm of the likelihood ratio is a line in the log-odds that judge() gives. Of each of the two
 // places of docs/accuracy.md that have hundreds of candidates this line was found, and it was the same; where
 // it says nothing, at the usual share, the log-odds are 0.
-constexpr double slope = 1.4;
+constexpr double steepness = 1.4;
 const double offset = -std::log(usual_share / (1 - usual_share));
 
 double log_odds(double probability) {
@@ -47,7 +47,7 @@ bool is_known_place(const std::vector<DetectedObject>& objects) {
 }
 
 double ratio_of(const DetectedObject& object) {
-    return std::exp(slope * log_odds(object.confidence) + offset);
+    return std::exp(steepness * log_odds(object.confidence) + offset);
 }
 
 }  // namespace

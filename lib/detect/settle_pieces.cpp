@@ -51,6 +51,8 @@ class Settler {
     [[nodiscard]] bool is_step(std::size_t i, std::size_t j) const {
         return !(std::abs(scene_.surface.values[i] - scene_.surface.values[j]) <= step_);
     }
+    [[nodiscard]] Mask opened(const Grid<Label>& pieces) const;
+    void grow(const Grid<Label>& pieces, const std::vector<std::size_t>& cells, Mask& kept) const;
     [[nodiscard]] Label choice(std::size_t cell, bool across_steps) const;
     void flood(bool across_steps);
 
@@ -82,36 +84,49 @@ void Settler::mark_cut(Label count) {
         of_cut_.values[i] = pieces_.values[i] != 0 && is_cut[buildings_.values[i]] ? 1 : 0;
 }
 
-/// Takes the owner of what an opening takes off. @param pieces or parts of them @param where cells
-void Settler::loosen(const Grid<Label>& pieces, const Mask& where) {
-    Mask opened(pieces.rows, pieces.cols);
+/// What an opening keeps of pieces, or of parts of them.
+Mask Settler::opened(const Grid<Label>& pieces) const {
+    Mask kept(pieces.rows, pieces.cols);
+    const auto keep = [&](const ElementRow& part, std::int32_t r, std::int32_t c) {
+        const std::int32_t y = r + part.down;
+        const std::int32_t left = std::max(c + part.left, 0);
+        if (y >= 0 && y < pieces.rows)
+            std::fill_n(&kept.at(y, left), std::min(c + part.right + 1, pieces.cols) - left, std::uint8_t{1});
+    };
     for (std::int32_t r = 0; r < pieces.rows; ++r)
         for (std::int32_t c = 0; c < pieces.cols; ++c)
             if (of_cut_.at(r, c) != 0 && fits(pieces, element_, r, c))
                 for (const ElementRow& part : element_)
-                    if (const std::int32_t y = r + part.down; y >= 0 && y < pieces.rows)
-                        std::fill_n(&opened.at(y, std::max(c + part.left, 0)),
-                                    std::min(c + part.right + 1, pieces.cols) - std::max(c + part.left, 0),
-                                    std::uint8_t{1});
+                    keep(part, r, c);
+    return kept;
+}
+
+/// Of cells that are not kept, those beside kept ones of the same piece become kept as well.
+void Settler::grow(const Grid<Label>& pieces, const std::vector<std::size_t>& cells, Mask& kept) const {
+    std::vector<std::size_t> back;
+    for (const std::size_t i : cells)
+        if (kept.values[i] == 0)
+            for_neighbours(i, [&](std::size_t j) {
+                if (kept.values[j] != 0 && pieces.values[j] == pieces.values[i])
+                    back.push_back(i);
+            });
+    for (const std::size_t i : back)
+        kept.values[i] = 1;
+}
+
+/// Takes the owner of what an opening takes off. @param pieces or parts of them @param where cells
+void Settler::loosen(const Grid<Label>& pieces, const Mask& where) {
+    Mask kept = opened(pieces);
     std::vector<std::size_t> off;
     for (std::size_t i = 0; i < pieces.size(); ++i)
-        if (of_cut_.values[i] != 0 && opened.values[i] == 0 && where.values[i] != 0)
+        if (of_cut_.values[i] != 0 && kept.values[i] == 0 && where.values[i] != 0)
             off.push_back(i);
     // What an opening rounds off at corners comes back.
     const int corner = static_cast<int>(std::ceil(width_ / 4 / scene_.side())) + 1;
-    for (int round = 0; round < corner; ++round) {
-        std::vector<std::size_t> back;
-        for (const std::size_t i : off)
-            if (opened.values[i] == 0)
-                for_neighbours(i, [&](std::size_t j) {
-                    if (opened.values[j] != 0 && pieces.values[j] == pieces.values[i])
-                        back.push_back(i);
-                });
-        for (const std::size_t i : back)
-            opened.values[i] = 1;
-    }
+    for (int round = 0; round < corner; ++round)
+        grow(pieces, off, kept);
     for (const std::size_t i : off)
-        if (opened.values[i] == 0)
+        if (kept.values[i] == 0)
             owners_.values[i] = 0;
 }
 

@@ -109,12 +109,12 @@ std::optional<double> FitOfRows::wall_from(Place edge, Place way) const {
                          static_cast<std::int32_t>(std::floor(edge.col + metres * way.col)));
     };
     std::pair<std::int32_t, std::int32_t> before = cell_at(stride / 2);
-    for (double metres = stride / 2; metres - stride / 2 < ParcelFit::reach_m; metres += stride) {
-        const auto [r, c] = cell_at(metres);
+    for (int step = 0; step * stride < ParcelFit::reach_m; ++step) {
+        const auto [r, c] = cell_at((step + 0.5) * stride);
         if (!scene_.surface.holds(r, c))
             return std::nullopt;
         if (!is_building(r, c) || is_step(before.first, before.second, r, c))
-            return metres - stride / 2;
+            return step * stride;
         before = {r, c};
     }
     return std::nullopt;
