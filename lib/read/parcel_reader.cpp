@@ -34,8 +34,10 @@ int field_of(OGRLayerH layer, const ParcelChoice& choice) {
     const int field = OGR_FD_GetFieldIndex(schema, choice.field.c_str());
     if (field >= 0)
         return field;
+    const int count = OGR_FD_GetFieldCount(schema);
     std::vector<std::string> names;
-    for (int i = 0; i < OGR_FD_GetFieldCount(schema); ++i)
+    names.reserve(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i)
         names.emplace_back(OGR_Fld_GetNameRef(OGR_FD_GetFieldDefn(schema, i)));
     throw OptionError(
         "The layer '" + std::string(OGR_L_GetName(layer)) + "' of the " + place_of(choice).name() +

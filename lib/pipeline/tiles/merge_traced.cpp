@@ -82,6 +82,7 @@ std::vector<TraceLine> TileRow::lines(std::size_t piece) const {
             parts[i].push_back(std::move(lines[i]));
     }
     std::vector<TraceLine> joined;
+    joined.reserve(parts.size());
     for (std::vector<TileLine>& line : parts)
         joined.push_back(join_lines(std::move(line), frame_));
     return joined;

@@ -1,9 +1,27 @@
 #include "pipeline/tiles/tile_grid.hpp"
 
 #include <algorithm>
-#include <ranges>
+#include <numeric>
 
 namespace d2b {
+namespace {
+
+/// The first of so many units that ends beyond a row or column. Ends ascend, so they need not be gone
+/// through.
+template <typename EndOf>
+std::int32_t first_beyond(std::int32_t place, std::int32_t count, const EndOf& end_of) {
+    std::int32_t first = 0;
+    while (first < count) {
+        const std::int32_t middle = std::midpoint(first, count);
+        if (end_of(middle) > place)
+            count = middle;
+        else
+            first = middle + 1;
+    }
+    return first;
+}
+
+}  // namespace
 
 TileGrid::TileGrid(const UnitGrid& units, std::int32_t side)
     : units_(units),
@@ -31,13 +49,10 @@ PlacedUnit TileGrid::unit(std::int64_t number) const {
 }
 
 std::vector<PlacedUnit> TileGrid::units_in(const Window& window) const {
-    // Rows and columns ascend, so neither needs to be gone through.
-    const auto rows = std::views::iota(0, units_.rows());
-    const auto cols = std::views::iota(0, units_.cols());
-    const auto first_row = *std::ranges::upper_bound(rows, window.row, {},
-                                                     [&](int i) { return units_.unit(i, 0).own.end_row(); });
-    const auto first_col = *std::ranges::upper_bound(cols, window.col, {},
-                                                     [&](int i) { return units_.unit(0, i).own.end_col(); });
+    const std::int32_t first_row = first_beyond(
+        window.row, units_.rows(), [&](std::int32_t i) { return units_.unit(i, 0).own.end_row(); });
+    const std::int32_t first_col = first_beyond(
+        window.col, units_.cols(), [&](std::int32_t i) { return units_.unit(0, i).own.end_col(); });
     std::vector<PlacedUnit> all;
     for (std::int32_t row = first_row; row < units_.rows(); ++row) {
         for (std::int32_t col = first_col; col < units_.cols(); ++col) {

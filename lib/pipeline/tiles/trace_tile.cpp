@@ -13,10 +13,10 @@ namespace d2b {
 namespace {
 
 /// A tile's cells; of points also those around that the squares of its own depend on.
-Window seen_by(const Window& own, TraceMode mode, const Window& window) {
+Window seen_by(const Window& own, TraceMode mode, const Window& whole) {
     if (mode == TraceMode::cells)
         return own;
-    Window seen = grown(own, rows_above(mode), 1, window);
+    Window seen = grown(own, rows_above(mode), 1, whole);
     seen.rows = own.end_row() - seen.row;  // the tile below sees the squares between
     return seen;
 }
