@@ -5,6 +5,7 @@
 
 #include "cli/option_effect.hpp"
 #include "cli/town_files.hpp"
+#include "core/number_text.hpp"
 #include "support/vector_file.hpp"
 
 namespace d2b::test {
@@ -12,7 +13,7 @@ namespace {
 
 std::string rectangle(double left, double low, double right, double high) {
     const auto at = [](double x, double y) {
-        return std::to_string(391000 + x) + " " + std::to_string(5820000 - y);
+        return number_text(391000 + x) + " " + number_text(5820000 - y);
     };
     return "POLYGON((" + at(left, low) + "," + at(right, low) + "," + at(right, high) + "," + at(left, high) +
            "," + at(left, low) + "))";
@@ -58,7 +59,7 @@ TEST_F(OptionEffect, split_by) {
 
 /// A line across the house.
 TEST_F(OptionEffect, split_by__lines) {
-    const std::string x = std::to_string(391000 + flat_middle);
+    const std::string x = number_text(391000 + flat_middle);
     write_layer(path("walls.gpkg"), {"walls", {{"LINESTRING(" + x + " 5819900," + x + " 5820000)"}}, 25833});
     find({"-split_by", "walls.gpkg"});
     EXPECT_EQ(buildings().records.size(), 4U);
