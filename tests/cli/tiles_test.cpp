@@ -79,6 +79,74 @@ TEST_F(TilesTool, givesTheBytesOfOneRun) {
     }
 }
 
+TEST_F(TilesTool, readsAListOfRasters) {
+    const auto cut = [&](const std::string& name, const Arguments& window) {
+        Arguments command{"gdal_translate", "-q", "-srcwin"};
+        command.insert(command.end(), window.begin(), window.end());
+        command.insert(command.end(), {sample("town.tif"), path(name)});
+        ASSERT_EQ(run_tool(command, {}).status, 0);
+    };
+    cut("west.tif", {"300", "300", "150", "200"});
+    cut("east.tif", {"450", "300", "250", "200"});
+    std::ofstream(path("list.txt")) << "west.tif\n\neast.tif\n";
+    const Arguments plan{"plan", "-q", "-input_file_list", "list.txt", "tiles.gpkg", "work"};
+    well(plan);
+    const std::string made = read_bytes(path("work/plan.json"));
+    for (const char* name : {"west.tif", "east.tif", "work/source.vrt"})
+        EXPECT_NE(made.find(std::string("\"name\": \"") + name), std::string::npos) << made;
+    well(plan);  // once more, which changes nothing
+    EXPECT_EQ(read_bytes(path("work/plan.json")), made);
+    for (const Arguments& step : {Arguments{"find", "work", "0"}, Arguments{"join", "work"},
+                                  Arguments{"draw", "work", "0"}, Arguments{"merge", "-q", "work"}})
+        well(step);
+    run_well({"-q", "work/source.vrt", "one.gpkg"}, {.environment = {date_}});
+    EXPECT_TRUE(read_bytes(path("tiles.gpkg")) == read_bytes(path("one.gpkg")));
+    cut("both.tif", {"300", "300", "400", "200"});
+    run_well({"-q", "-layers", "buildings", "both.tif", "both.csv"});
+    run_well({"-q", "-layers", "buildings", "work/source.vrt", "mosaic.csv"});
+    EXPECT_TRUE(read_bytes(path("mosaic.csv")) == read_bytes(path("both.csv")));
+    std::ofstream(path("east.tif"), std::ios::app | std::ios::binary) << "more";
+    expect_refused(1, "'east.tif' has changed since the plan was made; plan again, with a new work folder.",
+                   {"find", "work", "0"});
+}
+
+TEST_F(TilesTool, leavesNothingOfListsThatItRefuses) {
+    std::ofstream(path("list.txt")) << "nothing.tif\n";
+    const auto plan = [](const std::string& list, const std::string& destination, const std::string& work) {
+        return Arguments{"plan", "-q", "-input_file_list", list, destination, work};
+    };
+    expect_refused(1, "'nothing.tif' cannot be opened as a raster: No such file or directory.",
+                   plan("list.txt", "a.gpkg", "work"));
+    expect_refused(
+        1,
+        "'none.txt' cannot be read: No such file or directory; give a text file with the name of a "
+        "raster a line.",
+        plan("none.txt", "a.gpkg", "work"));
+    std::ofstream(path("empty.txt")) << "\n";
+    expect_refused(1, "'empty.txt' names no raster; write the name of one a line into it.",
+                   plan("empty.txt", "a.gpkg", "work"));
+    std::ofstream(path("town.txt")) << sample("town.tif") << '\n';
+    std::ofstream(path("file")) << "no folder";
+    expect_refused(1, "'file' cannot be written to: Not a directory; give another work folder.",
+                   plan("town.txt", "a.gpkg", "file"));
+    // The mosaic was made by then.
+    std::ofstream(path("a.gpkg")) << "not a database";
+    const std::vector<std::string> before = entries();
+    EXPECT_EQ(tiles(plan("town.txt", "a.gpkg", "work")).status, 2);
+    EXPECT_EQ(entries(), before);
+    // The mosaic of a plan stays that of the plan.
+    well(plan("town.txt", "b.gpkg", "work"));
+    std::filesystem::copy(sample("town.tif"), path("copy.tif"));
+    std::ofstream(path("town.txt")) << "copy.tif\n";
+    const std::string mosaic = read_bytes(path("work/source.vrt"));
+    expect_refused(
+        2,
+        "'work' holds another plan, or one of a source that has changed; give another work folder, "
+        "or delete this one.",
+        plan("town.txt", "b.gpkg", "work"));
+    EXPECT_EQ(read_bytes(path("work/source.vrt")), mosaic);
+}
+
 TEST_F(TilesTool, writesPartsWithTheNumbersOfOneRun) {
     run_well({"-q", "-f", "FlatGeobuf", sample("town.tif"), "one"});
     well({"plan", "-q", "-f", "FlatGeobuf", sample("town.tif"), "parts", "work"});

@@ -31,6 +31,18 @@ TEST(TilesCommandLine, takesTheOptionsOfDem2buildings) {
     EXPECT_EQ(command.request.options.levels.lod, 3);
 }
 
+TEST(TilesCommandLine, takesAList) {
+    const TileCommand command =
+        parse_tile_command_line({"plan", "-lod", "3", "-input_file_list", "a.txt", "b.gpkg", "work"});
+    EXPECT_EQ(command.list, "a.txt");
+    EXPECT_EQ(command.work, "work");
+    EXPECT_EQ(command.words, (Arguments{"work/source.vrt", "-lod", "3", "b.gpkg"}));
+    EXPECT_EQ(command.request.options.read.source, "work/source.vrt");
+    EXPECT_EQ(command.request.options.write.destination, "b.gpkg");
+    EXPECT_EQ(parse_tile_command_line({"plan", "-input_file_list=a.txt", "b.gpkg", "--", "-w"}).words,
+              (Arguments{"./-w/source.vrt", "b.gpkg", "--"}));
+}
+
 TEST(TilesCommandLine, takesTiles) {
     const TileCommand command =
         parse_tile_command_line({"find", "-threads", "2", "work", "7", "0", "12", "-q"});
@@ -64,9 +76,18 @@ TEST(TilesCommandLine, refusesWhatItDoesNotKnow) {
         refused_with({"plan", "a.tif", "b.gpkg"}),
         "plan takes three names, those of the source, the destination and the work folder, not 2; usage: "
         "dem2buildings_tiles plan [options] <src_raster> <dst_vector> <work>.");
+    EXPECT_EQ(refused_with({"plan", "a.tif", "b.gpkg", ""}),
+              "A file name is empty; usage: dem2buildings_tiles plan [options] "
+              "<src_raster> <dst_vector> <work>.");
     EXPECT_EQ(
-        refused_with({"plan", "a.tif", "b.gpkg", ""}),
-        "A file name is empty; usage: dem2buildings_tiles plan [options] <src_raster> <dst_vector> <work>.");
+        refused_with({"plan", "-input_file_list", "a.txt", "a.tif", "b.gpkg", "work"}),
+        "plan takes two names beside -input_file_list, those of the destination and the work folder, not "
+        "3.");
+    EXPECT_EQ(refused_with({"plan", "-oo", "A=1", "-input_file_list", "a.txt", "b.gpkg", "work"}),
+              "-oo speaks of one source, and -input_file_list names many; make a mosaic of them with "
+              "gdalbuildvrt.");
+    EXPECT_EQ(refused_with({"join", "-input_file_list", "a.txt", "work"}),
+              "join has no option -input_file_list; those of dem2buildings are given to plan.");
     EXPECT_EQ(refused_with({"plan", "-sweep", "lod 1 2", "a.tif", "b.gpkg", "work"}),
               "-sweep does not work in tiles: it runs the whole several times; run dem2buildings.");
     EXPECT_EQ(refused_with({"plan", "/vsistdin/", "b.gpkg", "work"}),

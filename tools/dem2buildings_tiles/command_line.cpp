@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <optional>
 #include <utility>
 
@@ -64,6 +65,8 @@ void apply(const TileOption& option, const std::string& value, TileCommand& comm
         command.side = parse_whole("tile", {1, most_side}, value);
     else if (option.name == "threads")
         command.threads = parse_whole("threads", {1, 1024}, value);
+    else if (option.name == "input_file_list")
+        command.list = value;
     else if (option.name == "json")
         command.json = command.quiet = true;
     else
@@ -115,7 +118,8 @@ Strings without_last_name(const Strings& arguments, const Tokens& tokens) {
         try {
             const Tokens rest = split_tokens(left);
             if (rest.options.size() == tokens.options.size() &&
-                std::ranges::equal(rest.file_names, std::span(tokens.file_names).first(2)) &&
+                std::ranges::equal(rest.file_names,
+                                   std::span(tokens.file_names).first(tokens.file_names.size() - 1)) &&
                 std::ranges::equal(rest.options, tokens.options,
                                    [](const GivenOption& a, const GivenOption& b) {
                                        return a.row == b.row && a.values == b.values;
@@ -128,6 +132,25 @@ Strings without_last_name(const Strings& arguments, const Tokens& tokens) {
     return arguments;
 }
 
+/// @param listed a list is in the place of the source
+void require_names(const TileStepName& step, const Tokens& tokens, bool listed) {
+    if (listed)
+        for (const GivenOption& option : tokens.options)
+            if (option.row->name == "if" || option.row->name == "oo")
+                throw OptionError("-" + option.row->name +
+                                  " speaks of one source, and -input_file_list names many; make a mosaic of "
+                                  "them with gdalbuildvrt.");
+    if (tokens.file_names.size() == (listed ? 2 : 3))
+        return;
+    const std::string given = ", not " + std::to_string(tokens.file_names.size());
+    if (listed)
+        throw OptionError(
+            "plan takes two names beside -input_file_list, those of the destination and the work folder" +
+            given + ".");
+    throw OptionError("plan takes three names, those of the source, the destination and the work folder" +
+                      given + "; " + usage_of(step) + ".");
+}
+
 void parse_plan(const TileStepName& step, const Strings& arguments, TileCommand& command) {
     const Tokens tokens = split_tokens(arguments);
     if (!tokens.unknown.empty())
@@ -136,14 +159,13 @@ void parse_plan(const TileStepName& step, const Strings& arguments, TileCommand&
         if (option.row->name == "sweep")
             throw OptionError(
                 "-sweep does not work in tiles: it runs the whole several times; run dem2buildings.");
-    if (tokens.file_names.size() != 3)
-        throw OptionError(
-            "plan takes three names, those of the source, the destination and the work folder, not " +
-            std::to_string(tokens.file_names.size()) + "; " + usage_of(step) + ".");
+    require_names(step, tokens, !command.list.empty());
     command.work = tokens.file_names.back();
     if (command.work.empty())
         throw OptionError("A file name is empty; " + usage_of(step) + ".");
     command.words = without_last_name(arguments, tokens);
+    if (!command.list.empty())
+        command.words.insert(command.words.begin(), mosaic_of_list(command.work));
     command.request = parse_command_line(command.words);
     command.quiet = command.request.tool.quiet;
     if (command.request.options.read.source == "/vsistdin/")
@@ -225,6 +247,10 @@ const std::vector<TileOption>& tile_options() {
          "1000. "
          "Default: 1.",
          "plan"},
+        {"input_file_list", "<file>",
+         "Rasters on one grid, the name of one a line, in place of the source; of their mosaic plan makes "
+         "<work>/source.vrt.",
+         "plan"},
         {"threads", "<n>", "Threads of this process, in place of those that plan was given.",
          "find join draw merge write"},
         {"json", "", "The report to stdout as JSON.", "merge"},
@@ -235,6 +261,11 @@ const std::vector<TileOption>& tile_options() {
         {"bash_completion", "", "Print a script that completes command lines in Bash.", ""},
     };
     return options;
+}
+
+std::string mosaic_of_list(const std::string& work) {
+    const std::string path = (std::filesystem::path(work) / "source.vrt").string();
+    return path.starts_with('-') ? "./" + path : path;
 }
 
 TileCommand parse_tile_command_line(const Strings& arguments) {

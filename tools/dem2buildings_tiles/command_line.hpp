@@ -33,6 +33,7 @@ struct TileCommand {
     TileCommandKind kind = TileCommandKind::text;
     std::string text;  ///< name of the option that asks for a text: help, version, man, bash_completion
     std::string work;
+    std::string list;  ///< of plan: names of rasters whose mosaic in `work` is the source; "" for none
     std::vector<std::int64_t> tiles;  ///< of find, draw and write, ascending
     std::int32_t side = 1;            ///< of plan
     int threads = 0;                  ///< of all but plan; 0: as plan was given
@@ -42,6 +43,9 @@ struct TileCommand {
     std::vector<std::string> words;
     Request request;
 };
+
+/// The mosaic that plan makes of a list of rasters, as a command line names it.
+[[nodiscard]] std::string mosaic_of_list(const std::string& work);
 
 /// Reads a command line; opens no file. @param arguments without the program's name and GDAL's own switches
 /// @throws OptionError

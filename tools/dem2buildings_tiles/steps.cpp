@@ -6,6 +6,7 @@
 #include <iostream>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "core/number_text.hpp"
@@ -16,6 +17,7 @@
 #include "dem2buildings/open_sinks.hpp"
 #include "dem2buildings/progress.hpp"
 #include "dem2buildings_tiles/plan_file.hpp"
+#include "dem2buildings_tiles/source_mosaic.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
 #include "write/layer_mosaic.hpp"
 #include "write/part_sink.hpp"
@@ -77,10 +79,7 @@ void require_no_other(const std::filesystem::path& work, const TilePlan& plan) {
     const TilePlan known = read_plan(work).plan;
     if (known.words != plan.words || known.folder != plan.folder || known.side != plan.side ||
         known.files != plan.files || known.window != plan.window)
-        throw OptionError(
-            "'" + work.string() +
-            "' holds another plan, or one of a source that has changed; give another work folder, or "
-            "delete this one.");
+        refuse_other_plan(work);
 }
 
 void plan(const TileCommand& command, const Callbacks& callbacks) {
@@ -91,9 +90,12 @@ void plan(const TileCommand& command, const Callbacks& callbacks) {
         throw OptionError(
             "A folder to which each tile adds its files is a new one; give another name, or delete "
             "that one, without -append and -overwrite.");
+    const std::filesystem::path work(command.work);
+    std::optional<SourceMosaic> mosaic;
+    if (!command.list.empty())
+        mosaic.emplace(command.list, work, options.read.band);
     const Inputs inputs = open_inputs(options, callbacks);
     const auto sink = open_sink(options.write, callbacks);
-    const std::filesystem::path work(command.work);
     TileRun run({work, 0, command.side, {}}, options, inputs.sources(), *sink, callbacks);
     const TilePlan plan{command.words,
                         std::filesystem::current_path().string(),
@@ -107,6 +109,8 @@ void plan(const TileCommand& command, const Callbacks& callbacks) {
     require_no_other(work, plan);
     if (!std::filesystem::exists(work / "plan.json"))
         write_plan(work, plan, cost);
+    if (mosaic)
+        mosaic->keep();
     if (!command.quiet)
         std::cout << spoken(plan, cost, command.work);
 }

@@ -1,0 +1,188 @@
+#include "read/raster_mosaic.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include <cpl_string.h>
+#include <gdal_utils.h>
+
+#include "core/number_text.hpp"
+#include "core/warnings.hpp"
+#include "dem2buildings/error.hpp"
+#include "read/gdal_messages.hpp"
+#include "read/open_raster.hpp"
+#include "read/start_gdal.hpp"
+
+namespace d2b {
+namespace {
+
+/// How far, in cells, a cell may lie from that of the grid.
+constexpr double same_place = 0.001;
+
+/// Columns or rows of a raster.
+struct Axis {
+    double first = 0;  ///< coordinate of its edge
+    double step = 0;   ///< to the next cell
+    double cells = 0;
+};
+
+/// A raster of the list, closed again.
+struct Listed {
+    std::string name;
+    std::array<Axis, 2> axes;
+    GDALDataType type = GDT_Unknown;
+    std::optional<double> nodata;
+    std::string unit;
+    CrsOwner crs;
+};
+
+[[noreturn]] void refuse(const std::string& name, const std::string& why, const std::string& advice) {
+    throw InputError("'" + name + "' cannot be a part of a mosaic: " + why + "; " + advice +
+                     ", or take it off the list.");
+}
+
+Listed listed(const std::string& name, int band) {
+    ReadOptions options;
+    options.source = name;
+    options.band = band;
+    Warnings unheard;
+    const OpenRaster raster = open_raster(options, name, unheard);
+    const GdalMessages quiet;
+    GDALDatasetH dataset = raster.dataset.get();
+    std::array<double, 6> to{};
+    if (GDALGetGeoTransform(dataset, to.data()) != CE_None)
+        refuse(name, "it does not say where it lies", "give it corners with gdal_translate -a_ullr");
+    if (to[2] != 0 || to[4] != 0 || !(to[1] > 0) || !(to[5] < 0))
+        refuse(name, "it is rotated or upside down", "bring it onto the grid of the others with gdalwarp");
+    Listed here;
+    here.name = name;
+    here.axes = {{{to[0], to[1], static_cast<double>(GDALGetRasterXSize(dataset))},
+                  {to[3], to[5], static_cast<double>(GDALGetRasterYSize(dataset))}}};
+    here.type = GDALGetRasterDataType(raster.band);
+    int known = FALSE;
+    if (const double nodata = GDALGetRasterNoDataValue(raster.band, &known); known != FALSE)
+        here.nodata = nodata;
+    here.unit = GDALGetRasterUnitType(raster.band);
+    if (OGRSpatialReferenceH crs = GDALGetSpatialRef(dataset); crs != nullptr)
+        here.crs.reset(OSRClone(crs));
+    return here;
+}
+
+bool same_crs(const Listed& a, const Listed& b) {
+    if (a.crs == nullptr || b.crs == nullptr)
+        return a.crs == b.crs;
+    const std::array<const char*, 2> criteria{"IGNORE_DATA_AXIS_TO_SRS_AXIS_MAPPING=YES", nullptr};
+    return OSRIsSameEx(a.crs.get(), b.crs.get(), criteria.data()) != FALSE;
+}
+
+void require_one_grid(const Listed& first, const Listed& other) {
+    const std::string where = " than '" + first.name + "'";
+    const std::string warp = "bring it onto that grid with gdalwarp";
+    if (!same_crs(first, other))
+        refuse(other.name, "it has another coordinate reference system" + where, warp);
+    for (std::size_t i = 0; i < first.axes.size(); ++i) {
+        const Axis& a = first.axes[i];
+        const Axis& b = other.axes[i];
+        if (std::abs(b.step / a.step - 1) * b.cells > same_place)
+            refuse(other.name, "it has cells of another size" + where, warp);
+        const double offset = (b.first - a.first) / a.step;
+        if (std::abs(offset - std::round(offset)) > same_place)
+            refuse(other.name, "its cells lie between those of '" + first.name + "'", warp);
+    }
+    if (other.type != first.type)
+        refuse(other.name,
+               std::string("it holds ") + GDALGetDataTypeName(other.type) + ", not " +
+                   GDALGetDataTypeName(first.type) + " as '" + first.name + "'",
+               "give it that type with gdal_translate -ot");
+    if (other.unit != first.unit)
+        refuse(
+            other.name,
+            "it says that its unit is '" + other.unit + "', not '" + first.unit + "' as '" + first.name + "'",
+            "say what holds with gdal_edit.py -units");
+}
+
+/// A value that stands for no data where no raster has one.
+double unlikely(GDALDataType type) {
+    switch (type) {
+        case GDT_Byte:
+            return std::numeric_limits<std::uint8_t>::max();
+        case GDT_UInt16:
+            return std::numeric_limits<std::uint16_t>::max();
+        case GDT_UInt32:
+            return std::numeric_limits<std::uint32_t>::max();
+        case GDT_Int16:
+            return std::numeric_limits<std::int16_t>::min();
+        case GDT_Int32:
+            return std::numeric_limits<std::int32_t>::min();
+        default:
+            return std::numeric_limits<double>::quiet_NaN();
+    }
+}
+
+/// Whether there are as many cells as the mosaic has.
+bool may_fill(const std::vector<Listed>& rasters) {
+    std::array<double, 2> least{};
+    std::array<double, 2> most{};
+    double cells = 0;
+    for (const Listed& raster : rasters) {
+        cells += raster.axes[0].cells * raster.axes[1].cells;
+        for (std::size_t i = 0; i < least.size(); ++i) {
+            const Axis& origin = rasters.front().axes[i];
+            const double offset = std::round((raster.axes[i].first - origin.first) / origin.step);
+            least[i] = std::min(least[i], offset);
+            most[i] = std::max(most[i], offset + raster.axes[i].cells);
+        }
+    }
+    return cells >= (most[0] - least[0]) * (most[1] - least[1]);
+}
+
+/// Where nothing says what no data is, GDAL takes 0 for what no raster covers.
+std::optional<double> nodata_of(const std::vector<Listed>& rasters) {
+    for (const Listed& raster : rasters)
+        if (raster.nodata)
+            return raster.nodata;
+    if (may_fill(rasters))
+        return {};
+    return unlikely(rasters.front().type);
+}
+
+struct OptionsRelease {
+    void operator()(GDALBuildVRTOptions* options) const { GDALBuildVRTOptionsFree(options); }
+};
+
+}  // namespace
+
+void build_mosaic(const std::string& path, const std::vector<std::string>& rasters, int band) {
+    register_formats();
+    std::vector<Listed> all;
+    for (const std::string& name : rasters) {
+        all.push_back(listed(name, band));
+        require_one_grid(all.front(), all.back());
+    }
+    CPLStringList words;
+    words.AddString("-strict");  // what does not fit is an error, not left out
+    if (const std::optional<double> nodata = nodata_of(all)) {
+        words.AddString("-vrtnodata");
+        words.AddString(number_text(*nodata).c_str());
+    }
+    const GdalMessages messages;
+    const std::unique_ptr<GDALBuildVRTOptions, OptionsRelease> options(
+        GDALBuildVRTOptionsNew(words.List(), nullptr));
+    const StringList names(rasters);
+    int wrong = FALSE;
+    DatasetOwner mosaic(GDALBuildVRT(path.c_str(), static_cast<int>(rasters.size()), nullptr, names.get(),
+                                     options.get(), &wrong));
+    if (!mosaic)
+        throw InputError("The rasters of the list cannot be made into a mosaic: " + messages.reason() + ".");
+    mosaic.reset();  // which writes it
+    if (messages.failed())
+        throw OutputError("'" + path + "' cannot be written: " + messages.reason() +
+                          "; make room in the work folder, or give another one.");
+}
+
+}  // namespace d2b
