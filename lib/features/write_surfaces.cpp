@@ -193,6 +193,8 @@ SurfaceMeta surface_meta(const RunPlan& plan, const SurfaceLattice& lattice, con
     meta.tier_style = contour_style(false);
     for (const char* field : {"p90", "num_floors", "area_m2", "volume_m3", "confidence"})
         meta.first_fields.emplace_back(field_name(names, field));
+    if (plan.asked.detect.is_split_by())
+        meta.first_fields.emplace_back(field_name(names, "parcel"));
     return meta;
 }
 

@@ -99,7 +99,7 @@ class PageSink final : public SurfaceSink {
         : name_(place.name),
           parts_(parts),
           window_(dem.window),
-          title_(std::filesystem::path(dem.name).filename().string()),
+          title_(std::filesystem::path(place.name).stem().string()),
           relief_(std::move(relief)),
           most_(most),
           file_(std::move(place)) {}

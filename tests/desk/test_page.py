@@ -71,6 +71,45 @@ class Page(unittest.TestCase):
             self.looks_like(browser, "page_town_phone.png")
             self.quiet(browser)
 
+    def test_all_is_seen_beside_the_panels(self):
+        """Corners of the window, and the highest of each building, in both views and on both screens."""
+        for size, left, top, bottom in ((1280, 800), 284, 0, 800), ((390, 780), 0, 110, 664):
+            with self.subTest(size), Browser(size=size) as browser:
+                browser.open(self.town)
+                for view in ("to3d", "tomap"):
+                    browser.press(view)
+                    places = browser.run("""
+                        const {scene, map, shown, town} = window.dem2buildings;
+                        const base = (b) => [[0, 1], [2, 1], [2, 3], [0, 3]].map(([x, y]) => {
+                          const box = town.boxOf(b);
+                          return [box[x], box[y], box[4]];
+                        });
+                        const points = town.about.frame.corners.map(([x, y]) => [x, y, scene.relief.near(x, y)]);
+                        for (let b = 0; b < town.buildings; ++b)
+                          points.push(...base(b));
+                        if (shown === map)
+                          return points.map(([x, y]) => map.toPixels(x, y).map((part) => part / map.ratio));
+                        scene.camera.updateMatrixWorld();
+                        return points.map(([x, y, z]) => {
+                          const at = scene.camera.position.clone().set(x, z, -y).project(scene.camera);
+                          return [(1 + at.x) / 2 * innerWidth, (1 - at.y) / 2 * innerHeight];
+                        });""")
+                    self.assertGreater(min(x for x, _ in places), left, view)
+                    self.assertLess(max(x for x, _ in places), size[0], view)
+                    self.assertGreater(min(y for _, y in places), top, view)
+                    self.assertLess(max(y for _, y in places), bottom, view)
+                    wide = max(x for x, _ in places) - min(x for x, _ in places)
+                    high = max(y for _, y in places) - min(y for _, y in places)
+                    self.assertTrue(wide > 0.88 * (size[0] - left) or high > 0.88 * (bottom - top), view)
+
+    def test_north_is_turned_up(self):
+        with Browser() as browser:
+            browser.open(self.town)
+            around = lambda: browser.run("return window.dem2buildings.scene.controls.getAzimuthalAngle()")
+            self.assertGreater(abs(around()), 0.1)
+            browser.press("north")
+            self.assertLess(abs(around()), 1e-6)
+
     def test_corners_are_those_of_the_surface(self):
         """Of the triangles in the page, and of the CityJSON; a solid has corners more where walls of others end."""
         city = json.loads((self.folder / "town.city.json").read_text())
@@ -224,14 +263,18 @@ class Page(unittest.TestCase):
         self.assertLess(min(seconds), 5)
 
     def test_names_are_text(self):
-        named = self.folder / "<script>document.title='run'<b>&amp;.tif"
-        shutil.copy(TOWN, named)
-        page = self.make(named, "named.html")
-        with Browser() as browser:
-            browser.open(page)
-            self.assertEqual(browser.run("return document.title"), named.name)
-            self.assertEqual(browser.run("return document.querySelector('h1').textContent"), named.name)
-            self.quiet(browser)
+        for name in ("<script>document.title='run'<b>&amp;", "<title><script>"):
+            place = self.folder / name
+            dem = place.with_name(f"{place.name}.tif")
+            shutil.copy(TOWN, dem)
+            page = self.make(dem, f"{name}.html")
+            with self.subTest(name), Browser() as browser:
+                browser.open(page)
+                self.assertEqual(browser.run("return document.title"), place.name)
+                self.assertEqual(browser.run("return document.querySelector('h1').textContent"), place.name)
+                browser.press("help")
+                self.assertIn(dem.name, browser.text("source"))
+                self.quiet(browser)
 
 
 if __name__ == "__main__":

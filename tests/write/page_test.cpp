@@ -192,7 +192,7 @@ TEST(PageRelief, isTheMeanOrTheLowest) {
 class PageTest : public WriteTest {
   protected:
     PageTest() {
-        dem_.name = "/data/<script>alert(1)&.tif";
+        dem_.name = "/data/</script>.tif";
         dem_.window = {0, 0, 10, 10};
         meta_.frame.scale = {0.5 / 1024, 0.5 / 1024, 0.001};
         meta_.fields = {{"id", "Building", FieldType::integer, "", "its number"},
@@ -236,9 +236,9 @@ std::string between(const std::string& text, const std::string& begin, const std
 }
 
 TEST_F(PageTest, namesAreTextAndNothingComesFromOutside) {
-    const std::string page = written("a.html");
+    const std::string page = written("<script>alert(1)&.html");
     EXPECT_TRUE(begins_a_page(page));
-    EXPECT_EQ(between(page, "<title>", "</title>"), "&lt;script&gt;alert(1)&amp;.tif");
+    EXPECT_EQ(between(page, "<title>", "</title>"), "&lt;script&gt;alert(1)&amp;");
     EXPECT_EQ(page.find("<script>alert"), std::string::npos);
     EXPECT_EQ(std::ranges::count(page, '@'), std::ranges::count(std::string(page_parts()->script), '@') +
                                                  std::ranges::count(std::string(page_parts()->style), '@'));
@@ -269,7 +269,7 @@ TEST_F(PageTest, holdsWhatWasAdded) {
     const auto about_size = static_cast<std::size_t>(static_cast<unsigned char>(sections[0])) +
                             256 * static_cast<std::size_t>(static_cast<unsigned char>(sections[1]));
     const auto about = nlohmann::json::parse(sections.substr(4, about_size));
-    EXPECT_EQ(about.at("title"), "<script>alert(1)&.tif");
+    EXPECT_EQ(about.at("title"), "a");
     EXPECT_EQ(about.at("buildings"), 1);
     EXPECT_EQ(about.at("fields").at(1).at("values").at(0), 12.346);
     EXPECT_EQ(about.at("levels").size(), 3U);

@@ -7,7 +7,8 @@ import {blocks, foundations, stacks} from './extrude.js';
 
 const buildingsAChunk = 60;
 
-function meshOf(prisms, materials) {
+// Faces and the edges of roofs.
+export function meshOf(prisms, materials) {
   const positions = new THREE.BufferAttribute(new Float32Array(prisms.positions), 3);
   const faces = new THREE.BufferGeometry();
   faces.setAttribute('position', positions);
@@ -38,12 +39,18 @@ function squares(town) {
 
 class Chunk {
   constructor(town, relief, buildings, materials) {
-    Object.assign(this, {town, buildings, materials});
+    Object.assign(this, {town, relief, buildings, materials});
     this.root = new THREE.Group();
     this.block = meshOf(blocks(town, buildings), materials);
     this.stack = null;
-    this.root.add(this.block, meshOf(foundations(town, relief, buildings), materials));
+    this.foundation = null;
+    this.root.add(this.block);
     this.middle = new THREE.Box3().setFromObject(this.block).getCenter(new THREE.Vector3());
+  }
+
+  makeFoundation() {
+    this.foundation = meshOf(foundations(this.town, this.relief, this.buildings), this.materials);
+    this.root.add(this.foundation);
   }
 
   makeStack() {
@@ -85,16 +92,18 @@ export class Chunks {
       this.root.add(chunk.root);
   }
 
-  // Shows stacks near the eye, of so many triangles at most, and blocks beyond. Makes stacks that are missing until it
-  // is so late. Whether some are still missing.
+  // Shows stacks near the eye, of so many triangles at most, and blocks beyond. Makes what is missing of stacks and of
+  // foundations until it is so late. Whether some is still missing.
   update(eye, budget, late) {
     this.all.sort((a, b) => a.middle.distanceToSquared(eye) - b.middle.distanceToSquared(eye));
     let missing = false;
     let left = budget;
     for (const chunk of this.all) {
+      if (!chunk.foundation && performance.now() < late)
+        chunk.makeFoundation();
       if (left > 0 && !chunk.stack && performance.now() < late)
         chunk.makeStack();
-      missing = missing || (left > 0 && !chunk.stack);
+      missing = missing || !chunk.foundation || (left > 0 && !chunk.stack);
       chunk.show(chunk.stack !== null && left > 0, this.level);
       left -= chunk.stack?.triangles ?? 0;
     }

@@ -13,8 +13,9 @@ const ink = {
 const text = (colour, opacity = 1) => `rgba(${colour.join(',')},${opacity})`;
 
 export class FlatMap {
-  constructor(town, relief, canvas, onPick) {
-    Object.assign(this, {town, relief, canvas, onPick});
+  // @param room says what of the window is free: left, top, right, bottom @param onPick gets a building, or -1
+  constructor(town, relief, canvas, room, onPick) {
+    Object.assign(this, {town, relief, canvas, room, onPick});
     this.pen = canvas.getContext('2d');
     this.level = town.levels;
     this.theme = 'light';
@@ -25,12 +26,18 @@ export class FlatMap {
     this.watch();
   }
 
-  // @param room share of the picture that the window may fill
-  home(room = 0.94) {
+  // All, in what is free of panels. On paper there are none.
+  home() {
+    const {width, height} = this.canvas;
+    const [left, top, right, bottom] =
+        this.isPaper ? [0, 0, width, height] : this.room().map((pixels) => pixels * this.ratio);
     const [west, south, east, north] = this.town.extent;
-    this.middle = [(west + east) / 2, (south + north) / 2];
-    this.scale =
-        room * Math.min(this.canvas.width / Math.max(1, east - west), this.canvas.height / Math.max(1, north - south));
+    this.scale = Math.min((right - left) / Math.max(1, east - west), (bottom - top) / Math.max(1, north - south));
+    this.middle = [
+      (west + east) / 2 - ((left + right) / 2 - width / 2) / this.scale,
+      (south + north) / 2 + ((top + bottom) / 2 - height / 2) / this.scale
+    ];
+    this.isHome = true;
     this.ask();
   }
 
@@ -68,6 +75,8 @@ export class FlatMap {
     const {clientWidth: width, clientHeight: height} = this.canvas.parentElement;
     const ratio = Math.min(2, window.devicePixelRatio);
     this.setSize(Math.round(width * ratio), Math.round(height * ratio), ratio);
+    if (this.isHome)
+      this.home();
   }
 
   // @param ratio pixels of the picture in one of the page
@@ -180,6 +189,7 @@ export class FlatMap {
 
   // Shares of the view.
   move(right, up) {
+    this.isHome = false;
     this.middle[0] += right * this.canvas.width / this.scale;
     this.middle[1] += up * this.canvas.width / this.scale;
     this.ask();
@@ -187,6 +197,7 @@ export class FlatMap {
 
   // @param about pixels that stay where they are
   zoom(factor, about = [this.canvas.width / 2, this.canvas.height / 2]) {
+    this.isHome = false;
     const [x, y] = this.toMetres(...about);
     this.scale /= factor;
     const [to, down] = this.toMetres(...about);
@@ -228,6 +239,7 @@ export class FlatMap {
         this.zoom(apart(old) / apart(now), now[0].map((part, i) => (part + now[1][i]) / 2));
       }
       const spot = fingers.get(event.pointerId);
+      this.isHome = this.isHome && moved < 5;
       this.middle[0] -= (spot[0] - before[0]) / this.scale / now.length;
       this.middle[1] += (spot[1] - before[1]) / this.scale / now.length;
       this.ask();

@@ -1,7 +1,9 @@
 // A page of dem2buildings: reads what is packed in it, and shows it.
 import {FlatMap} from './flat_map.js';
+import {contextOf} from './painter.js';
 import {showBuilding, showLegend, showLevel, showSource, showSum} from './panels.js';
 import {Relief} from './relief.js';
+import {freeRoom} from './room.js';
 import {Scene} from './scene.js';
 import {Town} from './town.js';
 import {unpack} from './unpack.js';
@@ -13,24 +15,12 @@ function notice(sentence) {
   byId('notice').hidden = false;
 }
 
-// Who draws 3D here: "card", "processor" (slowly), or nobody: null. Asked before three.js does, which would complain in
-// the console.
-function painter() {
-  const context = document.createElement('canvas').getContext('webgl');
-  if (!context)
-    return null;
-  const info = context.getExtension('WEBGL_debug_renderer_info');
-  const name = info ? context.getParameter(info.UNMASKED_RENDERER_WEBGL) : '';
-  context.getExtension('WEBGL_lose_context')?.loseContext();
-  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name) ? 'processor' : 'card';
-}
-
 class Page {
   constructor(town) {
     this.town = town;
     this.relief = new Relief(town);
     const onPick = (building) => this.choose(building);
-    this.map = new FlatMap(town, this.relief, byId('map'), onPick);
+    this.map = new FlatMap(town, this.relief, byId('map'), freeRoom, onPick);
     this.scene = this.makeScene(onPick);
     this.views = this.scene ? [this.scene, this.map] : [this.map];
     this.chosen = -1;
@@ -52,12 +42,13 @@ class Page {
   }
 
   makeScene(onPick) {
-    const machine = painter();
-    if (!machine) {
+    const context = contextOf(byId('view'));
+    if (!context) {
       notice('This browser does not show 3D (it has no WebGL), so here is the map.');
       return null;
     }
-    return new Scene(this.town, this.relief, byId('view'), machine, onPick);
+    const onTurn = (angle) => byId('needle').style.transform = `rotate(${angle}rad)`;
+    return new Scene(this.town, this.relief, byId('view'), context, freeRoom, {onPick, onTurn});
   }
 
   choose(building) {
@@ -70,6 +61,7 @@ class Page {
     this.shown = view;
     byId('view').hidden = view !== this.scene;
     byId('map').hidden = view !== this.map;
+    byId('north').hidden = view !== this.scene;
     byId('to3d').setAttribute('aria-pressed', String(view === this.scene));
     byId('tomap').setAttribute('aria-pressed', String(view === this.map));
     view.ask();
@@ -102,6 +94,7 @@ class Page {
     on('to3d', () => this.show(this.scene));
     on('tomap', () => this.show(this.map));
     on('home', () => this.shown.home());
+    on('north', () => this.scene.turnNorth());
     on('print', () => window.print());
     on('theme', () => this.setTheme(this.theme === 'dark' ? 'light' : 'dark'));
     const help = () => {
@@ -130,12 +123,15 @@ class Page {
       } else if (event.key === 'Escape') {
         this.choose(-1);
       } else if (event.key === 'Enter' && this.shown === this.scene) {
-        this.choose(this.scene.pick(byId('view').clientWidth / 2, byId('view').clientHeight / 2));
+        this.choose(this.scene.pick(...this.scene.middle()));
       } else {
         return;
       }
       event.preventDefault();
     };
+    // Who uses keys sees what they go to.
+    document.addEventListener('keydown', () => document.documentElement.dataset.keys = 'yes', true);
+    document.addEventListener('pointerdown', () => delete document.documentElement.dataset.keys, true);
     byId('view').addEventListener('keydown', onKey);
     byId('map').addEventListener('keydown', onKey);
   }
@@ -145,15 +141,15 @@ class Page {
     this.printed = {theme: this.theme, view: this.shown};
     byId('legend').open = true;
     const [west, south, east, north] = this.town.extent;
-    const ofMap = this.shown === this.map;
+    const ofMap = this.shown === this.map && !this.map.isHome;
     const [width, height] = ofMap ? [this.map.canvas.width, this.map.canvas.height] : [east - west, north - south];
     const finer = 2400 / Math.max(1, width, height);
     this.setTheme('light');
     this.show(this.map);
     this.map.setSize(Math.round(width * finer), Math.round(height * finer), 3);
-    if (!ofMap)
-      this.map.home(1);
     this.map.isPaper = true;
+    if (!ofMap)
+      this.map.home();
     this.map.draw();
   }
 

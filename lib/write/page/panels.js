@@ -6,7 +6,9 @@ const number = (value, digits) => value.toLocaleString('en', {maximumFractionDig
 function spoken(value) {
   if (value === null || value === undefined)
     return 'not known';
-  return typeof value === 'number' ? number(value, 2) : value;
+  if (typeof value !== 'number')
+    return value;
+  return number(value, Math.abs(value) >= 1000 ? 0 : Math.abs(value) >= 100 ? 1 : 2);
 }
 
 function pair(name, value, title) {
@@ -28,7 +30,7 @@ function list(pairs) {
 
 export function showSum(town) {
   const {buildings, crs} = town.about;
-  byId('sum').textContent = `${number(buildings, 0)} building${buildings === 1 ? '' : 's'}${crs ? `, ${crs}` : ''}`;
+  byId('sum').textContent = `${number(buildings, 0)} building${buildings === 1 ? '' : 's'}${crs ? `\n${crs}` : ''}`;
 }
 
 export function showSource(town) {
@@ -66,7 +68,7 @@ export function showLegend(town) {
     add(colour, label);
   const {certainty, certain} = town.about.tierStyle;
   const values = town.fields.get(certainty)?.values ?? [];
-  legend.open = window.matchMedia('(min-width: 761px)').matches;
+  legend.open = window.matchMedia('(min-width: 761px) and (min-height: 620px)').matches;
   legend.append(caption, entries);
   if (!values.some((value) => value !== null && value < certain))
     return;

@@ -26,6 +26,15 @@ export class Relief {
   // Metres from the page's origin; NaN where there is none.
   at(row, col) { return this.heights[row * this.cols + col] - this.origin; }
 
+  // Of all samples; 0 where there are none.
+  lowest() {
+    let lowest = Infinity;
+    for (const height of this.heights)
+      if (height < lowest)
+        lowest = height;
+    return lowest === Infinity ? 0 : lowest - this.origin;
+  }
+
   // The middle of a sample; those at the border lie on it, as the window has nothing beyond.
   position(row, col) {
     const share = (i, count, step) => i === 0 ? 0 : i === count - 1 ? 1 : Math.min(1, (i + 0.5) * step);
@@ -62,7 +71,9 @@ export class Relief {
     const image = new ImageData(this.cols, this.rows);
     const {tint} = tones[theme];
     this.shades(theme).forEach((shade, i) => {
-      image.data.set([...tint.map((part) => shade * part), Number.isNaN(this.heights[i]) ? 0 : 255], 4 * i);
+      for (let part = 0; part < 3; ++part)
+        image.data[4 * i + part] = tint[part] * shade;
+      image.data[4 * i + 3] = Number.isNaN(this.heights[i]) ? 0 : 255;
     });
     const canvas = document.createElement('canvas');
     [canvas.width, canvas.height] = [this.cols, this.rows];

@@ -2,9 +2,12 @@
 import * as THREE from 'three';
 import {OrbitControls} from 'three-orbit';
 
-import {Chunks} from './chunks.js';
+import {Chunks, meshOf} from './chunks.js';
 import {chosen} from './colours.js';
 import {addPrism, Prisms} from './extrude.js';
+import {fittingPlace} from './fit.js';
+import {GroundMesh} from './ground_mesh.js';
+import {isProcessor} from './painter.js';
 import {buildingOnRay} from './pick.js';
 
 const sky = {
@@ -21,99 +24,82 @@ const leastTriangles = 50000;
 const slowFrame = 80;
 const workTime = 100;
 const pictureTime = 1500;
-// Corners of the mesh of the ground a side; light is painted on it as finely as the samples are.
-const groundCorners = 160;
-
-// Every so many samples, and the last.
-function picked(count) {
-  const step = Math.ceil(count / groundCorners);
-  const all = [];
-  for (let i = 0; i < count - 1; i += step)
-    all.push(i);
-  all.push(count - 1);
-  return all;
-}
-
-function groundMesh(relief) {
-  const rows = picked(relief.rows);
-  const cols = picked(relief.cols);
-  const positions = [];
-  const spots = [];
-  const isKnown = [];
-  const indices = [];
-  rows.forEach((row, i) => cols.forEach((col, j) => {
-    const [x, y] = relief.position(row, col);
-    const z = relief.at(row, col);
-    const at = i * cols.length + j;
-    positions.push(x, Number.isNaN(z) ? 0 : z, -y);
-    spots.push((col + 0.5) / relief.cols, 1 - (row + 0.5) / relief.rows);
-    isKnown.push(!Number.isNaN(z));
-    const corners = [at, at - 1, at - cols.length, at - cols.length - 1];
-    if (i > 0 && j > 0 && corners.every((corner) => isKnown[corner]))
-      indices.push(corners[3], corners[1], corners[0], corners[3], corners[0], corners[2]);
-  }));
-  const geometry = new THREE.BufferGeometry();
-  geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array(positions), 3));
-  geometry.setAttribute('uv', new THREE.BufferAttribute(new Float32Array(spots), 2));
-  geometry.setIndex(indices);
-  return new THREE.Mesh(
-      geometry,
-      new THREE.MeshBasicMaterial(
-          {side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2}));
-}
+// From what is seen to the eye, when all is shown: from the south, a little from the west; more from above where there
+// is more height than width.
+const homewards = {
+  wide: new THREE.Vector3(-0.22, 0.68, 0.7).normalize(),
+  high: new THREE.Vector3(-0.14, 1.1, 0.5).normalize()
+};
+const upright = Math.PI / 180 * 40;  // angle of view
+// Pixels drawn for one of the screen, a side, when nothing moves; and milliseconds after which it is taken to rest.
+const fine = 2;
+const restTime = 200;
+// Of the free part of the picture that all may fill.
+const margin = 0.95;
 
 export class Scene {
-  // @param machine who draws: "card" or "processor" @param onPick gets a building, or -1 where there is none
-  constructor(town, relief, canvas, machine, onPick) {
-    Object.assign(this, {town, relief, canvas, onPick});
+  // @param context of the canvas @param room says what of the window is free: left, top, right, bottom
+  // @param onPick gets a building, or -1 where there is none @param onTurn the angle of north, clockwise from above
+  constructor(town, relief, canvas, context, room, {onPick, onTurn}) {
+    Object.assign(this, {town, relief, canvas, room, onPick, onTurn});
+    const machine = isProcessor(context) ? 'processor' : 'card';
+    const [west, south, east, north] = town.extent;
+    this.size = Math.max(30, Math.hypot(east - west, north - south));
     this.most = mostTriangles[machine];
-    this.pixelRatio = machine === 'card' ? Math.min(2, window.devicePixelRatio) : 1;
-    this.renderer = new THREE.WebGLRenderer({canvas, antialias: machine === 'card', preserveDrawingBuffer: true});
+    this.coarse = machine === 'card' ? fine : 1;
+    this.renderer = new THREE.WebGLRenderer({canvas, context});
     this.scene = new THREE.Scene();
-    this.ground = groundMesh(relief);
+    this.ground = new GroundMesh(relief, this.size);
     this.chunks = new Chunks(town, relief);
-    this.scene.add(this.ground, this.chunks.root);
+    this.scene.add(this.ground.root, this.chunks.root);
     this.mark = null;
-    this.camera = new THREE.PerspectiveCamera(40, 1, 1, 10);
+    this.camera = new THREE.PerspectiveCamera(upright / Math.PI * 180, 1, this.size / 400, this.size * 8);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableKeys = false;
     this.controls.screenSpacePanning = false;
     this.controls.maxPolarAngle = 0.49 * Math.PI;
-    this.controls.addEventListener('change', () => this.ask());
+    this.controls.minDistance = this.size / 200;
+    this.controls.maxDistance = this.size * 4;
+    this.controls.addEventListener('change', () => {
+      this.isHome = false;
+      this.ask();
+    });
     this.controls.addEventListener('start', () => this.moving = true);
     this.controls.addEventListener('end', () => this.stopMoving());
     this.budget = this.most;
     this.asked = false;
     this.watchClicks();
-    this.home();
   }
 
+  // Of the part of the picture that is free of panels, pixels.
+  middle() {
+    const [left, top, right, bottom] = this.room();
+    return [(left + right) / 2, (top + bottom) / 2];
+  }
+
+  // All, as large as it goes beside the panels.
   home() {
+    const {clientWidth: width, clientHeight: height} = this.canvas;
+    const [left, top, right, bottom] = this.room();
+    const aPixel = 2 * Math.tan(upright / 2) / Math.max(1, height);
+    const homeward = right - left < bottom - top ? homewards.high : homewards.wide;
+    const shares = [right - left, bottom - top].map((pixels) => Math.max(1, margin * pixels) * aPixel / 2);
+    const place = fittingPlace(this.town, this.relief, homeward, shares);
     const [west, south, east, north] = this.town.extent;
-    const size = Math.max(30, Math.hypot(east - west, north - south));
-    const middle = new THREE.Vector3((west + east) / 2, 0, -(south + north) / 2);
-    const raised = 0.05 * size;  // above the panels at the lower border
-    const ground = this.relief.near(middle.x, -middle.z);
-    middle.y = Number.isNaN(ground) ? 0 : ground;
-    const far = size * 1.08 / Math.min(1, this.camera.aspect);
-    middle.z += raised;
-    this.controls.target.copy(middle);
-    this.camera.position.set(middle.x - 0.22 * far, middle.y + 0.68 * far, middle.z + 0.7 * far);
-    this.camera.near = size / 400;
-    this.camera.far = size * 8;
-    this.controls.minDistance = size / 200;
-    this.controls.maxDistance = size * 4;
-    this.camera.updateProjectionMatrix();
+    const ground = this.relief.near((west + east) / 2, (south + north) / 2);
+    const down = (place.y - (Number.isNaN(ground) ? this.relief.lowest() : ground)) / homeward.y;
+    const [x, y] = this.middle();
+    this.camera.setViewOffset(width, height, width / 2 - x, height / 2 - y, width, height);
+    this.camera.position.copy(place);
+    this.controls.target.copy(place).addScaledVector(homeward, -down);
     this.controls.update();
+    this.isHome = true;
     this.ask();
   }
 
   setTheme(theme) {
     this.renderer.setClearColor(sky[theme]);
-    this.ground.material.map?.dispose();
-    this.ground.material.map = new THREE.CanvasTexture(this.relief.image(theme));
-    this.ground.material.map.minFilter = THREE.LinearFilter;  // its sides are no powers of two
-    this.ground.material.needsUpdate = true;
+    this.ground.setTheme(theme);
     this.ask();
   }
 
@@ -132,12 +118,8 @@ export class Scene {
       for (let tier = from; tier < to; ++tier)
         if (this.town.stack.level[tier] <= this.chunks.level)
           addPrism(prisms, this.town, tier, this.town.foot(building, tier), this.town.top(tier), chosen);
-      const geometry = new THREE.BufferGeometry();
-      geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array(prisms.positions), 3));
-      geometry.setAttribute('color', new THREE.BufferAttribute(new Uint8Array(prisms.colours), 3, true));
-      geometry.setIndex(prisms.indices);
-      this.mark = new THREE.Mesh(
-          geometry, new THREE.MeshBasicMaterial({vertexColors: THREE.VertexColors, side: THREE.DoubleSide}));
+      this.mark = meshOf(prisms, this.chunks.materials);
+      this.mark.renderOrder = 1;
       this.scene.add(this.mark);
     }
     this.ask();
@@ -177,6 +159,8 @@ export class Scene {
     this.ask();
   }
 
+  turnNorth() { this.turn(this.controls.getAzimuthalAngle() / (2 * Math.PI), 0); }
+
   // Shares of the distance to what is looked at.
   move(right, up) {
     const away = this.camera.position.clone().sub(this.controls.target);
@@ -198,12 +182,15 @@ export class Scene {
     this.ask();
   }
 
+  // Shows all again if nobody has moved it.
   resize() {
     const {clientWidth: width, clientHeight: height} = this.canvas.parentElement;
-    this.renderer.setPixelRatio(this.pixelRatio);
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / Math.max(1, height);
-    this.camera.updateProjectionMatrix();
+    const [x, y] = this.middle();
+    this.camera.setViewOffset(width, height, width / 2 - x, height / 2 - y, width, height);
+    if (this.isHome)
+      this.home();
     this.ask();
   }
 
@@ -223,7 +210,7 @@ export class Scene {
   // A line is as wide as a pixel: from far away many of them would hide the colours.
   thinLines() {
     const away = this.camera.position.distanceTo(this.controls.target);
-    const pixelsAMetre = this.canvas.clientHeight / (2 * Math.tan(this.camera.fov * Math.PI / 360) * away);
+    const pixelsAMetre = this.canvas.clientHeight / (2 * Math.tan(upright / 2) * away);
     this.chunks.materials.lines.opacity = 0.5 * Math.min(1, pixelsAMetre);
   }
 
@@ -234,26 +221,47 @@ export class Scene {
     performance.mark('first-picture');
   }
 
-  // The first picture is of blocks. Where frames take long while something moves, far stacks are blocks until it has
-  // stopped; while stacks are made, there is a picture now and then.
+  // @param ratio pixels drawn for one of the screen
+  picture(ratio) {
+    if (this.renderer.getPixelRatio() !== ratio)
+      this.renderer.setPixelRatio(ratio);
+    this.thinLines();
+    this.renderer.render(this.scene, this.camera);
+    this.onTurn(this.controls.getAzimuthalAngle());
+    this.pictured = performance.now();
+  }
+
+  // The last picture, when it has rested for a while.
+  rest() {
+    const finish = () => {
+      this.picture(fine);
+      document.documentElement.dataset.ready = 'yes';
+    };
+    if (this.coarse === fine)
+      finish();
+    else
+      this.resting = setTimeout(finish, restTime);
+  }
+
+  // The first picture is of blocks without lines. Where frames take long while something moves, far stacks are blocks
+  // until it has stopped; while stacks are made, there is a picture now and then.
   draw(time) {
     this.asked = false;
+    clearTimeout(this.resting);
     if (this.moving && this.before && time - this.before > slowFrame)
       this.budget = Math.max(leastTriangles, this.budget / 2);
     this.before = time;
     const first = this.pictured === undefined;
     const late = first || this.moving ? 0 : performance.now() + workTime;
     const missing = this.chunks.update(this.camera.position, this.budget, late);
-    if (first || this.moving || !missing || performance.now() - this.pictured > pictureTime) {
-      this.thinLines();
-      this.renderer.render(this.scene, this.camera);
-      this.pictured = performance.now();
-    }
+    this.chunks.materials.lines.visible = !first;
+    if (first || this.moving || !missing || performance.now() - this.pictured > pictureTime)
+      this.picture(this.coarse);
     if (first)
       this.markFirst();
     if (first || (missing && !this.moving))
       this.ask();
-    else
-      document.documentElement.dataset.ready = 'yes';
+    else if (!this.moving)
+      this.rest();
   }
 }
