@@ -9,25 +9,16 @@
 #include "core/units.hpp"
 #include "dem2buildings/open_sinks.hpp"
 #include "dem2buildings/open_sources.hpp"
-#include "dem2buildings/version.hpp"
 #include "elevations/sift_rules.hpp"
-#include "options/given_words.hpp"
 #include "options/run_plan.hpp"
+#include "pipeline/scene_raster_files.hpp"
 #include "read/parcel_reader.hpp"
 #include "read/start_gdal.hpp"
-#include "write/geotiff_sink.hpp"
 #include "write/page_sink.hpp"
 #include "write/surface_sinks.hpp"
 
 namespace d2b {
 namespace {
-
-/// The grid in the CRS that -a_srs gives.
-DemInfo in_its_crs(DemInfo dem, const Options& options) {
-    if (!options.read.crs.empty())
-        dem.crs_wkt = Crs(options.read.crs).wkt();
-    return dem;
-}
 
 std::unique_ptr<SurfaceSink> open_surface(const std::string& destination, bool overwrite,
                                           const std::vector<std::string>& in_use) {
@@ -59,30 +50,14 @@ SideSources open_side_sources(const Options& options, const DemInfo& dem, const 
 
 SideSinks open_side_sinks(const Options& options, const DemInfo& dem) {
     register_formats();
-    const DemInfo grid = in_its_crs(dem, options);
     const WriteOptions& write = options.write;
     std::vector<std::string> in_use{options.read.source, write.destination};
     for (const std::string& name :
          {options.ground.terrain, options.detect.mask, options.detect.ndvi, options.detect.split_by})
         if (!name.empty())
             in_use.push_back(name);
-    const auto open = [&](const std::string& destination, const char* what, bool elevations) {
-        if (destination.empty())
-            return std::unique_ptr<RasterSink>();
-        RasterMeta meta;
-        meta.description = what;
-        meta.elevations = elevations;
-        meta.metadata = {{"D2B_VERSION", std::string(version)}, {"D2B_SOURCE", dem.name}};
-        if (const std::string words = given_words(options); !words.empty())
-            meta.metadata.emplace("D2B_OPTIONS", words);
-        auto sink = open_geotiff_sink({destination, write.overwrite, in_use}, grid, meta);
-        in_use.push_back(destination);
-        return sink;
-    };
-    SideSinks sinks;
-    sinks.ground = open(write.ground, "elevation of the ground", true);
-    sinks.height = open(write.height, "height above the ground", false);
-    sinks.canopy = open(write.canopy, "height of everything that is no building", false);
+    SideSinks sinks =
+        open_scene_rasters(options, dem, {write.ground, write.height, write.canopy}, write.overwrite, in_use);
     for (const std::string& destination : write.surfaces) {
         sinks.surfaces.push_back(open_surface(destination, write.overwrite, in_use));
         in_use.push_back(destination);

@@ -165,7 +165,8 @@ void write_sealed(const std::filesystem::path& path, const Seal& seal, std::span
     head.tail_size = tail.size();
     std::error_code ignored;
     std::filesystem::create_directories(path.parent_path(), ignored);
-    // Two processes may work on one tile: what both write is the same, and the last rename stands.
+    // Two processes may work on one tile: what both write is the same, but for the seconds that it took, and
+    // the last rename stands.
     // Process numbers of several machines may be the same.
     const std::filesystem::path hidden =
         path.parent_path() / ("." + path.filename().string() + "." + std::to_string(::getpid()) + "." +

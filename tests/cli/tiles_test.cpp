@@ -218,8 +218,8 @@ TEST_F(TilesTool, worksFromAnyFolder) {
 TEST_F(TilesTool, refusesWhatItCannotDo) {
     expect_refused(
         2,
-        "-write_canopy does not work in tiles: rasters are written by one run alone; leave it out, or run "
-        "dem2buildings.",
+        "-write_canopy in tiles is a file a tile and a VRT that shows them as one; give it the name "
+        "of the VRT on a disk, such as a.vrt, not \"a.tif\".",
         {"plan", "-write_canopy", "a.tif", sample("town.tif"), "a.gpkg", "work"});
     expect_refused(
         2, "-page does not work in tiles: a page is made of the whole; leave it out, or run dem2buildings.",

@@ -18,6 +18,7 @@
 #include "dem2buildings/progress.hpp"
 #include "dem2buildings_tiles/plan_file.hpp"
 #include "dem2buildings_tiles/source_mosaic.hpp"
+#include "pipeline/tiles/tile_rasters.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
 #include "write/layer_mosaic.hpp"
 #include "write/part_sink.hpp"
@@ -92,6 +93,8 @@ void plan(const TileCommand& command, const Callbacks& callbacks) {
             "that one, without -append and -overwrite.");
     const std::filesystem::path work(command.work);
     std::optional<SourceMosaic> mosaic;
+    if (!std::filesystem::exists(work / "plan.json"))
+        require_raster_names(options);
     if (!command.list.empty())
         mosaic.emplace(command.list, work, options.read.band);
     const Inputs inputs = open_inputs(options, callbacks);

@@ -2,6 +2,7 @@
 
 #include "elevations/part_source.hpp"
 #include "pipeline/find_in_unit.hpp"
+#include "pipeline/tiles/tile_rasters.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
 
 namespace d2b {
@@ -30,7 +31,8 @@ void find_units(TileRun& run, std::int64_t tile, PartSource& part, ElevationRead
     const Sources sources{part, run.sources().terrain, run.sources().mask, run.sources().ndvi,
                           run.sources().parcels};
     PlannedSink nowhere(run.setup().plan.layers);
-    const Sinks sinks{nowhere};
+    SideSinks rasters = open_tile_rasters(run, tile);
+    const Sinks sinks{nowhere, rasters.ground.get(), rasters.height.get(), rasters.canopy.get()};
     const UnitSearch search{
         run.setup().plan, sources, sinks, reader, {run.window(), run.setup().cell, run.metres()},
         run.context()};
@@ -43,6 +45,7 @@ void find_units(TileRun& run, std::int64_t tile, PartSource& part, ElevationRead
         facts.parcels.merge(here.parcels);
         found.units.push_back(found_unit(placed.unit, std::move(here)));
     }
+    finish_tile_rasters(rasters);
     if (run.setup().plan.ground == GroundMode::given)
         facts.terrain_outside = run.sources().terrain->cells_outside_range();
 }
@@ -61,7 +64,7 @@ void find_sums(TileRun& run, std::int64_t tile, FoundTile& found) {
 void find_tile(TileRun& run, std::int64_t tile) {
     const auto path = run.file(TileStep::find, tile);
     const Seal seal = run.seal(TileStep::find, tile);
-    if (is_sealed(path, seal))
+    if (is_sealed(path, seal) && has_rasters(run, tile))
         return;
     Context& context = run.context();
     FoundTile found{run.no_facts(), {}};

@@ -7,6 +7,7 @@
 #include "pipeline/feature_input.hpp"
 #include "pipeline/find_buildings.hpp"
 #include "pipeline/tiles/draw_margin.hpp"
+#include "pipeline/tiles/tile_rasters.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
 #include "tiles/joined_tile.hpp"
 
@@ -164,6 +165,7 @@ void join_tiles(TileRun& run) {
         join.join();
         join.write_tiles();
     }
+    show_rasters(run);
     join.write_frame();
     run.tidy(TileStep::find);
     run.tidy(TileStep::join);

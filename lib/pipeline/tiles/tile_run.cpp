@@ -82,9 +82,6 @@ void require_tiles(const Options& options) {
     refuse(found && options.outline.simplify > 0, "-simplify",
            "borders are simplified that the whole shares");
     refuse(found && write.rejected, "-write_rejected", "what is dropped is kept in one run alone");
-    refuse(!write.ground.empty(), "-write_ground", "rasters are written by one run alone");
-    refuse(!write.height.empty(), "-write_height", "rasters are written by one run alone");
-    refuse(!write.canopy.empty(), "-write_canopy", "rasters are written by one run alone");
 }
 
 }  // namespace d2b

@@ -1,0 +1,130 @@
+#include "pipeline/tiles/tile_rasters.hpp"
+
+#include <array>
+#include <filesystem>
+#include <system_error>
+#include <vector>
+
+#include "core/crs.hpp"
+#include "dem2buildings/error.hpp"
+#include "pipeline/scene_raster_files.hpp"
+#include "write/raster_parts.hpp"
+
+namespace d2b {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Asked {
+    const char* option;
+    const std::string& name;  ///< "" where it is not asked for
+};
+
+std::array<Asked, 3> asked(const Options& options) {
+    const WriteOptions& write = options.write;
+    return {
+        {{"-write_ground", write.ground}, {"-write_height", write.height}, {"-write_canopy", write.canopy}}};
+}
+
+fs::path folder_of(const std::string& vrt) {
+    return fs::path(vrt).replace_extension();
+}
+
+std::string file_of(std::int64_t tile) {
+    return std::to_string(tile) + ".tif";
+}
+
+/// "" for none.
+std::string path_of(const std::string& vrt, std::int64_t tile) {
+    return vrt.empty() ? "" : (folder_of(vrt) / file_of(tile)).string();
+}
+
+/// Makes the folder, in which what was killed may have left something.
+void make_folder(const std::string& vrt) {
+    if (vrt.empty())
+        return;
+    std::error_code error;
+    fs::create_directories(folder_of(vrt), error);
+    if (error)
+        throw OutputError("\"" + folder_of(vrt).string() + "\" cannot be made: " + error.message() +
+                          "; make room for it, or let it be written to.");
+}
+
+void remove_left_over(const fs::path& folder) {
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(folder, ignored))
+        if (entry.path().filename().string().starts_with(".dem2buildings."))
+            fs::remove_all(entry.path(), ignored);
+}
+
+}  // namespace
+
+void require_raster_names(const Options& options) {
+    std::vector<std::string> names;
+    for (const auto& [option, name] : asked(options)) {
+        if (name.empty())
+            continue;
+        if (fs::path(name).extension() != ".vrt" || name.starts_with("/vsi"))
+            throw OptionError(std::string(option) +
+                              " in tiles is a file a tile and a VRT that shows them as one; give it the name "
+                              "of the VRT on a disk, such as " +
+                              fs::path(name).filename().replace_extension(".vrt").string() + ", not \"" +
+                              name + "\".");
+        std::error_code error;
+        for (const fs::path& path : {fs::path(name), folder_of(name)})
+            if (fs::exists(path, error))
+                throw OptionError("\"" + path.string() +
+                                  "\" exists, and a raster that tiles write is new; give another name, or "
+                                  "delete it.");
+        for (const std::string& other : names)
+            if (other == name)
+                throw OptionError("\"" + name + "\" is the name of two rasters; give each its own.");
+        names.push_back(name);
+    }
+}
+
+bool has_rasters(const TileRun& run, std::int64_t tile) {
+    std::error_code error;
+    for (const auto& [option, name] : asked(run.setup().plan.asked))
+        if (!name.empty() && !fs::exists(path_of(name, tile), error))
+            return false;
+    return true;
+}
+
+SideSinks open_tile_rasters(const TileRun& run, std::int64_t tile) {
+    const Options& options = run.setup().plan.asked;
+    for (const auto& [option, name] : asked(options))
+        make_folder(name);
+    DemInfo grid = run.setup().dem;
+    grid.window = run.tiles().whole(tile).own;
+    const WriteOptions& write = options.write;
+    std::vector<std::string> in_use;
+    return open_scene_rasters(
+        options, grid,
+        {path_of(write.ground, tile), path_of(write.height, tile), path_of(write.canopy, tile)}, true,
+        in_use);
+}
+
+void finish_tile_rasters(SideSinks& sinks) {
+    for (const auto& sink : {sinks.ground.get(), sinks.height.get(), sinks.canopy.get()})
+        if (sink != nullptr)
+            sink->finish();
+}
+
+void show_rasters(const TileRun& run) {
+    const Window& window = run.window();
+    for (const auto& [option, name] : asked(run.setup().plan.asked)) {
+        if (name.empty())
+            continue;
+        std::vector<RasterPart> parts;
+        for (std::int64_t tile = 0; tile < run.tiles().count(); ++tile) {
+            const Window own = run.tiles().whole(tile).own;
+            parts.push_back({(folder_of(name).filename() / file_of(tile)).string(),
+                             {own.row - window.row, own.col - window.col, own.rows, own.cols}});
+        }
+        write_raster_parts(name, window.rows, window.cols, parts);
+        remove_left_over(folder_of(name));
+    }
+}
+
+}  // namespace d2b
