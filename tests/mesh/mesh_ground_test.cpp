@@ -3,6 +3,8 @@
 #include <limits>
 #include <set>
 
+#include <gdal.h>
+
 #include "core/crs.hpp"
 #include "mesh/mesh_tool.hpp"
 
@@ -71,6 +73,46 @@ TEST_F(MeshGround, followsAHillWithinTheError) {
     }
 }
 
+/// Height of the terrain over a place, from the triangles that hold it; NaN where none does.
+double terrain_at(const ReadMesh& mesh, double x, double y) {
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        if (mesh.objects[i] != "terrain/terrain")
+            continue;
+        const auto& [a, b, c] = mesh.triangles[i];
+        const std::array<double, 3>& p = mesh.points[a];
+        const double ux = mesh.points[b][0] - p[0];
+        const double uy = mesh.points[b][1] - p[1];
+        const double vx = mesh.points[c][0] - p[0];
+        const double vy = mesh.points[c][1] - p[1];
+        const double area = ux * vy - uy * vx;
+        const double s = ((x - p[0]) * vy - (y - p[1]) * vx) / area;
+        const double t = (ux * (y - p[1]) - uy * (x - p[0])) / area;
+        if (s >= -1e-9 && t >= -1e-9 && s + t <= 1 + 1e-9)
+            return p[2] + s * (mesh.points[b][2] - p[2]) + t * (mesh.points[c][2] - p[2]);
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
+TEST_F(MeshGround, followsACliffWithinTheError) {
+    city(two_boxes());
+    // Bare rock of up to 12 m, whose height differs by metres from a cell to the next.
+    const auto cliff = [](double x, double y) {
+        return x < 18 ? 0.0 : 8 + 4 * std::sin(2.1 * x) * std::cos(1.7 * y);
+    };
+    ground(cliff);
+    const nlohmann::json report = mesh_well(on_ground_);
+    EXPECT_EQ(report["ground"]["cells_farther_off"].size(), 0U);
+    EXPECT_LE(report["ground"]["largest_error_m"], 0.25);
+    const ReadMesh mesh = read("out.obj");
+    EXPECT_TRUE(mesh.is_closed());
+    const auto origin = report["origin"].get<std::vector<double>>();
+    for (double x = 15.5; x < 30; ++x)
+        for (double y = -9.5; y < 20; ++y)
+            EXPECT_NEAR(terrain_at(mesh, x + 500000 - origin[0], y + 5800000 - origin[1]) + origin[2],
+                        cliff(x, y), 0.251)
+                << x << " " << y;
+}
+
 TEST_F(MeshGround, liftsRoofsThatTheTerrainComesNear) {
     city(two_boxes());
     ground([](double, double) { return 3.75; });
@@ -99,6 +141,20 @@ TEST_F(MeshGround, fillsWhatTheRasterDoesNotKnow) {
     ground([](double x, double) { return x > 25 ? std::numeric_limits<double>::quiet_NaN() : 2; });
     EXPECT_EQ(mesh_well(on_ground_)["ground"]["cells"], 35 * 30 - 75);
     EXPECT_NEAR(read("out.obj").volume(), 40 * 30 * 10 + 50 * 7 + 25 * 2, 1e-2);
+}
+
+TEST_F(MeshGround, bringsFeetToMetres) {
+    city(two_boxes());
+    RasterSpec spec;
+    spec.cols = 40;
+    spec.rows = 30;
+    spec.transform = std::array<double, 6>{499990, 1, 0, 5800020, 0, -1};
+    spec.values.assign(1200, 2 / 0.3048);
+    GDALDatasetH raster = create(path("g.tif"), spec);
+    ASSERT_EQ(GDALSetRasterUnitType(GDALGetRasterBand(raster, 1), "ft"), CE_None);
+    GDALClose(raster);
+    mesh_well(on_ground_);
+    EXPECT_NEAR(read("out.obj").volume(), 40 * 30 * 10 + 50 * 7 + 25 * 2, 1e-1);
 }
 
 TEST_F(MeshGround, bringsTheRasterToTheCity) {

@@ -77,7 +77,7 @@ std::function<bool(const std::array<Position, 3>&)> too_far_from(const GroundGri
                                                                  const MeshRequest& request,
                                                                  const PlanFrame& frame) {
     const Position size = cell_size(grid, frame);
-    constexpr double smallest_share = 0.25;
+    constexpr double smallest_share = 1.0 / 64;
     const double smallest = std::min(size.x, size.y) * smallest_share / frame.metres();
     // Heights are rounded to steps in the end.
     const double most = std::max(0.5, request.ground_error / frame.metres_of_height() - 1);

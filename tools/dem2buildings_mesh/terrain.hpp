@@ -17,7 +17,8 @@ namespace d2b::mesh {
 std::size_t lay_ground(PlanDrawing& drawing, GroundGrid& grid, double margin_metres, const PlanFrame& frame);
 
 /// What RefineRules::too_coarse is to be: triangles that are too far from a cell, or whose edges are too long
-/// on the slope. Those below a quarter of a cell are left as they are.
+/// on the slope. Those below a 64th of a cell are left as they are: only where the terrain
+/// rises by more than 40 errors from a cell to the next one can that matter.
 [[nodiscard]] std::function<bool(const std::array<Position, 3>&)> too_far_from(const GroundGrid& grid,
                                                                                const MeshRequest& request,
                                                                                const PlanFrame& frame);

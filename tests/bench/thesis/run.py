@@ -4,8 +4,9 @@
     xvfb-run -a tests/bench/thesis/run.py --cities <folder> build
 
 Prints tables in Markdown; pictures and results.json go to <build>/thesis. Without --cities, a folder that has
-stuttgart_csite2/dsm.tif and delft/{dsm,dtm,class6_mask}.tif, only the parts that need none. Needs python3-gdal,
-python3-numpy, python3-scipy and python3-vtk9; pictures an X server, which xvfb-run of Debian's xvfb starts.
+stuttgart_csite2/dsm.tif, delft/{dsm,dtm,class6_mask}.tif, and dsm.tif, dtm.tif and reference_buildings.gpkg in
+montpellier_als and seville, only the parts that need none. Needs
+python3-gdal, python3-numpy, python3-scipy and python3-vtk9; pictures an X server, which xvfb-run of Debian's xvfb starts.
 """
 import argparse
 import json
@@ -23,7 +24,7 @@ from search import Search
 from thesis_mode import metric, run_natural, run_setting
 
 SAMPLES = Path(__file__).resolve().parents[3] / "sample_dems"
-PARTS = ("hotel", "square", "delft", "complexity")
+PARTS = ("hotel", "square", "delft", "montpellier", "seville", "complexity")
 
 
 def say(text):
@@ -76,6 +77,14 @@ def square(bench):
 def delft(bench):
     folder = bench.cities / "delft"
     approximate(bench, open_scene("delft", folder / "dsm.tif", folder / "dtm.tif", folder / "class6_mask.tif"))
+
+
+def surveyed(name, folder):
+    """A place whose terrain and buildings a survey knows. @return what measures it"""
+    def measure(bench):
+        place = bench.cities / folder
+        approximate(bench, open_scene(name, place / "dsm.tif", place / "dtm.tif", place / "reference_buildings.gpkg"))
+    return measure
 
 
 def approximate(bench, scene):
@@ -135,9 +144,10 @@ def main():
     if not pictures:
         say("There is no X server, so no pictures are drawn; start this with xvfb-run -a.")
     bench = Bench(tool, given.cities, out, BUDGETS, pictures)
-    does = {"hotel": hotel, "square": square, "delft": delft, "complexity": complexity_part}
+    does = {"hotel": hotel, "square": square, "delft": delft, "montpellier": surveyed("montpellier", "montpellier_als"),
+            "seville": surveyed("seville", "seville"), "complexity": complexity_part}
     for part in parts:
-        if part in ("square", "delft") and not (given.cities and given.cities.is_dir()):
+        if part not in ("hotel", "complexity") and not (given.cities and given.cities.is_dir()):
             say(f"{part} is left out: it needs --cities.")
             continue
         does[part](bench)

@@ -48,13 +48,27 @@ def read_filled(path):
 
 
 def open_scene(name, path, terrain=None, buildings=None):
-    """@param terrain: the survey's, on the same cells. @param buildings: not 0 where its class is building"""
+    """@param terrain: the survey's, on the same cells. @param buildings: a raster that is not 0 where its class is
+    building, or polygons around those cells"""
     z, valid = read_filled(path)
     scene = Scene(name, Path(path), z, valid, gdal.Open(str(path)).GetGeoTransform())
     if terrain is not None:
         bare, known = read_filled(terrain)
-        scene.truth = np.where(gdal.Open(str(buildings)).ReadAsArray() > 0, z, np.where(known, bare, np.nan))
+        scene.truth = np.where(is_building(path, buildings), z, np.where(known, bare, np.nan))
     return scene
+
+
+def is_building(like, buildings):
+    """Which cells of a raster have their middle in a building."""
+    if Path(buildings).suffix == ".tif":
+        return gdal.Open(str(buildings)).ReadAsArray() > 0
+    model = gdal.Open(str(like))
+    burnt = gdal.GetDriverByName("MEM").Create("", model.RasterXSize, model.RasterYSize, 1, gdal.GDT_Byte)
+    burnt.SetGeoTransform(model.GetGeoTransform())
+    burnt.SetProjection(model.GetProjection())
+    polygons = gdal.OpenEx(str(buildings), gdal.OF_VECTOR)
+    gdal.RasterizeLayer(burnt, [1], polygons.GetLayer(0), burn_values=[1])
+    return burnt.ReadAsArray() > 0
 
 
 def write_like(path, like, z, valid):

@@ -1,28 +1,52 @@
 """Which options give the least error at a number of points: the survey is not looked at."""
+from itertools import combinations, product
+
 import numpy as np
 
 from blocks import run_tool
 from closed import heights_unclosed
 from scene import figures
 
+STRAIGHT = [("-flow_ready", length) for length in (0, 1, 1.5, 2, 3, 5, 8, 12)]
+SIMPLIFIED = [("-simplify", tolerance) for tolerance in (0.5, 0.75, 1, 1.25, 1.5, 2, 3, 4, 5, 6, 8)]
 AXES = {
     "-lod": [1, 2, 3, 4, 6],
-    "-detail": [0.25, 0.5, 1, 1.5, 2, 4, 6, 8],
+    "-detail": [0.25, 0.5, 1, 1.5, 2, 3, 4, 6, 8],
     "-nf": [5, 10, 20, 40],
-    "-simplify": [0, 0.5, 0.75, 1, 1.25, 1.5, 2, 3, 4, 5, 6, 8],
-    "-split_height": [0, 2, 3],
+    "walls": STRAIGHT + SIMPLIFIED,
+    "-split_height": [0, 1.5, 2, 3, 4],
+    "-min_area": [10, 30, 50, 80],
+    "-min_height": [1.5, 2, 3],
 }
-COARSEST = {"-lod": 1, "-detail": 8, "-nf": 10, "-simplify": 5, "-split_height": 0}
-DEFAULTS = {"-lod": 4, "-detail": 0.5, "-nf": 10, "-simplify": 0, "-split_height": 0}
+COARSE = {"-lod": 1, "-detail": 8, "-nf": 10, "-split_height": 0, "-min_area": 30, "-min_height": 2}
+MIDDLE = {**COARSE, "-lod": 3, "-detail": 2, "-nf": 20, "-split_height": 2}
+FINE = {**COARSE, "-lod": 4, "-detail": 0.5}
+BEGINS = [{**levels, "walls": walls} for levels in (COARSE, MIDDLE, FINE)
+          for walls in (STRAIGHT[0], STRAIGHT[3], STRAIGHT[5], SIMPLIFIED[2], SIMPLIFIED[8])]
 TERRAIN_POINTS = 500  # beside those at the walls; with more the terrain is not what errs
 
 
 def words(choice):
     given = ["-surface_of", "contours"]
     for name, value in choice.items():
-        if name != "-simplify" or value > 0:  # without it walls are straight
+        name, value = value if name == "walls" else (name, value)
+        if name != "-flow_ready" or value > 0:
             given += [name, f"{value:g}"]
     return given
+
+
+def beside(choice, name, reach):
+    """The choice with other values of one option, at most so many places up or down."""
+    values = AXES[name]
+    at = values.index(choice[name])
+    return [{**choice, name: value} for value in values[max(0, at - reach):at + reach + 1] if value != choice[name]]
+
+
+def pairs(choice):
+    """One option a place up or down and another one as well: points that one saves are spent by the other."""
+    for first, second in combinations(AXES, 2):
+        for one, other in product(beside(choice, first, 1), beside(choice, second, 1)):
+            yield {**choice, first: one[first], second: other[second]}
 
 
 class Search:
@@ -58,25 +82,21 @@ class Search:
 
     def best(self, budget, begins):
         """From the best of some choices: one option after the other, up to two values to either side, as long as
-        that helps."""
+        that helps; then two at a time."""
         choice = dict(min(begins, key=lambda begin: self.error(begin, budget)))
-        least = self.error(choice, budget)
-        helped = True
-        while helped:
-            helped = False
-            for name, values in AXES.items():
-                at = values.index(choice[name])
-                for value in values[max(0, at - 2):at + 3]:
-                    trial = {**choice, name: value}
-                    error = self.error(trial, budget)
-                    if error < least:
-                        choice, least, helped = trial, error, True
-        return choice
+        while True:
+            before = choice
+            for name in AXES:
+                choice = min([choice, *beside(choice, name, 2)], key=lambda trial: self.error(trial, budget))
+            if choice == before:
+                choice = min([choice, *pairs(choice)], key=lambda trial: self.error(trial, budget))
+            if choice == before:
+                return choice
 
 
 def smaller_first(search, budgets):
     """The best of each budget; that of the next smaller one is tried first."""
     found = {}
     for budget in sorted(budgets):
-        found[budget] = search.best(budget, [COARSEST, DEFAULTS, *found.values()])
+        found[budget] = search.best(budget, [*BEGINS, *found.values()])
     return found
