@@ -36,13 +36,18 @@ void FlowPasses::mend(const StopRequest& stop) {
 /// @return whether all could be
 bool FlowPasses::take_apart(std::span<const PlanContour> leveled) {
     const std::int64_t wanted = steps_of(std::max(limits_.wall, limits_.gap), limits_.metric);
-    const PinchesTaken taken = take_apart_pinches(plan_, leveled, wanted);
-    for (const PinchMend& mend : taken.mends) {
-        // Nothing may touch, whatever it takes.
-        budget_.take(mend.contours, static_cast<double>(mend.twice_area) / 2 * limits_.metric.area());
+    PinchReach reach{wanted};
+    reach.allows = [&](PinchReach::Contours contours, double outside, double inside) {
+        return budget_.allows(contours, outside * limits_.metric.area(), inside * limits_.metric.area());
+    };
+    // Nothing may touch: a few steps are taken even where nothing may be.
+    reach.take = [&](PinchReach::Contours contours, double outside) {
+        budget_.take(contours, outside * limits_.metric.area());
+    };
+    const PinchesTaken taken = take_apart_pinches(plan_, leveled, reach);
+    for (const PinchMend& mend : taken.mends)
         problems_.push_back({FlowProblemKind::touch, 0, limits_.metric.distance(mend.place, mend.moved), true,
                              mend.place, mend.contours});
-    }
     return taken.stuck.empty();
 }
 

@@ -70,20 +70,20 @@ FlowReady make_flow_ready(std::span<const PlanContour> contours, const FlowLimit
     if (!result.problems.empty())
         return result;
     const std::vector<PlanContour> leveled = with_levels(contours);
-    std::vector<FlowFault> before;
+    bool touches_itself = false;
     {
         const PlanEditor plan(partition.plan);
-        before = find_faults(plan, contours, limits);
-        for (const FlowFault& fault : before)
+        for (const FlowFault& fault : find_faults(plan, contours, limits))
             result.problems.push_back(problem_of(fault, plan));
         Plan touching = partition.plan;
         const PinchesTaken touches = take_apart_pinches(touching, leveled);
         for (const PinchMend& mend : touches.mends)
             result.problems.push_back({FlowProblemKind::touch, 0, 0, false, mend.place, mend.contours});
+        touches_itself = !touches.mends.empty();
     }
     if (!result.problems.empty())
         if (auto changed = change(partition.plan, contours, leveled, limits, std::move(frozen), stop);
-            changed && changed->left < result.problems.size())
+            changed && (touches_itself || changed->left < result.problems.size()))
             result = {std::move(changed->outlines), std::move(changed->problems)};
     settle(result.problems);
     return result;

@@ -19,8 +19,8 @@ struct FlowReady {
 /// that are too short are merged, gaps that are too narrow closed, corners that are too sharp or touch taken
 /// off. Works on the planar partition, whose nodes are moved onto others and whose edges are split, exactly;
 /// changes that would come to more than a share of a block are not made. What is left has an entry. Outlines
-/// nest as they did, share what they shared, and are valid; where that cannot be had, or nothing is won, all
-/// stays as it was.
+/// nest as they did, share what they shared, and are valid; where that cannot be had all stays as it
+/// was, and so where nothing is won and nothing has touched.
 /// @param contours parents before what stands on them
 /// @param frozen those whose walls stay where they are, but for corners that touch; empty for none
 /// @throws Cancelled

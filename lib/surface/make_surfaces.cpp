@@ -115,7 +115,7 @@ bool SurfaceMaker::draw_plan() {
         return false;
     plan_ = std::move(partition.plan);
     drop_what_is_flat();
-    PinchesTaken taken = take_apart_pinches(plan_, chosen_.contours(), forms_.pinch_steps);
+    PinchesTaken taken = take_apart_pinches(plan_, chosen_.contours(), {forms_.pinch_steps});
     if (!taken.stuck.empty()) {
         attempt_.in_the_way.push_back(chosen_.building(static_cast<std::int32_t>(taken.stuck.back())));
         return false;

@@ -71,6 +71,13 @@ std::vector<Number> distinct(std::vector<Number> numbers) {
 
 }  // namespace
 
+Arms arms_of(const Arms& all, const SectorRun& run) {
+    Arms arms;
+    for (std::size_t i = 0; i <= run.count; ++i)
+        arms.push_back(all[(run.first + i) % all.size()]);
+    return arms;
+}
+
 std::optional<Pinch> find_pinch(const Arms& arms, const Heights& heights) {
     if (arms.size() < 4)
         return std::nullopt;

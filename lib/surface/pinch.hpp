@@ -16,6 +16,9 @@ struct SectorRun {
     std::size_t count = 0;
 };
 
+/// The arms that bound the sectors of a run, one more than these. @param all around the node
+[[nodiscard]] std::vector<NodeArm> arms_of(const std::vector<NodeArm>& all, const SectorRun& run);
+
 /// How a pinch may be taken apart: any of the runs may be moved off the node.
 struct Pinch {
     bool fills = false;           ///< the runs are lower places within a building, else parts that stand out

@@ -13,7 +13,6 @@
 #include "outline/fine_geometry.hpp"
 #include "surface/node_star.hpp"
 #include "surface/pinch.hpp"
-#include "surface/plan_editor.hpp"
 
 namespace d2b {
 namespace {
@@ -25,23 +24,27 @@ constexpr std::array<std::int64_t, 8> usual_reaches{2, 3, 4, 8, 16, 32, 64, 128}
 /// no edge's end goes farther than most_moved, however often it moves.
 constexpr std::size_t most_arms = 32;
 
-/// What is asked for, as little less as there is room for, and then what is usual.
-std::vector<std::int64_t> reaches_from(std::int64_t wanted) {
-    std::vector<std::int64_t> reaches;
-    for (std::int64_t reach = wanted; reach > usual_reaches.front(); reach -= (reach + 3) / 4)
-        reaches.push_back(reach);
-    reaches.insert(reaches.end(), usual_reaches.begin(), usual_reaches.end());
-    return reaches;
+/// What lies so far off in one of the eight directions or between them.
+std::vector<FinePoint> square(std::int64_t reach) {
+    std::vector<FinePoint> places;
+    for (std::int64_t row = -reach; row <= reach; ++row)
+        for (std::int64_t col = -reach; col <= reach; col += std::abs(row) == reach ? 1 : 2 * reach)
+            places.push_back({row, col});
+    return places;
 }
 
-double angle_of(FinePoint from, FinePoint to) {
-    return std::atan2(static_cast<double>(from.row - to.row), static_cast<double>(to.col - from.col));
-}
-
-/// From 0 to a full turn, counter-clockwise.
-double turned_from(double a, double b) {
-    const double turn = b - a;
-    return turn > 0 ? turn : turn + 2 * std::numbers::pi;
+/// What lies as far off in all directions.
+std::vector<FinePoint> circle(std::int64_t reach) {
+    constexpr int directions = 512;
+    std::vector<FinePoint> places;
+    for (int i = 0; i < directions; ++i) {
+        const double angle = 2 * std::numbers::pi * i / directions;
+        const auto steps = static_cast<double>(reach);
+        const FinePoint place{std::llround(steps * std::sin(angle)), std::llround(steps * std::cos(angle))};
+        if (places.empty() || places.back() != place)
+            places.push_back(place);
+    }
+    return places;
 }
 
 /// Edges near a place, although their ends have moved since they were put down.
@@ -85,8 +88,10 @@ class NearEdges {
 
 class PinchTaker {
   public:
-    PinchTaker(Plan& plan, std::span<const PlanContour> contours, std::int64_t wanted)
-        : plan_(plan), heights_{contours}, reaches_(reaches_from(wanted)) {
+    PinchTaker(Plan& plan, std::span<const PlanContour> contours, const PinchReach& wanted)
+        : plan_(plan), heights_{contours}, wanted_(wanted) {
+        if (wanted.steps > usual_reaches.front())
+            planned_ = plan_reaches(plan, contours, wanted);
         const NodeStars stars(plan);
         for (std::uint32_t node = 0; node < plan.nodes.size(); ++node)
             around_.push_back(stars.around(node));
@@ -95,32 +100,24 @@ class PinchTaker {
     [[nodiscard]] PinchesTaken take();
 
   private:
-    /// The arms that bound the sectors of a run, one more than these.
-    [[nodiscard]] std::vector<NodeArm> arms_of(std::uint32_t node, const SectorRun& run) const;
     [[nodiscard]] std::optional<FinePoint> place_for(std::uint32_t node, const std::vector<NodeArm>& arms,
-                                                     std::int64_t reach) const;
+                                                     std::span<const FinePoint> ring) const;
     [[nodiscard]] bool is_free(std::uint32_t node, const std::vector<NodeArm>& arms, FinePoint place) const;
-    [[nodiscard]] bool move_one(std::uint32_t node, const Pinch& pinch);
-    [[nodiscard]] Int128 swept_outside(std::uint32_t node, const std::vector<NodeArm>& arms,
-                                       FinePoint place) const;
-    void move(std::uint32_t node, const SectorRun& run, FinePoint place);
-    [[nodiscard]] std::vector<std::int32_t> contours_at(std::uint32_t node) const;
+    [[nodiscard]] bool take_one(std::uint32_t node, const Pinch& pinch);
+    [[nodiscard]] bool move_far(std::uint32_t node, const Pinch& pinch);
+    [[nodiscard]] bool move_usual(std::uint32_t node, const Pinch& pinch);
+    [[nodiscard]] PassedOver passed_over(std::uint32_t node, const std::vector<NodeArm>& arms,
+                                         FinePoint place) const;
+    void move(std::uint32_t node, const SectorRun& run, FinePoint place, bool fills);
 
     Plan& plan_;
     Heights heights_;
-    std::vector<std::int64_t> reaches_;
+    const PinchReach& wanted_;
+    PlannedReaches planned_;
     std::optional<NearEdges> near_;  // made when the first node moves
     std::vector<std::vector<NodeArm>> around_;
     PinchesTaken taken_;
 };
-
-std::vector<NodeArm> PinchTaker::arms_of(std::uint32_t node, const SectorRun& run) const {
-    const std::vector<NodeArm>& all = around_[node];
-    std::vector<NodeArm> arms;
-    for (std::size_t i = 0; i <= run.count; ++i)
-        arms.push_back(all[(run.first + i) % all.size()]);
-    return arms;
-}
 
 /// Moving a corner sweeps a triangle an arm: no other node may lie in one, and nothing may cross the way.
 bool PinchTaker::is_free(std::uint32_t node, const std::vector<NodeArm>& arms, FinePoint place) const {
@@ -150,22 +147,18 @@ bool PinchTaker::is_free(std::uint32_t node, const std::vector<NodeArm>& arms, F
 
 /// The freest direction first. @return nothing where there is no room at this reach
 std::optional<FinePoint> PinchTaker::place_for(std::uint32_t node, const std::vector<NodeArm>& arms,
-                                               std::int64_t reach) const {
+                                               std::span<const FinePoint> ring) const {
     const FinePoint from = plan_.nodes[node];
     const double first = angle_of(from, plan_.nodes[arms.front().end]);
     const double whole = turned_from(first, angle_of(from, plan_.nodes[arms.back().end]));
     std::vector<std::pair<double, FinePoint>> places;
-    // Far away not every step counts.
-    const std::int64_t stride = std::max<std::int64_t>(1, reach / 128);
-    const std::int64_t far = reach - reach % stride;
-    for (std::int64_t row = -far; row <= far; row += stride)
-        for (std::int64_t col = -far; col <= far; col += std::abs(row) == far ? stride : 2 * far) {
-            const FinePoint place{from.row + row, from.col + col};
-            const double turn = turned_from(first, angle_of(from, place));
-            const double room = std::min(turn, whole - turn);
-            if (room > 0 && std::max(turn, whole - turn) < std::numbers::pi)
-                places.emplace_back(-room, place);
-        }
+    for (const FinePoint& off : ring) {
+        const FinePoint place{from.row + off.row, from.col + off.col};
+        const double turn = turned_from(first, angle_of(from, place));
+        const double room = std::min(turn, whole - turn);
+        if (room > 0 && std::max(turn, whole - turn) < std::numbers::pi)
+            places.emplace_back(-room, place);
+    }
     std::ranges::sort(places);
     for (const auto& [room, place] : places)
         if (is_free(node, arms, place))
@@ -173,21 +166,22 @@ std::optional<FinePoint> PinchTaker::place_for(std::uint32_t node, const std::ve
     return std::nullopt;
 }
 
-Int128 PinchTaker::swept_outside(std::uint32_t node, const std::vector<NodeArm>& arms,
-                                 FinePoint place) const {
-    Int128 sum = 0;
+PassedOver PinchTaker::passed_over(std::uint32_t node, const std::vector<NodeArm>& arms,
+                                   FinePoint place) const {
+    PassedOver area;
     for (const NodeArm& arm : arms)
-        if (arm.left == open_ground || arm.right == open_ground) {
-            const Int128 twice = turn(plan_.nodes[node], place, plan_.nodes[arm.end]);
-            sum += twice < 0 ? -twice : twice;
-        }
-    return sum;
+        area.add(arm, plan_.nodes[arm.end], plan_.nodes[node], place);
+    return area;
 }
 
-void PinchTaker::move(std::uint32_t node, const SectorRun& run, FinePoint place) {
+void PinchTaker::move(std::uint32_t node, const SectorRun& run, FinePoint place, bool fills) {
+    taken_.mends.push_back({plan_.nodes[node], place, fills, contours_of(around_[node])});
+    if (wanted_.take)
+        wanted_.take(taken_.mends.back().contours,
+                     passed_over(node, arms_of(around_[node], run), place).outside);
     const auto moved = static_cast<std::uint32_t>(plan_.nodes.size());
     std::vector<NodeArm>& all = around_[node];
-    std::vector<NodeArm> arms = arms_of(node, run);
+    std::vector<NodeArm> arms = arms_of(all, run);
     plan_.nodes.push_back(place);
     for (const NodeArm& arm : arms) {
         PlanEdge& edge = plan_.edges[arm.edge];
@@ -210,37 +204,63 @@ void PinchTaker::move(std::uint32_t node, const SectorRun& run, FinePoint place)
     sort_around(plan_, moved, around_[moved]);
 }
 
-bool PinchTaker::move_one(std::uint32_t node, const Pinch& pinch) {
-    if (!near_)
-        near_.emplace(plan_, static_cast<std::int64_t>(most_arms) * std::ranges::max(reaches_));
-    for (const std::int64_t reach : reaches_)
-        for (const SectorRun& run : pinch.runs)
-            if (const auto place = place_for(node, arms_of(node, run), reach)) {
-                taken_.mends.push_back({plan_.nodes[node], *place,
-                                        swept_outside(node, arms_of(node, run), *place), pinch.fills,
-                                        contours_at(node)});
-                move(node, run, *place);
-                return true;
-            }
+/// As far as was planned, or as little less as there is room for and as is allowed.
+bool PinchTaker::move_far(std::uint32_t node, const Pinch& pinch) {
+    const auto planned = planned_.find(plan_.nodes[node]);
+    const std::vector<std::int32_t> contours = contours_of(around_[node]);
+    for (const std::int64_t reach :
+         reaches_down_from(planned == planned_.end() ? wanted_.steps : planned->second)) {
+        const std::vector<FinePoint> ring = circle(reach);
+        std::optional<std::pair<SectorRun, FinePoint>> best;
+        double least = 0;
+        for (const SectorRun& run : pinch.runs) {
+            const std::vector<NodeArm> arms = arms_of(around_[node], run);
+            const auto place = place_for(node, arms, ring);
+            if (!place)
+                continue;
+            const PassedOver area = passed_over(node, arms, *place);
+            if (wanted_.allows && !wanted_.allows(contours, area.outside, area.inside))
+                continue;
+            if (best && least <= area.outside)
+                continue;
+            best = {run, *place};
+            least = area.outside;
+        }
+        if (best) {
+            move(node, best->first, best->second, pinch.fills);
+            return true;
+        }
+    }
     return false;
 }
 
-std::vector<std::int32_t> PinchTaker::contours_at(std::uint32_t node) const {
-    std::vector<std::int32_t> contours;
-    for (const NodeArm& arm : around_[node])
-        if (arm.left != open_ground)
-            contours.push_back(arm.left);
-    std::ranges::sort(contours);
-    contours.erase(std::unique(contours.begin(), contours.end()), contours.end());
-    return contours;
+bool PinchTaker::move_usual(std::uint32_t node, const Pinch& pinch) {
+    for (const std::int64_t reach : usual_reaches) {
+        const std::vector<FinePoint> ring = square(reach);
+        for (const SectorRun& run : pinch.runs)
+            if (const auto place = place_for(node, arms_of(around_[node], run), ring)) {
+                move(node, run, *place, pinch.fills);
+                return true;
+            }
+    }
+    return false;
+}
+
+bool PinchTaker::take_one(std::uint32_t node, const Pinch& pinch) {
+    if (around_[node].size() > most_arms)
+        return false;
+    if (!near_)
+        near_.emplace(plan_,
+                      static_cast<std::int64_t>(most_arms) * std::max(wanted_.steps, usual_reaches.back()));
+    return move_far(node, pinch) || move_usual(node, pinch);
 }
 
 /// Each move leaves both nodes with fewer edges than the one had, so that this ends.
 PinchesTaken PinchTaker::take() {
     for (std::uint32_t node = 0; node < plan_.nodes.size(); ++node)
         while (const auto pinch = find_pinch(around_[node], heights_))
-            if (around_[node].size() > most_arms || !move_one(node, *pinch)) {
-                for (const std::int32_t contour : contours_at(node))
+            if (!take_one(node, *pinch)) {
+                for (const std::int32_t contour : contours_of(around_[node]))
                     taken_.stuck.push_back(static_cast<std::uint32_t>(contour));
                 break;
             }
@@ -248,33 +268,9 @@ PinchesTaken PinchTaker::take() {
     return std::move(taken_);
 }
 
-/// Where a corner is to move far, long edges get a node nearby, so that not the whole of them moves.
-void divide_near_pinches(Plan& plan, std::span<const PlanContour> contours, std::int64_t wanted) {
-    PlanEditor editor(std::move(plan));
-    const auto nodes = static_cast<std::uint32_t>(editor.nodes().size());
-    for (std::uint32_t node = 0; node < nodes; ++node) {
-        const std::vector<NodeArm> arms = editor.around(node);
-        if (!find_pinch(arms, {contours}))
-            continue;
-        const FinePoint from = editor.at(node);
-        for (const NodeArm& arm : arms) {
-            const FinePoint to = editor.at(arm.end);
-            const auto rows = static_cast<double>(to.row - from.row);
-            const auto cols = static_cast<double>(to.col - from.col);
-            const double share = 2 * static_cast<double>(wanted) / std::hypot(rows, cols);
-            if (share < 0.6)
-                static_cast<void>(editor.split(arm.edge, {from.row + std::llround(share * rows),
-                                                          from.col + std::llround(share * cols)}));
-        }
-    }
-    plan = editor.plan();
-}
-
 }  // namespace
 
-PinchesTaken take_apart_pinches(Plan& plan, std::span<const PlanContour> contours, std::int64_t wanted) {
-    if (wanted > usual_reaches.front())
-        divide_near_pinches(plan, contours, wanted);
+PinchesTaken take_apart_pinches(Plan& plan, std::span<const PlanContour> contours, const PinchReach& wanted) {
     return PinchTaker(plan, contours, wanted).take();
 }
 

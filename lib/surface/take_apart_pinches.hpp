@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/int128.hpp"
+#include "surface/pinch_reach.hpp"
 #include "surface/plan.hpp"
 
 namespace d2b {
@@ -12,9 +12,8 @@ namespace d2b {
 /// What was done at a node.
 struct PinchMend {
     FinePoint place;
-    FinePoint moved;        ///< where the corner that moved is now
-    Int128 twice_area = 0;  ///< that edges beside open ground passed over, in square steps
-    bool filled = false;    ///< a notch within a building, else buildings were cut back from each other
+    FinePoint moved;      ///< where the corner that moved is now
+    bool filled = false;  ///< a notch within a building, else buildings were cut back from each other
     std::vector<std::int32_t> contours;  ///< around it
 };
 
@@ -26,7 +25,7 @@ struct PinchesTaken {
 /// Changes a plan until no vertical line has more than two walls, neither of all buildings together nor of
 /// one alone, and no face touches itself: where one does, a run of sectors is moved off the node by two steps
 /// of the lattice, or by as few more as its angle needs, and an edge joins it to the node. Where more is
-/// wanted it is moved by that, or by as little less as there is room for.
+/// wanted it is moved by that, or by as little less as there is room for and as is allowed.
 ///
 ///                   A and C stand out,                      or, where A and C are of
 ///      A | B        B and D are low:           A | B        one building, a corner      A \ B
@@ -35,8 +34,7 @@ struct PinchesTaken {
 ///                                                 | C
 ///
 /// Corners of nothing else are passed over, so that the plan stays planar, exactly.
-/// @param wanted steps
 [[nodiscard]] PinchesTaken take_apart_pinches(Plan& plan, std::span<const PlanContour> contours,
-                                              std::int64_t wanted = 0);
+                                              const PinchReach& wanted = {});
 
 }  // namespace d2b

@@ -1,13 +1,15 @@
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "dem2buildings/surfaces.hpp"
 
 namespace d2b {
 
-/// Local coordinates as text, in metres, with as many decimals as tell neighbouring steps apart sixteen times
-/// over, so that rounding to decimals adds next to nothing to that of a reader's single precision.
+/// Local coordinates as text, in metres, with all decimals that a step has, so that nothing is rounded and
+/// what is straight stays straight. Where a step has too many, as in feet, with as many as tell neighbouring
+/// steps apart sixteen times over, which adds next to nothing to the rounding of a reader's single precision.
 class CoordinateText {
   public:
     explicit CoordinateText(const SurfaceFrame& frame);
@@ -17,7 +19,9 @@ class CoordinateText {
 
   private:
     SurfaceFrame frame_;
-    int decimals_;  ///< of x and y; heights are whole millimetres
+    std::array<double, 2> step_;   ///< of x and y, metres
+    std::array<double, 2> shift_;  ///< of the point 0, 0 from the origin, metres
+    int decimals_;                 ///< of x and y; heights are whole millimetres
 };
 
 /// With no more than so many decimals, without zeroes at the end: "0.5", "12".

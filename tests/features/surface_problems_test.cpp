@@ -29,7 +29,7 @@ struct TwoBuildings {
 TEST(SurfaceProblems, havePlaceAndSize) {
     TwoBuildings town;
     MadeSurfaces made;
-    made.mends = {{{-200, 100}, {-197, 104}, 0, false, {1, 0}}, {{-300, 0}, {-302, 0}, 0, true, {1}}};
+    made.mends = {{{-200, 100}, {-197, 104}, false, {1, 0}}, {{-300, 0}, {-302, 0}, true, {1}}};
     const auto problems = surface_problems(town.drawn.cluster, made, {}, town.frame);
     ASSERT_EQ(problems.size(), 2U);
     EXPECT_EQ(problems[0].record.kind, "surface_corner_cut");

@@ -16,7 +16,7 @@ TEST_F(ObjSinkTest, writesObjectsWithGroups) {
     EXPECT_FALSE(std::filesystem::exists(path("a.obj")));
     sink->finish();
     EXPECT_EQ(entries(), Names{"a.obj"});
-    const std::string corners = "v 0.25 -10 0\nv 0.75 -10 0\nv 0.25 -9 0.25\nv 0.25049 -10 0.001\n";
+    const std::string corners = "v 0.25 -10 0\nv 0.75 -10 0\nv 0.25 -9 0.25\nv 0.25048828125 -10 0.001\n";
     EXPECT_EQ(bytes("a.obj"),
               "# dem2buildings: metres from the origin, x to the east, y to the north, z up\n"
               "# origin: 1000 2010 7\n"
