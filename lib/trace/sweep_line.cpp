@@ -4,8 +4,9 @@
 
 namespace d2b {
 
-SweepLine::SweepLine(std::int32_t levels, std::int32_t first_col, const ElevationRange& range)
-    : first_col_(first_col), components_(range) {
+SweepLine::SweepLine(std::int32_t levels, std::int32_t first_col, const ElevationRange& range,
+                     Outlines outlines)
+    : traces_(outlines == Outlines::traced), first_col_(first_col), components_(range) {
     previous_.levels.resize(static_cast<std::size_t>(levels));
     current_.levels.resize(static_cast<std::size_t>(levels));
 }
@@ -72,7 +73,7 @@ void SweepLine::link_level(std::size_t level, const OutsideRows& outside) {
     for (Run& run : lower) {
         if (run.component == no_index)
             start(run, level, outside);
-        if (with_outside_)
+        if (with_outside_ && traces_)
             pass_sides(run, outside);
     }
 }
@@ -94,7 +95,7 @@ void SweepLine::follow(std::size_t i, std::size_t level, const OutsideRows& outs
         close_gap(upper, left, upper.begin, left.end, lower.component, outside.above);
     } else {
         lower.component = components_.find(upper.component);
-        if (same_upper) {
+        if (same_upper && traces_) {
             // A gap opens under the upper run.
             Run& left = lowers[links_[i - 1].lower];
             const double beside = lowest(outside.below, left.end, lower.begin);
@@ -114,7 +115,7 @@ void SweepLine::follow(std::size_t i, std::size_t level, const OutsideRows& outs
 
 void SweepLine::left_sides_meet(Run& upper, Run& lower, const OutsideRows& outside) {
     lower.head = upper.head;
-    if (lower.begin == upper.begin)
+    if (!traces_ || lower.begin == upper.begin)
         return;
     const double beside = lower.begin < upper.begin ? lowest(outside.above, lower.begin, upper.begin)
                                                     : lowest(outside.below, upper.begin, lower.begin);
@@ -123,7 +124,7 @@ void SweepLine::left_sides_meet(Run& upper, Run& lower, const OutsideRows& outsi
 
 void SweepLine::right_sides_meet(Run& upper, Run& lower, const OutsideRows& outside) {
     lower.tail = upper.tail;
-    if (lower.end == upper.end)
+    if (!traces_ || lower.end == upper.end)
         return;
     const double beside = lower.end > upper.end ? lowest(outside.above, upper.end, lower.end)
                                                 : lowest(outside.below, lower.end, upper.end);
@@ -134,6 +135,8 @@ void SweepLine::start(Run& run, std::size_t level, const OutsideRows& outside) {
     const std::uint32_t below = level == 0 ? no_index : current_.levels[level - 1][run.below].component;
     run.component =
         components_.add(static_cast<std::int32_t>(level), run.label, {line_, run.begin + first_col_}, below);
+    if (!traces_)
+        return;
     const Arms::Pair pair =
         arms_.open(corner(run.end), corner(run.begin, lowest(outside.above, run.begin, run.end)));
     run.tail = pair.tail;
@@ -144,6 +147,8 @@ void SweepLine::start(Run& run, std::size_t level, const OutsideRows& outside) {
 /// `to`.
 void SweepLine::close_gap(Run& head_run, Run& tail_run, std::int32_t from, std::int32_t to,
                           std::uint32_t component, std::span<const double> outside) {
+    if (!traces_)
+        return;
     const double beside = lowest(outside, std::min(from, to), std::max(from, to));
     const auto ring = arms_.join(head_run.head, corner(from), corner(to, beside), tail_run.tail);
     if (!ring.empty())

@@ -19,13 +19,16 @@ struct OutsideRows {
     bool of_points = false;
 };
 
+/// Whether contours get their outlines, or what their points add up to is all that is asked for.
+enum class Outlines { traced, none };
+
 /// The engine: a line sweeps over the lattice, between the row of squares above it and the one below. All
 /// levels are linked, traced and finished in one pass; carried are one row of runs, the open outlines and
 /// the open components. O(squares + length of all outlines).
 class SweepLine {
   public:
     /// @param levels root included @param first_col of the window in the whole raster
-    SweepLine(std::int32_t levels, std::int32_t first_col, const ElevationRange& range);
+    SweepLine(std::int32_t levels, std::int32_t first_col, const ElevationRange& range, Outlines outlines);
 
     /// Links the row of squares below the line (given as `current`) to the one above.
     /// @param line row number of the line, which is that of the squares below it
@@ -60,6 +63,7 @@ class SweepLine {
     [[nodiscard]] double lowest(std::span<const double> row, std::int32_t from, std::int32_t to) const;
     void finish(std::uint32_t root, ContourSink& sink);
 
+    bool traces_;  ///< outlines
     std::int32_t first_col_;
     std::int32_t line_ = 0;
     bool with_outside_ = false;  ///< level 1 is being linked

@@ -7,11 +7,11 @@
 
 namespace d2b {
 
-Tracer::Tracer(const TraceFrame& frame, TraceMode mode, ContourSink& sink)
+Tracer::Tracer(const TraceFrame& frame, TraceMode mode, ContourSink& sink, Outlines outlines)
     : points_(mode == TraceMode::points),
       range_(frame.range),
       sink_(sink),
-      sweep_line_(frame.levels, frame.window.col, frame.range) {}
+      sweep_line_(frame.levels, frame.window.col, frame.range, outlines) {}
 
 void Tracer::trace(std::vector<TraceLine>&& lines) {
     for (TraceLine& line : lines) {

@@ -14,7 +14,8 @@ namespace d2b {
 /// the row of runs above, what lies beside outlines two rows above, open outlines and components.
 class Tracer {
   public:
-    Tracer(const TraceFrame& frame, TraceMode mode, ContourSink& sink);
+    /// @param outlines none: contours are handed out without rings, and `outside` of lines counts for nothing
+    Tracer(const TraceFrame& frame, TraceMode mode, ContourSink& sink, Outlines outlines = Outlines::traced);
 
     /// The next lines, without gap or overlap. After the last all contours have been handed out.
     /// @throws BrokenRecord where a sum is of no contour

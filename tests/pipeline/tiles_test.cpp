@@ -47,12 +47,23 @@ void compare(MemorySource& dem, const Options& options, const UnitSize& units, c
     EXPECT_GT(whole.report.buildings, 0);
 }
 
+/// North up in metres, rotated in metres, or in degrees.
+void place_somehow(MemorySource& dem, unsigned seed) {
+    test::place_in_utm(dem, 1);
+    if (seed % 6 == 4)
+        dem.edit().transform = {600000, 0.8, -0.6, 5800000, -0.6, -0.8};
+    if (seed % 6 != 5)
+        return;
+    dem.edit().transform = {9, 1.5e-5, 0, 52, 0, -9e-6};
+    dem.edit().crs_wkt = Crs("EPSG:4326").wkt();
+}
+
 class RandomTownInTiles : public testing::TestWithParam<unsigned> {};
 
 TEST_P(RandomTownInTiles, IsThatOfOneRun) {
     const unsigned seed = GetParam();
     MemorySource dem = random_town(seed, {270, 330, 60, seed % 3 == 0, seed % 2 == 0});
-    test::place_in_utm(dem, 1);
+    place_somehow(dem, seed);
     const UnitSize units{0, std::array{64, 90, 150, 300}[seed % 4]};
     const TileOrder order{std::array{1, 2, 5}[seed % 3], seed % 2 == 1, seed % 5 == 0,
                           1 + static_cast<int>(seed % 2)};
@@ -120,6 +131,27 @@ TEST(Tiles, OfBlocksThatSeamsCut) {
             EXPECT_LT(left, static_cast<std::size_t>(whole.report.contours));
         }
     }
+}
+
+TEST(Tiles, OfAClusterOverTwelveUnits) {
+    BlockTown town(130, 1200);
+    for (int house = 0; house < 80; ++house)
+        town.build({60 + house % 2, 40 + 14 * house, 12, 14}, 5 + 3.0 * (house % 4));
+    MemorySource dem = town.source();
+    test::place_in_utm(dem, 1);
+    Options options = options_for_blocks();
+    options.detect.split_height = 2;
+    const WorkFolder folder;
+    Result whole;
+    whole.report = run_in_units(options, {dem}, {whole.sink}, {}, {0, 100});
+    EXPECT_GE(whole.report.buildings, 60);
+    Result tiles;
+    StepsInTiles steps({dem}, options, {folder.path(), some_plan, 1, {0, 100}});
+    steps.run({1, true}, tiles);
+    EXPECT_EQ(steps.count(), 2 * 12);
+    expect_same(tiles, whole);
+    // All houses are one cluster, which merge draws.
+    EXPECT_EQ(left_over(folder.path(), steps.count()), static_cast<std::size_t>(whole.report.contours));
 }
 
 TEST(Tiles, OfRotatedGridsAndDegrees) {

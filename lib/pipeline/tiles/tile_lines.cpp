@@ -23,7 +23,7 @@ TileLines::TileLines(const TraceFrame& frame, TraceMode mode, const Window& seen
     : frame_(frame),
       seen_(seen),
       own_(own),
-      tracer_(frame_of(frame, seen), mode, *this),
+      tracer_(frame_of(frame, seen), mode, *this, Outlines::none),
       next_row_(seen.row) {}
 
 /// Contours end where the tile does; what their points add up to is what counts.
@@ -52,7 +52,7 @@ void TileLines::add(TraceLine&& line) {
         for (const TopRun& squares : line.squares.top_runs)
             kept.squares.push_back({squares.begin + to_window, squares.end + to_window, squares.level + 1});
         if (!line.outside.empty())
-            beside_.push_back({row, lines_.size() - 1, line.outside});
+            beside_.push_back({row, lines_.size() - 1, std::move(line.outside)});
     } else {
         line.shares.clear();  // which the tile above has
     }
