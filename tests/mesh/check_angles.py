@@ -5,7 +5,7 @@
 
 Measures the OBJ alone. The plan's edges are those between different roofs, or a roof and terrain. An angle is at a sharp
 corner where two of these edges meet there at less than 60 degrees, and beside one where the triangle stands on the line
-of such an edge, or has a corner within 0.25 m of it, across a gap: elsewhere none should be. Ends with 1 where there
+of such an edge, or has a corner within 1 m of the sharp one, across a gap: elsewhere none should be. Ends with 1 where there
 are some. Needs python3-numpy."""
 import sys
 from collections import defaultdict
@@ -13,7 +13,7 @@ from collections import defaultdict
 import numpy as np
 
 SHARP = 60
-NEAR = 0.25
+NEAR = 1
 
 
 def read(path):

@@ -11,6 +11,17 @@ class MeshTown : public MeshTool {
         const ToolResult made = run(arguments);
         ASSERT_EQ(made.status, 0) << made.err;
     }
+    /// Of the OBJ alone, by a program that shares no code with this one.
+    void expect_forced_angles() const {
+        ToolSetup setup;
+        setup.working_directory = folder_.string();
+        const ToolResult found =
+            run_tool({"/usr/bin/python3", D2B_SAMPLES "/../tests/mesh/check_angles.py", "out.obj"}, setup);
+        if (found.err.find("No module named") != std::string::npos)
+            GTEST_SKIP() << "python3-numpy is missing";
+        EXPECT_EQ(found.status, 0) << found.out << found.err;
+        expect_has(found.out, " 0 elsewhere");
+    }
     /// All angles, all edges; and none is smaller than the input makes it.
     void expect_good(const std::string& dem) const {
         make({"-q", "-split_height", "3", "-layers", "buildings", "-write_ground", "g.tif", "-surface",
@@ -23,6 +34,7 @@ class MeshTown : public MeshTool {
             const nlohmann::json report = nlohmann::json::parse(result.out);
             EXPECT_TRUE(read("out.obj").is_closed());
             EXPECT_EQ(report["pinches"].size(), 0U);
+            expect_forced_angles();
             if (more.empty()) {
                 EXPECT_EQ(report["small"].size(), 0U);
                 EXPECT_LE(report["plan_points"], 5 * report["plan_points_before"].get<int>());
