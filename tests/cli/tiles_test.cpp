@@ -305,6 +305,21 @@ TEST_F(TilesTool, refusesFilesThatAreNotItsOwn) {
                    {"join", "work"});
 }
 
+TEST_F(TilesTool, expectsLessOfOneLabel) {
+    EXPECT_EQ(
+        well({"plan", sample("town.tif"), "a.gpkg", "work"}),
+        "1 tile in work. With one thread a tile takes 0.4 s to find and 0.3 s to draw, about, and 0.1 GB of "
+        "memory; 0.1 GB of elevations are read.\n");
+    EXPECT_EQ(
+        well({"plan", "-preset", "thesis", sample("town.tif"), "b.gpkg", "other"}),
+        "1 tile in other. With one thread a tile takes 0.1 s to find and 0.1 s to draw, about, and 0.1 GB "
+        "of memory; 0.1 GB of elevations are read.\n");
+    const json plan = json::parse(read_bytes(path("work/plan.json")));
+    EXPECT_EQ(plan["expected"]["memory_bytes_a_tile"], 30 * 1000 * 1000);
+    EXPECT_EQ(plan["expected"]["bytes_read"], 8 * 1000 * 1000);
+    EXPECT_DOUBLE_EQ(plan["expected"]["find_seconds_a_tile"], 0.36);
+}
+
 TEST_F(TilesTool, refusesADestinationThatIsThere) {
     std::ofstream(path("a.gpkg")) << "not a database";
     const ToolResult result = tiles({"plan", sample("town.tif"), "a.gpkg", "work"});

@@ -26,29 +26,34 @@
 namespace d2b {
 namespace {
 
-/// Measured on a mosaic of 81 million points of dense town, in core seconds a million points.
-constexpr double find_rate = 0.2;
-constexpr double draw_rate = 0.2;
-/// Bytes a point that a tile sees.
-constexpr double memory_rate = 30;
+/// What was measured on a dense town (docs/scaling.md).
+struct Rates {
+    double find = 0;    ///< core seconds a million points that a tile sees
+    double draw = 0;    ///< core seconds a million points of its own
+    double memory = 0;  ///< bytes a point that it sees
+};
+constexpr Rates of_buildings{0.36, 0.23, 30};
+/// Where all points bear one label a tile looks at its own alone, and merge traces.
+constexpr Rates of_one_label{0.06, 0.1, 20};
 /// A float a point, as most rasters have it.
 constexpr std::int64_t point_bytes = 4;
 
-TileCost cost_of(const TileGrid& tiles) {
+TileCost cost_of(const TileGrid& tiles, bool detects) {
+    const Rates& rates = detects ? of_buildings : of_one_label;
     TileCost cost;
     std::int64_t seen = 0;
     std::int64_t own = 0;
     for (std::int64_t tile = 0; tile < tiles.count(); ++tile) {
         const Unit whole = tiles.whole(tile);
-        seen += whole.seen.points();
+        const std::int64_t looked_at = (detects ? whole.seen : whole.own).points();
+        seen += looked_at;
         own += whole.own.points();
-        cost.memory_bytes =
-            std::max(cost.memory_bytes,
-                     static_cast<std::int64_t>(memory_rate * static_cast<double>(whole.seen.points())));
+        cost.memory_bytes = std::max(
+            cost.memory_bytes, static_cast<std::int64_t>(rates.memory * static_cast<double>(looked_at)));
     }
     const auto count = static_cast<double>(tiles.count());
-    cost.find_seconds = find_rate * 1e-6 * static_cast<double>(seen) / count;
-    cost.draw_seconds = draw_rate * 1e-6 * static_cast<double>(own) / count;
+    cost.find_seconds = rates.find * 1e-6 * static_cast<double>(seen) / count;
+    cost.draw_seconds = rates.draw * 1e-6 * static_cast<double>(own) / count;
     cost.bytes_read = point_bytes * (seen + own);
     return cost;
 }
@@ -108,7 +113,7 @@ void plan(const TileCommand& command, const Callbacks& callbacks) {
                         run.tiles().count(),
                         run.window(),
                         files_behind(options)};
-    const TileCost cost = cost_of(run.tiles());
+    const TileCost cost = cost_of(run.tiles(), run.setup().plan.detects_buildings());
     require_no_other(work, plan);
     if (!std::filesystem::exists(work / "plan.json"))
         write_plan(work, plan, cost);
