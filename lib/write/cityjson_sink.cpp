@@ -94,7 +94,7 @@ void CityJsonSink::rehearse(const SurfaceMeta& meta) {
                       (unit ? unit->name : std::string("metre")) +
                       (crs.name().empty() ? "" : " in '" + crs.name() + "'") +
                       ", and the elevations are in the unit '" + meta.vertical_unit +
-                      "'; give a CRS in that unit with -t_srs.");
+                      "'; give a CRS in that unit with -t_srs, or with -zunit the unit that they are in.");
 }
 
 void CityJsonSink::begin(const SurfaceMeta& meta) {

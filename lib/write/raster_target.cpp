@@ -160,7 +160,7 @@ RasterPlace locate_raster(const RasterTarget& target) {
     if (!there)
         return place;
     if (!target.overwrite)
-        throw OptionError(quoted(name) + " exists; give -overwrite to replace it.");
+        throw OptionError(quoted(name) + " exists; give another name, or -overwrite to replace it.");
     if (!is_of(target.format, place))
         throw OptionError(quoted(name) + " exists and is " + words_of(target.format).is_none +
                           "; remove it first.");

@@ -25,7 +25,8 @@ TEST_F(PageErrors, names) {
     refused(2, "Pages are written as HTML; give \"a.htm\" a name that ends in .html.", {"-page", "a.htm"});
     refused(1, "there is no folder \"no/such\"; make it first.", {"-page", "no/such/a.html"});
     std::ofstream(path("other.html")) << "<!DOCTYPE html>\n<p>Dear diary\n";
-    refused(2, "\"other.html\" exists; give -overwrite to replace it.", {"-page", "other.html"});
+    refused(2, "\"other.html\" exists; give another name, or -overwrite to replace it.",
+            {"-page", "other.html"});
     refused(2, "\"other.html\" exists and is no page of dem2buildings; remove it first.",
             {"-overwrite", "-page", "other.html"});
     std::filesystem::create_directory(path("folder.html"));

@@ -80,7 +80,7 @@ TEST_F(OptionEffect, preview) {
     EXPECT_GT(roof[0], roof[2] + 50);
     const auto ground = colour(1.5, 1.5);
     EXPECT_EQ(ground[0], ground[2]);
-    expect_error(2, "\"map.png\" exists; give -overwrite to replace it.",
+    expect_error(2, "\"map.png\" exists; give another name, or -overwrite to replace it.",
                  {"-preview", "map.png", "town.tif", "again.gpkg"});
     expect_error(2, "a name that ends in .png, .svg or .pdf.",
                  {"-preview", "map.jpg", "town.tif", "again.gpkg"});

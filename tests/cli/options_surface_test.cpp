@@ -321,13 +321,15 @@ TEST_F(SurfaceErrors, names) {
             {"-surface", "a.obj", "-surface", "a.obj"});
     refused(1, "there is no folder \"no/such\"; make it first.", {"-surface", "no/such/a.obj"});
     std::ofstream(path("there.obj")) << "# made by hand\nv 1 2 3\n";
-    refused(2, "\"there.obj\" exists; give -overwrite to replace it.", {"-surface", "there.obj"});
+    refused(2, "\"there.obj\" exists; give another name, or -overwrite to replace it.",
+            {"-surface", "there.obj"});
     std::ofstream(path("other.obj")) << "Dear diary\n";
     refused(2, "\"other.obj\" exists and is no surface of this format; remove it first.",
             {"-overwrite", "-surface", "other.obj"});
     for (const std::string name : {"other.stl", "other.glb", "other.city.json"}) {
         std::ofstream(path(name)) << "Dear diary\n";
-        refused(2, "\"" + name + "\" exists; give -overwrite to replace it.", {"-append", "-surface", name});
+        refused(2, "\"" + name + "\" exists; give another name, or -overwrite to replace it.",
+                {"-append", "-surface", name});
         refused(2, "\"" + name + "\" exists and is no surface of this format; remove it first.",
                 {"-overwrite", "-surface", name});
     }
@@ -363,7 +365,9 @@ TEST_F(SurfaceErrors, units) {
     refused(
         2,
         "CityJSON has heights in the unit of x and y, which is the metre in 'ETRS89 / UTM zone 33N', and the "
-        "elevations are in the unit 'foot'; give a CRS in that unit with -t_srs.",
+        "elevations are in the unit 'foot'; give a CRS in that unit with -t_srs, or with -zunit the unit "
+        "that "
+        "they are in.",
         {"-surface", "a.city.json", "-zunit", "ft"});
     RasterSpec nowhere = town_raster(MadeTown::surface());
     nowhere.crs = "";

@@ -83,7 +83,7 @@ TEST_F(MeshTool, writesTheSameBytesAgain) {
 TEST_F(MeshTool, replacesAFileOnlyWhereItIsTold) {
     city(two_boxes());
     mesh_well(to_obj);
-    expect_refused(2, "\"out.obj\" exists; give -overwrite to replace it.", to_obj);
+    expect_refused(2, "\"out.obj\" exists; give another name, or -overwrite to replace it.", to_obj);
     mesh_well({"-overwrite", "-min_angle", "30", "in.city.json", "out.obj"});
     EXPECT_GE(read("out.obj").smallest_plan_angle(), 30);
 }

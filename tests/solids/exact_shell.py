@@ -84,12 +84,36 @@ def inverted(corners, triangles, groups):
     return count
 
 
+def side(a, b, c):
+    """On which side of a line from a to b a point of the same plane lies: 1, 0 or -1."""
+    twice = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+    return (twice > 0) - (twice < 0)
+
+
+def edges_meet(a, b, c, d):
+    """Of one plane; touching is meeting."""
+    sides = side(a, b, c), side(a, b, d), side(c, d, a), side(c, d, b)
+    if not any(sides):
+        return all(max(a[i], b[i]) >= min(c[i], d[i]) and max(c[i], d[i]) >= min(a[i], b[i]) for i in (0, 1))
+    return sides[0] * sides[1] <= 0 and sides[2] * sides[3] <= 0
+
+
+def overlaps(start, end, triangle, n):
+    """Whether an edge in the plane of a triangle, which is upright to n, meets it."""
+    most = max(range(3), key=lambda axis: abs(n[axis]))
+    start, end, *corners = ([p[axis] for axis in range(3) if axis != most] for p in (start, end, *triangle))
+    pairs = [(corners[i], corners[(i + 1) % 3]) for i in range(3)]
+    within = len({side(a, b, start) for a, b in pairs} - {0}) <= 1
+    return within or any(edges_meet(start, end, a, b) for a, b in pairs)
+
+
 def crosses(start, end, triangle):
-    """Whether an edge meets a triangle, without rounding. What lies in its plane is not asked: where two faces of one
-    plane overlap, an edge of a third crosses them, or an edge has more than two faces."""
+    """Whether an edge meets a triangle, without rounding."""
     n = cross(minus(triangle[1], triangle[0]), minus(triangle[2], triangle[0]))
     above, below = dot(n, minus(start, triangle[0])), dot(n, minus(end, triangle[0]))
-    if above * below > 0 or above == below == 0:
+    if above == below == 0:
+        return overlaps(start, end, triangle, n)
+    if above * below > 0:
         return False
     # The point of the plane, as a multiple of `scale`.
     scale = above - below

@@ -47,6 +47,22 @@ class Counts(unittest.TestCase):
         corners += [(x + 3, y + 4, z + 5) for x, y, z in corners]
         self.assertGreater(exact_shell.crossings(corners, triangles + within), 0)
 
+    def test_edges_in_the_plane_of_a_triangle(self):
+        triangle = [(0, 0, 0), (8, 0, 4), (0, 8, 4)]  # x + y = 2 z
+        for start, end, meets in (((2, 2, 2), (3, 1, 2), True),  # within
+                                  ((-2, 4, 1), (9, 1, 5), True),  # across
+                                  ((0, -2, -1), (0, 2, 1), True),  # along an edge
+                                  ((8, 0, 4), (10, 0, 5), True),  # from a corner
+                                  ((9, 1, 5), (1, 9, 5), False), ((0, -2, -1), (-2, 0, -1), False)):
+            self.assertEqual(exact_shell.crosses(start, end, triangle), meets, (start, end))
+            self.assertEqual(exact_shell.crosses(end, start, triangle[::-1]), meets, (start, end))
+
+    def test_walls_of_one_plane_that_overlap(self):
+        corners, triangles, _ = shell()
+        beside = [tuple(8 + i for i in t) for t in triangles]
+        corners += [(x + 3, y + 9, z + 2) for x, y, z in corners]
+        self.assertGreater(exact_shell.crossings(corners, triangles + beside), 0)
+
 
 if __name__ == "__main__":
     unittest.main()

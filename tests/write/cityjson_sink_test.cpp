@@ -121,7 +121,9 @@ TEST_F(CityJsonSinkTest, refusesTwoUnits) {
     EXPECT_EQ(
         thrown<OptionError>([&] { sink->rehearse(meta_); }),
         "CityJSON has heights in the unit of x and y, which is the metre in 'ETRS89 / UTM zone 32N', and the "
-        "elevations are in the unit 'foot'; give a CRS in that unit with -t_srs.");
+        "elevations are in the unit 'foot'; give a CRS in that unit with -t_srs, or with -zunit the unit "
+        "that "
+        "they are in.");
     meta_.frame.horizontal_metres = 0.3048;
     sink->rehearse(meta_);
     meta_.vertical_unit = "";

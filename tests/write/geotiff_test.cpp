@@ -227,7 +227,7 @@ TEST_F(GeoTiffTest, CellsThatAreMissingOrTooMany) {
 TEST_F(GeoTiffTest, AnExistingFileStays) {
     write_all(*sink("a.tif"));
     EXPECT_EQ(refused<OptionError>("a.tif"),
-              quote + path("a.tif") + "\" exists; give -overwrite to replace it.");
+              quote + path("a.tif") + "\" exists; give another name, or -overwrite to replace it.");
 }
 
 TEST_F(GeoTiffTest, OverwritingReplacesWhatBelongsToTheFile) {
@@ -333,7 +333,7 @@ TEST_F(GeoTiffTest, InVirtualFileSystems) {
     write_all(*to(false));
     EXPECT_EQ(read(name).at(0), 0);
     EXPECT_EQ(thrown<OptionError>([&] { static_cast<void>(to(false)); }),
-              quote + name + "\" exists; give -overwrite to replace it.");
+              quote + name + "\" exists; give another name, or -overwrite to replace it.");
     write_all(*to(true));
     char** files = VSIReadDir("/vsimem/geotiff_sink");
     EXPECT_EQ(CSLCount(files), 1);
