@@ -55,7 +55,6 @@ TEST(Pinches, housesThatTouchInACorner) {
     EXPECT_EQ(made.mends[0].contours, (std::vector<std::int32_t>{0, 1}));
 }
 
-/// Also where they stand at heights that have nothing in common: their edges would meet.
 /// Where more is wanted a corner moves that far, and the long walls beside it stay where they are but for its
 /// neighbourhood.
 TEST(Pinches, asFarAsIsWanted) {
@@ -75,6 +74,7 @@ TEST(Pinches, asFarAsIsWanted) {
     EXPECT_TRUE((has(-424, 0) && has(0, -424)) || (has(424, 0) && has(0, 424)));
 }
 
+/// Also where they stand at heights that have nothing in common: their edges would meet.
 TEST(Pinches, housesAtOtherHeightsThatTouchInACorner) {
     const MadeSurfaces made = surfaces_of(blocks_of({{"a ", " b"}}, {20, 90}, {0, 20}));
     expect_mended(made, 2, 20 + 70, 0, 1);
@@ -85,6 +85,14 @@ TEST(Pinches, aHouseThatTouchesItself) {
     const MadeSurfaces made = surfaces_of(blocks_of({{"aaa", "a a", "aa ", "a  "}}, {20}));
     expect_mended(made, 8, 160, 1, 0);
     EXPECT_GT(sums_of(made.shell).roofs, 8);
+}
+
+/// Courtyards that touch each other in a corner are within a house: it is joined there.
+TEST(Pinches, courtyardsThatTouch) {
+    const MadeSurfaces made = surfaces_of(blocks_of({{"aaaa", "a aa", "aa a", "aaaa"}}, {20}));
+    expect_mended(made, 14, 280, 1, 0);
+    ASSERT_EQ(made.solids.size(), 1U);
+    EXPECT_GT(sums_of(made.shell).roofs, 14);
 }
 
 /// Two high roofs and two low ones around a point, of four houses.

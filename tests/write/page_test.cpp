@@ -298,9 +298,10 @@ TEST_F(PageTest, aFileThatHasChangedMeanwhileIsLeftAlone) {
 
 TEST_F(PageTest, replacesAPageOfItsOwnAlone) {
     put("a.html", "<!DOCTYPE html>\n<p>Dear diary\n");
-    EXPECT_NE(
-        thrown<OptionError>([&] { static_cast<void>(place("a.html")); }).find("exists; give -overwrite"),
-        std::string::npos);
+    EXPECT_NE(thrown<OptionError>([&] {
+                  static_cast<void>(place("a.html"));
+              }).find("exists; give another name, or -overwrite"),
+              std::string::npos);
     EXPECT_NE(thrown<OptionError>([&] {
                   static_cast<void>(place("a.html", true));
               }).find("is no page of dem2buildings"),
