@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "detect/border_sums.hpp"
 #include "detect/smoothness.hpp"
 
 namespace d2b {
@@ -25,6 +26,7 @@ struct Sums {
     double inner_border = 0;  // cells
     double walls = 0;         // of these
     double fall = 0;          // sum over these
+    BorderSums beside;
 };
 
 /// The surface, and the ground where there is none: what a cell's neighbours fall to.
@@ -91,6 +93,7 @@ void add_border(const Scene& scene, const Mask& cells, std::int32_t r, const Reg
     for (std::int32_t c = run.begin; c < run.end; ++c)
         if (on_border(cells, r, c) && !std::isnan(scene.surface.at(r, c))) {
             sums.border += 1;
+            sums.beside.add(scene, cells, r, c);
             sums.step += static_cast<double>(scene.surface.at(r, c) - lowest_around(scene, r, c));
             if (r == 0 || c == 0 || r + 1 == cells.rows || c + 1 == cells.cols)
                 continue;
@@ -130,7 +133,7 @@ void add_segments(std::span<const RegionRun> pieces, const std::vector<SegmentLo
     }
 }
 
-Evidence evidence_of(const Sums& sums, double cells) {
+Evidence evidence_of(const Sums& sums, double cells, double cell_area) {
     const double pieces = std::max(sums.pieces, 1.0);
     return {sums.smooth / cells,
             sums.step / std::max(sums.border, 1.0),
@@ -138,7 +141,11 @@ Evidence evidence_of(const Sums& sums, double cells) {
             std::exp(sums.log_cells / pieces),
             sums.green / cells,
             sums.inner_border > 0 ? sums.walls / sums.inner_border : 1.0,
-            sums.fall / std::max(sums.inner_border, 1.0)};
+            sums.fall / std::max(sums.inner_border, 1.0),
+            sums.beside.height_beside(),
+            sums.beside.right_angles(),
+            cells * cell_area,
+            sums.border / std::sqrt(cells)};
 }
 
 }  // namespace
@@ -157,7 +164,8 @@ std::vector<Evidence> collect_evidence(const Scene& scene, const DetectedObjects
     std::vector<Evidence> result;
     result.reserve(sums.size());
     for (std::size_t i = 0; i < sums.size(); ++i)
-        result.push_back(evidence_of(sums[i], static_cast<double>(objects.regions.cells[i + 1])));
+        result.push_back(
+            evidence_of(sums[i], static_cast<double>(objects.regions.cells[i + 1]), scene.cell_area()));
     return result;
 }
 

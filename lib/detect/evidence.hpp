@@ -10,14 +10,18 @@ namespace d2b {
 
 /// What an object looks like.
 struct Evidence {
-    double smooth = 0;   ///< share of its cells that are smooth enough
-    double step_m = 0;   ///< mean fall of its border cells to the lowest cell beside them
-    double tilt = 0;     ///< of its segments: geometric mean by cells
-    double segment = 0;  ///< cells of its segments: geometric mean by cells
-    double green = 0;    ///< share of its cells with the NDVI of plants
-    double walled = 1;   ///< share of its border where the surface bends as at a wall; the raster's own
-                         ///< border is left out, and where there is no other it is not known: 1
-    double fall = 0;     ///< mean slope of its border, down to the lowest cell beside it, metres a metre
+    double smooth = 0;        ///< share of its cells that are smooth enough
+    double step_m = 0;        ///< mean fall of its border cells to the lowest cell beside them
+    double tilt = 0;          ///< of its segments: geometric mean by cells
+    double segment = 0;       ///< cells of its segments: geometric mean by cells
+    double green = 0;         ///< share of its cells with the NDVI of plants
+    double walled = 1;        ///< share of its border where the surface bends as at a wall; the raster's own
+                              ///< border is left out, and where there is no other it is not known: 1
+    double fall = 0;          ///< mean slope of its border, down to the lowest cell beside it, metres a metre
+    double beside_m = 0;      ///< mean height of what is beside it, see BorderSums
+    double right_angles = 0;  ///< how well its border keeps to right angles, see BorderSums
+    double area_m2 = 1;
+    double ragged = 1;  ///< cells on its border, by the root of its cells: 4 for a square
 };
 
 /// What detection found so far.
@@ -34,6 +38,9 @@ struct DetectedObjects {
 /// A logistic model of five terms. Its weights were fitted to cities of 0.5 to 5 m cells; each city was also
 /// left out in turn, see docs/accuracy.md. What has next to no wall, neither sharp nor smeared, is part of
 /// the ground, however smooth and large it is: its confidence is 0. A term that took no part is no doubt.
-[[nodiscard]] DetectedObject judge(const Evidence& evidence);
+/// Where points are thin, crowns have steps like walls, and few cells of a house are smooth: weights of their
+/// own with five terms more take over as the share of filled cells rises.
+/// @param filled share of the cells that no pulse met, see filled_share()
+[[nodiscard]] DetectedObject judge(const Evidence& evidence, double filled = 0);
 
 }  // namespace d2b

@@ -14,30 +14,75 @@ namespace {
 constexpr double fewest_walls = 0.1;
 constexpr double steeper = 1.2;
 
+// Of scans of a pulse a square metre and more on cells of a metre less than the first share of the cells is
+// filled, of thinned ones more than the second.
+constexpr double filled_by_any = 0.04;
+constexpr double filled_where_thin = 0.08;
+
+// Found by tests/accuracy/run.py --learn, see docs/accuracy.md.
+constexpr double thin_constant = -0.43;
+
 bool has_walls(const Evidence& evidence) {
     return evidence.walled >= fewest_walls || evidence.fall > steeper * evidence.tilt;
 }
 
+/// A weight, and where it says nothing.
+struct Weight {
+    double of = 0;
+    double zero_at = 0;
+
+    [[nodiscard]] double term(double value) const { return of * (value - zero_at); }
+};
+
+/// Something that is seen of an object, and what it weighs in usual data and where points are thin.
+struct Sight {
+    double value;
+    Doubt doubt;
+    Weight usual;
+    Weight thin;
+
+    [[nodiscard]] double term(double thinness) const {
+        return (1 - thinness) * usual.term(value) + thinness * thin.term(value);
+    }
+};
+
+constexpr std::size_t greenness = 1;
+
+/// Each term is 0 for an object that may as well be a tree.
+std::array<Sight, 10> sights_of(const Evidence& evidence) {
+    return {{
+        {evidence.smooth, Doubt::rough, {4.3, 0.4}, {2.77, 0.33}},
+        {evidence.green, Doubt::green, {-4, 0}, {-4, 0}},
+        {std::log(std::max(evidence.step_m, 0.1)), Doubt::no_step, {1.3, std::log(2.2)}, {-0.5, 1.88}},
+        {std::log(evidence.tilt), Doubt::steep, {-0.4, std::log(0.4)}, {-0.45, -1.19}},
+        {std::log(std::max(evidence.segment, 1.0)), Doubt::pieces, {1, std::log(48.0)}, {0.69, 2.62}},
+        {evidence.walled, Doubt::no_step, {}, {10.4, 0.99}},
+        {std::log(evidence.beside_m + 0.5), Doubt::no_step, {}, {-1.12, 1.37}},
+        {std::log(evidence.area_m2), Doubt::pieces, {}, {1.15, 5.23}},
+        {evidence.right_angles, Doubt::no_step, {}, {3.83, 0.33}},
+        {std::log(evidence.ragged), Doubt::rough, {}, {-0.78, 1.19}},
+    }};
+}
+
 }  // namespace
 
-DetectedObject judge(const Evidence& evidence) {
+DetectedObject judge(const Evidence& evidence, double filled) {
     if (!has_walls(evidence))
         return {0, Doubt::no_step, 0};
-    // Each term is 0 for an object that may as well be a tree.
-    std::array<double, 5> terms{4.3 * (evidence.smooth - 0.4), -4.0 * evidence.green,
-                                1.3 * std::log(std::max(evidence.step_m, 0.1) / 2.2),
-                                -0.4 * std::log(evidence.tilt / 0.4),
-                                1.0 * std::log(std::max(evidence.segment, 1.0) / 48.0)};
-    constexpr std::array<Doubt, 5> doubts{Doubt::rough, Doubt::green, Doubt::no_step, Doubt::steep,
-                                          Doubt::pieces};
-    double sum = 0;
+    const double thinness =
+        std::clamp((filled - filled_by_any) / (filled_where_thin - filled_by_any), 0.0, 1.0);
+    const std::array<Sight, 10> sights = sights_of(evidence);
+    std::array<double, 10> terms{};
+    std::ranges::transform(sights, terms.begin(), [&](const Sight& sight) { return sight.term(thinness); });
+    double sum = thinness * thin_constant;
     for (const double term : terms)
         sum += term;
-    // Without an NDVI, and where nothing is green, nothing green speaks against it.
-    if (evidence.green == 0)
-        terms[1] = std::numeric_limits<double>::infinity();
+    // What has no weight says nothing; without an NDVI, and where nothing is green, nothing green does.
+    for (std::size_t i = 0; i < sights.size(); ++i)
+        if ((sights[i].usual.of == 0 && thinness == 0) || (i == greenness && evidence.green == 0))
+            terms[i] = std::numeric_limits<double>::infinity();
     const auto worst = std::min_element(terms.begin(), terms.end()) - terms.begin();
-    return {1 / (1 + std::exp(-sum)), doubts[static_cast<std::size_t>(worst)], 0};
+    return {1 / (1 + std::exp(-sum)), sights[static_cast<std::size_t>(worst)].doubt, 0};
 }
 
 std::string_view doubt_name(Doubt doubt) {

@@ -79,7 +79,7 @@ JudgedObjects judged_objects(const Scene& scene, const DetectOptions& options, d
     DetectedObjects found = find_objects(scene, elevated, segments, least, result.left_out.small, threads);
     result.evidence = collect_evidence(scene, found, segments, flags, threads);
     for (const Evidence& evidence : result.evidence) {
-        result.objects.push_back(judge(evidence));
+        result.objects.push_back(judge(evidence, quality.filled));
         result.objects.back().cells = found.regions.cells[result.objects.size()];
     }
     result.regions = std::move(found.regions);

@@ -10,7 +10,17 @@ from osgeo import gdal, ogr
 from tables import table, text
 
 NAMES = ("smooth", "ln step", "ln tilt", "ln segment", "constant")
+THIN_NAMES = ("smooth", "ln step", "ln tilt", "ln segment", "walled", "ln beside", "ln area", "right angles", "ln ragged",
+              "constant")
+THIN = 0.05  # share of filled cells
+SCENES_HEAVY = 0.4  # of a real place: made crowns and houses are all alike
+CAUTION = 0.75  # off the constant: woods are larger than houses, and the scenes have few
 LEAST_M2 = 50
+COLUMNS = {"smooth": lambda row: row["smooth"], "ln step": lambda row: np.log(max(row["step_m"], 0.1)),
+           "ln tilt": lambda row: np.log(row["tilt"]), "ln segment": lambda row: np.log(max(row["segment"], 1)),
+           "walled": lambda row: row["walled"], "ln beside": lambda row: np.log(row["beside_m"] + 0.5),
+           "ln area": lambda row: np.log(row["area_m2"]), "right angles": lambda row: row["right_angles"],
+           "ln ragged": lambda row: np.log(row["ragged"]), "constant": lambda row: 1}
 RIDGE = 1e-3  # of the squares of the weights: what only one place has gets none
 
 
@@ -33,18 +43,20 @@ def mask_of(place, path):
         gdal.RasterizeLayer(raster, [1], layer, burn_values=[value])
 
 
-def evidence(build, place, work):
-    """Objects of a place: what the judge sees as an array n x 5, whether they are buildings, their confidence now."""
+def objects_of(build, place, work):
+    """What the judge sees of the objects of a place: a dictionary each."""
     mask = os.path.join(work, place.name + "_truth.tif")
     mask_of(place, mask)
     program = os.path.join(build, "tests", "accuracy", "d2b_evidence")
     lines = subprocess.run([program, place.dsm, mask], check=True, capture_output=True, text=True).stdout
     rows = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(lines.splitlines())]
-    rows = [row for row in rows if row["cells"] * row["cell_m"] ** 2 >= LEAST_M2 and row["confidence"] > 0
-            and row["known"] >= 0.5]
-    features = [(row["smooth"], np.log(max(row["step_m"], 0.1)), np.log(row["tilt"]),
-                 np.log(max(row["segment"], 1)), 1) for row in rows]
-    return (np.array(features, float).reshape(-1, len(NAMES)), np.array([row["right"] >= 0.5 for row in rows], float),
+    return [row for row in rows if row["area_m2"] >= LEAST_M2 and row["confidence"] > 0 and row["known"] >= 0.5]
+
+
+def seen(rows, names):
+    """Objects as an array n x names, whether they are buildings, their confidence now."""
+    features = [[COLUMNS[name](row) for name in names] for row in rows]
+    return (np.array(features, float).reshape(-1, len(names)), np.array([row["right"] >= 0.5 for row in rows], float),
             np.array([row["confidence"] for row in rows], float))
 
 
@@ -52,13 +64,16 @@ def chances(features, weights):
     return 1 / (1 + np.exp(-features @ weights))
 
 
-def fit(places):
-    """The weights that make what is known most likely, each place as heavy as the others: by Newton's method."""
+def fit(places, heaviness=None):
+    """The weights that make what is known most likely, each place as heavy as the others or as `heaviness` says: by
+    Newton's method. The last is the constant."""
+    heaviness = [1] * len(places) if heaviness is None else heaviness
     features = np.concatenate([place[0] for place in places])
     right = np.concatenate([place[1] for place in places])
-    heavy = np.concatenate([np.full(len(place[1]), 1 / len(place[1])) for place in places if len(place[1])])
-    weights = np.zeros(len(NAMES))
-    ridge = RIDGE * np.diag([1] * (len(NAMES) - 1) + [0])
+    heavy = np.concatenate([np.full(len(place[1]), share / len(place[1])) for place, share in zip(places, heaviness)
+                            if len(place[1])])
+    weights = np.zeros(features.shape[1])
+    ridge = RIDGE * np.diag([1] * (len(weights) - 1) + [0])
     for _ in range(50):
         p = chances(features, weights)
         gradient = features.T @ (heavy * (right - p)) - ridge @ weights
@@ -85,14 +100,14 @@ def kind(place):
     return place.title.split(",")[0]
 
 
-def left_out(known):
+def left_out(known, fitted=fit):
     """For each place: its objects with the chances that the weights of all others give, in two columns with whether
-    they are buildings, and the confidences of the program."""
+    they are buildings, and the confidences of the program. `known` has rows of a place and what seen() gives."""
     for place, (features, right, now) in known:
-        others = [seen for other, seen in known if kind(other) != kind(place)]
+        others = [row for row in known if kind(row[0]) != kind(place)]
         if len(right) and others:
-            yield {"name": place.title, "now": now,
-                   "objects": np.column_stack([chances(features, fit(others)), right])}
+            weights = fitted([row[1] for row in others]) if fitted is fit else fitted(others)
+            yield {"name": place.title, "now": now, "objects": np.column_stack([chances(features, weights), right])}
 
 
 def left_out_table(tried):
@@ -104,10 +119,38 @@ def left_out_table(tried):
     return table(["place", "objects", "buildings", "agreed", "agreed, left out", "loss", "loss, left out"], rows)
 
 
-def learned(build, places, work):
-    """Tables by name, and the places as they were left out."""
-    known = [(place, evidence(build, place, work)) for place in places]
+def is_scene(place):
+    return "_" in place.name and place.name == place.title.replace(", ", "_")
+
+
+def fit_thin(known):
+    """The weights for thin points, as the program has them."""
+    weights = fit([row[1] for row in known], [SCENES_HEAVY if is_scene(row[0]) else 1 for row in known])
+    weights[-1] -= CAUTION
+    return weights
+
+
+def with_zeros(known, weights):
+    """Rows of a name, its weight, and where it says nothing: half way between the means of buildings and of others.
+    The constant is what is left."""
+    features = np.concatenate([row[1][0] for row in known])
+    right = np.concatenate([row[1][1] for row in known]) > 0
+    zeros = (features[right].mean(axis=0) + features[~right].mean(axis=0)) / 2
+    rows = [[name, text(weight, 2), text(zero, 2)] for name, weight, zero in zip(THIN_NAMES, weights, zeros)]
+    rows[-1][1:] = [text(float(weights @ np.append(zeros[:-1], 1)), 2), ""]
+    return rows
+
+
+def learned(build, places, work, more=()):
+    """Tables by name, and the places as they were left out.
+    :param more: places that only the weights for thin points are fitted to"""
+    objects = [(place, objects_of(build, place, work)) for place in [*places, *more]]
+    known = [(place, seen(rows, NAMES)) for place, rows in objects[:len(places)]]
+    thin = [(place, seen(rows, THIN_NAMES)) for place, rows in objects if rows and rows[0]["filled"] > THIN]
     tried = list(left_out(known))
-    weights = fit([seen for _, seen in known])
-    return {"left_out": left_out_table(tried),
-            "weights": table(NAMES, [[text(weight, 2) for weight in weights]])}, tried
+    weights = fit([row[1] for row in known])
+    found = {"left_out": left_out_table(tried), "weights": table(NAMES, [[text(weight, 2) for weight in weights]])}
+    if thin:
+        found["thin_left_out"] = left_out_table(list(left_out(thin, fit_thin)))
+        found["thin_weights"] = table(["", "weight", "zero at"], with_zeros(thin, fit_thin(thin)))
+    return found, tried

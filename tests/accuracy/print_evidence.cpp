@@ -49,9 +49,9 @@ Surface read_surface(const char* path) {
 }
 
 /// The objects as a run with the defaults finds them, see detect_buildings().
-JudgedObjects objects_of(const Scene& scene, const Options& options, Executor& threads) {
+JudgedObjects objects_of(const Scene& scene, const Options& options, SurfaceQuality quality,
+                         Executor& threads) {
     constexpr double smallest_m2 = 30;
-    SurfaceQuality quality = surface_quality(scene, options.detect, threads);
     JudgedObjects first = judged_objects(scene, options.detect, smallest_m2, quality, threads);
     quality.strictness =
         roof_strictness(scene, options.detect, smallest_m2, quality, first, threads).value_or(1);
@@ -88,16 +88,19 @@ void print_evidence(const char* surface_path, const char* truth_path) {
         if ((terrain.flags.values[i] & low_outlier) != 0)
             surface.z.values[i] = std::numeric_limits<float>::quiet_NaN();
     const Scene scene{surface.z, terrain.elevation, surface.cell};
-    const JudgedObjects judged = objects_of(scene, options, *context.threads);
+    const SurfaceQuality quality = surface_quality(scene, options.detect, *context.threads);
+    const JudgedObjects judged = objects_of(scene, options, quality, *context.threads);
     const std::vector<Agreement> agreement = compare(judged, truth.z);
-    std::cout << "right,known,cells,cell_m,smooth,step_m,tilt,segment,walled,fall,confidence\n";
+    std::cout << "right,known,cells,cell_m,smooth,step_m,tilt,segment,walled,fall,"
+                 "beside_m,right_angles,area_m2,ragged,filled,confidence\n";
     for (std::size_t i = 0; i < judged.objects.size(); ++i) {
         const Evidence& e = judged.evidence[i];
         const auto cells = static_cast<double>(judged.objects[i].cells);
         std::cout << agreement[i].right / std::max(agreement[i].known, 1.0) << ','
                   << agreement[i].known / cells << ',' << cells << ',' << scene.side() << ',' << e.smooth
                   << ',' << e.step_m << ',' << e.tilt << ',' << e.segment << ',' << e.walled << ',' << e.fall
-                  << ',' << judged.objects[i].confidence << '\n';
+                  << ',' << e.beside_m << ',' << e.right_angles << ',' << e.area_m2 << ',' << e.ragged << ','
+                  << quality.filled << ',' << judged.objects[i].confidence << '\n';
     }
 }
 

@@ -10,7 +10,7 @@ tables: areas, objects, walls, places without buildings, and how often a confide
 --write    puts the tables into a page, between the lines `<!-- table NAME -->` and `<!-- end -->`
 --plot     draws how often a confidence is right (needs python3-matplotlib)
 --learn    fits the weights of the judge to the real places and to scenes of another seed, and tries them on each
-           place with that place left out
+           place with that place left out; those for thin points to all places and scenes as thin scans show them
 --least-iou  fails where the mean IoU of the scenes is less
 Needs python3-gdal and python3-scipy.
 """
@@ -24,8 +24,12 @@ import tempfile
 import confidence
 import learning
 import tables
+import thinning
 import walls
 from places import Place, scene, title_of
+
+PLACES = ("village", "hamlet", "pines", "hillside", "rows", "outskirts", "park", "town", "forest", "fields")
+THIN = [f"{place}_{survey}" for place in PLACES for survey in thinning.SCANS]
 
 
 def output_of(*command):
@@ -85,7 +89,11 @@ def learn(arguments, work):
     with tempfile.TemporaryDirectory(dir=work) as folder:
         others = make_scenes(arguments.build, folder, arguments.seed + 100, arguments.scenes)
         real = cities(arguments.cities) if arguments.cities else []
-        found, tried = learning.learned(arguments.build, real + others, folder)
+        more = thinning.thinned_places(real, folder)
+        if not arguments.scenes:
+            made = {place.name for place in others}
+            more += make_scenes(arguments.build, folder, arguments.seed + 100, [name for name in THIN if name not in made])
+        found, tried = learning.learned(arguments.build, real + others, folder, more)
         titles = [place.title for place in real]
         return found, [place for place in tried if place["name"] in titles]
 

@@ -14,6 +14,7 @@ except ImportError as error:
 import confidence
 import learning
 import tables
+import thinning
 import walls
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -78,6 +79,20 @@ class Learning(unittest.TestCase):
         self.assertAlmostEqual(learning.loss(np.array([0, 1]), np.array([0.5, 0.5])), np.log(2))
         self.assertAlmostEqual(learning.loss(np.array([1, 1]), np.array([0.5, 0.25])), 1.5 * np.log(2))
         self.assertEqual(learning.agreed(np.array([0, 1, 1]), np.array([0.4, 0.5, 0.1])), 2 / 3)
+
+
+class Thinning(unittest.TestCase):
+    def test_a_cell_has_its_highest_pulse_or_that_of_a_near_cell(self):
+        rows, cols = np.array([0.5, 0.1, 0.9]), np.array([0.5, 0.2, 5.5])
+        z = thinning.highest(rows, cols, np.array([3.0, 7.0, 4.0]), (1, 7))
+        np.testing.assert_array_equal(z, [[7, 7, np.nan, np.nan, 4, 4, 4]])
+
+    def test_so_many_pulses_a_cell(self):
+        random = np.random.default_rng(1)
+        rows, cols, heights = thinning.pulses(np.where(np.arange(40000) % 2, np.nan, 10.0).reshape(200, 200), 0.5, random)
+        self.assertAlmostEqual(len(heights) / 10000, 1, delta=0.05)  # half fall on what is not known
+        self.assertTrue(((cols.astype(int) % 2) == 0).all())
+        self.assertAlmostEqual(heights.mean(), 10, delta=0.002)
 
 
 class Tables(unittest.TestCase):

@@ -63,6 +63,11 @@ TEST(Evidence, SumsOfAHandMadeObject) {
     EXPECT_NEAR(evidence[1].step_m, 3, 1e-6);
     EXPECT_NEAR(evidence[1].tilt, 1, 1e-12) << "no pieces";
     EXPECT_NEAR(evidence[1].segment, 1, 1e-12);
+    // All four cells of the second are on its border; cells are of 1 m.
+    EXPECT_EQ(evidence[0].area_m2, 12);
+    EXPECT_NEAR(evidence[0].ragged, 10 / std::sqrt(12.0), 1e-12);
+    EXPECT_NEAR(evidence[1].ragged, 2, 1e-12);
+    EXPECT_EQ(evidence[1].beside_m, 0);
 }
 
 TEST(Evidence, CellsAtTheRastersBorderAndUnknownCells) {
@@ -168,6 +173,42 @@ TEST(Judge, EachTermCounts) {
     EXPECT_NEAR(log_odds(evidence), 2, 1e-9);
     evidence.segment = 0;
     EXPECT_NEAR(log_odds(evidence), -std::log(even_cells), 1e-9) << "no less than with one cell";
+}
+
+TEST(Judge, WeightsOfThinPointsTakeOverAsCellsAreFilled) {
+    // A house of 12 cells of 2.5 m: few of its cells are smooth, and its segments are small.
+    Evidence house{0.5, 3, 0.3, 9, 0, 1};
+    house.beside_m = 0.8;
+    house.right_angles = 0.6;
+    house.area_m2 = 75;
+    house.ragged = 2.9;
+    const auto log_odds = [&](double filled) {
+        const double p = judge(house, filled).confidence;
+        return std::log(p / (1 - p));
+    };
+    const double usual = 4.3 * 0.1 + 1.3 * std::log(3 / 2.2) - 0.4 * std::log(0.3 / 0.4) + std::log(9 / 48.0);
+    const double thin = -0.43 + 2.77 * (0.5 - 0.33) - 0.5 * (std::log(3) - 1.88) -
+                        0.45 * (std::log(0.3) + 1.19) + 0.69 * (std::log(9) - 2.62) + 10.4 * (1 - 0.99) -
+                        1.12 * (std::log(1.3) - 1.37) + 1.15 * (std::log(75) - 5.23) + 3.83 * (0.6 - 0.33) -
+                        0.78 * (std::log(2.9) - 1.19);
+    EXPECT_LT(usual, 0);
+    EXPECT_GT(thin, 0);
+    EXPECT_NEAR(log_odds(0), usual, 1e-9);
+    EXPECT_NEAR(log_odds(0.04), usual, 1e-9);
+    EXPECT_NEAR(log_odds(0.05), 0.75 * usual + 0.25 * thin, 1e-9);
+    EXPECT_NEAR(log_odds(0.08), thin, 1e-9);
+    EXPECT_NEAR(log_odds(1), thin, 1e-9);
+}
+
+TEST(Judge, AmongCrownsNothingThinIsABuilding) {
+    // A piece of a forest: as the house above, but for what stands beside it.
+    Evidence crown{0.5, 3, 0.3, 9, 0, 0.9};
+    crown.beside_m = 9;
+    crown.right_angles = 0.2;
+    crown.area_m2 = 150;
+    crown.ragged = 3.2;
+    EXPECT_LT(judge(crown, 0.2).confidence, 0.1);
+    EXPECT_EQ(judge(crown, 0.2).doubt, Doubt::no_step);
 }
 
 TEST(Judge, Monotone) {
