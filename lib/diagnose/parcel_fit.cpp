@@ -16,8 +16,6 @@ namespace {
 constexpr double bin_m = ParcelFit::reach_m / ParcelFit::bins;
 /// Cells to all sides that the direction of a cut is taken from.
 constexpr std::int32_t around = 3;
-/// What stands out as a wall between houses, and not as a dormer.
-constexpr float walls_to_steps = 2;
 /// Of lines at all angles, between what parts neighbouring cells and the line (Cauchy, Crofton).
 constexpr double straight_share = std::numbers::pi / 4;
 
@@ -145,6 +143,7 @@ void ParcelFit::merge(const ParcelFit& other) {
     cuts += other.cuts;
     for (std::size_t i = 0; i < bins; ++i)
         distances[i] += other.distances[i];
+    shifts.merge(other.shifts);
 }
 
 void add_fit(const Scene& scene, const Detection& detection, const Window& own, ParcelFit& fit,
@@ -155,6 +154,7 @@ void add_fit(const Scene& scene, const Detection& detection, const Window& own, 
             for (std::int32_t c = own.col; c < own.end_col(); ++c)
                 rows.add_cell(r, c);
     }));
+    count_shifts(scene, detection, own, fit.shifts, threads);
 }
 
 ParcelReport parcel_report(const ParcelFit& fit, const CellSize& cell) {
@@ -170,6 +170,7 @@ ParcelReport parcel_report(const ParcelFit& fit, const CellSize& cell) {
         nearer += fit.distances[i];
         report.median_distance_m = static_cast<double>(i) * bin_m;
     }
+    report.fitting_move = fitting_move(fit.shifts, cell);
     report.building_m2 = area * static_cast<double>(fit.cells);
     report.inside_m2 = area * static_cast<double>(fit.inside);
     report.several_m2 = area * static_cast<double>(fit.several);

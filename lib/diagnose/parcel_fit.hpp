@@ -9,6 +9,7 @@
 #include "dem2buildings/options.hpp"
 #include "dem2buildings/report.hpp"
 #include "detect/detection.hpp"
+#include "diagnose/parcel_shift.hpp"
 
 namespace d2b {
 
@@ -23,6 +24,7 @@ struct ParcelFit {
     std::int64_t invalid = 0;                    ///< of these, in one that is not valid
     std::int64_t cuts = 0;                       ///< neighbours in a block that parcels part
     std::array<std::int64_t, bins> distances{};  ///< of these, those with a wall within reach, by distance
+    ShiftCounts shifts;
 
     void merge(const ParcelFit& other);
 };

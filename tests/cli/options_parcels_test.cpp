@@ -1,5 +1,7 @@
 #include <cmath>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -89,6 +91,50 @@ TEST_F(OptionEffect, split_width) {
     EXPECT_EQ(buildings().records.size(), 4U);
     find({"-split_by", "lots.gpkg", "-split_width", "12"});  // the halves are nine metres wide
     EXPECT_EQ(buildings().records.size(), 3U);
+}
+
+/// What is doubtful of parcels is one sentence with its figure, and the blocks are cut all the same.
+class ParcelWarnings : public OptionEffect {
+  protected:
+    void warned(const VectorLayer& lots, const std::string& sentence, std::size_t buildings_cut) {
+        write(path("town.tif"), town_raster(MadeTown::surface()));
+        write_layer(path("lots.gpkg"), lots);
+        run_warned({"-preset", "buildings", "-q", "-split_by", "lots.gpkg", "--", "town.tif", "out.gpkg"},
+                   {sentence});
+        EXPECT_EQ(buildings().records.size(), buildings_cut);
+    }
+};
+
+/// The second lot reaches three metres into the first.
+TEST_F(ParcelWarnings, overlap) {
+    warned({"lots", {{rectangle(0, 0, flat_middle, 50)}, {rectangle(flat_middle - 3, 0, 60, 50)}}, 25833},
+           " % of what parcels of 'lots.gpkg' hold of buildings lies in more than one of them, and is taken "
+           "for the "
+           "one with the lowest id; ",
+           4);
+}
+
+/// A ring around the house that crosses itself beside it.
+TEST_F(ParcelWarnings, notValid) {
+    std::string ring;
+    for (const auto& [x, y] : std::vector<std::pair<double, double>>{
+             {0, 0}, {60, 0}, {60, 50}, {3, 50}, {0, 53}, {3, 53}, {0, 50}, {0, 0}})
+        ring += (ring.empty() ? "" : ",") + number_text(391000 + x) + " " + number_text(5820000 - y);
+    warned({"lots", {{"POLYGON((" + ring + "))"}}, 25833}, "Parcels of 'lots.gpkg' that are not valid hold ",
+           3);
+}
+
+TEST_F(ParcelWarnings, besideAllBuildings) {
+    warned({"lots", {{rectangle(0, 0, 3, 3)}}, 25833},
+           "No parcel of 'lots.gpkg' touches a building, so none was cut; give the parcels of the same place",
+           3);
+}
+
+TEST_F(ParcelWarnings, elsewhere) {
+    write(path("town.tif"), town_raster(MadeTown::surface()));
+    write_layer(path("lots.gpkg"), {"lots", {{rectangle(9000, 0, 9003, 3)}}, 25833});
+    expect_error(1, "has no polygon and no line in the part of 'town.tif' that is used; give the parcels of ",
+                 {"-preset", "buildings", "-q", "-split_by", "lots.gpkg", "--", "town.tif", "out.gpkg"});
 }
 
 }  // namespace

@@ -56,10 +56,12 @@ class TilesTool : public CliTest {
 };
 
 TEST_F(TilesTool, givesTheBytesOfOneRun) {
-    const std::vector<Arguments> variants{{},
-                                          {"-write_doubtful", "-split_height", "3", "-disjoint"},
-                                          {"-t_srs", "EPSG:4326", "-3d", "-nf", "12"},
-                                          {"-preset", "thesis", "-lod", "5"}};
+    const std::vector<Arguments> variants{
+        {},
+        {"-write_doubtful", "-split_height", "3", "-disjoint"},
+        {"-t_srs", "EPSG:4326", "-3d", "-nf", "12"},
+        {"-split_by", sample("town_parcels.gpkg"), "-split_field", "parcel"},
+        {"-preset", "thesis", "-lod", "5"}};
     for (const Arguments& options : variants) {
         const std::string report = whole(options, "one.gpkg");
         Arguments plan{"plan"};

@@ -46,6 +46,22 @@ TEST(ParcelDoubt, IsOfParcelsThatLieBesideWalls) {
     EXPECT_EQ(misplaced_doubt(report, {}, by_lots()), "");
 }
 
+/// Where it is known how they would fit, that is said, and not what is beside them.
+TEST(ParcelDoubt, SaysHowParcelsHaveToBeMoved) {
+    ParcelReport report = usual();
+    report.fitting_move = {-1, 0};
+    report.median_distance_m = 2.25;
+    EXPECT_EQ(misplaced_doubt(report, {}, by_lots()), "");
+    report.fitting_move = {-3, 4};
+    EXPECT_EQ(
+        misplaced_doubt(report, {}, by_lots()),
+        "parcels of 'lots' lie 5 m beside the walls as a whole: they fit best if they are moved 3 m to the "
+        "left and 4 m down on the raster; compare them with the buildings, and move them where that is so");
+    EXPECT_EQ(misplaced_doubt(report, {4, 4, 1}, by_lots()), "");  // hardly more than a cell
+    report.fitting_move = {0, -2.5};
+    EXPECT_NE(misplaced_doubt(report, {}, by_lots()).find("are moved 2.5 m up on"), std::string::npos);
+}
+
 TEST(ParcelDoubt, IsOfParcelsElsewhere) {
     const std::string said =
         "no parcel of 'lots' touches a building, so none was cut; give the parcels of the same place";

@@ -205,6 +205,9 @@ TEST(Parcels, CutTheSameInTilesAsInOneRun) {
             expect_same(tiles, whole);
             ASSERT_TRUE(tiles.report.parcels);
             EXPECT_EQ(tiles.report.parcels->cut_length_m, whole.report.parcels->cut_length_m);
+            EXPECT_EQ(tiles.report.parcels->median_distance_m, whole.report.parcels->median_distance_m);
+            ASSERT_EQ(tiles.report.parcels->fitting_move.has_value(),
+                      whole.report.parcels->fitting_move.has_value());
             EXPECT_EQ(tiles.report.counted(Reason::part_merged), whole.report.counted(Reason::part_merged));
         }
     }
@@ -254,7 +257,8 @@ TEST(Parcels, AreDoubtedWhereTheyAreDisplaced) {
         };
     };
     EXPECT_EQ(warning_of(moved(0)), "");
-    EXPECT_TRUE(warning_of(moved(3)).starts_with("Cuts by 'lots' run 3 m beside walls (the median of "));
+    EXPECT_TRUE(warning_of(moved(3)).starts_with(
+        "Parcels of 'lots' lie 3 m beside the walls as a whole: they fit best if they are moved 3 m up on "));
     EXPECT_TRUE(warning_of([](std::int32_t, std::int32_t) {
                     return ParcelCell::nobody;
                 }).starts_with("No parcel of 'lots' touches a building, so none was cut; "));

@@ -79,11 +79,16 @@ Json cuts_of(const std::vector<CutStack>& cuts) {
     return list;
 }
 
+Json move_of(const std::optional<ParcelMove>& move) {
+    return move ? Json{{"right", move->right_m}, {"down", move->down_m}} : Json();
+}
+
 Json parcels_of(const ParcelReport& parcels) {
     return {{"cut_length_m", parcels.cut_length_m},
             {"beside_length_m", parcels.beside_length_m},
             {"median_distance_m",
              std::isfinite(parcels.median_distance_m) ? Json(parcels.median_distance_m) : Json()},
+            {"fitting_move_m", move_of(parcels.fitting_move)},
             {"building_m2", parcels.building_m2},
             {"inside_m2", parcels.inside_m2},
             {"several_m2", parcels.several_m2},

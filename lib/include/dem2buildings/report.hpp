@@ -122,15 +122,22 @@ struct CutStack {
                         ///< of its highest contour that no higher one of the cut stack holds
 };
 
+/// How parcels would have to be moved on the raster.
+struct ParcelMove {
+    double right_m = 0;  ///< along rows, to higher columns
+    double down_m = 0;   ///< to higher rows
+};
+
 /// How parcels cut buildings.
 struct ParcelReport {
     double cut_length_m = 0;       ///< of what they part before narrow parts go back, about
     double beside_length_m = 0;    ///< of this, what has a wall beside it, within 4 m
     double median_distance_m = 0;  ///< between a cut and the wall beside it; NaN where there is none
-    double building_m2 = 0;        ///< of all buildings
-    double inside_m2 = 0;          ///< of these, in parcels
-    double several_m2 = 0;         ///< of this, in more than one
-    double invalid_m2 = 0;         ///< of this, in parcels that are not valid
+    std::optional<ParcelMove> fitting_move;  ///< to lie on walls best; nothing where that cannot be said
+    double building_m2 = 0;                  ///< of all buildings
+    double inside_m2 = 0;                    ///< of these, in parcels
+    double several_m2 = 0;                   ///< of this, in more than one
+    double invalid_m2 = 0;                   ///< of this, in parcels that are not valid
 };
 
 /// What stages count. Threads that work at the same time have one each.
