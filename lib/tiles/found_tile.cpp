@@ -18,9 +18,36 @@ std::string load_text(ByteReader& reader) {
     return {letters.begin(), letters.end()};
 }
 
+/// As runs of cells of one label: most of a seam is 0.
+void save_line(const std::vector<Label>& line, ByteWriter& writer) {
+    writer.put_varint(line.size());
+    for (auto begin = line.begin(); begin != line.end();) {
+        const auto end = std::find_if(begin, line.end(), [&](Label label) { return label != *begin; });
+        writer.put_varint(static_cast<std::uint64_t>(end - begin));
+        writer.put_varint(*begin);
+        begin = end;
+    }
+}
+
+/// @param labels that there may be
+std::vector<Label> load_line(ByteReader& reader, Label labels, std::int32_t cells) {
+    const std::int32_t length = reader.take_varint(cells);
+    if (length > 0 && length < cells)
+        throw BrokenRecord("a seam is not that of its unit");
+    std::vector<Label> line;
+    while (static_cast<std::int32_t>(line.size()) < length) {
+        const std::int32_t run = reader.take_varint(length - static_cast<std::int32_t>(line.size()));
+        const std::uint64_t label = reader.take_varint();
+        if (run == 0 || label > labels)
+            throw BrokenRecord("a seam is not that of its unit");
+        line.insert(line.end(), static_cast<std::size_t>(run), static_cast<Label>(label));
+    }
+    return line;
+}
+
 void save(const UnitEdges::Lines& lines, ByteWriter& writer) {
     for (const std::vector<Label>& line : lines)
-        writer.put_list(line);
+        save_line(line, writer);
 }
 
 void save(const FoundUnit& unit, ByteWriter& writer) {
@@ -34,12 +61,8 @@ void save(const FoundUnit& unit, ByteWriter& writer) {
 
 UnitEdges::Lines load_lines(ByteReader& reader, Label labels, std::int32_t cells) {
     UnitEdges::Lines lines;
-    for (std::vector<Label>& line : lines) {
-        line = reader.take_list<Label>();
-        if (!line.empty() &&
-            (line.size() != static_cast<std::size_t>(cells) || std::ranges::max(line) > labels))
-            throw BrokenRecord("a seam is not that of its unit");
-    }
+    for (std::vector<Label>& line : lines)
+        line = load_line(reader, labels, cells);
     return lines;
 }
 

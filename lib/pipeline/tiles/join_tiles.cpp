@@ -32,8 +32,13 @@ struct JoinedObject {
 class Join {
   public:
     explicit Join(TileRun& run)
-        : run_(run), units_(static_cast<std::size_t>(run.tiles().units().count())), facts_(run.no_facts()) {}
+        : run_(run),
+          units_(static_cast<std::size_t>(run.tiles().units().count())),
+          known_(units_.size()),
+          seams_(run.tiles().units().cols()),
+          facts_(run.no_facts()) {}
 
+    /// Reads all tiles. What units saw of the seams between them is compared as soon as it is known.
     void load();
     void join();
     void write_tiles();
@@ -41,6 +46,7 @@ class Join {
     void write_frame();
 
   private:
+    void compare_next();
     [[nodiscard]] Label number(const SeenUnit& unit, std::size_t object) const {
         return merged_.number[unit.first + object + 1];
     }
@@ -51,6 +57,10 @@ class Join {
 
     TileRun& run_;
     std::vector<SeenUnit> units_;
+    std::vector<bool> known_;  ///< by unit
+    std::size_t next_ = 0;     ///< unit that is to be compared
+    UnitMerger merger_;
+    UnitSeams seams_;
     FoundFacts facts_;
     UnitMerger::Merged merged_;
     std::vector<JoinedObject> objects_;  ///< as those that are merged
@@ -62,26 +72,30 @@ void Join::load() {
         FoundTile found = run_.load_found(tile);
         facts_.merge(found.facts);
         const std::vector<PlacedUnit> placed = run_.tiles().units_of(tile);
-        for (std::size_t i = 0; i < placed.size(); ++i)
-            units_[static_cast<std::size_t>(placed[i].number)] = {std::move(found.units[i].objects),
-                                                                  std::move(found.units[i].boxes),
-                                                                  std::move(found.units[i].edges), 0};
+        for (std::size_t i = 0; i < placed.size(); ++i) {
+            const auto number = static_cast<std::size_t>(placed[i].number);
+            units_[number] = {std::move(found.units[i].objects), std::move(found.units[i].boxes),
+                              std::move(found.units[i].edges), 0};
+            known_[number] = true;
+        }
+        while (next_ < units_.size() && known_[next_])
+            compare_next();
     }
 }
 
+/// Row by row: the lines of a unit are as long as it is wide, so they go as soon as they can.
+void Join::compare_next() {
+    SeenUnit& unit = units_[next_];
+    unit.first = merger_.add(unit.objects);
+    unit.edges.add(static_cast<Label>(unit.first));
+    const auto cols = static_cast<std::size_t>(run_.tiles().units().cols());
+    seams_.add(static_cast<std::int32_t>(next_ % cols), std::exchange(unit.edges, {}), merger_);
+    ++next_;
+}
+
 void Join::join() {
-    UnitMerger merger;
-    const std::int32_t cols = run_.tiles().units().cols();
-    UnitSeams seams(cols);
-    for (std::size_t i = 0; i < units_.size(); ++i) {
-        SeenUnit& unit = units_[i];
-        unit.first = merger.add(unit.objects);
-        unit.edges.add(static_cast<Label>(unit.first));
-        seams.add(static_cast<std::int32_t>(i % static_cast<std::size_t>(cols)), std::move(unit.edges),
-                  merger);
-    }
     Context& context = run_.context();
-    merged_ = join_units(merger, run_.setup().plan, run_.tiles().units(), run_.setup().cell, context.report);
+    merged_ = join_units(merger_, run_.setup().plan, run_.tiles().units(), run_.setup().cell, context.report);
     facts_.tally.merge(context.report);
     place_objects();
 }
