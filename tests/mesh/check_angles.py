@@ -3,10 +3,10 @@
 
     check_angles.py <mesh.obj> [<degrees>]
 
-Measures the OBJ alone. The plan's edges are those between different roofs, or a roof and terrain. An angle is at a sharp
-corner where two of these edges meet there at less than 60 degrees, and beside one where the triangle stands on the line
-of such an edge, or has a corner within 1 m of the sharp one, across a gap: elsewhere none should be. Ends with 1 where there
-are some. Needs python3-numpy."""
+Measures the OBJ alone. The plan's edges are those between different roofs, or a roof and terrain. An angle is at a
+sharp corner where two of these edges meet there at less than 60 degrees, and beside one where the triangle stands on
+the line of such an edge, or has a corner within 1 m of the sharp one, across a gap: elsewhere none should be. Ends with
+1 where there are some. Needs python3-numpy."""
 import sys
 from collections import defaultdict
 
@@ -101,8 +101,9 @@ def main(path, bound):
     for face in node[faces[least < bound]].tolist():
         where = "at sharp corners" if corners & set(face) else "beside them" if beside & set(face) else "elsewhere"
         count[where] += 1
-    print(f"{len(np.unique(node[faces]))} points of the plan, {len(faces)} triangles, smallest angle {least.min():.3f}, "
-          f"below {bound:g}: " + ", ".join(f"{n} {where}" for where, n in count.items()))
+    places = ", ".join(f"{n} {where}" for where, n in count.items())
+    print(f"{len(np.unique(node[faces]))} points of the plan, {len(faces)} triangles, "
+          f"smallest angle {least.min():.3f}, below {bound:g}: {places}")
     return 1 if count["elsewhere"] else 0
 
 
