@@ -88,13 +88,23 @@ void check_rule(const OptionRule& rule, const Request& request) {
         written(rule.other, request) + "; " + std::string(rule.advice) + ".");
 }
 
+/// "-surface <file>, -flow_ready <m> or -min_gap <m>"
+std::string choices_of(const OptionNeed& need) {
+    std::string text = option_synopsis(*find_option(need.needed));
+    for (std::size_t i = 0; i < need.or_else.size() && !need.or_else[i].empty(); ++i) {
+        const bool is_last = i + 1 == need.or_else.size() || need.or_else[i + 1].empty();
+        text += (is_last ? " or " : ", ") + option_synopsis(*find_option(need.or_else[i]));
+    }
+    return text;
+}
+
 void check_need(const OptionNeed& need, const Request& request) {
     const OptionRow& needed = *find_option(need.needed);
     const bool has_another = std::ranges::any_of(need.or_else, [&](std::string_view other) {
         return !other.empty() && find_option(other)->is_given(request);
     });
     if (find_option(need.name)->is_given(request) && !needed.is_given(request) && !has_another)
-        throw OptionError("-" + std::string(need.name) + " needs " + option_synopsis(needed) + "; " +
+        throw OptionError("-" + std::string(need.name) + " needs " + choices_of(need) + "; " +
                           std::string(need.advice) + ".");
 }
 

@@ -118,7 +118,7 @@ constexpr std::array needs{
     OptionNeed{"surface_origin", "surface", "its coordinates begin there"},
     OptionNeed{"write_problems",
                "surface",
-               "what it writes was in the way of the surface",
+               "what it writes was in the way of a surface or a flow solver",
                {"flow_ready", "min_gap", "min_wall"}},
     OptionNeed{"mask_layer", "mask", "it names the layer of its polygons"},
     OptionNeed{"split_layer", "split_by", "it names the layer of the parcels"},

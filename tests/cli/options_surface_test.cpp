@@ -414,6 +414,10 @@ TEST_F(SurfaceErrors, coordinates) {
             {"-surface", "a.obj", "-surface_origin", "1", "2", "3.5"});
     refused(2, "-surface_roof needs -surface <file>; it is the height of its flat roofs.",
             {"-surface_roof", "p90"});
+    refused(2,
+            "-write_problems needs -surface <file>, -flow_ready <m>, -min_gap <m> or -min_wall <m>; what it "
+            "writes was in the way of a surface or a flow solver.",
+            {"-write_problems"});
     refused(2, "-surface_roof has no effect with -surface_of contours; tiers have heights of their own.",
             {"-surface", "a.obj", "-surface_of", "contours", "-surface_roof", "p90"});
 }
