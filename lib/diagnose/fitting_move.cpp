@@ -31,9 +31,7 @@ class Moves {
     }
 
     [[nodiscard]] std::int64_t on_walls(std::int32_t down, std::int32_t right) const {
-        const std::int32_t row = down + ShiftCounts::most;
-        const std::int32_t col = right + ShiftCounts::most;
-        return counts_.on_walls[static_cast<std::size_t>(row * ShiftCounts::side + col)];
+        return counts_.on_walls[ShiftCounts::index(down, right)];
     }
     [[nodiscard]] std::int64_t ordinary() const { return ordinary_; }
     [[nodiscard]] double more(std::pair<std::int32_t, std::int32_t> move) const {

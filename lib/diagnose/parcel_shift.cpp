@@ -20,7 +20,7 @@ class WallGrid {
     WallGrid(const Scene& scene, const Detection& detection, bool below, std::int32_t step,
              Executor& threads);
     /// @pre the cell is in the grid
-    [[nodiscard]] const std::uint8_t* at(std::int32_t r, std::int32_t c) const { return &weights_.at(r, c); }
+    [[nodiscard]] std::int64_t at(std::int32_t r, std::int32_t c) const { return weights_.at(r, c); }
 
   private:
     [[nodiscard]] bool is_building(std::int32_t r, std::int32_t c) const {
@@ -73,6 +73,41 @@ void WallGrid::weigh(std::int32_t r, std::int32_t c, std::int32_t step) {
             }
 }
 
+/// Edges of cells to their right, or below.
+class EdgeCounter {
+  public:
+    EdgeCounter(const Scene& scene, const Detection& detection, bool below, Executor& threads)
+        : parcels_(*scene.parcels),
+          below_(below),
+          down_(shift_steps(scene.cell.down)),
+          right_(shift_steps(scene.cell.across)),
+          walls_(scene, detection, below, below ? down_.cells : right_.cells, threads) {}
+
+    /// Where parcels part the cell from its neighbour, what lies there after each move.
+    void count(std::int32_t r, std::int32_t c, ShiftCounts& sum) const {
+        const std::int32_t to_r = r + (below_ ? 1 : 0);
+        const std::int32_t to_c = c + (below_ ? 0 : 1);
+        if (!parcels_.holds(to_r, to_c) || !parted(parcels_.at(r, c), parcels_.at(to_r, to_c), below_))
+            return;
+        for (std::int32_t d = -down_.reach; d <= down_.reach; ++d)
+            if (const std::int32_t row = r + d * down_.cells; row >= 0 && row < parcels_.rows)
+                count_row(row, c, &sum.on_walls[ShiftCounts::index(d, -right_.reach)]);
+    }
+
+  private:
+    void count_row(std::int32_t row, std::int32_t c, std::int64_t* to) const {
+        for (std::int32_t i = -right_.reach; i <= right_.reach; ++i, ++to)
+            if (const std::int32_t col = c + i * right_.cells; col >= 0 && col < parcels_.cols)
+                *to += walls_.at(row, col);
+    }
+
+    const ParcelGrid& parcels_;
+    bool below_;
+    ShiftSteps down_;
+    ShiftSteps right_;
+    WallGrid walls_;
+};
+
 }  // namespace
 
 ShiftSteps shift_steps(double cell_m) {
@@ -88,34 +123,13 @@ void ShiftCounts::merge(const ShiftCounts& other) {
 
 void count_shifts(const Scene& scene, const Detection& detection, const Window& own, ShiftCounts& counts,
                   Executor& threads) {
-    const ParcelGrid& parcels = *scene.parcels;
-    const ShiftSteps down = shift_steps(scene.cell.down);
-    const ShiftSteps right = shift_steps(scene.cell.across);
     for (const bool below : {false, true}) {
-        const WallGrid walls(scene, detection, below, below ? down.cells : right.cells, threads);
-        const auto count_edge = [&](std::int32_t r, std::int32_t c, ShiftCounts& sum) {
-            for (std::int32_t d = -down.reach; d <= down.reach; ++d) {
-                const std::int32_t row = r + d * down.cells;
-                if (row < 0 || row >= parcels.rows)
-                    continue;
-                const std::int32_t first = c - right.reach * right.cells;
-                std::int64_t* to = &sum.on_walls[static_cast<std::size_t>(
-                    (d + ShiftCounts::most) * ShiftCounts::side + ShiftCounts::most - right.reach)];
-                for (std::int32_t i = 0; i <= 2 * right.reach; ++i)
-                    if (const std::int32_t col = first + i * right.cells; col >= 0 && col < parcels.cols)
-                        to[i] += *walls.at(row, col);
-            }
-        };
+        const EdgeCounter counter(scene, detection, below, threads);
         counts.merge(
             sum_of_row_bands(threads, own.rows, own.cols, ShiftCounts(), [&](RowBand band, ShiftCounts& sum) {
                 for (std::int32_t r = own.row + band.begin; r < own.row + band.end; ++r)
-                    for (std::int32_t c = own.col; c < own.end_col(); ++c) {
-                        const std::int32_t to_r = r + (below ? 1 : 0);
-                        const std::int32_t to_c = c + (below ? 0 : 1);
-                        if (parcels.holds(to_r, to_c) &&
-                            parted(parcels.at(r, c), parcels.at(to_r, to_c), below))
-                            count_edge(r, c, sum);
-                    }
+                    for (std::int32_t c = own.col; c < own.end_col(); ++c)
+                        counter.count(r, c, sum);
             }));
     }
 }

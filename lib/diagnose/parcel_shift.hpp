@@ -23,6 +23,11 @@ struct ShiftCounts {
     /// beside.
     std::array<std::int64_t, static_cast<std::size_t>(side) * side> on_walls{};
 
+    /// Of a move, by steps.
+    [[nodiscard]] static std::size_t index(std::int32_t down, std::int32_t right) {
+        return static_cast<std::size_t>(down + most) * static_cast<std::size_t>(side) +
+               static_cast<std::size_t>(right + most);
+    }
     void merge(const ShiftCounts& other);
 };
 
