@@ -5,8 +5,8 @@
 
 Prints tables in Markdown; pictures and results.json go to <build>/thesis. Without --cities, a folder that has
 stuttgart_csite2/dsm.tif, delft/{dsm,dtm,class6_mask}.tif, and dsm.tif, dtm.tif and reference_buildings.gpkg in
-montpellier_als and seville, only the parts that need none. Needs
-python3-gdal, python3-numpy, python3-scipy and python3-vtk9; pictures an X server, which xvfb-run of Debian's xvfb starts.
+montpellier_als and seville, only the parts that need none. Needs python3-gdal, python3-numpy, python3-scipy and
+python3-vtk9; pictures an X server, which xvfb-run of Debian's xvfb starts.
 """
 import argparse
 import json

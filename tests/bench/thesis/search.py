@@ -1,28 +1,27 @@
 """Which options give the least error at a number of points: the survey is not looked at."""
-from itertools import combinations, product
-
 import numpy as np
 
 from blocks import run_tool
 from closed import heights_unclosed
 from scene import figures
 
-STRAIGHT = [("-flow_ready", length) for length in (0, 1, 1.5, 2, 3, 5, 8, 12)]
+STRAIGHT = [("-flow_ready", length) for length in (0, 1, 2, 3, 5, 8, 12, 20)]
 SIMPLIFIED = [("-simplify", tolerance) for tolerance in (0.5, 0.75, 1, 1.25, 1.5, 2, 3, 4, 5, 6, 8)]
+KINDS = (STRAIGHT, SIMPLIFIED)
 AXES = {
     "-lod": [1, 2, 3, 4, 6],
     "-detail": [0.25, 0.5, 1, 1.5, 2, 3, 4, 6, 8],
     "-nf": [5, 10, 20, 40],
-    "walls": STRAIGHT + SIMPLIFIED,
+    "walls": STRAIGHT,  # or SIMPLIFIED: a kind stays
     "-split_height": [0, 1.5, 2, 3, 4],
     "-min_area": [10, 30, 50, 80],
     "-min_height": [1.5, 2, 3],
 }
-COARSE = {"-lod": 1, "-detail": 8, "-nf": 10, "-split_height": 0, "-min_area": 30, "-min_height": 2}
-MIDDLE = {**COARSE, "-lod": 3, "-detail": 2, "-nf": 20, "-split_height": 2}
-FINE = {**COARSE, "-lod": 4, "-detail": 0.5}
+COARSE = {"-lod": 1, "-detail": 6, "-nf": 10, "-split_height": 4, "-min_area": 50, "-min_height": 3}
+MIDDLE = {"-lod": 3, "-detail": 2, "-nf": 20, "-split_height": 1.5, "-min_area": 50, "-min_height": 2}
+FINE = {"-lod": 4, "-detail": 0.5, "-nf": 10, "-split_height": 1.5, "-min_area": 30, "-min_height": 2}
 BEGINS = [{**levels, "walls": walls} for levels in (COARSE, MIDDLE, FINE)
-          for walls in (STRAIGHT[0], STRAIGHT[3], STRAIGHT[5], SIMPLIFIED[2], SIMPLIFIED[8])]
+          for walls in (*STRAIGHT[::2], *SIMPLIFIED[2::4])]
 TERRAIN_POINTS = 500  # beside those at the walls; with more the terrain is not what errs
 
 
@@ -37,16 +36,9 @@ def words(choice):
 
 def beside(choice, name, reach):
     """The choice with other values of one option, at most so many places up or down."""
-    values = AXES[name]
+    values = next(kind for kind in KINDS if choice["walls"] in kind) if name == "walls" else AXES[name]
     at = values.index(choice[name])
     return [{**choice, name: value} for value in values[max(0, at - reach):at + reach + 1] if value != choice[name]]
-
-
-def pairs(choice):
-    """One option a place up or down and another one as well: points that one saves are spent by the other."""
-    for first, second in combinations(AXES, 2):
-        for one, other in product(beside(choice, first, 1), beside(choice, second, 1)):
-            yield {**choice, first: one[first], second: other[second]}
 
 
 class Search:
@@ -81,15 +73,19 @@ class Search:
         return self.errors[key]
 
     def best(self, budget, begins):
-        """From the best of some choices: one option after the other, up to two values to either side, as long as
-        that helps; then two at a time."""
-        choice = dict(min(begins, key=lambda begin: self.error(begin, budget)))
+        """The best that is found from the best beginning of each kind of walls."""
+        found = []
+        for kind in KINDS:
+            of_kind = [begin for begin in begins if begin["walls"] in kind]
+            found.append(self.descend(budget, min(of_kind, key=lambda begin: self.error(begin, budget))))
+        return min(found, key=lambda choice: self.error(choice, budget))
+
+    def descend(self, budget, choice):
+        """One option after the other, up to two values to either side, as long as that helps."""
         while True:
             before = choice
             for name in AXES:
                 choice = min([choice, *beside(choice, name, 2)], key=lambda trial: self.error(trial, budget))
-            if choice == before:
-                choice = min([choice, *pairs(choice)], key=lambda trial: self.error(trial, budget))
             if choice == before:
                 return choice
 

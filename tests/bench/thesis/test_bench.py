@@ -10,6 +10,8 @@ from pathlib import Path
 import numpy as np
 
 try:
+    from osgeo import ogr, osr
+
     import tables
     from measure import OURS, our_trials, rival_trials
     from run import hotel_settings
@@ -46,7 +48,6 @@ def made_scene(folder):
 
 
 def utm():
-    from osgeo import osr
     place = osr.SpatialReference()
     place.ImportFromEPSG(25832)
     return place.ExportToWkt()
@@ -74,6 +75,24 @@ class MadeScene(unittest.TestCase):
         text = tables.trials_table(ours + rivals, 60) + tables.ratio_table(ours + rivals) + tables.chosen_table(ours)
         self.assertEqual(len(lines_of(text)), 2 + 9 + 2 + 2 + 2 + 2)
         self.assertIn(f"**{OURS}**", text)
+
+
+class Truth(unittest.TestCase):
+    def test_buildings_of_a_survey_may_be_polygons(self):
+        with tempfile.TemporaryDirectory() as folder:
+            folder = Path(folder)
+            of_cells = made_scene(folder)
+            wall = "POLYGON ((500021 5399984, 500060 5399984, 500060 5399960, 500021 5399960, 500021 5399984))"
+            other = "POLYGON ((500021 5399949, 500045 5399949, 500045 5399925, 500021 5399925, 500021 5399949))"
+            polygons = gdal.GetDriverByName("GPKG").Create(str(folder / "of.gpkg"), 0, 0, 0, gdal.GDT_Unknown)
+            layer = polygons.CreateLayer("buildings", osr.SpatialReference(utm()))
+            for text in (wall, other):
+                feature = ogr.Feature(layer.GetLayerDefn())
+                feature.SetGeometry(ogr.CreateGeometryFromWkt(text))
+                layer.CreateFeature(feature)
+            polygons = layer = None
+            of_polygons = open_scene("made", folder / "dsm.tif", folder / "dtm.tif", folder / "of.gpkg")
+        np.testing.assert_array_equal(of_polygons.truth, of_cells.truth)
 
 
 class TheThesis(unittest.TestCase):
