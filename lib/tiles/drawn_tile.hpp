@@ -61,7 +61,8 @@ class DrawnBlocks {
     [[nodiscard]] const TailBlocks& all() const { return all_; }
 
   private:
-    static constexpr std::size_t usual_bytes = std::size_t{1} << 16;
+    /// merge holds a block of each tile.
+    static constexpr std::size_t usual_bytes = std::size_t{1} << 15;
     ByteWriter block_;
     TailBlocks all_;
 };

@@ -31,7 +31,7 @@ std::string crs_text(GDALDatasetH dataset) {
     const int* const mapping = OSRGetDataAxisToSRSAxisMapping(crs, &count);
     for (int i = 0; i < count; ++i)
         axes += (i == 0 ? "" : ",") + std::to_string(mapping[i]);
-    const std::string text = "  <SRS dataAxisToSRSAxisMapping=\"" + axes + "\">" + xml_text(wkt) + "</SRS>\n";
+    std::string text = "  <SRS dataAxisToSRSAxisMapping=\"" + axes + "\">" + xml_text(wkt) + "</SRS>\n";
     CPLFree(wkt);
     return text;
 }
