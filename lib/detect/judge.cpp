@@ -20,7 +20,7 @@ constexpr double filled_by_any = 0.04;
 constexpr double filled_where_thin = 0.08;
 
 // Found by tests/accuracy/run.py --learn, see docs/accuracy.md.
-constexpr double thin_constant = -0.43;
+constexpr double thin_constant = -1.33;
 
 bool has_walls(const Evidence& evidence) {
     return evidence.walled >= fewest_walls || evidence.fall > steeper * evidence.tilt;

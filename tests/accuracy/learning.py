@@ -14,7 +14,7 @@ THIN_NAMES = ("smooth", "ln step", "ln tilt", "ln segment", "walled", "ln beside
               "constant")
 THIN = 0.05  # share of filled cells
 SCENES_HEAVY = 0.4  # of a real place: made crowns and houses are all alike
-CAUTION = 0.75  # off the constant: woods are larger than houses, and the scenes have few
+CAUTION = 1.65  # off the constant: woods are larger than houses, and the scenes have few
 LEAST_M2 = 50
 COLUMNS = {"smooth": lambda row: row["smooth"], "ln step": lambda row: np.log(max(row["step_m"], 0.1)),
            "ln tilt": lambda row: np.log(row["tilt"]), "ln segment": lambda row: np.log(max(row["segment"], 1)),

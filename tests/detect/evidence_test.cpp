@@ -187,12 +187,12 @@ TEST(Judge, WeightsOfThinPointsTakeOverAsCellsAreFilled) {
         return std::log(p / (1 - p));
     };
     const double usual = 4.3 * 0.1 + 1.3 * std::log(3 / 2.2) - 0.4 * std::log(0.3 / 0.4) + std::log(9 / 48.0);
-    const double thin = -0.43 + 2.77 * (0.5 - 0.33) - 0.5 * (std::log(3) - 1.88) -
+    const double thin = -1.33 + 2.77 * (0.5 - 0.33) - 0.5 * (std::log(3) - 1.88) -
                         0.45 * (std::log(0.3) + 1.19) + 0.69 * (std::log(9) - 2.62) + 10.4 * (1 - 0.99) -
                         1.12 * (std::log(1.3) - 1.37) + 1.15 * (std::log(75) - 5.23) + 3.83 * (0.6 - 0.33) -
                         0.78 * (std::log(2.9) - 1.19);
-    EXPECT_LT(usual, 0);
-    EXPECT_GT(thin, 0);
+    EXPECT_LT(usual, -0.5);
+    EXPECT_GT(thin, usual + 0.5);
     EXPECT_NEAR(log_odds(0), usual, 1e-9);
     EXPECT_NEAR(log_odds(0.04), usual, 1e-9);
     EXPECT_NEAR(log_odds(0.05), 0.75 * usual + 0.25 * thin, 1e-9);
