@@ -95,7 +95,8 @@ TEST_F(BuildingErrors, refusesToOverwriteWhatItReadsOrWrites) {
                 "\"dem.tif\" is read or written by this run already; choose another name.");
         refused(2, {"-overwrite", "-ground", "dtm.tif", option, "./dtm.tif"},
                 "\"./dtm.tif\" is read or written by this run already; choose another name.");
-        refused(2, {option, "dtm.tif"}, "\"dtm.tif\" exists; give another name, or -overwrite to replace it.");
+        refused(2, {option, "dtm.tif"},
+                "\"dtm.tif\" exists; give another name, or -overwrite to replace it.");
         refused(2, {option, "out.png"},
                 "Rasters are written as GeoTIFF; give \"out.png\" a name that ends in .tif.");
         refused(1, {option, "no/such/g.tif"}, "there is no folder \"no/such\"; make it first.");

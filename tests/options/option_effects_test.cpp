@@ -27,8 +27,8 @@ bool takes_its_object(const std::string& one, const std::string& other) {
     static const std::set<std::string> of_tower{"-cutline_layer", "-split_height", "-fl",
                                                 "-max_building_width"};
     static const std::set<std::string> high{"-zrange"};
-    // Outlines that are simplified have none, and so have the few objects that are high enough in feet; blocks
-    // of the thesis are too small for their steps, or stand at the border.
+    // Outlines that are simplified have none, and so have the few objects that are high enough in feet;
+    // blocks of the thesis are too small for their steps, or stand at the border.
     static const std::set<std::string> of_short_walls{"-simplify", "-zunit", "-preset"};
     static const std::map<std::string, std::set<std::string>> of{{"-min_confidence 0", of_ruin},
                                                                  {"-min_confidence 0.97", of_rough},
