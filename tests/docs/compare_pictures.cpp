@@ -4,7 +4,7 @@
 // browser have made (qgis_*, page_*) are compared by the tests in tests/desk, those of the page on Python
 // (python_*) in tests/python. Those of tiers as they once were (tiers_*) show what no command makes any more;
 // those of the thesis (thesis_*) are tests/bench/thesis's, those of crowns at walls (crowns_*) and of
-// parcels (houses_*) show a real place.
+// parcels (houses_*) show a real place, and those of wind (wind_*) are .ci/flow's.
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>
@@ -60,7 +60,7 @@ int main(int argc, char** argv) {
         const std::string name = entry.path().filename().string();
         if (name.starts_with("qgis_") || name.starts_with("page_") || name.starts_with("python_") ||
             name.starts_with("tiers_") || name.starts_with("thesis_") || name.starts_with("accuracy_") ||
-            name.starts_with("crowns_") || name.starts_with("houses_"))
+            name.starts_with("crowns_") || name.starts_with("houses_") || name.starts_with("wind_"))
             continue;
         ++seen;
         const double share = share_of_difference(read(entry.path()), read(fs::path(argv[2]) / name));
