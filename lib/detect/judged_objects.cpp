@@ -23,6 +23,8 @@ constexpr double opening_m = 1.5;
 constexpr int border_cells = 3;
 constexpr int border_of_blocks = 2;  // where a block of cells takes the place of the disk
 constexpr double smallest_hole_m2 = 10;
+// Trees of towns hardly reach 40 m.
+constexpr float taller_than_trees_m = 50;
 
 /// Where plants are known to be, only what is smooth may be a roof.
 void leave_plants_out(const Scene& scene, const Grid<std::uint8_t>& flags, Mask& elevated,
@@ -36,10 +38,22 @@ void leave_plants_out(const Scene& scene, const Grid<std::uint8_t>& flags, Mask&
     });
 }
 
+/// What is taller than trees is a building's, however rough: belfries and the machines on towers.
+void add_what_is_too_tall_for_trees(const Scene& scene, const Mask& elevated, Mask& seeds,
+                                    Executor& threads) {
+    for_row_bands(threads, seeds.rows, seeds.cols, [&](RowBand band) {
+        for (std::size_t i = seeds.index(band.begin, 0); i < seeds.index(band.end, 0); ++i)
+            if (elevated.values[i] != 0 && scene.height(i) > taller_than_trees_m)
+                seeds.values[i] = 1;
+    });
+}
+
 /// @param small gets the first cells of what is too small
 DetectedObjects find_objects(const Scene& scene, const Mask& elevated, const SmoothSegments& segments,
                              std::int64_t least_cells, std::vector<FirstCell>& small, Executor& threads) {
-    Mask cells = grow_by_majority(mask_of(segments.regions, threads), elevated, scene.cell, threads);
+    Mask seeds = mask_of(segments.regions, threads);
+    add_what_is_too_tall_for_trees(scene, elevated, seeds, threads);
+    Mask cells = grow_by_majority(std::move(seeds), elevated, scene.cell, threads);
     cells = opened(cells, opening_m, scene.cell, threads);
     cells = grown(std::move(cells), elevated,
                   disk_fits(opening_m, scene.cell) ? border_cells : border_of_blocks, threads);

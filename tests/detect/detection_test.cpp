@@ -112,6 +112,26 @@ TEST(Detection, TreesBesideAHouseStayOutside) {
     EXPECT_EQ(drawing(building_mask(detect(town))), drawing(house));
 }
 
+TEST(Detection, WhatIsTooTallForTreesIsABuildingHoweverRough) {
+    // The same belfry at a nave's end, and a crown of it if it were lower.
+    const auto cells_of_belfry = [](float base) {
+        Town town(50, 70);
+        town.block(15, 20, 35, 60, 120);
+        plant(town, 18, 6, 14, 14, 3);
+        for (std::int32_t r = 18; r < 32; ++r)
+            for (std::int32_t c = 6; c < 20; ++c)
+                town.surface.at(r, c) += base;
+        const Mask found = building_mask(detect(town));
+        int cells = 0;
+        for (std::int32_t r = 19; r < 31; ++r)
+            for (std::int32_t c = 7; c < 19; ++c)
+                cells += found.at(r, c);
+        return cells;
+    };
+    EXPECT_EQ(cells_of_belfry(50), 12 * 12);
+    EXPECT_LT(cells_of_belfry(10), 12 * 12 / 2);
+}
+
 TEST(Detection, SmallAndLowOnesAreNone) {
     Town town(20, 40);
     town.block(5, 5, 10, 11, 108);   // 26 m² without its corners
