@@ -44,13 +44,6 @@ Regions parts_beside(const Mask& roofs, const Mask& objects, std::int64_t least_
     return connected_regions(rest, 1, least_cells, threads);
 }
 
-/// What speaks for a roof, as in judge(). Parts are small, so the size of their segments says less than that
-/// of an object's.
-double roof_likeness(const Evidence& part) {
-    return 4.3 * (part.smooth - 0.4) + 1.3 * std::log(std::max(part.step_m, 0.1) / 2.2) -
-           0.4 * std::log(part.tilt / 0.4) + 0.25 * std::log(std::max(part.segment, 1.0) / 48.0);
-}
-
 /// Where a crown is cut off.
 struct Cut {
     SeamLine seam;
@@ -92,7 +85,6 @@ void gather(const Mask& cells, std::int64_t least_cells, JudgedObjects& judged, 
     left.regions = connected_regions(cells, 1, 0, threads);
     const std::vector<FirstCell> small = take_small_out(left.regions, least_cells);
     judged.left_out.small.insert(judged.left_out.small.end(), small.begin(), small.end());
-    left.regions = connected_regions(mask_of(left.regions, threads), 1, 0, threads);
     for (std::int32_t r = 0; r < cells.rows; ++r)
         for (const RegionRun& run : left.regions.row(r))
             if (run.label > left.objects.size()) {

@@ -15,14 +15,6 @@
 namespace d2b {
 namespace {
 
-Mask cells_of_buildings(const Detection& detection) {
-    Mask cells(detection.labels.rows, detection.labels.cols);
-    const std::vector<Label>& labels = detection.labels.values;
-    for (std::size_t i = 0; i < cells.size(); ++i)
-        cells.values[i] = labels[i] != 0 && labels[i] <= detection.buildings ? 1 : 0;
-    return cells;
-}
-
 Regions cut(const Mask& cells, const ParcelGrid& parcels, const Grid<Label>& labels, Executor& threads) {
     const auto cols = static_cast<std::size_t>(labels.cols);
     return joined_regions(
@@ -96,7 +88,7 @@ void name_parcels(const ParcelGrid& parcels, Detection& detection) {
 void cut_by_parcels(const Scene& scene, double width_m, std::int64_t least_cells, Detection& detection,
                     Executor& threads) {
     const ParcelGrid& parcels = *scene.parcels;
-    const Mask cells = cells_of_buildings(detection);
+    const Mask cells = building_cells(detection);
     const Regions pieces = cut(cells, parcels, detection.labels, threads);
     if (pieces.count() > detection.buildings) {
         const Grid<Label> owners = settle_pieces(scene, piece_grid(pieces, threads), detection.labels,

@@ -37,6 +37,8 @@ struct Detection {
     std::vector<DetectedObject> objects;  ///< by label - 1
     Label buildings = 0;
     LeftOut left_out;
+
+    [[nodiscard]] bool is_building(Label label) const { return label != 0 && label <= buildings; }
 };
 
 /// Finds buildings by their form: elevated cells are joined to smooth segments, these grow over what roofs

@@ -43,4 +43,8 @@ struct DetectedObjects {
 /// @param filled share of the cells that no pulse met, see filled_share()
 [[nodiscard]] DetectedObject judge(const Evidence& evidence, double filled = 0);
 
+/// What speaks for a part of an object being a roof: judge()'s usual sum without the green. Parts are small,
+/// so the size of their segments counts a quarter of what an object's does.
+[[nodiscard]] double roof_likeness(const Evidence& part);
+
 }  // namespace d2b

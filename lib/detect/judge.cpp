@@ -46,7 +46,9 @@ struct Sight {
     }
 };
 
+// Places among them.
 constexpr std::size_t greenness = 1;
+constexpr std::size_t segment_size = 4;
 
 /// Each term is 0 for an object that may as well be a tree.
 std::array<Sight, 10> sights_of(const Evidence& evidence) {
@@ -83,6 +85,16 @@ DetectedObject judge(const Evidence& evidence, double filled) {
             terms[i] = std::numeric_limits<double>::infinity();
     const auto worst = std::min_element(terms.begin(), terms.end()) - terms.begin();
     return {1 / (1 + std::exp(-sum)), sights[static_cast<std::size_t>(worst)].doubt, 0};
+}
+
+double roof_likeness(const Evidence& part) {
+    constexpr double of_segment_size = 0.25;
+    const std::array<Sight, 10> sights = sights_of(part);
+    double sum = 0;
+    for (std::size_t i = 0; i < sights.size(); ++i)
+        if (i != greenness)
+            sum += (i == segment_size ? of_segment_size : 1) * sights[i].usual.term(sights[i].value);
+    return sum;
 }
 
 std::string_view doubt_name(Doubt doubt) {

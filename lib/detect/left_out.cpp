@@ -1,6 +1,6 @@
 #include "detect/left_out.hpp"
 
-#include <numeric>
+#include <utility>
 
 #include "core/row_bands.hpp"
 #include "detect/region_builder.hpp"
@@ -46,11 +46,15 @@ Mask low_cells(const Scene& scene, float min_height, Executor& threads) {
 std::vector<FirstCell> take_small_out(Regions& regions, std::int64_t least_cells) {
     const auto is_small = [&](std::int64_t cells) { return cells < least_cells; };
     std::vector<FirstCell> cells = first_cells(regions, is_small);
-    std::vector<Label> number(regions.cells.size());
-    std::iota(number.begin(), number.end(), Label{0});
-    for (Label& label : number)
-        label = is_small(regions.cells[label]) ? 0 : label;
+    std::vector<Label> number(regions.cells.size(), 0);
+    std::vector<std::int64_t> left(1, 0);
+    for (Label label = 1; label < number.size(); ++label)
+        if (!is_small(regions.cells[label])) {
+            number[label] = static_cast<Label>(left.size());
+            left.push_back(regions.cells[label]);
+        }
     relabel(regions, number);
+    regions.cells = std::move(left);
     return cells;
 }
 

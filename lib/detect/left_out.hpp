@@ -31,7 +31,7 @@ struct LeftOut {
     std::vector<FirstCell> parts;  ///< that parcels cut off, but too small or too narrow to be buildings
 };
 
-/// Takes regions with fewer cells out of others. @return their first cells
+/// Takes regions with fewer cells out of others, which are numbered from 1 again. @return their first cells
 [[nodiscard]] std::vector<FirstCell> take_small_out(Regions& regions, std::int64_t least_cells);
 
 /// What would have been part of a building if it stood higher: smooth pieces of the surface, as large as a

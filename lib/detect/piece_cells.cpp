@@ -6,6 +6,14 @@
 
 namespace d2b {
 
+Mask building_cells(const Detection& detection) {
+    const Grid<Label>& labels = detection.labels;
+    Mask cells(labels.rows, labels.cols);
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        cells.values[i] = detection.is_building(labels.values[i]) ? 1 : 0;
+    return cells;
+}
+
 Grid<Label> piece_grid(const Regions& regions, Executor& threads) {
     std::vector<Label> itself(regions.cells.size());
     std::iota(itself.begin(), itself.end(), Label{0});

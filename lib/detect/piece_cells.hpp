@@ -3,11 +3,15 @@
 #include <cstdint>
 
 #include "core/label.hpp"
+#include "detect/detection.hpp"
 #include "detect/element.hpp"
 #include "detect/piece_graph.hpp"
 #include "detect/regions.hpp"
 
 namespace d2b {
+
+/// The cells of all buildings.
+[[nodiscard]] Mask building_cells(const Detection& detection);
 
 /// The label of each cell's region.
 [[nodiscard]] Grid<Label> piece_grid(const Regions& regions, Executor& threads);

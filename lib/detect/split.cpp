@@ -20,12 +20,9 @@ constexpr double narrow_radius_m = 1.5;
 Regions stepless_pieces(const Scene& scene, float split_height, const Detection& detection,
                         Executor& threads) {
     const std::vector<Label>& labels = detection.labels.values;
-    Mask cells(detection.labels.rows, detection.labels.cols);
-    for (std::size_t i = 0; i < cells.size(); ++i)
-        cells.values[i] = labels[i] != 0 && labels[i] <= detection.buildings ? 1 : 0;
     const std::vector<float>& surface = scene.surface.values;
     return joined_regions(
-        cells,
+        building_cells(detection),
         [&](std::size_t i, std::size_t j) {
             // False where one is NaN: such a cell belongs to either side, and is merged later.
             return labels[i] == labels[j] && std::abs(surface[i] - surface[j]) <= split_height;

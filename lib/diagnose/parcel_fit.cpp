@@ -38,8 +38,7 @@ class FitOfRows {
 
   private:
     [[nodiscard]] bool is_building(std::int32_t r, std::int32_t c) const {
-        return detection_.labels.holds(r, c) && detection_.labels.at(r, c) != 0 &&
-               detection_.labels.at(r, c) <= detection_.buildings;
+        return detection_.labels.holds(r, c) && detection_.is_building(detection_.labels.at(r, c));
     }
     [[nodiscard]] bool is_step(std::int32_t r, std::int32_t c, std::int32_t to_r, std::int32_t to_c) const {
         return std::abs(scene_.surface.at(r, c) - scene_.surface.at(to_r, to_c)) > step_;

@@ -24,8 +24,7 @@ class WallGrid {
 
   private:
     [[nodiscard]] bool is_building(std::int32_t r, std::int32_t c) const {
-        const Label label = detection_.labels.at(r, c);
-        return label != 0 && label <= detection_.buildings;
+        return detection_.is_building(detection_.labels.at(r, c));
     }
     [[nodiscard]] bool is_wall(std::int32_t r, std::int32_t c) const;
     void weigh(std::int32_t r, std::int32_t c, std::int32_t step);

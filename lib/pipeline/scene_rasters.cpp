@@ -36,8 +36,7 @@ class Heights {
     [[nodiscard]] float height(std::size_t i) const { return scene_.height(i); }
     [[nodiscard]] float canopy(std::size_t i) const {
         const float height = scene_.height(i);
-        const Label label = detection_.labels.values[i];
-        const bool building = label != 0 && label <= detection_.buildings;
+        const bool building = detection_.is_building(detection_.labels.values[i]);
         return !std::isnan(height) && (building || height <= least_) ? 0 : height;
     }
 

@@ -127,8 +127,7 @@ inline Mask cells_with(const Grid<Label>& labels, const std::function<bool(Label
 }
 
 inline Mask building_mask(const Detection& detection) {
-    return cells_with(detection.labels,
-                      [&](Label label) { return label != 0 && label <= detection.buildings; });
+    return cells_with(detection.labels, [&](Label label) { return detection.is_building(label); });
 }
 
 /// A block's cells from `top`, `left` to before `bottom`, `right`.
