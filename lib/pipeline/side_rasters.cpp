@@ -49,7 +49,6 @@ SideSources open_side_sources(const Options& options, const DemInfo& dem, const 
 }
 
 SideSinks open_side_sinks(const Options& options, const DemInfo& dem) {
-    register_formats();
     const WriteOptions& write = options.write;
     std::vector<std::string> in_use{options.read.source, write.destination};
     for (const std::string& name :

@@ -4,7 +4,6 @@
 
 #include "core/crs.hpp"
 #include "dem2buildings/error.hpp"
-#include "read/start_gdal.hpp"
 
 namespace d2b {
 
@@ -43,7 +42,6 @@ GeoTiffFile::GeoTiffFile(const WriteTarget& target, const std::string& path, con
     options.set("COMPRESS", "DEFLATE");
     options.set("PREDICTOR", "3");
     options.set("BIGTIFF", "IF_SAFER");
-    register_formats();
     OgrCall call(target_);
     dataset_.reset(GDALCreate(GDALGetDriverByName("GTiff"), path.c_str(), grid.window.cols, grid.window.rows,
                               1, GDT_Float32, options.get()));

@@ -11,6 +11,7 @@
 #include "dem2buildings/error.hpp"
 #include "preview/picture_format.hpp"
 #include "read/gdal_messages.hpp"
+#include "read/start_gdal.hpp"
 #include "write/destination.hpp"
 #include "write/existing_dataset.hpp"
 #include "write/local_path.hpp"
@@ -145,6 +146,7 @@ bool exists(const RasterPlace& place) {
 }  // namespace
 
 RasterPlace locate_raster(const RasterTarget& target) {
+    register_formats();
     const std::string& name = target.destination;
     require_name(name, target.format);
     refuse_archive(name);

@@ -9,11 +9,9 @@
 
 #include <gtest/gtest.h>
 
-#include "core/crs.hpp"
 #include "dem2buildings/parcel_source.hpp"
 #include "dem2buildings/run.hpp"
-#include "make_scene.hpp"
-#include "support/memory_io.hpp"
+#include "seen_scene.hpp"
 
 namespace d2b::test {
 namespace {
@@ -127,10 +125,7 @@ TEST(PartyWalls, OfEqualHousesAreFoundWithinHalfACell) {
     const sample::SceneChoice choice = sample::choose_scene("rows_lidar8");
     const sample::Scene scene = choice.place.make(1);
     const sample::Seen seen = sample::see(scene, sample::grid_over(choice), choice.survey);
-    MemorySource source(seen.grid.rows, seen.grid.cols, {seen.elevations.begin(), seen.elevations.end()});
-    source.edit().transform = seen.grid.transform;
-    source.edit().crs_wkt = Crs("EPSG:25833").wkt();
-    source.edit().georeferenced = true;
+    SeenScene source(seen);
     Plots plots(scene, seen.grid);
     MemorySink sink;
     Options options;

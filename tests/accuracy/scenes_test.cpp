@@ -2,11 +2,9 @@
 // measures on many more.
 #include <gtest/gtest.h>
 
-#include "core/crs.hpp"
 #include "dem2buildings/run.hpp"
-#include "make_scene.hpp"
 #include "score/score.hpp"
-#include "support/memory_io.hpp"
+#include "seen_scene.hpp"
 
 namespace d2b::test {
 namespace {
@@ -20,10 +18,7 @@ Score scored(const std::string& name) {
     const sample::SceneChoice choice = sample::choose_scene(name);
     const sample::Scene scene = choice.place.make(1);
     const sample::Seen seen = sample::see(scene, sample::grid_over(choice), choice.survey);
-    MemorySource source(seen.grid.rows, seen.grid.cols, {seen.elevations.begin(), seen.elevations.end()});
-    source.edit().transform = seen.grid.transform;
-    source.edit().crs_wkt = Crs("EPSG:25833").wkt();
-    source.edit().georeferenced = true;
+    SeenScene source(seen);
     MemorySink sink;
     run({}, {source}, {sink});
 

@@ -22,6 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::MemorySource;
+using test::refusal;
 using test::Result;
 using test::some_plan;
 using test::StepsInTiles;
@@ -116,15 +117,6 @@ TEST(TileRasters, OfRotatedGrids) {
     compare_rasters(dem, options);
 }
 
-std::string error_of(const std::function<void()>& step) {
-    try {
-        step();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "(nothing)";
-}
-
 /// A town of six tiles.
 class RastersOfATown : public testing::Test {
   protected:
@@ -160,7 +152,7 @@ TEST_F(RastersOfATown, AreNotShownWithoutTheFirst) {
     for (std::int64_t tile = 0; tile < steps().count(); ++tile)
         steps().find(tile);
     std::ofstream(path("ground/0.tif")) << "no raster";
-    const std::string said = error_of([&] { steps().join(); });
+    const std::string said = refusal([&] { steps().join(); });
     EXPECT_TRUE(said.starts_with("'" + path("ground/0.tif") + "' cannot be read: ")) << said;
     EXPECT_TRUE(said.ends_with("; delete it and run 'find' of tile 0 again.")) << said;
     EXPECT_FALSE(fs::exists(path("ground.vrt")));
@@ -168,7 +160,7 @@ TEST_F(RastersOfATown, AreNotShownWithoutTheFirst) {
 
 TEST_F(RastersOfATown, NeedAFolder) {
     std::ofstream(path("ground")) << "no folder";
-    EXPECT_EQ(error_of([&] { steps().find(0); }),
+    EXPECT_EQ(refusal([&] { steps().find(0); }),
               "\"" + path("ground") +
                   "\" cannot be made: Not a directory; make room for it, or let it be written to.");
 }
@@ -178,7 +170,7 @@ TEST_F(RastersOfATown, HaveNamesOfTheirOwn) {
         Options options;
         options.write.ground = ground;
         options.write.height = height;
-        return error_of([&] { require_raster_names(options); });
+        return refusal([&] { require_raster_names(options); });
     };
     EXPECT_EQ(said("", ""), "(nothing)");
     EXPECT_EQ(said(path("a.vrt"), path("b.vrt")), "(nothing)");

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
+#include "dem2buildings/error.hpp"
 #include "pipeline/pipeline_case.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
 
@@ -58,6 +60,17 @@ class StepsInTiles {
     TileWork work_;
     Layers layers_;
 };
+
+/// What a step ends with; "(nothing)" where it ends well.
+template <typename Step>
+std::string refusal(const Step& step) {
+    try {
+        step();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "(nothing)";
+}
 
 /// Features, numbers, provenance and reports, but for seconds, memory and threads.
 void expect_same(const Result& a, const Result& b);

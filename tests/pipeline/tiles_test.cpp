@@ -22,6 +22,7 @@ using test::BlockTown;
 using test::Box;
 using test::MemorySource;
 using test::random_town;
+using test::refusal;
 using test::Result;
 using test::some_plan;
 using test::StepsInTiles;
@@ -302,17 +303,6 @@ TEST(Tiles, OfATerrainThatIsPartlyNone) {
     Result tiles;
     StepsInTiles({dem, &terrain}, options, {folder.path(), some_plan, 1, units}).run({}, tiles);
     expect_same(tiles, whole);
-}
-
-/// What a step ends with.
-template <typename Step>
-std::string refusal(const Step& step) {
-    try {
-        step();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "(nothing)";
 }
 
 class TilesOfATown : public testing::Test {
