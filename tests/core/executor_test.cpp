@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstdlib>
+#include <malloc.h>
 #include <numeric>
 #include <set>
 #include <stdexcept>
@@ -142,6 +143,7 @@ void work_in_little_room() {
     rlimit room{};
     room.rlim_cur = room.rlim_max = rlim_t{1} << 30;
     setrlimit(RLIMIT_AS, &room);
+    mallopt(M_ARENA_MAX, 1);  // threads that allocate at once would reserve all of it for later
     Executor threads(100000);
     const std::vector<char> room_to_work(std::size_t{1} << 27);
     std::vector<int> done(1000);
