@@ -5,6 +5,8 @@
 #include <limits>
 #include <thread>
 
+#include "core/work_stretch.hpp"
+
 namespace d2b {
 namespace {
 
@@ -38,6 +40,7 @@ struct Executor::Pool {
     std::condition_variable wake;
     std::condition_variable idle;
     const Body* body = nullptr;
+    const WorkListener* listener = nullptr;
     std::size_t round = 0;
     std::size_t at_work = 0;
     bool ending = false;
@@ -75,7 +78,7 @@ struct Executor::Pool {
             done = round;
             const Body* work = body;
             lock.unlock();
-            (*work)(thread);
+            (*work)(thread, listener);
             lock.lock();
             if (--at_work == 0)
                 idle.notify_all();
@@ -83,14 +86,15 @@ struct Executor::Pool {
     }
 };
 
-Executor::Executor(int threads, std::function<bool()> stop)
-    : stop_(std::move(stop)), pool_(std::make_unique<Pool>()) {
+Executor::Executor(int threads, std::function<bool()> stop, WorkListener on_work)
+    : stop_(std::move(stop)), on_work_(std::move(on_work)), pool_(std::make_unique<Pool>()) {
     auto count = static_cast<std::size_t>(std::max(threads, 1) - 1);
     while (!pool_->start(count)) {
         // Half of those that there is room for: the work needs some, too.
         count = pool_->threads.size() / 2;
         pool_ = std::make_unique<Pool>();
     }
+    pool_->listener = on_work_ ? &on_work_ : nullptr;
 }
 
 Executor::~Executor() = default;
@@ -111,7 +115,7 @@ void Executor::run(const Body& body) {
     lock.unlock();
     if (shared)
         pool.wake.notify_all();
-    body(0);
+    body(0, shared ? pool.listener : nullptr);
     if (!shared)
         return;
     lock.lock();
@@ -122,7 +126,8 @@ void Executor::run(const Body& body) {
 void Executor::indexed(std::size_t count, const Indexed& work) {
     FirstFailure failure;
     std::atomic<std::size_t> next = 0;
-    run([&](std::size_t thread) {
+    run([&](std::size_t thread, const WorkListener* listener) {
+        const WorkStretch stretch(listener, thread, work.target_type());
         for (std::size_t i = next++; i < std::min(count, failure.limit()); i = next++)
             try {
                 stop_.check();
@@ -156,7 +161,8 @@ void Executor::pipelined(std::size_t count, std::size_t ahead, const Indexed& ma
         made[i % made.size()] = true;
         moved.notify_all();
     };
-    run([&](std::size_t thread) {
+    run([&](std::size_t thread, const WorkListener* listener) {
+        WorkStretch stretch(listener, thread, make.target_type());
         std::unique_lock lock(mutex);
         while (taken < std::min(count, failure.limit())) {
             if (thread == 0 && made[taken % made.size()]) {
@@ -175,7 +181,7 @@ void Executor::pipelined(std::size_t count, std::size_t ahead, const Indexed& ma
             } else if (can_make() && next < failure.limit()) {
                 make_next(lock, thread);
             } else {
-                moved.wait(lock);
+                stretch.interrupt([&] { moved.wait(lock); });
             }
         }
         moved.notify_all();

@@ -10,7 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/block_pool.hpp"
 #include "core/stop_request.hpp"
+#include "dem2buildings/callbacks.hpp"
 
 namespace d2b {
 
@@ -22,7 +24,8 @@ class Executor {
     /// are half as many as it would
     /// @param stop asked before each piece of work, by any thread; where it says true the work ends with a
     /// Cancelled
-    explicit Executor(int threads = 1, std::function<bool()> stop = {});
+    /// @param on_work told of what each thread does; not of what is called from inside of other work
+    explicit Executor(int threads = 1, std::function<bool()> stop = {}, WorkListener on_work = {});
     Executor(const Executor&) = delete;
     Executor& operator=(const Executor&) = delete;
     ~Executor();
@@ -30,6 +33,8 @@ class Executor {
     [[nodiscard]] int threads() const;
     /// For work that takes long in one piece.
     [[nodiscard]] const StopRequest& stop() const { return stop_; }
+    /// Memory that what the threads worked on gave back.
+    [[nodiscard]] const std::shared_ptr<BlockPool>& blocks() const { return blocks_; }
 
     /// Calls work(i) for each i below `count`, on all threads, and comes back when all are done. Of several
     /// exceptions that of the lowest i is thrown, as in a loop.
@@ -72,7 +77,8 @@ class Executor {
     }
 
   private:
-    using Body = std::function<void(std::size_t thread)>;
+    /// @param listener to be told of it; null where there is none
+    using Body = std::function<void(std::size_t thread, const WorkListener* listener)>;
     using Indexed = std::function<void(std::size_t i, std::size_t thread)>;
 
     /// Runs body on all threads, the caller's is 0; on the caller's alone where the others are busy.
@@ -83,6 +89,8 @@ class Executor {
 
     struct Pool;
     StopRequest stop_;
+    WorkListener on_work_;
+    std::shared_ptr<BlockPool> blocks_ = std::make_shared<BlockPool>();
     std::unique_ptr<Pool> pool_;
 };
 

@@ -1,13 +1,24 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "core/large_pages.hpp"
+#include "core/block_pool.hpp"
+#include "core/executor.hpp"
 
 namespace d2b {
+
+/// Values of cells. Those that are not set when it grows are whatever its memory held.
+template <typename T>
+using CellValues = std::vector<T, CellMemory<T>>;
+
+template <typename T>
+[[nodiscard]] bool operator==(const CellValues<T>& one, const std::vector<T>& other) {
+    return std::equal(one.begin(), one.end(), other.begin(), other.end());
+}
 
 /// Values of a window, row by row: what stages with a neighbourhood work on. (0, 0) is the window's first
 /// cell.
@@ -15,21 +26,28 @@ template <typename T>
 struct Grid {
     std::int32_t rows = 0;
     std::int32_t cols = 0;
-    std::vector<T> values;
+    CellValues<T> values;
 
     Grid() = default;
     Grid(std::int32_t row_count, std::int32_t col_count, T value = T{}) : rows(row_count), cols(col_count) {
-        values.reserve(index(rows, 0));
-        prefer_large_pages(values.data(), values.capacity() * sizeof(T));
         values.resize(index(rows, 0), value);
     }
-    /// The same sooner, where the memory comes from the system.
+    /// The same sooner, in memory that other grids of these threads gave back.
     Grid(std::int32_t row_count, std::int32_t col_count, T value, Executor& threads)
-        : rows(row_count), cols(col_count) {
-        values.reserve(index(rows, 0));
-        prefer_large_pages(values.data(), values.capacity() * sizeof(T));
-        get_pages(values.data(), values.capacity() * sizeof(T), threads);
-        values.resize(index(rows, 0), value);
+        : Grid(unset(row_count, col_count, threads)) {
+        constexpr std::size_t piece = 1 << 20;
+        threads.for_pieces(values.size(), piece, [&](std::size_t begin, std::size_t end) {
+            std::fill(values.data() + begin, values.data() + end, value);
+        });
+    }
+    /// For those who set all values: they are whatever the memory held.
+    [[nodiscard]] static Grid unset(std::int32_t row_count, std::int32_t col_count, Executor& threads) {
+        Grid grid;
+        grid.rows = row_count;
+        grid.cols = col_count;
+        grid.values = CellValues<T>(CellMemory<T>(threads.blocks()));
+        grid.values.resize(grid.index(row_count, 0));
+        return grid;
     }
 
     [[nodiscard]] std::size_t size() const { return values.size(); }

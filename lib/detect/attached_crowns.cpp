@@ -36,7 +36,7 @@ Mask roofs_of(const Scene& scene, const SmoothSegments& segments, const Mask& ob
 }
 
 Regions parts_beside(const Mask& roofs, const Mask& objects, std::int64_t least_cells, Executor& threads) {
-    Mask rest(objects.rows, objects.cols, 0, threads);
+    Mask rest = Mask::unset(objects.rows, objects.cols, threads);
     for_row_bands(threads, objects.rows, objects.cols, [&](RowBand band) {
         for (std::size_t i = rest.index(band.begin, 0); i < rest.index(band.end, 0); ++i)
             rest.values[i] = objects.values[i] > roofs.values[i] ? 1 : 0;

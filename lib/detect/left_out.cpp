@@ -27,7 +27,7 @@ std::vector<FirstCell> first_cells(const Regions& regions, const Chosen& chosen)
 }
 
 Mask low_cells(const Scene& scene, float min_height, Executor& threads) {
-    Mask low(scene.surface.rows, scene.surface.cols, 0, threads);
+    Mask low = Mask::unset(scene.surface.rows, scene.surface.cols, threads);
     for_row_bands(threads, low.rows, low.cols, [&](RowBand band) {
         const std::size_t end = low.index(band.end, 0);
         for (std::size_t i = low.index(band.begin, 0); i < end; ++i) {

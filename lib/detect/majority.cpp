@@ -124,7 +124,7 @@ Mask voted(const Mask& now, const Mask& elevated, double reach_m, const CellSize
     const std::int64_t largest = (2 * std::int64_t{radius.up} + 1) * (2 * std::int64_t{radius.side} + 1);
     const auto vote_in =
         largest <= std::numeric_limits<std::uint16_t>::max() ? vote<std::uint32_t> : vote<std::uint64_t>;
-    Mask next(now.rows, now.cols, 0, threads);
+    Mask next = Mask::unset(now.rows, now.cols, threads);
     // A band begins by counting the rows of its first neighbourhood.
     const std::int32_t least = 8 * std::min(radius.up, now.rows);
     for_row_bands(

@@ -105,7 +105,7 @@ Mask rest_of_erosion(const Mask& mask, Element element, Executor& threads) {
     std::int32_t reach = 0;
     for (const ElementRow& row : element)
         reach = std::max(reach, std::abs(row.down));
-    Mask result(mask.rows, mask.cols, 0, threads);
+    Mask result = Mask::unset(mask.rows, mask.cols, threads);
     const std::int32_t least = 8 * std::min(reach, mask.rows);  // bands look at rows around them
     for_row_bands(
         threads, mask.rows, mask.cols,

@@ -17,7 +17,7 @@ std::int64_t cells_for(double area_m2, const CellSize& cell) {
 }
 
 Mask elevated_cells(const Scene& scene, double min_height, Executor& threads) {
-    Mask result(scene.surface.rows, scene.surface.cols, 0, threads);
+    Mask result = Mask::unset(scene.surface.rows, scene.surface.cols, threads);
     const auto least = static_cast<float>(min_height);
     for_row_bands(threads, result.rows, result.cols, [&](RowBand band) {
         const std::size_t begin = result.index(band.begin, 0);

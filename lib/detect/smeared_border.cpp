@@ -12,16 +12,16 @@ constexpr double half = 0.5;
 
 /// Cells of a mask that have cells of it on all four sides.
 Mask inside_of(const Mask& cells, Executor& threads) {
-    Mask inside = cells;
+    Mask inside = Mask::unset(cells.rows, cells.cols, threads);
     for_row_bands(threads, cells.rows, cells.cols, [&](RowBand band) {
         for (std::int32_t row = band.begin; row < band.end; ++row)
             for (std::int32_t col = 0; col < cells.cols; ++col) {
                 const bool on_edge = row == 0 || col == 0 || row + 1 == cells.rows || col + 1 == cells.cols;
                 const std::size_t i = cells.index(row, col);
                 const auto cols = static_cast<std::size_t>(cells.cols);
-                if (on_edge || cells.values[i - 1] == 0 || cells.values[i + 1] == 0 ||
-                    cells.values[i - cols] == 0 || cells.values[i + cols] == 0)
-                    inside.values[i] = 0;
+                inside.values[i] = on_edge ? 0
+                                           : cells.values[i] & cells.values[i - 1] & cells.values[i + 1] &
+                                                 cells.values[i - cols] & cells.values[i + cols];
             }
     });
     return inside;

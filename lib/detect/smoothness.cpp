@@ -84,7 +84,7 @@ SmoothLimits smooth_limits(double side, const SurfaceQuality& quality) {
 }
 
 Grid<std::uint8_t> smoothness(const MetreGrid& surface, const SmoothLimits& limits, Executor& threads) {
-    Grid<std::uint8_t> result(surface.rows, surface.cols, 0, threads);
+    auto result = Grid<std::uint8_t>::unset(surface.rows, surface.cols, threads);
     for_row_bands(threads, surface.rows, surface.cols, [&](RowBand band) {
         for (std::int32_t r = band.begin; r < band.end; ++r)
             flag_row(surface, r, limits, result.row(r));

@@ -19,8 +19,8 @@ constexpr double narrow_radius_m = 1.5;
 /// Stretches of buildings without a step.
 Regions stepless_pieces(const Scene& scene, float split_height, const Detection& detection,
                         Executor& threads) {
-    const std::vector<Label>& labels = detection.labels.values;
-    const std::vector<float>& surface = scene.surface.values;
+    const CellValues<Label>& labels = detection.labels.values;
+    const CellValues<float>& surface = scene.surface.values;
     return joined_regions(
         building_cells(detection),
         [&](std::size_t i, std::size_t j) {

@@ -22,7 +22,7 @@ constexpr std::array<Neighbour, 8> all_neighbours{
 class Growth {
   public:
     Growth(const AlignedGrid& blocks, const MetreGrid& limits, double slope, Executor& threads)
-        : grid_(blocks.grid), mask_(grid_.rows, grid_.cols) {
+        : grid_(blocks.grid), mask_(Mask::unset(grid_.rows, grid_.cols, threads)) {
         for (const Neighbour& n : all_neighbours)
             steps_.push_back(static_cast<float>(
                 slope * std::hypot(n.down * blocks.cell.down, n.across * blocks.cell.across)));

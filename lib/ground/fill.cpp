@@ -68,7 +68,7 @@ bool any_gap(const MetreGrid& grid) {
 void add_level(const AlignedGrid& fine, std::size_t level, Pyramid& pyramid, Executor& threads) {
     if (level < pyramid.coarser.size())
         return;
-    pyramid.gaps.emplace_back(fine.grid.rows, fine.grid.cols, 0, threads);
+    pyramid.gaps.push_back(Gaps::unset(fine.grid.rows, fine.grid.cols, threads));
     pyramid.coarser.push_back(blocks_of(fine, twice, 0.0F, threads));
 }
 

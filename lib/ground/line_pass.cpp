@@ -91,7 +91,7 @@ void line_pass(const MetreGrid& from, MetreGrid& into, Line line, Extremum which
 }
 
 MetreGrid lowest_around(const MetreGrid& grid, Executor& threads) {
-    MetreGrid around(grid.rows, grid.cols);
+    MetreGrid around = MetreGrid::unset(grid.rows, grid.cols, threads);
     for_row_bands(threads, grid.rows, grid.cols, [&](RowBand band) {
         std::vector<float> column(static_cast<std::size_t>(grid.cols));
         for (std::int32_t i = band.begin; i < band.end; ++i)

@@ -77,7 +77,7 @@ MetreGrid open_whole(const MetreGrid& surface, std::span<const Step> steps, Open
         const std::span<const Step> now = first_steps(steps);
         const MetreGrid& from = left.size() == 0 ? surface : left;
         if (into.size() == 0)
-            into = MetreGrid(surface.rows, surface.cols, 0, threads);
+            into = MetreGrid::unset(surface.rows, surface.cols, threads);
         threads.for_each_in_room<OpenedPart>(tiles.size(), [&](std::size_t t, OpenedPart& part) {
             const Tile& tile = tiles[t];
             open_part(from, tile, now, open, part);
@@ -165,7 +165,7 @@ MetreGrid limits_on_blocks(const AlignedGrid& surface, const StructuringElements
         const CellSize& size = levels.back().cell;
         here.last_radius = std::min(elements.last_radius, widest_in_cells * smaller_side(size));
         const OpeningSteps series = opening_steps(here, size);
-        limits.emplace_back(cells->rows, cells->cols, no_value);
+        limits.emplace_back(cells->rows, cells->cols, no_value, threads);
         MetreGrid left = open_whole(*cells, series.steps, open, limits.back(), threads);
         here.radius = series.next_radius;
         if (here.radius > elements.last_radius * 1.0001)

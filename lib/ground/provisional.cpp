@@ -39,7 +39,7 @@ Tile cells_of(const Tile& tile, const AlignedGrid& fine, const AlignedGrid& bloc
 SmallOpened open_small(const AlignedGrid& surface, Factor factor, const StructuringElements& elements,
                        Executor& threads) {
     const OpeningSteps series = opening_steps(elements, surface.cell);
-    SmallOpened result{MetreGrid(surface.grid.rows, surface.grid.cols, 0, threads),
+    SmallOpened result{MetreGrid::unset(surface.grid.rows, surface.grid.cols, threads),
                        blocks_of(surface, factor, no_value, threads), series.next_radius};
     MetreGrid& blocks = result.blocks.grid;
     // Near a pole cells of degrees are so narrow that a block of them is wider than a tile.

@@ -105,8 +105,8 @@ Terrain refine(const MetreGrid& surface, const GridPlace& place, const AlignedGr
                Executor& threads) {
     const Refinement refinement(surface, place, working, factor, rules);
     if (room.rows != surface.rows || room.cols != surface.cols)
-        room = MetreGrid(surface.rows, surface.cols, 0, threads);
-    Terrain terrain{std::move(room), Grid<std::uint8_t>(surface.rows, surface.cols, 0, threads)};
+        room = MetreGrid::unset(surface.rows, surface.cols, threads);
+    Terrain terrain{std::move(room), Grid<std::uint8_t>::unset(surface.rows, surface.cols, threads)};
     for_row_bands(threads, surface.rows, surface.cols, [&](RowBand band) {
         Refinement::Rows rows = refinement.rows_for(band);
         for (std::int32_t i = band.begin; i < band.end; ++i) {

@@ -24,7 +24,7 @@ Executor& threads_of(const UnitSearch& search) {
 }
 
 MetreGrid surface_of(const UnitSearch& search, const Window& seen) {
-    MetreGrid surface(seen.rows, seen.cols, 0, threads_of(search));
+    MetreGrid surface = MetreGrid::unset(seen.rows, seen.cols, threads_of(search));
     search.reader.for_part(seen, [&](const ElevationBand& band) {
         std::ranges::transform(band.elevations, surface.row(band.shape.first_row - seen.row).data(),
                                [&](double z) { return static_cast<float>(z * search.frame.metres); });

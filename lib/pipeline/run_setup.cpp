@@ -23,7 +23,7 @@ void start_threads(const RunOptions& options, Context& context) {
     const int wanted = options.threads > 0
                            ? options.threads
                            : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    context.threads = std::make_unique<Executor>(wanted, context.stop);
+    context.threads = std::make_unique<Executor>(wanted, context.stop, context.on_work);
     const int started = context.threads->threads();
     context.report.threads = started;
     if (started < wanted)

@@ -14,7 +14,8 @@ import sys
 from pathlib import Path
 
 import tables
-from contenders import Bench
+import timeline
+from contenders import PRESETS, Bench
 from measuring import run_alternating
 from rows import ROWS, huge_rows
 
@@ -27,6 +28,7 @@ def arguments():
     parser.add_argument("--work", type=Path, help="folder for cities and results; default: <build>/bench")
     parser.add_argument("--huge", action="store_true", help="also 1,000 million points, once, for their memory")
     parser.add_argument("--small", type=Path, help="raster of the row `small`; default: a window of 242 x 249 cells")
+    parser.add_argument("--trace", type=Path, help="instead of all this: a timeline of two threads, for chrome://tracing")
     given = parser.parse_args()
     if unknown := set(given.rows.split(",")) - set(ROWS):
         parser.error(f"no such row: {', '.join(sorted(unknown))}")
@@ -35,7 +37,7 @@ def arguments():
 
 def programs(build):
     found = {"dem2buildings": build / "tools/dem2buildings", "make_city": build / "tests/bench/make_city",
-             "read_floor": build / "tests/bench/read_floor"}
+             "read_floor": build / "tests/bench/read_floor", "timeline": build / "tests/bench/timeline"}
     for path in found.values():
         if not path.exists():
             sys.exit(f"There is no {path}; build with -D D2B_BUILD_BENCHMARKS=ON first.")
@@ -46,6 +48,18 @@ def say(text):
     print(text, file=sys.stderr, flush=True)
 
 
+def trace(bench, path):
+    """Each preset once on two threads, and what that says of more."""
+    out = bench.work / "timeline.gpkg"
+    runs = {preset: timeline.run_once(bench.programs["timeline"], ["-threads", "2", *options], bench.city(25), out)
+            for preset, options in PRESETS.items()}
+    out.unlink()
+    timeline.write_chrome(path, runs)
+    print(tables.timeline_table(runs))
+    for name, (whole, spans) in runs.items():
+        print(tables.alone_table(name, timeline.longest_alone(spans, whole)))
+
+
 def main():
     given = arguments()
     work = (given.work or given.build / "bench").resolve()
@@ -53,6 +67,9 @@ def main():
     # Relative names in the table are those of this folder.
     small = given.small.resolve() if given.small else None
     bench = Bench(programs(given.build), work, given.repeats, small, say)
+    if given.trace:
+        trace(bench, given.trace)
+        return
     os.chdir(work)
     rows = [row for name in given.rows.split(",") for row in ROWS[name](bench)]
     rows += huge_rows(bench) if given.huge else []

@@ -4,6 +4,7 @@ import platform
 import subprocess
 from pathlib import Path
 
+import timeline
 from rows import processor_ratio
 
 STAGES = ["read", "ground", "detect", "levels", "trace", "filter", "outline", "attributes", "surface", "write"]
@@ -55,6 +56,22 @@ def busy_table(reports):
             lines.append([str(size), f"{report['output']['contours'] / million:.0f}",
                           f"{report['output']['vertices'] / million:.0f}"])
     return table(["city", "contours per million points", "vertices per million points"], lines)
+
+
+def timeline_table(runs):
+    """The share of a run with one thread at work: measured on two, by Amdahl's law on more."""
+    lines = []
+    for name, (whole, spans) in runs.items():
+        seconds = timeline.seconds_by_threads(spans, whole)
+        on = {threads: timeline.by_amdahl(seconds, threads) for threads in (1, 4, 8, 16)}
+        lines.append([name, f"{whole / 1e6:.2f}", f"{seconds.get(1, 0):.2f}", f"{seconds.get(1, 0) * 1e6 / whole:.0%}",
+                      *(f"{on[n][1]:.0%}, {on[1][0] / on[n][0]:.1f} times" for n in (4, 8, 16))])
+    return table(["two threads", "seconds", "of one thread", "share", "on 4", "on 8", "on 16"], lines)
+
+
+def alone_table(name, gaps):
+    lines = [[f"{begin:.2f}", f"{seconds:.3f}", after] for begin, seconds, after in gaps]
+    return table([f"{name}: one thread from second", "for seconds", "after"], lines)
 
 
 def machine():

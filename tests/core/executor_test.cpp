@@ -1,14 +1,18 @@
 #include "core/executor.hpp"
 
 #include <atomic>
+#include <chrono>
 #include <cstdlib>
+#include <functional>
 #include <malloc.h>
+#include <mutex>
 #include <numeric>
 #include <set>
 #include <stdexcept>
 #include <string>
 #include <sys/resource.h>
 #include <thread>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -136,6 +140,52 @@ TEST_P(Executors, StopBeforeWhatWasMadeIsTaken) {
                      }),
                  Cancelled);
     EXPECT_EQ(taken, 50U);
+}
+
+/// Spans of several threads.
+struct HeardSpans {
+    std::mutex mutex;
+    std::vector<WorkSpan> spans;
+
+    void operator()(const WorkSpan& span) {
+        const std::lock_guard lock(mutex);
+        spans.push_back(span);
+    }
+};
+
+TEST_P(Executors, TellWhatEachThreadDidAndWhen) {
+    HeardSpans heard;
+    Executor told(GetParam(), {}, std::ref(heard));
+    const auto work = [&](std::size_t) { told.for_each(10, [](std::size_t) {}); };  // of these nobody is told
+    const auto begin = std::chrono::steady_clock::now();
+    told.for_each(100, work);
+    const auto end = std::chrono::steady_clock::now();
+    ASSERT_EQ(heard.spans.size(), static_cast<std::size_t>(GetParam()));
+    std::set<std::size_t> seen;
+    for (const WorkSpan& span : heard.spans) {
+        seen.insert(span.thread);
+        EXPECT_NE(std::string(span.work->name()).find("TellWhatEachThreadDidAndWhen"), std::string::npos);
+        EXPECT_TRUE(begin <= span.begin && span.begin <= span.end && span.end <= end);
+    }
+    EXPECT_EQ(seen.size(), heard.spans.size());
+}
+
+TEST(ExecutorSpans, LeaveWaitsOut) {
+    HeardSpans heard;
+    Executor told(2, {}, std::ref(heard));
+    constexpr std::chrono::milliseconds nap(30);
+    // The caller takes one value at a time and naps; the other thread cannot make more than it may hold
+    // ahead.
+    const auto begin = std::chrono::steady_clock::now();
+    told.in_order(
+        8, [](std::size_t i, std::size_t) { return i; },
+        [&](std::size_t, std::size_t) { std::this_thread::sleep_for(nap); }, 1);
+    const auto whole = std::chrono::steady_clock::now() - begin;
+    std::chrono::steady_clock::duration other{};
+    for (const WorkSpan& span : heard.spans)
+        other += span.thread == 1 ? span.end - span.begin : std::chrono::steady_clock::duration();
+    EXPECT_GE(whole, 8 * nap);
+    EXPECT_LT(other, whole / 2);
 }
 
 /// Room for some stacks, and no more: what there is of threads does all the work, and has room for it.

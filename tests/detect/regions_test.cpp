@@ -22,7 +22,8 @@ using test::drawn;
 std::vector<Label> labels_of(const Regions& regions) {
     std::vector<Label> itself(regions.cells.size());
     std::iota(itself.begin(), itself.end(), Label{0});
-    return label_grid(regions, itself, test::threads()).values;
+    const Grid<Label> labels = label_grid(regions, itself, test::threads());
+    return {labels.values.begin(), labels.values.end()};
 }
 
 /// Floods one region after the other, in scan order of their first cells.

@@ -13,7 +13,7 @@ Grid<std::uint8_t> connected_row(const std::vector<float>& heights, double slope
     AlignedGrid blocks;
     blocks.cell = {2, 2};
     blocks.grid = MetreGrid(1, static_cast<std::int32_t>(heights.size()));
-    blocks.grid.values = heights;
+    blocks.grid.values.assign(heights.begin(), heights.end());
     MetreGrid limits(1, blocks.grid.cols, -100.0F);
     limits.at(0, 0) = 100;
     return connected_ground(blocks, limits, slope, steps, test::threads());

@@ -86,6 +86,28 @@ TEST(Callbacks, AreCalledFromTheCallersThread) {
     }
 }
 
+TEST(Callbacks, HearWhatThreadsWorkOn) {
+    TalkingSource dem;
+    TalkingSink sink;
+    Options options;
+    options.run.threads = 2;
+    std::mutex mutex;
+    std::set<std::size_t> threads;
+    std::set<std::string> works;
+    Callbacks callbacks;
+    callbacks.on_work = [&](const WorkSpan& span) {
+        const std::lock_guard lock(mutex);
+        threads.insert(span.thread);
+        works.insert(span.work->name());
+    };
+    run(options, {dem}, {sink}, callbacks);
+    EXPECT_EQ(threads, (std::set<std::size_t>{0, 1}));
+    for (const std::string function : {"smoothness", "linked_regions"})
+        EXPECT_TRUE(std::ranges::any_of(works, [&](const std::string& work) {
+            return work.find(function) != std::string::npos;
+        })) << function;
+}
+
 TEST(Callbacks, HearWhatASourceHadToSayBeforeItFailed) {
     TalkingSource dem;
     dem.fails = true;

@@ -1,0 +1,88 @@
+#include "core/block_pool.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <sys/mman.h>
+
+namespace d2b {
+namespace {
+
+constexpr std::size_t large_page = std::size_t{2} << 20;
+
+std::size_t whole_pages(std::size_t bytes) {
+    if (bytes > std::numeric_limits<std::size_t>::max() - 2 * large_page)
+        throw std::bad_alloc();
+    return (bytes + large_page - 1) / large_page * large_page;
+}
+
+}  // namespace
+
+void* BlockPool::from_system(std::size_t bytes) {
+    const std::size_t size = whole_pages(bytes);
+    // A large page more, of which what lies before the block and behind it goes back.
+    void* const memory =
+        mmap(nullptr, size + large_page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED)
+        throw std::bad_alloc();
+    auto* const begin = static_cast<std::byte*>(memory);
+    const std::size_t before =
+        (large_page - reinterpret_cast<std::uintptr_t>(memory) % large_page) % large_page;
+    if (before > 0)
+        munmap(begin, before);
+    if (before < large_page)
+        munmap(begin + before + size, large_page - before);
+#ifdef MADV_HUGEPAGE
+    static_cast<void>(
+        madvise(begin + before, size, MADV_HUGEPAGE));  // a wish: what comes back is of no interest
+#endif
+    return begin + before;
+}
+
+void BlockPool::to_system(void* block, std::size_t bytes) noexcept {
+    munmap(block, whole_pages(bytes));
+}
+
+void* BlockPool::take(std::size_t bytes) {
+    if (void* const block = take_idle(bytes))
+        return block;
+    clear();
+    return from_system(bytes);
+}
+
+void* BlockPool::take_idle(std::size_t bytes) {
+    const std::size_t size = whole_pages(bytes);
+    const std::lock_guard lock(mutex_);
+    const auto found =
+        std::find_if(idle_.rbegin(), idle_.rend(), [&](const Idle& idle) { return idle.bytes == size; });
+    if (found == idle_.rend())
+        return nullptr;
+    void* const block = found->block;
+    idle_.erase(std::next(found).base());
+    idle_bytes_ -= size;
+    return block;
+}
+
+void BlockPool::give(void* block, std::size_t bytes) noexcept {
+    const std::size_t size = whole_pages(bytes);
+    {
+        const std::lock_guard lock(mutex_);
+        if (idle_.size() < most_blocks && idle_bytes_ + size <= most_idle) {
+            idle_.push_back({block, size});
+            idle_bytes_ += size;
+            return;
+        }
+    }
+    to_system(block, bytes);
+}
+
+void BlockPool::clear() noexcept {
+    const std::lock_guard lock(mutex_);
+    for (const Idle& idle : idle_)
+        to_system(idle.block, idle.bytes);
+    idle_.clear();
+    idle_bytes_ = 0;
+}
+
+}  // namespace d2b

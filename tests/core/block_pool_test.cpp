@@ -1,0 +1,94 @@
+#include "core/block_pool.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/grid.hpp"
+
+namespace d2b {
+namespace {
+
+constexpr std::size_t megabyte = std::size_t{1} << 20;
+
+TEST(BlockPool, HandsOnWhatFits) {
+    BlockPool pool;
+    void* const block = pool.take(25 * megabyte);
+    *static_cast<char*>(block) = 'x';
+    pool.give(block, 25 * megabyte);
+    void* const other = pool.take(26 * megabyte);  // in whole large pages both are 26 MiB
+    EXPECT_EQ(other, block);
+    EXPECT_EQ(*static_cast<char*>(other), 'x');
+    void* const second = pool.take(25 * megabyte);
+    EXPECT_NE(second, block);
+    pool.give(other, 26 * megabyte);
+    pool.give(second, 25 * megabyte);
+}
+
+TEST(BlockPool, GivesBackWhatWaitsBeforeItAsksForMore) {
+    BlockPool pool;
+    void* const block = pool.take(4 * megabyte);
+    *static_cast<char*>(block) = 'x';
+    pool.give(block, 4 * megabyte);
+    void* const larger = pool.take(8 * megabyte);
+    void* const anew = pool.take(4 * megabyte);
+    EXPECT_EQ(*static_cast<char*>(anew), 0);  // the system's pages are cleared
+    pool.give(larger, 8 * megabyte);
+    pool.give(anew, 4 * megabyte);
+}
+
+TEST(BlockPool, KeepsNoMoreThanItsBound) {
+    BlockPool pool;
+    const std::size_t bytes = BlockPool::most_idle / 2;
+    std::vector<void*> blocks;
+    for (int i = 0; i < 3; ++i)
+        blocks.push_back(pool.take(bytes));
+    for (void* const block : blocks) {
+        *static_cast<char*>(block) = 'x';
+        pool.give(block, bytes);
+    }
+    std::size_t kept = 0;
+    for (void*& block : blocks) {
+        block = pool.take(bytes);
+        kept += *static_cast<char*>(block) == 'x' ? 1 : 0;
+    }
+    EXPECT_EQ(kept, 2U);
+    for (void* const block : blocks)
+        pool.give(block, bytes);
+}
+
+TEST(BlockPool, SaysThatThereIsNoRoom) {
+    BlockPool pool;
+    EXPECT_THROW((void)pool.take(std::numeric_limits<std::size_t>::max()), std::bad_alloc);
+    EXPECT_THROW((void)pool.take(std::numeric_limits<std::size_t>::max() / 2), std::bad_alloc);
+}
+
+TEST(Grids, TakeTheMemoryOfThoseBefore) {
+    Executor threads(2);
+    const std::uint8_t* before = nullptr;
+    {
+        const Grid<std::uint8_t> grid(3000, 3000, 7, threads);
+        EXPECT_TRUE(std::ranges::all_of(grid.values, [](int value) { return value == 7; }));
+        before = grid.values.data();
+    }
+    const Grid<std::uint8_t> grid = Grid<std::uint8_t>::unset(3000, 3000, threads);
+    EXPECT_EQ(grid.values.data(), before);
+    EXPECT_EQ(grid.at(2999, 2999), 7);
+}
+
+TEST(Grids, OutliveTheThreadsThatTheyWereMadeWith) {
+    Grid<float> grid;
+    {
+        Executor threads(2);
+        grid = Grid<float>(1000, 1000, 2.5F, threads);
+    }
+    const Grid<float> copy = grid;
+    grid = {};
+    EXPECT_EQ(copy.at(999, 999), 2.5F);
+}
+
+}  // namespace
+}  // namespace d2b
