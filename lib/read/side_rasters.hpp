@@ -16,19 +16,24 @@ namespace d2b {
 /// @throws InputError (all of them): cannot be opened or read, nothing in the window, a transform that is
 /// singular or missing, no operation between the CRSs
 
+/// A window that was made around the terrain model, in another CRS, has gaps that mean nothing.
+enum class TerrainGaps { warned_of, expected };
+
 /// A terrain model. Elevations are in the vertical unit of the DEM, so that equal files give equal numbers:
 /// those of another unit (the band's, else the vertical CRS's, else the DEM's own) are converted, vertical
 /// datums are not, with a warning. Between centres of cells, values are interpolated linearly; finer terrain
-/// models are averaged. Warns of the share of the window that lies outside.
+/// models are averaged.
 /// What lies outside of the limits is not valid, also where it would be resampled, and is counted
 /// (DemSource::cells_outside_range); when all of the window has been read it is warned of.
 /// @param dem_vertical_metres metres in one vertical unit of the DEM
 /// @param limits of elevations, in the DEM's vertical unit
+/// @param gaps whether the share of the window that lies outside is warned of
 /// @throws InputError also when reading: more than half of the values are outside of the limits
 [[nodiscard]] std::unique_ptr<DemSource> open_terrain(const std::string& path, const DemInfo& grid,
                                                       double dem_vertical_metres,
                                                       const ElevationLimits& limits,
-                                                      const Callbacks& callbacks = {});
+                                                      const Callbacks& callbacks = {},
+                                                      TerrainGaps gaps = TerrainGaps::warned_of);
 
 /// Where to look: 1 inside, 0 outside, never NaN. Polygons, the centres of cells inside of any of which are
 /// inside; or a raster, where all that is neither 0 nor invalid is inside, with the value of the cell in

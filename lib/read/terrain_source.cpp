@@ -33,7 +33,7 @@ std::string height_reference(const std::string& wkt) {
 class TerrainSource final : public WarningSource {
   public:
     TerrainSource(const std::string& path, const DemInfo& grid, double dem_metres,
-                  const ElevationLimits& limits, std::unique_ptr<Warnings> own)
+                  const ElevationLimits& limits, TerrainGaps gaps, std::unique_ptr<Warnings> own)
         : WarningSource(std::move(own)),
           raster_("terrain", path, grid, Resampling::bilinear, warnings()),
           read_(grid.window.rows),
@@ -42,7 +42,8 @@ class TerrainSource final : public WarningSource {
             factor_ = unit->metres / dem_metres;
         limits_ = limits.times(1 / factor_);
         raster_.take_only(limits_);
-        raster_.warn_of_gaps("there is no ground");
+        if (gaps == TerrainGaps::warned_of)
+            raster_.warn_of_gaps("there is no ground");
         const std::string here = height_reference(raster_.raster().crs_wkt);
         const std::string dem = height_reference(grid.crs_wkt);
         if (!here.empty() && !dem.empty() && here != dem)
@@ -108,8 +109,8 @@ void TerrainSource::judge_outside() {
 
 std::unique_ptr<DemSource> open_terrain(const std::string& path, const DemInfo& grid,
                                         double dem_vertical_metres, const ElevationLimits& limits,
-                                        const Callbacks& callbacks) {
-    return std::make_unique<TerrainSource>(path, grid, dem_vertical_metres, limits,
+                                        const Callbacks& callbacks, TerrainGaps gaps) {
+    return std::make_unique<TerrainSource>(path, grid, dem_vertical_metres, limits, gaps,
                                            std::make_unique<Warnings>(callbacks.on_warning));
 }
 

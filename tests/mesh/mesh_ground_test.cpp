@@ -173,8 +173,8 @@ TEST_F(MeshGround, bringsTheRasterToTheCity) {
     (*spec.transform)[0] = std::floor(middle[0].x) - 30;
     (*spec.transform)[3] = std::floor(middle[0].y) + 30;
     write(path("g.tif"), spec);
-    // Its corners stand out from a rectangle of this zone, and beside them nothing is known.
-    expect_has(mesh(on_ground_).err, "lies outside of the terrain 'g.tif'");
+    // Beside its corners nothing is known, but no building stands there.
+    mesh_well(on_ground_);
     const ReadMesh mesh = read("out.obj");
     EXPECT_TRUE(mesh.is_closed());
     EXPECT_NEAR(mesh.volume() + mesh.plan_area("plate/plate") * 10, 50 * 7 + 25 * 2, 1e-2);
@@ -223,6 +223,29 @@ TEST_F(MeshGround, refusesTerrainElsewhere) {
     city({made_box("building_1", 0, 0, 160, 80, 9000), made_box("building_2", 16000, 0, 16160, 80, 9000)});
     expect_has(mesh({"-overwrite", "-ground", "g.tif", "in.city.json", "out.obj"}).err,
                "4 of 8 corners of 'in.city.json' lie outside of the terrain 'g.tif'");
+}
+
+/// Without a CRS in either, or with one in each, what does not overlap is refused in a sentence and nothing
+/// else.
+TEST_F(MeshGround, refusesTerrainElsewhereWhateverTheSystems) {
+    const std::string apart =
+        "The terrain 'g.tif' and 'in.city.json' do not meet; check the files and their coordinate reference "
+        "systems.";
+    nlohmann::json far = made_city({made_box("building_1", 16000, 0, 16160, 80, 9000)});
+    far["metadata"].erase("referenceSystem");
+    write_text(path("in.city.json"), far.dump());
+    ground([](double, double) { return 2; }, "");
+    expect_refused(1, apart, on_ground_);
+    city(two_boxes());
+    ground([](double, double) { return 2; }, "EPSG:25833");
+    expect_refused(1, apart, on_ground_);
+    // Where both are at the same place without a CRS nothing is missing.
+    nlohmann::json here = made_city(two_boxes());
+    here["metadata"].erase("referenceSystem");
+    write_text(path("in.city.json"), here.dump());
+    ground([](double, double) { return 2; }, "");
+    mesh_well(on_ground_);
+    EXPECT_TRUE(read("out.obj").is_closed());
 }
 
 TEST_F(MeshGround, refusesTerrainWithoutElevations) {

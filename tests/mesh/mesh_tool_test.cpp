@@ -37,6 +37,14 @@ TEST_F(MeshTool, keepsEdgesShortEverywhere) {
     EXPECT_NEAR(mesh.volume(), 550, 1e-3);
 }
 
+TEST_F(MeshTool, refusesEdgesTooShortForAnyMemory) {
+    city(two_boxes());
+    expect_refused(2,
+                   "-max_edge 0.001 would take more than 20 million points; give a greater one, or a smaller "
+                   "part of the city.",
+                   {"-max_edge", "0.001", "in.city.json", "out.obj"});
+}
+
 TEST_F(MeshTool, keepsThirtyDegreesOnRightAngles) {
     city(two_boxes());
     EXPECT_EQ(mesh_well({"-min_angle", "30", "in.city.json", "out.obj"})["small"].size(), 0U);

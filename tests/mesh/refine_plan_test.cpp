@@ -72,6 +72,16 @@ TEST(RefinePlan, leavesAnglesOfTheInput) {
               1);
 }
 
+/// By the area where edges are short, else by the length of the edges that are drawn.
+TEST(RefinePlan, tellsHowManyPointsShortEdgesTake) {
+    const double area = 1100;
+    const double length = 100 * 3 + 10 * 2 + 1 * 2;
+    EXPECT_NEAR(fewest_points(two_strips(), 0.1), area / (std::sqrt(3) / 2) / 0.01, 1e-6);
+    EXPECT_NEAR(fewest_points(two_strips(), 100), length / 100, 1e-9);
+    EXPECT_LE(fewest_points(two_strips(), 4),
+              static_cast<double>(refine_plan(two_strips(), {.max_edge = 4}).nodes.size()));
+}
+
 TEST(RefinePlan, keepsEdgesShort) {
     const PlanMesh mesh = refine_plan(two_strips(), {.min_angle = 20.7, .max_edge = 4});
     double longest = 0;

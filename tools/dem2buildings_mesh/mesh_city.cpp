@@ -94,6 +94,15 @@ void add_ground(const MeshRequest& request, const CityModel& city, const PlanFra
                              "', which goes on level from its edge there.");
 }
 
+/// Each point takes a kilobyte of memory until the surface is written.
+void require_few_points(const PlanDrawing& drawing, const MeshRequest& request, const PlanFrame& frame) {
+    constexpr double most_points = 20e6;
+    if (request.max_edge > 0 && fewest_points(drawing, request.max_edge / frame.metres()) > most_points)
+        throw OptionError("-max_edge " + number_text(request.max_edge) +
+                          " would take more than 20 million points; give a greater one, or a smaller part of "
+                          "the city.");
+}
+
 PlanMesh divide(PlanDrawing& drawing, const MeshRequest& request, const std::optional<GroundGrid>& ground,
                 const CityModel& city, const PlanFrame& frame) {
     RefineRules rules{request.min_angle, request.max_edge / frame.metres()};
@@ -149,6 +158,7 @@ MeshReport mesh_city(const MeshRequest& request, const Callbacks& callbacks) {
         ground = read_ground(request.ground, city, crs, frame, callbacks);
         add_ground(request, city, frame, *ground, drawing, callbacks);
     }
+    require_few_points(drawing, request, frame);
     const PlanMesh mesh = divide(drawing, request, ground, city, frame);
     report.plan_points = static_cast<std::int64_t>(mesh.nodes.size());
     PlanHeights heights{plan.regions, {}, 0};

@@ -7,6 +7,22 @@
 
 namespace d2b::mesh {
 
+double fewest_points(const PlanDrawing& drawing, double most) {
+    const auto is_divided = [&](std::int32_t region) {
+        return region >= 0 || (drawing.with_ground && region == open_ground) ? 1 : 0;
+    };
+    double twice_area = 0;
+    double length = 0;
+    for (const PlanEdge& edge : drawing.edges) {
+        const Position& a = drawing.nodes[edge.from];
+        const Position& b = drawing.nodes[edge.to];
+        twice_area += (a.x * b.y - a.y * b.x) * (is_divided(edge.left) - is_divided(edge.right));
+        length += std::hypot(b.x - a.x, b.y - a.y);
+    }
+    // None is larger than that of three equal edges, and there are two of them a point.
+    return std::max(twice_area / (most * most * std::numbers::sqrt3), length / most);
+}
+
 void split_long_edges(PlanDrawing& drawing, double most) {
     std::vector<PlanEdge> edges;
     for (const PlanEdge& edge : drawing.edges) {

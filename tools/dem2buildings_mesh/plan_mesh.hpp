@@ -49,6 +49,10 @@ inline constexpr double sure_angle = 20.7;
 /// Beyond the sure angle: how many times the points that the sure angle takes.
 inline constexpr std::size_t most_points_a_point = 10;
 
+/// How many points triangles without longer edges have at least, on what of a plan is divided into them and
+/// on its edges. @param most steps
+[[nodiscard]] double fewest_points(const PlanDrawing& drawing, double most);
+
 /// Edges longer than a length in equal parts. @param most steps
 void split_long_edges(PlanDrawing& drawing, double most);
 
