@@ -5,6 +5,7 @@
 #include <span>
 
 #include "detect/border_sums.hpp"
+#include "detect/gentle_pairs.hpp"
 #include "detect/smoothness.hpp"
 
 namespace d2b {
@@ -27,6 +28,7 @@ struct Sums {
     double walls = 0;         // of these
     double fall = 0;          // sum over these
     BorderSums beside;
+    GentlePairs pairs;
 };
 
 /// The surface, and the ground where there is none: what a cell's neighbours fall to.
@@ -145,7 +147,7 @@ Evidence evidence_of(const Sums& sums, double cells, double cell_area) {
             sums.beside.height_beside(),
             sums.beside.right_angles(),
             cells * cell_area,
-            sums.border / std::sqrt(cells)};
+            sums.pairs.share()};
 }
 
 }  // namespace
@@ -159,6 +161,7 @@ std::vector<Evidence> collect_evidence(const Scene& scene, const DetectedObjects
         Sums& sum = sums[run.label - 1];
         add_cells(scene, flags, r, run, sum);
         add_border(scene, objects.cells, r, run, sum);
+        sum.pairs.add(scene, objects.cells, r, run);
         add_segments(segments.regions.row(r), logs, run, sum);
     });
     std::vector<Evidence> result;

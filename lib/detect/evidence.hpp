@@ -21,7 +21,7 @@ struct Evidence {
     double beside_m = 0;      ///< mean height of what is beside it, see BorderSums
     double right_angles = 0;  ///< how well its border keeps to right angles, see BorderSums
     double area_m2 = 1;
-    double ragged = 1;  ///< cells on its border, by the root of its cells: 4 for a square
+    double gentle = 1;  ///< share of its neighbours that are as near in height as on a roof, see GentlePairs
 };
 
 /// What detection found so far.
@@ -38,8 +38,8 @@ struct DetectedObjects {
 /// A logistic model of five terms. Its weights were fitted to cities of 0.5 to 5 m cells; each city was also
 /// left out in turn, see docs/accuracy.md. What has next to no wall, neither sharp nor smeared, is part of
 /// the ground, however smooth and large it is: its confidence is 0. A term that took no part is no doubt.
-/// Where points are thin, crowns have steps like walls, and few cells of a house are smooth: weights of their
-/// own with five terms more take over as the share of filled cells rises.
+/// Where points are thin, crowns have steps like walls, and few cells of a house are smooth: as the share
+/// of filled cells rises, five other terms take the place of smoothness, step and tilt.
 /// @param filled share of the cells that no pulse met, see filled_share()
 [[nodiscard]] DetectedObject judge(const Evidence& evidence, double filled = 0);
 

@@ -19,8 +19,11 @@ constexpr double steeper = 1.2;
 constexpr double filled_by_any = 0.04;
 constexpr double filled_where_thin = 0.08;
 
+// Up to this the larger is the likelier a building; woods are larger than houses.
+constexpr double house_m2 = 300;
+
 // Found by tests/accuracy/run.py --learn, see docs/accuracy.md.
-constexpr double thin_constant = -1.33;
+constexpr double thin_constant = -1.59;
 
 bool has_walls(const Evidence& evidence) {
     return evidence.walled >= fewest_walls || evidence.fall > steeper * evidence.tilt;
@@ -44,25 +47,29 @@ struct Sight {
     [[nodiscard]] double term(double thinness) const {
         return (1 - thinness) * usual.term(value) + thinness * thin.term(value);
     }
+    [[nodiscard]] bool says_nothing(double thinness) const {
+        return (usual.of == 0 || thinness == 1) && (thin.of == 0 || thinness == 0);
+    }
 };
 
+constexpr std::size_t terms_of_a_sum = 10;
 // Places among them.
 constexpr std::size_t greenness = 1;
 constexpr std::size_t segment_size = 4;
 
 /// Each term is 0 for an object that may as well be a tree.
-std::array<Sight, 10> sights_of(const Evidence& evidence) {
+std::array<Sight, terms_of_a_sum> sights_of(const Evidence& evidence) {
     return {{
-        {evidence.smooth, Doubt::rough, {4.3, 0.4}, {2.77, 0.33}},
+        {evidence.smooth, Doubt::rough, {4.3, 0.4}, {}},
         {evidence.green, Doubt::green, {-4, 0}, {-4, 0}},
-        {std::log(std::max(evidence.step_m, 0.1)), Doubt::no_step, {1.3, std::log(2.2)}, {-0.5, 1.88}},
-        {std::log(evidence.tilt), Doubt::steep, {-0.4, std::log(0.4)}, {-0.45, -1.19}},
-        {std::log(std::max(evidence.segment, 1.0)), Doubt::pieces, {1, std::log(48.0)}, {0.69, 2.62}},
-        {evidence.walled, Doubt::no_step, {}, {10.4, 0.99}},
-        {std::log(evidence.beside_m + 0.5), Doubt::no_step, {}, {-1.12, 1.37}},
-        {std::log(evidence.area_m2), Doubt::pieces, {}, {1.15, 5.23}},
-        {evidence.right_angles, Doubt::no_step, {}, {3.83, 0.33}},
-        {std::log(evidence.ragged), Doubt::rough, {}, {-0.78, 1.19}},
+        {std::log(std::max(evidence.step_m, 0.1)), Doubt::no_step, {1.3, std::log(2.2)}, {}},
+        {std::log(evidence.tilt), Doubt::steep, {-0.4, std::log(0.4)}, {}},
+        {std::log(std::max(evidence.segment, 1.0)), Doubt::pieces, {1, std::log(48.0)}, {1.04, 2.61}},
+        {evidence.walled, Doubt::no_step, {}, {10.16, 0.99}},
+        {std::log(evidence.beside_m + 0.5), Doubt::no_step, {}, {-0.5, 1.34}},
+        {std::log(std::min(evidence.area_m2, house_m2)), Doubt::pieces, {}, {1.68, 5.01}},
+        {evidence.right_angles, Doubt::no_step, {}, {3.47, 0.33}},
+        {evidence.gentle, Doubt::rough, {}, {8.5, 0.59}},
     }};
 }
 
@@ -73,15 +80,15 @@ DetectedObject judge(const Evidence& evidence, double filled) {
         return {0, Doubt::no_step, 0};
     const double thinness =
         std::clamp((filled - filled_by_any) / (filled_where_thin - filled_by_any), 0.0, 1.0);
-    const std::array<Sight, 10> sights = sights_of(evidence);
-    std::array<double, 10> terms{};
+    const std::array<Sight, terms_of_a_sum> sights = sights_of(evidence);
+    std::array<double, terms_of_a_sum> terms{};
     std::ranges::transform(sights, terms.begin(), [&](const Sight& sight) { return sight.term(thinness); });
     double sum = thinness * thin_constant;
     for (const double term : terms)
         sum += term;
     // What has no weight says nothing; without an NDVI, and where nothing is green, nothing green does.
     for (std::size_t i = 0; i < sights.size(); ++i)
-        if ((sights[i].usual.of == 0 && thinness == 0) || (i == greenness && evidence.green == 0))
+        if (sights[i].says_nothing(thinness) || (i == greenness && evidence.green == 0))
             terms[i] = std::numeric_limits<double>::infinity();
     const auto worst = std::min_element(terms.begin(), terms.end()) - terms.begin();
     return {1 / (1 + std::exp(-sum)), sights[static_cast<std::size_t>(worst)].doubt, 0};
@@ -89,7 +96,7 @@ DetectedObject judge(const Evidence& evidence, double filled) {
 
 double roof_likeness(const Evidence& part) {
     constexpr double of_segment_size = 0.25;
-    const std::array<Sight, 10> sights = sights_of(part);
+    const std::array<Sight, terms_of_a_sum> sights = sights_of(part);
     double sum = 0;
     for (std::size_t i = 0; i < sights.size(); ++i)
         if (i != greenness)

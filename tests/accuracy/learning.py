@@ -10,17 +10,18 @@ from osgeo import gdal, ogr
 from tables import table, text
 
 NAMES = ("smooth", "ln step", "ln tilt", "ln segment", "constant")
-THIN_NAMES = ("smooth", "ln step", "ln tilt", "ln segment", "walled", "ln beside", "ln area", "right angles", "ln ragged",
-              "constant")
+THIN_NAMES = ("ln segment", "walled", "ln beside", "ln area", "right angles", "gentle", "constant")
 THIN = 0.05  # share of filled cells
 SCENES_HEAVY = 0.4  # of a real place: made crowns and houses are all alike
 CAUTION = 1.65  # off the constant: woods are larger than houses, and the scenes have few
 LEAST_M2 = 50
+HOUSE_M2 = 300  # the larger is the likelier a building up to this; woods are larger than houses
 COLUMNS = {"smooth": lambda row: row["smooth"], "ln step": lambda row: np.log(max(row["step_m"], 0.1)),
            "ln tilt": lambda row: np.log(row["tilt"]), "ln segment": lambda row: np.log(max(row["segment"], 1)),
            "walled": lambda row: row["walled"], "ln beside": lambda row: np.log(row["beside_m"] + 0.5),
-           "ln area": lambda row: np.log(row["area_m2"]), "right angles": lambda row: row["right_angles"],
-           "ln ragged": lambda row: np.log(row["ragged"]), "constant": lambda row: 1}
+           "ln area": lambda row: np.log(min(row["area_m2"], HOUSE_M2)), "right angles": lambda row: row["right_angles"],
+           "gentle": lambda row: row["gentle"],
+           "constant": lambda row: 1}
 RIDGE = 1e-3  # of the squares of the weights: what only one place has gets none
 
 

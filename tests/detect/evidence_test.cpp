@@ -63,10 +63,9 @@ TEST(Evidence, SumsOfAHandMadeObject) {
     EXPECT_NEAR(evidence[1].step_m, 3, 1e-6);
     EXPECT_NEAR(evidence[1].tilt, 1, 1e-12) << "no pieces";
     EXPECT_NEAR(evidence[1].segment, 1, 1e-12);
-    // All four cells of the second are on its border; cells are of 1 m.
+    // Cells are of 1 m.
     EXPECT_EQ(evidence[0].area_m2, 12);
-    EXPECT_NEAR(evidence[0].ragged, 10 / std::sqrt(12.0), 1e-12);
-    EXPECT_NEAR(evidence[1].ragged, 2, 1e-12);
+    EXPECT_EQ(evidence[0].gentle, 1);
     EXPECT_EQ(evidence[1].beside_m, 0);
 }
 
@@ -181,16 +180,15 @@ TEST(Judge, WeightsOfThinPointsTakeOverAsCellsAreFilled) {
     house.beside_m = 0.8;
     house.right_angles = 0.6;
     house.area_m2 = 75;
-    house.ragged = 2.9;
+    house.gentle = 0.9;
     const auto log_odds = [&](double filled) {
         const double p = judge(house, filled).confidence;
         return std::log(p / (1 - p));
     };
     const double usual = 4.3 * 0.1 + 1.3 * std::log(3 / 2.2) - 0.4 * std::log(0.3 / 0.4) + std::log(9 / 48.0);
-    const double thin = -1.33 + 2.77 * (0.5 - 0.33) - 0.5 * (std::log(3) - 1.88) -
-                        0.45 * (std::log(0.3) + 1.19) + 0.69 * (std::log(9) - 2.62) + 10.4 * (1 - 0.99) -
-                        1.12 * (std::log(1.3) - 1.37) + 1.15 * (std::log(75) - 5.23) + 3.83 * (0.6 - 0.33) -
-                        0.78 * (std::log(2.9) - 1.19);
+    const double thin = -1.59 + 1.04 * (std::log(9) - 2.61) + 10.16 * (1 - 0.99) -
+                        0.5 * (std::log(1.3) - 1.34) + 1.68 * (std::log(75) - 5.01) + 3.47 * (0.6 - 0.33) +
+                        8.5 * (0.9 - 0.59);
     EXPECT_LT(usual, -0.5);
     EXPECT_GT(thin, usual + 0.5);
     EXPECT_NEAR(log_odds(0), usual, 1e-9);
@@ -206,9 +204,15 @@ TEST(Judge, AmongCrownsNothingThinIsABuilding) {
     crown.beside_m = 9;
     crown.right_angles = 0.2;
     crown.area_m2 = 150;
-    crown.ragged = 3.2;
+    crown.gentle = 0.4;
     EXPECT_LT(judge(crown, 0.2).confidence, 0.1);
-    EXPECT_EQ(judge(crown, 0.2).doubt, Doubt::no_step);
+    EXPECT_EQ(judge(crown, 0.2).doubt, Doubt::rough);
+    // A wood is no likelier to be a house for being large.
+    Evidence wood = crown;
+    wood.area_m2 = 3000;
+    Evidence grove = crown;
+    grove.area_m2 = 300;
+    EXPECT_EQ(judge(wood, 0.2).confidence, judge(grove, 0.2).confidence);
 }
 
 TEST(Judge, Monotone) {
