@@ -71,13 +71,15 @@ struct PointStats {
     double lowest = std::numeric_limits<double>::infinity();
     double highest = -std::numeric_limits<double>::infinity();
 
-    void add(double elevation, const FixedPoint& fixed) {
+    void add(double elevation, const FixedPoint& fixed) { add(elevation, 1, fixed); }
+    /// The same elevation so many times.
+    void add(double elevation, std::int64_t times, const FixedPoint& fixed) {
         const std::int64_t z = fixed.to_fixed(elevation);
-        sum += z;
+        sum += Int128{z} * times;
         const std::int64_t c = FixedPoint::coarse(z);
-        coarse_sum += c;
-        coarse_squares += Int128{c} * c;
-        ++n;
+        coarse_sum += Int128{c} * times;
+        coarse_squares += Int128{c} * c * times;
+        n += times;
         lowest = std::min(lowest, elevation);
         highest = std::max(highest, elevation);
     }

@@ -13,12 +13,15 @@ namespace {
 
 JudgedObjects judged_as_the_data_say(const Scene& scene, const DetectOptions& options, double smallest_m2,
                                      Executor& threads) {
-    SurfaceQuality quality = surface_quality(scene, options, threads);
-    JudgedObjects first = judged_objects(scene, options, smallest_m2, quality, threads);
+    SceneCells cells = scene_cells(scene, options, threads);
+    SurfaceQuality quality = surface_quality(scene, cells, threads);
+    JudgedObjects first = judged_objects(scene, cells, smallest_m2, quality, threads);
     quality.strictness = roof_strictness(scene, options, smallest_m2, quality, first, threads).value_or(1);
     JudgedObjects judged = quality.strictness == 1
                                ? std::move(first)
-                               : judged_objects(scene, options, smallest_m2, quality, threads);
+                               : judged_objects(scene, cells, smallest_m2, quality, threads);
+    judged.left_out.low =
+        low_roofs(scene, cells.flags, options.min_height, cells_for(smallest_m2, scene.cell), threads);
     correct_for_place(quality.filled, judged.objects);
     return judged;
 }

@@ -68,30 +68,41 @@ struct Turn {
     float fall = 0;  // to the neighbour that lies lowest for its distance, metres a metre
 };
 
+/// How far a cell is from the one beside it, the one below it and the one across its corner, metres.
+struct Distances {
+    explicit Distances(const CellSize& cell)
+        : beside(static_cast<float>(std::hypot(0.0, cell.across))),
+          below(static_cast<float>(std::hypot(cell.down, 0.0))),
+          across_corner(static_cast<float>(std::hypot(cell.down, cell.across))) {}
+
+    float beside;
+    float below;
+    float across_corner;
+};
+
 /// The ground takes the place of what is not known.
-Turn turn_at(const Scene& scene, std::int32_t r, std::int32_t c) {
+Turn turn_at(const Scene& scene, const Distances& distances, std::int32_t r, std::int32_t c) {
     const auto at = [&](std::int32_t down, std::int32_t across) {
         const float z = scene.surface.at(r + down, c + across);
         return std::isnan(z) ? scene.terrain.at(r + down, c + across) : z;
     };
     const float here = at(0, 0);
     Turn turn;
-    const auto look = [&](std::int32_t down, std::int32_t across) {
+    const auto look = [&](std::int32_t down, std::int32_t across, float distance) {
         const float one = at(-down, -across);
         const float other = at(down, across);
-        const auto distance =
-            static_cast<float>(std::hypot(down * scene.cell.down, across * scene.cell.across));
         turn.bend = std::max(turn.bend, std::abs(one + other - 2 * here));
         turn.fall = std::max(turn.fall, (here - std::min(one, other)) / distance);
     };
-    look(0, 1);
-    look(1, 0);
-    look(1, 1);
-    look(1, -1);
+    look(0, 1, distances.beside);
+    look(1, 0, distances.below);
+    look(1, 1, distances.across_corner);
+    look(1, -1, distances.across_corner);
     return turn;
 }
 
-void add_border(const Scene& scene, const Mask& cells, std::int32_t r, const RegionRun& run, Sums& sums) {
+void add_border(const Scene& scene, const Distances& distances, const Mask& cells, std::int32_t r,
+                const RegionRun& run, Sums& sums) {
     for (std::int32_t c = run.begin; c < run.end; ++c)
         if (on_border(cells, r, c) && !std::isnan(scene.surface.at(r, c))) {
             sums.border += 1;
@@ -99,7 +110,7 @@ void add_border(const Scene& scene, const Mask& cells, std::int32_t r, const Reg
             sums.step += static_cast<double>(scene.surface.at(r, c) - lowest_around(scene, r, c));
             if (r == 0 || c == 0 || r + 1 == cells.rows || c + 1 == cells.cols)
                 continue;
-            const Turn turn = turn_at(scene, r, c);
+            const Turn turn = turn_at(scene, distances, r, c);
             sums.inner_border += 1;
             sums.walls += static_cast<double>(turn.bend) > wall_bend_m + wall_bend * scene.side() ? 1 : 0;
             sums.fall += static_cast<double>(turn.fall);
@@ -156,11 +167,12 @@ std::vector<Evidence> collect_evidence(const Scene& scene, const DetectedObjects
                                        const SmoothSegments& segments, const Grid<std::uint8_t>& flags,
                                        Executor& threads) {
     const std::vector<SegmentLogs> logs = logs_of(segments);
+    const Distances distances(scene.cell);
     std::vector<Sums> sums(objects.regions.count());
     for_runs_by_label(threads, objects.regions, [&](std::int32_t r, const RegionRun& run) {
         Sums& sum = sums[run.label - 1];
         add_cells(scene, flags, r, run, sum);
-        add_border(scene, objects.cells, r, run, sum);
+        add_border(scene, distances, objects.cells, r, run, sum);
         sum.pairs.add(scene, objects.cells, r, run);
         add_segments(segments.regions.row(r), logs, run, sum);
     });

@@ -26,16 +26,17 @@ constexpr double smallest_hole_m2 = 10;
 // Trees of towns hardly reach 40 m.
 constexpr float taller_than_trees_m = 50;
 
-/// Where plants are known to be, only what is smooth may be a roof.
-void leave_plants_out(const Scene& scene, const Grid<std::uint8_t>& flags, Mask& elevated,
-                      Executor& threads) {
-    if (scene.greenness == nullptr)
-        return;
+/// Elevated cells, of which where plants are known to be only what is smooth may be a roof.
+Mask leave_plants_out(const Scene& scene, const SceneCells& cells, Executor& threads) {
+    Mask elevated = Mask::unset(cells.elevated.rows, cells.elevated.cols, threads);
     for_row_bands(threads, elevated.rows, elevated.cols, [&](RowBand band) {
         for (std::size_t i = elevated.index(band.begin, 0); i < elevated.index(band.end, 0); ++i)
-            if (scene.greenness->values[i] > plants_ndvi && (flags.values[i] & smooth_any_way) == 0)
-                elevated.values[i] = 0;
+            elevated.values[i] =
+                scene.greenness->values[i] > plants_ndvi && (cells.flags.values[i] & smooth_any_way) == 0
+                    ? std::uint8_t{0}
+                    : cells.elevated.values[i];
     });
+    return elevated;
 }
 
 /// What is taller than trees is a building's, however rough: belfries and the machines on towers.
@@ -67,29 +68,41 @@ DetectedObjects find_objects(const Scene& scene, const Mask& elevated, const Smo
     return {std::move(cells), std::move(regions)};
 }
 
-Grid<std::uint8_t> flags_of(const Scene& scene, const SurfaceQuality& quality, Executor& threads) {
-    return smoothness(scene.surface, smooth_limits(scene.side(), quality), threads);
+/// Sees to the flags that suit a quality.
+void flag_cells(const Scene& scene, const SurfaceQuality& quality, SceneCells& cells, Executor& threads) {
+    const SmoothLimits limits = smooth_limits(scene.side(), quality);
+    if (cells.limits == limits)
+        return;
+    cells.flags = {};  // the new ones take their memory
+    cells.flags = smoothness(scene.surface, limits, threads);
+    cells.limits = limits;
 }
 
 }  // namespace
 
-SurfaceQuality surface_quality(const Scene& scene, const DetectOptions& options, Executor& threads) {
-    const Mask elevated = elevated_cells(scene, options.min_height, threads);
+SceneCells scene_cells(const Scene& scene, const DetectOptions& options, Executor& threads) {
+    return {elevated_cells(scene, options.min_height, threads), {}, {}};
+}
+
+SurfaceQuality surface_quality(const Scene& scene, SceneCells& cells, Executor& threads) {
     SurfaceQuality quality;
-    quality.noise = surface_noise(scene.surface, elevated, threads);
-    quality.filled = filled_share(scene.surface, elevated, flags_of(scene, quality, threads), threads);
+    quality.noise = surface_noise(scene.surface, cells.elevated, threads);
+    flag_cells(scene, quality, cells, threads);
+    quality.filled = filled_share(scene.surface, cells.elevated, cells.flags, threads);
     return quality;
 }
 
-JudgedObjects judged_objects(const Scene& scene, const DetectOptions& options, double smallest_m2,
+JudgedObjects judged_objects(const Scene& scene, SceneCells& cells, double smallest_m2,
                              const SurfaceQuality& quality, Executor& threads, LeaningCrowns crowns) {
-    Mask elevated = elevated_cells(scene, options.min_height, threads);
-    const Grid<std::uint8_t> flags = flags_of(scene, quality, threads);
-    leave_plants_out(scene, flags, elevated, threads);
+    flag_cells(scene, quality, cells, threads);
+    const Grid<std::uint8_t>& flags = cells.flags;
+    std::optional<Mask> without_plants;
+    if (scene.greenness != nullptr)
+        without_plants = leave_plants_out(scene, cells, threads);
+    const Mask& elevated = without_plants ? *without_plants : cells.elevated;
     const SmoothSegments segments = smooth_segments(scene, elevated, flags, threads);
     const std::int64_t least = cells_for(smallest_m2, scene.cell);
     JudgedObjects result;
-    result.left_out.low = low_roofs(scene, flags, options.min_height, least, threads);
     DetectedObjects found = find_objects(scene, elevated, segments, least, result.left_out.small, threads);
     result.evidence = collect_evidence(scene, found, segments, flags, threads);
     for (const Evidence& evidence : result.evidence) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "detect/detection.hpp"
@@ -17,18 +18,25 @@ struct JudgedObjects {
     LeftOut left_out;
 };
 
+/// What is known of each cell before objects are found. Kept from one look at a scene to the next.
+struct SceneCells {
+    Mask elevated;
+    Grid<std::uint8_t> flags;            ///< of smoothness() ...
+    std::optional<SmoothLimits> limits;  ///< ... with these limits; none where they are not there yet
+};
+[[nodiscard]] SceneCells scene_cells(const Scene& scene, const DetectOptions& options, Executor& threads);
+
 /// What can be said of the surface before anything is found on it: its noise, and how many cells were filled.
-[[nodiscard]] SurfaceQuality surface_quality(const Scene& scene, const DetectOptions& options,
-                                             Executor& threads);
+[[nodiscard]] SurfaceQuality surface_quality(const Scene& scene, SceneCells& cells, Executor& threads);
 
 /// What becomes of crowns that lean on walls, see take_crowns_off().
 enum class LeaningCrowns { are_cut_off, stay };
 
 /// Finds what stands on the ground and has smooth pieces, and judges it.
+/// @param cells of the scene; their flags become those that suit the quality
 /// @param smallest_m2 what covers less is left out
-[[nodiscard]] JudgedObjects judged_objects(const Scene& scene, const DetectOptions& options,
-                                           double smallest_m2, const SurfaceQuality& quality,
-                                           Executor& threads,
+[[nodiscard]] JudgedObjects judged_objects(const Scene& scene, SceneCells& cells, double smallest_m2,
+                                           const SurfaceQuality& quality, Executor& threads,
                                            LeaningCrowns crowns = LeaningCrowns::are_cut_off);
 
 }  // namespace d2b

@@ -44,16 +44,21 @@ class NeighbourCounts {
   public:
     static constexpr int half = std::numeric_limits<Pair>::digits / 2;
 
+    /// @param elevated null: all cells count
     /// @param first the row that is asked for first
-    NeighbourCounts(const Mask& buildings, const Mask& elevated, std::int32_t up, std::int32_t side,
+    NeighbourCounts(const Mask& buildings, const Mask* elevated, std::int32_t up, std::int32_t side,
                     std::int32_t first)
         : buildings_(buildings),
           elevated_(elevated),
           up_(up),
           side_(static_cast<std::size_t>(side)),
           // Zeros beyond both ends stand for what is not there.
-          columns_(static_cast<std::size_t>(elevated.cols) + 2 * side_ + 1, 0),
-          none_(static_cast<std::size_t>(elevated.cols), 0) {
+          columns_(static_cast<std::size_t>(buildings.cols) + 2 * side_ + 1, 0),
+          none_(static_cast<std::size_t>(buildings.cols), 0) {
+        if (elevated == nullptr)
+            for (std::int32_t c = 0; c < buildings.cols; ++c)
+                widths_.push_back(
+                    static_cast<Pair>(std::min(c + side, buildings.cols - 1) - std::max(c - side, 0) + 1));
         for (std::int32_t r = std::max(first - up - 1, 0); r < first + up; ++r)
             slide(r, -1);
     }
@@ -67,6 +72,12 @@ class NeighbourCounts {
             sum += columns_[c + 2 * side_ + 1] - columns_[c];
             counts[c] = sum;
         }
+        if (elevated_ == nullptr) {
+            const auto rows =
+                static_cast<Pair>(std::min(r + up_, buildings_.rows - 1) - std::max(r - up_, 0) + 1);
+            for (std::size_t c = 0; c < counts.size(); ++c)
+                counts[c] += rows * widths_[c];
+        }
     }
 
   private:
@@ -77,31 +88,43 @@ class NeighbourCounts {
     void slide(std::int32_t in, std::int32_t out) {
         const std::span<const std::uint8_t> buildings_in = row_of(buildings_, in);
         const std::span<const std::uint8_t> buildings_out = row_of(buildings_, out);
-        const std::span<const std::uint8_t> elevated_in = row_of(elevated_, in);
-        const std::span<const std::uint8_t> elevated_out = row_of(elevated_, out);
         Pair* const columns = columns_.data() + side_ + 1;
         // Unsigned numbers wrap around and come back.
+        if (elevated_ == nullptr) {
+            for (std::size_t c = 0; c < buildings_in.size(); ++c)
+                columns[c] += (Pair{buildings_in[c]} - Pair{buildings_out[c]}) << half;
+            return;
+        }
+        const std::span<const std::uint8_t> elevated_in = row_of(*elevated_, in);
+        const std::span<const std::uint8_t> elevated_out = row_of(*elevated_, out);
         for (std::size_t c = 0; c < buildings_in.size(); ++c)
             columns[c] +=
                 ((Pair{buildings_in[c]} - Pair{buildings_out[c]}) << half) + elevated_in[c] - elevated_out[c];
     }
 
     const Mask& buildings_;
-    const Mask& elevated_;
+    const Mask* elevated_;
     std::int32_t up_;
     std::size_t side_;
     std::vector<Pair> columns_;
     std::vector<std::uint8_t> none_;
+    std::vector<Pair> widths_;  ///< columns of each neighbourhood, where all cells count
+};
+
+/// Who votes, and which cells may belong to a building.
+struct Electorate {
+    const Mask* elevated;  ///< whose cells vote; null: all
+    const Mask& may;
 };
 
 template <typename Pair>
-void vote(const Mask& now, const Mask& elevated, Radius radius, Shares shares, RowBand band, Mask& next) {
-    NeighbourCounts<Pair> neighbours(now, elevated, radius.up, radius.side, band.begin);
+void vote(const Mask& now, const Electorate& of, Radius radius, Shares shares, RowBand band, Mask& next) {
+    NeighbourCounts<Pair> neighbours(now, of.elevated, radius.up, radius.side, band.begin);
     std::vector<Pair> counts(static_cast<std::size_t>(now.cols));
     for (std::int32_t r = band.begin; r < band.end; ++r) {
         neighbours.row(r, counts);
         const std::span<const std::uint8_t> is = now.row(r);
-        const std::span<const std::uint8_t> may = elevated.row(r);
+        const std::span<const std::uint8_t> may = of.may.row(r);
         const std::span<std::uint8_t> out = next.row(r);
         // A hundred times half a number fits into the number. Nothing branches: several cells are done at
         // once.
@@ -118,7 +141,7 @@ void vote(const Mask& now, const Mask& elevated, Radius radius, Shares shares, R
     }
 }
 
-Mask voted(const Mask& now, const Mask& elevated, double reach_m, const CellSize& cell, Shares shares,
+Mask voted(const Mask& now, const Electorate& of, double reach_m, const CellSize& cell, Shares shares,
            Executor& threads) {
     const Radius radius{reach(reach_m, cell.down, now.rows), reach(reach_m, cell.across, now.cols)};
     const std::int64_t largest = (2 * std::int64_t{radius.up} + 1) * (2 * std::int64_t{radius.side} + 1);
@@ -128,8 +151,8 @@ Mask voted(const Mask& now, const Mask& elevated, double reach_m, const CellSize
     // A band begins by counting the rows of its first neighbourhood.
     const std::int32_t least = 8 * std::min(radius.up, now.rows);
     for_row_bands(
-        threads, now.rows, now.cols,
-        [&](RowBand band) { vote_in(now, elevated, radius, shares, band, next); }, std::max(least, 16));
+        threads, now.rows, now.cols, [&](RowBand band) { vote_in(now, of, radius, shares, band, next); },
+        std::max(least, 16));
     return next;
 }
 
@@ -137,18 +160,12 @@ Mask voted(const Mask& now, const Mask& elevated, double reach_m, const CellSize
 
 Mask grow_by_majority(Mask seeds, const Mask& elevated, const CellSize& cell, Executor& threads) {
     for (int i = 0; i < growth_rounds; ++i)
-        seeds = voted(seeds, elevated, growth_reach_m, cell, growth_shares, threads);
+        seeds = voted(seeds, {&elevated, elevated}, growth_reach_m, cell, growth_shares, threads);
     return seeds;
 }
 
 Mask smooth_border(const Mask& mask, const Mask& within, const CellSize& cell, Executor& threads) {
-    Mask result =
-        voted(mask, Mask(mask.rows, mask.cols, 1, threads), border_reach_m, cell, border_shares, threads);
-    for_row_bands(threads, mask.rows, mask.cols, [&](RowBand band) {
-        for (std::size_t i = mask.index(band.begin, 0); i < mask.index(band.end, 0); ++i)
-            result.values[i] &= within.values[i];
-    });
-    return result;
+    return voted(mask, {nullptr, within}, border_reach_m, cell, border_shares, threads);
 }
 
 }  // namespace d2b

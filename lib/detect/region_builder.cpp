@@ -73,6 +73,29 @@ void RegionBuilder::add_row(std::span<const std::uint8_t> links) {
     ++regions_.rows;
 }
 
+void RegionBuilder::add_touching_row(std::span<const RegionRun> runs) {
+    std::size_t above = regions_.rows > 0 ? regions_.row_begin[regions_.row_begin.size() - 2] : 0;
+    const std::size_t above_end = regions_.row_begin.back();
+    for (RegionRun run : runs) {
+        run.label = 0;
+        while (above < above_end && regions_.runs[above].end <= run.begin)
+            ++above;
+        // The last of those may reach over the next run as well.
+        for (std::size_t k = above; k < above_end && regions_.runs[k].begin < run.end; ++k) {
+            const Label label = regions_.runs[k].label;
+            if (run.label == 0)
+                run.label = label;
+            else if (run.label != label)
+                run.label = sets_.join(run.label, label);
+        }
+        if (run.label == 0)
+            run.label = sets_.add();
+        regions_.runs.push_back(run);
+    }
+    regions_.row_begin.push_back(regions_.runs.size());
+    ++regions_.rows;
+}
+
 Regions RegionBuilder::finish(std::int64_t least_cells) && {
     std::vector<Label> number = sets_.numbered();
     const Label count = *std::max_element(number.begin(), number.end());

@@ -14,6 +14,9 @@ class RegionBuilder {
     explicit RegionBuilder(std::int32_t cols);
     /// @param links the next row's; the first has none to the row above
     void add_row(std::span<const std::uint8_t> links);
+    /// @param runs of the next row's cells, which hang together where they share an edge; their labels do not
+    /// matter
+    void add_touching_row(std::span<const RegionRun> runs);
     /// @param least_cells regions with fewer cells are left out, if they reach neither the first row nor the
     /// last
     [[nodiscard]] Regions finish(std::int64_t least_cells) &&;

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <utility>
 
+#include "detect/mask_runs.hpp"
 #include "detect/region_builder.hpp"
 
 namespace d2b {
@@ -16,19 +17,60 @@ struct Part {
     Label before = 0;  ///< labels of the bands above
 };
 
-Part part_of(RowBand band, std::int32_t cols, const LinksOfRow& links_of, std::int64_t least_cells) {
-    Part part;
-    RegionBuilder builder(cols);
+/// Adds the rows of a band to a builder, the first without links to the row above.
+using AddRows = std::function<void(RowBand band, RegionBuilder& builder)>;
+
+/// Leaves out cells that hang together with no other. @param below the links of the next row
+void leave_lonely_out(std::vector<std::uint8_t>& links, const std::vector<std::uint8_t>& below) {
+    const auto keep = [&](std::size_t c, int right) {
+        const int beside = (links[c] & (link_left | link_up)) | (right & link_left) | (below[c] & link_up);
+        links[c] = beside != 0 ? links[c] : std::uint8_t{0};
+    };
+    // Where the right one was left out already, it had no link. Nothing branches: many cells are done at
+    // once.
+    for (std::size_t c = 0; c + 1 < links.size(); ++c)
+        keep(c, links[c + 1]);
+    if (!links.empty())
+        keep(links.size() - 1, 0);
+}
+
+void add_linked_rows(RowBand band, std::int32_t rows, bool with_lonely, const LinksOfRow& links_of,
+                     RegionBuilder& builder) {
     std::vector<std::uint8_t> links;
+    std::vector<std::uint8_t> below;
+    links_of(band.begin, links);
     for (std::int32_t r = band.begin; r < band.end; ++r) {
-        links_of(r, links);
-        if (r == band.begin) {
-            part.seam = links;
+        if (r + 1 < rows)
+            links_of(r + 1, below);
+        else
+            below.assign(links.size(), 0);
+        if (!with_lonely)
+            leave_lonely_out(links, below);
+        if (r == band.begin)
             for (std::uint8_t& link : links)
                 link &= link_in | link_left;
-        }
         builder.add_row(links);
+        links.swap(below);
     }
+}
+
+void add_touching_rows(RowBand band, const Mask& mask, std::uint8_t value, RegionBuilder& builder) {
+    std::vector<RegionRun> runs;
+    for (std::int32_t r = band.begin; r < band.end; ++r) {
+        runs.clear();
+        for_mask_runs(mask.row(r), value, [&](std::int32_t begin, std::int32_t end) {
+            runs.push_back({begin, end, 0});
+        });
+        builder.add_touching_row(runs);
+    }
+}
+
+Part part_of(RowBand band, std::int32_t cols, const LinksOfRow& links_of, const AddRows& add_rows,
+             std::int64_t least_cells) {
+    Part part;
+    links_of(band.begin, part.seam);
+    RegionBuilder builder(cols);
+    add_rows(band, builder);
     part.regions = std::move(builder).finish(least_cells);
     return part;
 }
@@ -92,14 +134,14 @@ void gather(std::vector<Part>& parts, Regions& regions, Executor& threads) {
     });
 }
 
-}  // namespace
-
-Regions linked_regions(std::int32_t rows, std::int32_t cols, const LinksOfRow& links_of,
-                       std::int64_t least_cells, Executor& threads) {
+/// @param links_of what bands are joined by
+Regions regions_of(std::int32_t rows, std::int32_t cols, const LinksOfRow& links_of, const AddRows& add_rows,
+                   std::int64_t least_cells, Executor& threads) {
     const std::vector<RowBand> bands = row_bands(rows, cols);
     std::vector<Part> parts(bands.size());
-    threads.for_each(parts.size(),
-                     [&](std::size_t i) { parts[i] = part_of(bands[i], cols, links_of, least_cells); });
+    threads.for_each(parts.size(), [&](std::size_t i) {
+        parts[i] = part_of(bands[i], cols, links_of, add_rows, least_cells);
+    });
     Regions regions;
     regions.rows = rows;
     regions.cols = cols;
@@ -109,6 +151,16 @@ Regions linked_regions(std::int32_t rows, std::int32_t cols, const LinksOfRow& l
     });
     gather(parts, regions, threads);
     return regions;
+}
+
+}  // namespace
+
+Regions linked_regions(std::int32_t rows, std::int32_t cols, const LinksOfRow& links_of,
+                       std::int64_t least_cells, Executor& threads) {
+    const auto add_rows = [&](RowBand band, RegionBuilder& builder) {
+        add_linked_rows(band, rows, least_cells <= 1, links_of, builder);
+    };
+    return regions_of(rows, cols, links_of, add_rows, least_cells, threads);
 }
 
 void edge_links(const Mask& mask, std::int32_t r, std::uint8_t value, std::vector<std::uint8_t>& links) {
@@ -133,7 +185,10 @@ Regions connected_regions(const Mask& mask, std::uint8_t value, std::int64_t lea
     const auto links_of = [&](std::int32_t r, std::vector<std::uint8_t>& links) {
         edge_links(mask, r, value, links);
     };
-    return linked_regions(mask.rows, mask.cols, links_of, least_cells, threads);
+    const auto add_rows = [&](RowBand band, RegionBuilder& builder) {
+        add_touching_rows(band, mask, value, builder);
+    };
+    return regions_of(mask.rows, mask.cols, links_of, add_rows, least_cells, threads);
 }
 
 std::vector<LabelRange> label_ranges(const Regions& regions) {

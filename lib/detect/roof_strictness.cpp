@@ -49,14 +49,17 @@ std::optional<double> roof_strictness(const Scene& scene, const DetectOptions& o
         return std::nullopt;
     const std::vector<RoofSample> samples =
         roof_samples(scene, eroded(buildings, inside_m, scene.cell, threads));
+    std::vector<SceneCells> sample_cells;
+    for (const RoofSample& sample : samples)
+        sample_cells.push_back(scene_cells(sample.scene(), options, threads));
     const auto roofs_found = [&](double factor) {
         SurfaceQuality stricter_quality = quality;
         stricter_quality.strictness = factor;
         std::int64_t cells = 0;
-        for (const RoofSample& sample : samples) {
-            const JudgedObjects judged = judged_objects(sample.scene(), options, smallest_m2,
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            const JudgedObjects judged = judged_objects(samples[i].scene(), sample_cells[i], smallest_m2,
                                                         stricter_quality, threads, LeaningCrowns::stay);
-            cells += common_cells(sample.roofs, cells_above(likely_roof, judged, threads));
+            cells += common_cells(samples[i].roofs, cells_above(likely_roof, judged, threads));
         }
         return cells;
     };

@@ -80,17 +80,26 @@ int joins(int a, int b, int line) {
     return (((a | b) >> line) | ((a & b) >> any_way)) & 1;
 }
 
-/// Takes those links away across which the surface bends.
-void cut_bends(const Grid<std::uint8_t>& flags, std::int32_t r, std::vector<std::uint8_t>& links) {
+/// Links of a row of cells that are joined where they share an edge across which the surface hardly bends.
+void smooth_links(const Mask& mask, const Grid<std::uint8_t>& flags, std::int32_t r,
+                  std::vector<std::uint8_t>& links) {
+    links.resize(static_cast<std::size_t>(mask.cols));
+    const std::span<const std::uint8_t> cells = mask.row(r);
+    const std::span<const std::uint8_t> cells_up = mask.row(std::max(r - 1, 0));
     const std::span<const std::uint8_t> here = flags.row(r);
     const std::span<const std::uint8_t> up = flags.row(std::max(r - 1, 0));
-    for (std::size_t c = 1; c < links.size(); ++c) {
-        const int keep =
-            link_in + joins(here[c - 1], here[c], 0) * link_left + joins(up[c], here[c], 1) * link_up;
-        links[c] = static_cast<std::uint8_t>(links[c] & keep);
-    }
+    const std::uint8_t has_up = r > 0 ? 1 : 0;
+    static_assert(link_in == 1 && link_left == 2 && link_up == 4);
+    // Bytes and shifts alone, so that many cells are done at once.
+    const auto link = [&](std::size_t c, int left) {
+        const int in = cells[c];
+        const int above = in & cells_up[c] & has_up & joins(up[c], here[c], 1);
+        return static_cast<std::uint8_t>(in | (in & left) << 1 | above << 2);
+    };
     if (!links.empty())
-        links[0] = static_cast<std::uint8_t>(links[0] & (link_in + joins(up[0], here[0], 1) * link_up));
+        links[0] = link(0, 0);
+    for (std::size_t c = 1; c < links.size(); ++c)
+        links[c] = link(c, cells[c - 1] & joins(here[c - 1], here[c], 0));
 }
 
 }  // namespace
@@ -98,8 +107,7 @@ void cut_bends(const Grid<std::uint8_t>& flags, std::int32_t r, std::vector<std:
 Regions smooth_regions(const Scene& scene, const Mask& cells, const Grid<std::uint8_t>& flags,
                        Executor& threads) {
     const auto links_of = [&](std::int32_t r, std::vector<std::uint8_t>& links) {
-        edge_links(cells, r, 1, links);
-        cut_bends(flags, r, links);
+        smooth_links(cells, flags, r, links);
     };
     const std::int64_t least = std::max(fewest_cells, cells_for(least_area_m2, scene.cell));
     return linked_regions(cells.rows, cells.cols, links_of, least, threads);

@@ -28,6 +28,8 @@ struct SmoothLimits {
     float line;
     float any;
     float enough;
+
+    friend bool operator==(const SmoothLimits&, const SmoothLimits&) = default;
 };
 /// @param side of the cells, metres
 [[nodiscard]] SmoothLimits smooth_limits(double side, const SurfaceQuality& quality);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
+#include "detect/label_rows.hpp"
 #include "levels/natural_breaks.hpp"
 
 namespace d2b {
@@ -63,15 +65,30 @@ std::vector<double> own_thresholds(const BuildingStatistics& statistics, Label l
 
 }  // namespace
 
-void BuildingStatistics::add(const ElevationBand& elevations, const LabelBand& labels) {
-    for (std::size_t i = 0; i < elevations.elevations.size(); ++i) {
-        const Label label = labels.labels[i];
-        const double z = elevations.elevations[i];
-        if (label == 0 || std::isnan(z))
-            continue;
-        stats_[label].add(z, fixed_);
+std::vector<EvenCells> even_cells(const ElevationBand& elevations, const LabelBand& labels) {
+    std::vector<EvenCells> result;
+    for (std::int32_t r = 0; r < elevations.shape.rows; ++r) {
+        const std::span<const double> row = elevations.row(r);
+        for_label_runs(labels.row(r), [&](std::int32_t begin, std::int32_t end, Label label) {
+            for (auto c = static_cast<std::size_t>(begin); c < static_cast<std::size_t>(end);) {
+                const double z = row[c];
+                const std::size_t first = c++;
+                if (std::isnan(z))
+                    continue;
+                while (c < static_cast<std::size_t>(end) && row[c] == z)
+                    ++c;
+                result.push_back({label, static_cast<std::int64_t>(c - first), z});
+            }
+        });
+    }
+    return result;
+}
+
+void BuildingStatistics::add(const std::vector<EvenCells>& cells) {
+    for (const EvenCells& even : cells) {
+        stats_[even.label].add(even.elevation, even.cells, fixed_);
         if (!histograms_.empty())
-            histograms_[label].add(z * metres_);
+            histograms_[even.label].add(even.elevation * metres_, even.cells);
     }
 }
 

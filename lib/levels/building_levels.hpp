@@ -10,6 +10,15 @@
 
 namespace d2b {
 
+/// Cells that lie side by side, belong to one label and have the same elevation.
+struct EvenCells {
+    Label label = 0;
+    std::int64_t cells = 0;
+    double elevation = 0;
+};
+/// Of the valid cells of a band that have a label other than 0. Clean elevations have few for many cells.
+[[nodiscard]] std::vector<EvenCells> even_cells(const ElevationBand& elevations, const LabelBand& labels);
+
 /// What the thresholds of each building depend on: exact, so that the order of bands does not matter.
 class BuildingStatistics {
   public:
@@ -22,7 +31,7 @@ class BuildingStatistics {
           stats_(labels + std::size_t{1}),
           histograms_(metres > 0 ? stats_.size() : 0) {}
 
-    void add(const ElevationBand& elevations, const LabelBand& labels);
+    void add(const std::vector<EvenCells>& cells);
     [[nodiscard]] const PointStats& of(Label label) const { return stats_[label]; }
     /// Only where histograms are kept.
     [[nodiscard]] const ElevationHistogram& histogram(Label label) const { return histograms_[label]; }

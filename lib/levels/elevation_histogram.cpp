@@ -25,9 +25,9 @@ std::vector<HistogramBin> paired(const std::vector<HistogramBin>& bins) {
 
 }  // namespace
 
-void ElevationHistogram::add(double elevation_m) {
+void ElevationHistogram::add(double elevation_m, std::int64_t points) {
     const double end = std::clamp(std::ceil(elevation_m * bins_a_metre), -farthest, farthest);
-    ++points_[static_cast<std::int64_t>(end) - 1];
+    points_[static_cast<std::int64_t>(end) - 1] += points;
 }
 
 ElevationHistogram::Bins ElevationHistogram::bins(std::size_t most) const {

@@ -18,8 +18,8 @@ struct HistogramBin {
 /// one, as a point on a threshold does not exceed it. Empty bins take no room.
 class ElevationHistogram {
   public:
-    /// @param elevation_m finite
-    void add(double elevation_m);
+    /// @param elevation_m finite @param points that have it
+    void add(double elevation_m, std::int64_t points = 1);
     /// Ascending, of a width that leaves at most `most` of them: a tenth of a metre times a power of two.
     struct Bins {
         double width_m;

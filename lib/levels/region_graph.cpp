@@ -10,6 +10,7 @@ RegionGraph::RegionGraph(std::vector<Region> regions, double own_border)
       regions_(std::move(regions)),
       sets_(static_cast<std::uint32_t>(regions_.size())),
       borders_(regions_.size()),
+      given_(regions_.size(), 0),
       cheapest_(regions_.size()),
       changed_(regions_.size(), 0),
       place_(regions_.size(), none) {
@@ -19,8 +20,16 @@ RegionGraph::RegionGraph(std::vector<Region> regions, double own_border)
 }
 
 void RegionGraph::add_border(std::uint32_t a, std::uint32_t b, std::uint32_t length) {
-    borders_[a].push_back({b, length});
-    borders_[b].push_back({a, length});
+    const auto add = [&](std::uint32_t from, std::uint32_t to) {
+        ++given_[from];
+        // A border comes cell by cell, so the last is mostly the same.
+        if (Borders& borders = borders_[from]; !borders.empty() && borders.back().region == to)
+            borders.back().length += length;
+        else
+            borders.push_back({to, length});
+    };
+    add(a, b);
+    add(b, a);
 }
 
 namespace {
@@ -40,7 +49,7 @@ double RegionGraph::added_error(const Region& one, const Region& other) {
 }
 
 void RegionGraph::gather(std::uint32_t root_of) {
-    std::vector<Border>& borders = borders_[root_of];
+    Borders& borders = borders_[root_of];
     std::size_t kept = 0;
     for (const Border& border : borders) {
         const std::uint32_t other = root(border.region);
@@ -53,7 +62,8 @@ void RegionGraph::gather(std::uint32_t root_of) {
             borders[place_[other]].length += border.length;
         }
     }
-    borders.resize(kept);
+    borders.erase(borders.begin() + static_cast<std::ptrdiff_t>(kept), borders.end());
+    given_[root_of] = static_cast<std::uint32_t>(kept);
     for (const Border& border : borders)
         place_[border.region] = none;
 }
@@ -62,7 +72,7 @@ bool RegionGraph::still_holds(std::uint32_t root_of) const {
     const std::uint32_t then = cheapest_[root_of].merges;
     if (then == none || changed_[root_of] > then)
         return false;
-    const std::vector<Border>& borders = borders_[root_of];
+    const Borders& borders = borders_[root_of];
     return std::ranges::all_of(borders,
                                [&](const Border& border) { return changed_[border.region] <= then; });
 }
@@ -87,12 +97,13 @@ RegionGraph::Neighbour RegionGraph::cheapest(std::uint32_t root_of) {
 
 std::uint32_t RegionGraph::merge(std::uint32_t a, std::uint32_t b) {
     // The shorter list moves, so that no border moves more often than a logarithm says.
-    if (borders_[a].size() < borders_[b].size())
+    if (given_[a] < given_[b])
         std::swap(a, b);
     sets_.join_into(a, b);
     regions_[a].points += regions_[b].points;
     regions_[a].sum += regions_[b].sum;
     borders_[a].insert(borders_[a].end(), borders_[b].begin(), borders_[b].end());
+    given_[a] += given_[b];
     borders_[b] = {};
     means_[a] = regions_[a].sum / regions_[a].points;
     changed_[a] = changed_[b] = ++merges_;

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <boost/container/small_vector.hpp>
+
 #include "core/disjoint_sets.hpp"
 
 namespace d2b {
@@ -55,10 +57,14 @@ class RegionGraph {
     /// Makes one border of all those with the same neighbour.
     void gather(std::uint32_t root);
 
+    /// Borders of a region: most have few, which need no memory of their own.
+    using Borders = boost::container::small_vector<Border, 6>;
+
     double own_border_;
     std::vector<Region> regions_;
     DisjointSets sets_;
-    std::vector<std::vector<Border>> borders_;
+    std::vector<Borders> borders_;
+    std::vector<std::uint32_t> given_;  ///< borders as they were given: what says which of two lists moves
     std::vector<double> means_;
     std::vector<Cheapest> cheapest_;
     std::vector<std::uint32_t> changed_;  ///< after how many merges it last grew, or went into another

@@ -7,26 +7,18 @@
 namespace d2b {
 namespace {
 
-/// A band's labels and, where there are such, its clean elevations.
-struct Prepared {
-    LabelBand labels;
-    std::optional<ElevationBand> clean;
-};
-
 /// What the thresholds of each building depend on.
 BuildingStatistics statistics_of(ElevationReader& reader, const FoundBuildings& found, const CleanRows* clean,
                                  BuildingStatistics buildings, Context& context) {
     reader.for_each(
         [&](const ElevationBand& band, Tally& tally) {
             const StageClock clock(tally, Stage::levels);
-            Prepared prepared{found.band(band.shape), {}};
-            if (clean != nullptr)
-                prepared.clean = clean->clean(band);
-            return prepared;
+            const LabelBand labels = found.band(band.shape);
+            return clean != nullptr ? even_cells(clean->clean(band), labels) : even_cells(band, labels);
         },
-        [&](const ElevationBand& band, const Prepared& prepared) {
+        [&](const ElevationBand&, const std::vector<EvenCells>& cells) {
             const StageClock clock(context.report, Stage::levels);
-            buildings.add(prepared.clean ? *prepared.clean : band, prepared.labels);
+            buildings.add(cells);
         });
     return buildings;
 }

@@ -49,13 +49,13 @@ Surface read_surface(const char* path) {
 }
 
 /// The objects as a run with the defaults finds them, see detect_buildings().
-JudgedObjects objects_of(const Scene& scene, const Options& options, SurfaceQuality quality,
-                         Executor& threads) {
+JudgedObjects objects_of(const Scene& scene, SceneCells& cells, const Options& options,
+                         SurfaceQuality quality, Executor& threads) {
     constexpr double smallest_m2 = 30;
-    JudgedObjects first = judged_objects(scene, options.detect, smallest_m2, quality, threads);
+    const JudgedObjects first = judged_objects(scene, cells, smallest_m2, quality, threads);
     quality.strictness =
         roof_strictness(scene, options.detect, smallest_m2, quality, first, threads).value_or(1);
-    return judged_objects(scene, options.detect, smallest_m2, quality, threads);
+    return judged_objects(scene, cells, smallest_m2, quality, threads);
 }
 
 /// Cells of an object.
@@ -88,8 +88,9 @@ void print_evidence(const char* surface_path, const char* truth_path) {
         if ((terrain.flags.values[i] & low_outlier) != 0)
             surface.z.values[i] = std::numeric_limits<float>::quiet_NaN();
     const Scene scene{surface.z, terrain.elevation, surface.cell};
-    const SurfaceQuality quality = surface_quality(scene, options.detect, *context.threads);
-    const JudgedObjects judged = objects_of(scene, options, quality, *context.threads);
+    SceneCells known = scene_cells(scene, options.detect, *context.threads);
+    const SurfaceQuality quality = surface_quality(scene, known, *context.threads);
+    const JudgedObjects judged = objects_of(scene, known, options, quality, *context.threads);
     const std::vector<Agreement> agreement = compare(judged, truth.z);
     std::cout << "right,known,cells,cell_m,smooth,step_m,tilt,segment,walled,fall,"
                  "beside_m,right_angles,area_m2,gentle,filled,confidence\n";

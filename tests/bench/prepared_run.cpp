@@ -101,7 +101,7 @@ void PreparedRun::make_levels() {
         BuildingStatistics buildings(found.count(), statistics.fixed_point(),
                                      decided.levels == LevelSource::natural ? metres : 0);
         for (const Rows& band : bands)
-            buildings.add(*band.elevations, band.labels);
+            buildings.add(even_cells(*band.elevations, band.labels));
         plan =
             plan_building_levels(buildings, found.ground, plan, decided.asked.levels, decided.levels, metres);
     }

@@ -29,7 +29,9 @@ Town town_with(float rough, std::int32_t houses) {
 }
 
 std::optional<double> strictness_of(const Town& town) {
-    const JudgedObjects first = judged_objects(town.scene(), {}, smallest_building_m2, {}, test::threads());
+    SceneCells cells = scene_cells(town.scene(), {}, test::threads());
+    const JudgedObjects first =
+        judged_objects(town.scene(), cells, smallest_building_m2, {}, test::threads());
     return roof_strictness(town.scene(), {}, smallest_building_m2, {}, first, test::threads());
 }
 
@@ -73,8 +75,9 @@ TEST(RoofStrictness, IsFoundFromTheSceneItself) {
     EXPECT_EQ(test::detect(rough).buildings, 9U);
     SurfaceQuality other;
     other.strictness = 0.1;
+    SceneCells cells = scene_cells(rough.scene(), {}, test::threads());
     const JudgedObjects judged =
-        judged_objects(rough.scene(), {}, smallest_building_m2, other, test::threads());
+        judged_objects(rough.scene(), cells, smallest_building_m2, other, test::threads());
     EXPECT_TRUE(std::ranges::none_of(judged.objects, [](const DetectedObject& object) {
         return object.confidence >= DetectOptions{}.min_confidence;
     }));

@@ -19,7 +19,7 @@ BuildingStatistics statistics_of(const std::vector<double>& values, const std::v
                                  Label highest, double largest = 100, double metres = 0) {
     const BandShape shape{0, 1, static_cast<std::int32_t>(values.size())};
     BuildingStatistics statistics(highest, FixedPoint(largest), metres);
-    statistics.add({shape, values}, {shape, labels});
+    statistics.add(even_cells({shape, values}, {shape, labels}));
     return statistics;
 }
 
@@ -65,8 +65,8 @@ TEST(BuildingStatistics, DoNotDependOnTheBands) {
     for (const std::int32_t row : {2, 0, 1}) {
         const BandShape shape{row, 1, 2};
         const auto at = static_cast<std::ptrdiff_t>(2 * row);
-        parts.add({shape, {values.begin() + at, values.begin() + at + 2}},
-                  {shape, {labels.begin() + at, labels.begin() + at + 2}});
+        parts.add(even_cells({shape, {values.begin() + at, values.begin() + at + 2}},
+                             {shape, {labels.begin() + at, labels.begin() + at + 2}}));
     }
     for (const Label label : {Label{1}, Label{2}}) {
         EXPECT_EQ(parts.of(label).sum, whole.of(label).sum);
