@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "surface/partition.hpp"
+#include "surface/snap_rounded.hpp"
 
 namespace d2b {
 namespace {
@@ -105,6 +106,8 @@ void ClusterDrawer::place() {
             is_lost[static_cast<std::size_t>(contour.building)] = true;
     if (std::ranges::find(is_lost, true) != is_lost.end())
         drop(is_lost);
+    if (!input_.lattice.is_exact())
+        snap_rounded(drawn_.cluster.contours);
 }
 
 /// @param is_lost by building
