@@ -11,22 +11,12 @@
 namespace d2b {
 namespace {
 
-constexpr std::size_t bins = 1000;
+constexpr std::size_t bins = 1000;  // of HeightDifferences
 constexpr float bin_m = 0.005F;
 constexpr std::int64_t fewest = 300;
 // A filled cell is equal to one neighbour, where two were filled from one to more; of two pairs a cell.
 // Measured on simulated scans of 0.25 to 2 pulses a square metre, where it is known which cells were filled.
 constexpr double cells_a_pair = 1.6;
-
-/// The first bin counts what is equal.
-using Differences = BinCounts<bins>;
-
-void add(float difference, Differences& differences) {
-    if (!std::isnan(difference))
-        differences.add(difference < bin_m * (bins - 1)
-                            ? static_cast<std::size_t>(std::lround(difference / bin_m))
-                            : bins);
-}
 
 struct RoughCells {
     const MetreGrid& surface;
@@ -37,7 +27,7 @@ struct RoughCells {
         return elevated.values[i] != 0 && (flags.values[i] & smooth_enough) == 0;
     }
     /// A row's pairs with the next cell, and with the cell below.
-    void add_row(std::int32_t r, Differences& differences) const {
+    void add_row(std::int32_t r, HeightDifferences& differences) const {
         const auto cols = static_cast<std::size_t>(surface.cols);
         const std::size_t first = surface.index(r, 0);
         const bool has_below = r + 1 < surface.rows;
@@ -45,30 +35,41 @@ struct RoughCells {
             if (!holds(i))
                 continue;
             if (i + 1 < first + cols && holds(i + 1))
-                add(std::abs(surface.values[i] - surface.values[i + 1]), differences);
+                add_difference(std::abs(surface.values[i] - surface.values[i + 1]), differences);
             if (has_below && holds(i + cols))
-                add(std::abs(surface.values[i] - surface.values[i + cols]), differences);
+                add_difference(std::abs(surface.values[i] - surface.values[i + cols]), differences);
         }
     }
 };
 
 }  // namespace
 
+void add_difference(float difference, HeightDifferences& differences) {
+    if (!std::isnan(difference))
+        differences.add(difference < bin_m * (bins - 1)
+                            ? static_cast<std::size_t>(std::lround(difference / bin_m))
+                            : bins);
+}
+
+double filled_share(const HeightDifferences& differences) {
+    // Up and down count as one, so that a difference is found twice as often as none.
+    const std::int64_t by_chance =
+        *std::max_element(differences.counts.begin() + 1, differences.counts.end() - 1) / 2;
+    const std::int64_t equal = differences.counts[0];
+    if (differences.all < fewest || equal < 2 * by_chance)
+        return 0;
+    return std::min(
+        1.0, cells_a_pair * static_cast<double>(equal - by_chance) / static_cast<double>(differences.all));
+}
+
 double filled_share(const MetreGrid& surface, const Mask& elevated, const Grid<std::uint8_t>& flags,
                     Executor& threads) {
     const RoughCells rough{surface, elevated, flags};
-    const auto add_band = [&](RowBand band, Differences& some) {
+    const auto add_band = [&](RowBand band, HeightDifferences& some) {
         for (std::int32_t r = band.begin; r < band.end; ++r)
             rough.add_row(r, some);
     };
-    const Differences sum = sum_of_row_bands(threads, surface.rows, surface.cols, Differences(), add_band);
-    // Up and down count as one, so that a difference is found twice as often as none.
-    const std::int64_t by_chance = *std::max_element(sum.counts.begin() + 1, sum.counts.end() - 1) / 2;
-    const std::int64_t equal = sum.counts[0];
-    if (sum.all < fewest || equal < 2 * by_chance)
-        return 0;
-    return std::min(1.0,
-                    cells_a_pair * static_cast<double>(equal - by_chance) / static_cast<double>(sum.all));
+    return filled_share(sum_of_row_bands(threads, surface.rows, surface.cols, HeightDifferences(), add_band));
 }
 
 }  // namespace d2b

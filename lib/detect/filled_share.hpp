@@ -2,9 +2,15 @@
 
 #include <cstdint>
 
+#include "detect/bin_counts.hpp"
 #include "detect/scene.hpp"
 
 namespace d2b {
+
+/// How many pairs of neighbours differ by how much, in bins of 5 mm; the first counts what is equal.
+using HeightDifferences = BinCounts<1000>;
+/// @param difference metres, not negative; NaN does not count
+void add_difference(float difference, HeightDifferences& differences);
 
 /// The share of the cells that no pulse met and that were given the height of a neighbour, as surveys do:
 /// what tells how thin the points are. It is seen where the surface is rough, on crowns and clutter: there
@@ -15,5 +21,7 @@ namespace d2b {
 /// @param flags of smoothness()
 [[nodiscard]] double filled_share(const MetreGrid& surface, const Mask& elevated,
                                   const Grid<std::uint8_t>& flags, Executor& threads);
+/// The same from the differences of such pairs.
+[[nodiscard]] double filled_share(const HeightDifferences& differences);
 
 }  // namespace d2b

@@ -24,6 +24,7 @@ struct Search {
     bool has_crs = true;
     GroundSlope slope = {};
     std::optional<ParcelReport> parcels = {};
+    std::optional<SamplingReport> sampling = {};
 };
 
 /// What is most probably the reason why no building was found, and what may help. Without a full stop.

@@ -1,10 +1,12 @@
 #include "diagnose/search_warnings.hpp"
 
+#include <cmath>
 #include <string>
 
 #include "diagnose/ground_doubt.hpp"
 #include "diagnose/parcel_fit.hpp"
 #include "diagnose/place_doubt.hpp"
+#include "diagnose/sampling_doubt.hpp"
 #include "diagnose/warn_of.hpp"
 
 namespace d2b {
@@ -14,6 +16,11 @@ void warn_of_search(const Search& search, bool found_any, Context& context) {
     if (report.valid_points == 0)
         return;
     warn_of(ndvi_doubt(search.sides, search.plan.asked), context);
+    if (search.sampling) {
+        const double side = std::sqrt(search.cell.area());
+        warn_of(thin_doubt(*search.sampling, side), context);
+        warn_of(blur_doubt(*search.sampling, side), context);
+    }
     if (!found_any) {
         if (report.minimum != report.maximum)
             context.warn("No building was found: " + why_nothing_was_found(search) + ".");

@@ -32,6 +32,7 @@ class UnitSum {
         found_.slope.merge(here.slope);
         found_.sides.merge(here.sides);
         found_.parcels.merge(here.parcels);
+        found_.sampling.merge(here.sampling);
         const Label more = merger_.add(here.objects);
         UnitEdges edges = edges_of(unit, here.labels);
         edges.add(more);

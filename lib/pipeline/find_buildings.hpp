@@ -23,6 +23,7 @@ struct FoundBuildings {
     GroundSlope slope;                  ///< of the ground, in some of its rows
     SidesKnown sides;
     ParcelFit parcels;
+    SurfaceSampling sampling;
 
     [[nodiscard]] Label count() const { return static_cast<Label>(footprints.size() - 1); }
     /// The labels of a band of the window. From any thread.

@@ -108,7 +108,7 @@ FoundInUnit find_in_unit(const UnitSearch& search, const Unit& unit) {
     Context& context = search.context;
     Executor& threads = threads_of(search);
     const Window own = own_in_seen(unit);
-    FoundInUnit found{{}, {}, GroundFit(options.detect.min_height), {}, {false, false, false}, {}};
+    FoundInUnit found{{}, {}, GroundFit(options.detect.min_height), {}, {false, false, false}, {}, {}};
     MetreGrid surface = surface_of(search, unit.seen);
     MetreGrid terrain = terrain_of(search, unit.seen, surface);
     add_fit(surface, terrain, own, found.fit, threads);
@@ -140,6 +140,7 @@ FoundInUnit find_in_unit(const UnitSearch& search, const Unit& unit) {
     }();
     if (scene.parcels != nullptr)
         add_fit(scene, detection, own, found.parcels, threads);
+    add_sampling(scene, detection, options.detect.min_height, own, found.sampling, threads);
     count_left_out(detection.left_out, own, context.report);
     write_scene_rasters(search.sinks, scene, detection, options.detect.min_height, unit);
     const StageClock clock(context.report, Stage::attributes);

@@ -11,6 +11,7 @@
 #include "diagnose/ground_slope.hpp"
 #include "diagnose/parcel_fit.hpp"
 #include "diagnose/side_doubt.hpp"
+#include "diagnose/surface_sampling.hpp"
 #include "elevations/elevation_reader.hpp"
 #include "options/run_plan.hpp"
 
@@ -41,6 +42,7 @@ struct FoundInUnit {
     GroundSlope slope;
     SidesKnown sides;
     ParcelFit parcels;
+    SurfaceSampling sampling;
 };
 
 /// Estimates or reads the terrain, detects buildings above it, and writes the rasters that are asked for. The

@@ -51,8 +51,11 @@ void warn_of_result(const RunSetup& setup, const LevelPlan& plan, std::size_t bu
     if (facts != nullptr && setup.plan.asked.detect.is_split_by())
         context.report.parcels = parcel_report(facts->parcels, setup.cell);
     if (facts != nullptr)
+        context.report.sampling = sampling_report(facts->sampling);
+    if (facts != nullptr)
         warn_of_search({setup.dem, setup.plan, context.report, facts->fit, facts->sides, setup.cell,
-                        setup.crs.kind() != Crs::Kind::none, facts->slope, context.report.parcels},
+                        setup.crs.kind() != Crs::Kind::none, facts->slope, context.report.parcels,
+                        context.report.sampling},
                        buildings > 0, context);
 }
 

@@ -8,6 +8,7 @@
 #include "diagnose/ground_slope.hpp"
 #include "diagnose/parcel_fit.hpp"
 #include "diagnose/side_doubt.hpp"
+#include "diagnose/surface_sampling.hpp"
 #include "levels/level_plan.hpp"
 #include "pipeline/run_setup.hpp"
 #include "trace/contour_list.hpp"
@@ -29,6 +30,7 @@ struct SearchFacts {
     GroundSlope slope;
     SidesKnown sides;
     ParcelFit parcels;
+    SurfaceSampling sampling;
 };
 /// Warns where nothing was found, and of what makes doubtful what was. @param facts null where nothing was
 /// searched

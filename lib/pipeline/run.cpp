@@ -184,7 +184,7 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
     const Label last_building = found ? found->buildings : std::numeric_limits<Label>::max();
     std::optional<SearchFacts> facts;
     if (found)
-        facts = SearchFacts{found->fit, found->slope, found->sides, found->parcels};
+        facts = SearchFacts{found->fit, found->slope, found->sides, found->parcels, found->sampling};
     warn_of_result(setup, plan, buildings_up_to(last_building, *contours), facts ? &*facts : nullptr,
                    context);
     Outliner outliner = draw_outlines(*contours, setup, context);

@@ -124,6 +124,7 @@ void FoundFacts::merge(const FoundFacts& other) {
     sides.merge(other.sides);
     terrain_outside += other.terrain_outside;
     parcels.merge(other.parcels);
+    sampling.merge(other.sampling);
     tally.merge(other.tally);
     for (const std::string& text : other.warnings)
         if (std::ranges::find(warnings, text) == warnings.end())
@@ -138,6 +139,7 @@ void FoundFacts::save(ByteWriter& writer) const {
     writer.put(sides);
     writer.put(terrain_outside);
     writer.put(parcels);
+    writer.put(sampling);
     writer.put(tally);
     writer.put(static_cast<std::uint64_t>(warnings.size()));
     for (const std::string& text : warnings)
@@ -153,6 +155,7 @@ void FoundFacts::load(ByteReader& reader) {
     sides = reader.take<SidesKnown>();
     terrain_outside = reader.take<std::int64_t>();
     parcels = reader.take<ParcelFit>();
+    sampling = reader.take<SurfaceSampling>();
     tally = reader.take<Tally>();
     warnings.resize(reader.take_count(sizeof(std::uint64_t)));
     for (std::string& text : warnings)

@@ -13,6 +13,7 @@
 #include "diagnose/ground_slope.hpp"
 #include "diagnose/parcel_fit.hpp"
 #include "diagnose/side_doubt.hpp"
+#include "diagnose/surface_sampling.hpp"
 #include "elevations/elevation_reader.hpp"
 
 namespace d2b {
@@ -53,6 +54,7 @@ struct FoundFacts {
     std::int64_t terrain_outside = 0;  ///< cells of a terrain model outside of its range; of several tiles
                                        ///< some count more than once
     ParcelFit parcels;
+    SurfaceSampling sampling;
     Tally tally;
     std::vector<std::string> warnings;
 };

@@ -1,5 +1,9 @@
 // Scenes whose truth is exact, found with the defaults: bounds that a worse default would not meet. run.py
 // measures on many more.
+#include <optional>
+#include <string>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "dem2buildings/run.hpp"
@@ -14,13 +18,19 @@ ScoreSide side_of(const std::vector<PolygonFeature>& features) {
     return score_side(features, overlay);
 }
 
-Score scored(const std::string& name) {
+/// A scene as it was found, and what the run says of it.
+struct Scored : Score {
+    SamplingReport sampling;
+    std::vector<std::string> warnings;
+};
+
+Scored scored(const std::string& name) {
     const sample::SceneChoice choice = sample::choose_scene(name);
     const sample::Scene scene = choice.place.make(1);
     const sample::Seen seen = sample::see(scene, sample::grid_over(choice), choice.survey);
     SeenScene source(seen);
     MemorySink sink;
-    run({}, {source}, {sink});
+    const RunReport report = run({}, {source}, {sink});
 
     std::vector<PolygonFeature> found;
     for (const Feature& feature : sink.features[0])
@@ -38,22 +48,38 @@ Score scored(const std::string& name) {
             place(hole);
         truth.push_back({{polygon}, {}, false});
     }
-    return score(side_of(found), side_of(truth), {});
+    return {score(side_of(found), side_of(truth), {}), report.sampling.value(), report.warnings};
 }
 
 TEST(AccuracyOfScenes, RowsOfHousesAreFoundWhole) {
-    const Score score = scored("rows_lidar8");
+    const Scored score = scored("rows_lidar8");
     EXPECT_GT(score.iou, 0.94);
     EXPECT_EQ(score.object_completeness, 1);
     EXPECT_EQ(score.object_correctness, 1);
     EXPECT_LT(score.outline_rms_m.value(), 0.3);
+    EXPECT_LT(score.sampling.step_width_cells.value(), 1);
+    EXPECT_EQ(score.warnings.size(), 0U);
 }
 
 TEST(AccuracyOfScenes, FarmsAmongThinPointsAreFoundByHalf) {
-    const Score score = scored("hamlet_thinned");
+    const Scored score = scored("hamlet_thinned");
     EXPECT_GT(score.iou, 0.5);
     EXPECT_GE(score.object_completeness, 0.5);
     EXPECT_GE(score.object_correctness, 0.9);
+    const double points = 0.3 * 2.5 * 2.5;  // a cell
+    EXPECT_NEAR(score.sampling.points_per_cell.value(), points, 0.25 * points);
+    EXPECT_LT(score.sampling.step_width_cells.value(), 1);
+    ASSERT_EQ(score.warnings.size(), 1U);
+    EXPECT_TRUE(score.warnings[0].starts_with("Points are thin: about ")) << score.warnings[0];
+}
+
+TEST(AccuracyOfScenes, ABlurIsSeenForWhatItIs) {
+    const Scored score = scored("rows_satellite");
+    const double width = 2.563 * 2;  // of a normal distribution of 2 m, between a tenth and nine tenths
+    EXPECT_NEAR(score.sampling.step_width_cells.value(), width, 0.15 * width);
+    EXPECT_EQ(score.sampling.points_per_cell, std::nullopt);
+    ASSERT_EQ(score.warnings.size(), 1U);
+    EXPECT_TRUE(score.warnings[0].starts_with("Walls are smeared: they fall over ")) << score.warnings[0];
 }
 
 }  // namespace

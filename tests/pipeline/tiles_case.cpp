@@ -63,6 +63,12 @@ void expect_same(const RunReport& a, const RunReport& b) {
     EXPECT_EQ(a.stack_rmse_m, b.stack_rmse_m);
     expect_same(a.building_outlines, b.building_outlines);
     expect_same(a.contour_outlines, b.contour_outlines);
+    ASSERT_EQ(a.sampling.has_value(), b.sampling.has_value());
+    if (a.sampling) {
+        EXPECT_EQ(a.sampling->filled_share, b.sampling->filled_share);
+        EXPECT_EQ(a.sampling->points_per_cell, b.sampling->points_per_cell);
+        EXPECT_EQ(a.sampling->step_width_cells, b.sampling->step_width_cells);
+    }
     ASSERT_EQ(a.levels.size(), b.levels.size());
     for (std::size_t i = 0; i < a.levels.size(); ++i) {
         EXPECT_TRUE(same(a.levels[i].threshold, b.levels[i].threshold));

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -95,6 +96,16 @@ Json parcels_of(const ParcelReport& parcels) {
             {"invalid_m2", parcels.invalid_m2}};
 }
 
+Json number_of(const std::optional<double>& number) {
+    return number ? Json(*number) : Json();
+}
+
+Json sampling_of(const SamplingReport& sampling) {
+    return {{"filled_share", sampling.filled_share},
+            {"points_per_cell", number_of(sampling.points_per_cell)},
+            {"step_width_cells", number_of(sampling.step_width_cells)}};
+}
+
 Json dropped_of(const RunReport& report) {
     Json dropped = Json::object();
     for (std::size_t reason = 0; reason < reason_names.size(); ++reason)
@@ -122,6 +133,8 @@ std::string json_report(const RunReport& report) {
         json["cuts"] = cuts_of(report.cuts);
     if (report.parcels)
         json["parcels"] = parcels_of(*report.parcels);
+    if (report.sampling)
+        json["sampling"] = sampling_of(*report.sampling);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -35,7 +35,7 @@ struct Extraction {
 };
 
 Callbacks callbacks_of(const PythonEars& ears) {
-    return {ears.warn, ears.progress, ears.stop, [] { return std::make_unique<FileSpool>(); }};
+    return {ears.warn, ears.progress, ears.stop, [] { return std::make_unique<FileSpool>(); }, {}};
 }
 
 Extraction extract(const Options& options, const Opener& open, const PythonEars& ears) {

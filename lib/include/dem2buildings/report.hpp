@@ -140,6 +140,15 @@ struct ParcelReport {
     double invalid_m2 = 0;                   ///< of this, in parcels that are not valid
 };
 
+/// How finely the raster shows what stands on the ground, as estimated from itself.
+struct SamplingReport {
+    double filled_share = 0;  ///< of the cells, those that no point fell into and that have a neighbour's
+                              ///< height
+    std::optional<double> points_per_cell;   ///< nothing where they are too many to be told
+    std::optional<double> step_width_cells;  ///< over which a wall falls from nine tenths of its height to
+                                             ///< one; nothing where there are too few walls
+};
+
 /// What stages count. Threads that work at the same time have one each.
 struct Tally {
     std::array<std::int64_t, reason_names.size()> dropped{};
@@ -189,10 +198,11 @@ struct RunReport : Tally {
                                 ///< closing ones not counted
     OutlineLength building_outlines;  ///< of the layers as written; nothing where one is not
     OutlineLength contour_outlines;
-    std::optional<SurfaceReport> surface;  ///< where one was asked for
-    std::vector<CutStack> cuts;            ///< from level 1 up, where a sink gets the tiers of stacks
-    std::optional<ParcelReport> parcels;   ///< where buildings were cut by some
-    int threads = 1;                       ///< that worked on it
+    std::optional<SurfaceReport> surface;    ///< where one was asked for
+    std::vector<CutStack> cuts;              ///< from level 1 up, where a sink gets the tiers of stacks
+    std::optional<ParcelReport> parcels;     ///< where buildings were cut by some
+    std::optional<SamplingReport> sampling;  ///< where buildings were searched for
+    int threads = 1;                         ///< that worked on it
     std::vector<std::string> warnings;
 };
 

@@ -43,6 +43,7 @@ void find_units(TileRun& run, std::int64_t tile, PartSource& part, ElevationRead
         facts.slope.merge(here.slope);
         facts.sides.merge(here.sides);
         facts.parcels.merge(here.parcels);
+        facts.sampling.merge(here.sampling);
         found.units.push_back(found_unit(placed.unit, std::move(here)));
     }
     finish_tile_rasters(rasters);

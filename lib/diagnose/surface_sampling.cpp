@@ -1,0 +1,180 @@
+#include "diagnose/surface_sampling.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "core/row_bands.hpp"
+#include "detect/smoothness.hpp"
+
+namespace d2b {
+namespace {
+
+constexpr std::int32_t reach = SurfaceSampling::reach;
+constexpr std::int64_t fewest_steps = 100;
+/// Fewer cells without a point than these cannot be told from none.
+constexpr double least_filled = 0.01;
+/// Between a tenth and nine tenths of a normal distribution, in standard deviations.
+constexpr double tenths = 2.5631;
+
+/// Looks at the own cells of a unit, row by row.
+class SamplingOfRows {
+  public:
+    SamplingOfRows(const Scene& scene, const Detection& detection, double min_height, const Window& own,
+                   SurfaceSampling& sampling)
+        : scene_(scene),
+          detection_(detection),
+          min_height_(static_cast<float>(min_height)),
+          own_(own),
+          limit_(smooth_limits(scene.side(), {}).enough),
+          sampling_(sampling) {}
+
+    void add(RowBand band);
+
+  private:
+    /// Whether a cell is elevated and bends both ways.
+    [[nodiscard]] bool is_rough(std::int32_t r, std::int32_t c) const;
+    /// Of the own columns of a row and one more, where there is one.
+    void find_rough(std::int32_t r, std::vector<std::uint8_t>& rough) const;
+    void add_pairs(std::int32_t r, const std::vector<std::uint8_t>& here,
+                   const std::vector<std::uint8_t>& below);
+    void add_step(std::int32_t r, std::int32_t c, std::int32_t down, std::int32_t right);
+
+    const Scene& scene_;
+    const Detection& detection_;
+    float min_height_;
+    const Window& own_;
+    float limit_;
+    SurfaceSampling& sampling_;
+};
+
+bool SamplingOfRows::is_rough(std::int32_t r, std::int32_t c) const {
+    const MetreGrid& z = scene_.surface;
+    if (!(scene_.height(z.index(r, c)) > min_height_))
+        return false;
+    const float twice = 2 * z.at(r, c);
+    const float along_row =
+        std::abs(z.at(r, std::max(c - 1, 0)) + z.at(r, std::min(c + 1, z.cols - 1)) - twice);
+    const float along_column =
+        std::abs(z.at(std::max(r - 1, 0), c) + z.at(std::min(r + 1, z.rows - 1), c) - twice);
+    return !(along_row < limit_) && !(along_column < limit_);
+}
+
+void SamplingOfRows::find_rough(std::int32_t r, std::vector<std::uint8_t>& rough) const {
+    const std::int32_t end = std::min(own_.end_col() + 1, scene_.surface.cols);
+    rough.assign(static_cast<std::size_t>(own_.cols) + 1, 0);
+    if (r < scene_.surface.rows)
+        for (std::int32_t c = own_.col; c < end; ++c)
+            rough[static_cast<std::size_t>(c - own_.col)] = is_rough(r, c) ? 1 : 0;
+}
+
+/// With the next cell, and with the cell below.
+void SamplingOfRows::add_pairs(std::int32_t r, const std::vector<std::uint8_t>& here,
+                               const std::vector<std::uint8_t>& below) {
+    const MetreGrid& z = scene_.surface;
+    for (std::size_t i = 0; i + 1 < here.size(); ++i) {
+        if (here[i] == 0)
+            continue;
+        const std::int32_t c = own_.col + static_cast<std::int32_t>(i);
+        if (here[i + 1] != 0)
+            add_difference(std::abs(z.at(r, c) - z.at(r, c + 1)), sampling_.rough);
+        if (below[i] != 0)
+            add_difference(std::abs(z.at(r, c) - z.at(r + 1, c)), sampling_.rough);
+    }
+}
+
+/// @param r, c a cell of a building @param down, right to the neighbour outside
+void SamplingOfRows::add_step(std::int32_t r, std::int32_t c, std::int32_t down, std::int32_t right) {
+    const Grid<Label>& labels = detection_.labels;
+    if (!labels.holds(r - (reach - 1) * down, c - (reach - 1) * right) ||
+        !labels.holds(r + reach * down, c + reach * right))
+        return;
+    if (labels.at(r + down, c + right) != 0)  // as inside of buildings
+        return;
+    float largest = 0;
+    float fall = 0;
+    for (std::int32_t i = 1 - reach; i <= reach; ++i) {
+        const Label label = labels.at(r + i * down, c + i * right);
+        if (i <= 0 ? !detection_.is_building(label) : label != 0)
+            return;
+        if (i == reach)
+            break;
+        const float next = scene_.surface.at(r + i * down, c + i * right) -
+                           scene_.surface.at(r + (i + 1) * down, c + (i + 1) * right);
+        largest = std::max(largest, next);
+        fall += next;
+    }
+    if (!(fall > min_height_))  // also where something is not known
+        return;
+    ++sampling_.steps;
+    sampling_.falls += std::llround(1000 * static_cast<double>(fall));
+    sampling_.steepest += std::llround(1000 * static_cast<double>(largest));
+}
+
+void SamplingOfRows::add(RowBand band) {
+    std::vector<std::uint8_t> here;
+    std::vector<std::uint8_t> below;
+    find_rough(band.begin, here);
+    for (std::int32_t r = band.begin; r < band.end; ++r) {
+        find_rough(r + 1, below);
+        add_pairs(r, here, below);
+        std::swap(here, below);
+        for (std::int32_t c = own_.col; c < own_.end_col(); ++c)
+            if (detection_.is_building(detection_.labels.at(r, c)))
+                for (const auto& [down, right] : {std::pair{0, 1}, {0, -1}, {1, 0}, {-1, 0}})
+                    add_step(r, c, down, right);
+    }
+}
+
+double normal(double x) {
+    return std::erfc(-x / std::numbers::sqrt2) / 2;
+}
+
+/// The standard deviation of the blur, in cells, that makes of a wall a fall so many times the largest.
+double blur_of(double ratio) {
+    constexpr double half = SurfaceSampling::reach - 0.5;  // cells, from the wall to both ends
+    const auto ratio_at = [](double blur) {
+        return (2 * normal(half / blur) - 1) / (2 * normal(0.5 / blur) - 1);
+    };
+    double less = 0.01;
+    double more = 100;
+    for (int halving = 0; halving < 40; ++halving) {
+        const double middle = std::sqrt(less * more);
+        (ratio_at(middle) < ratio ? less : more) = middle;
+    }
+    return less;
+}
+
+}  // namespace
+
+void SurfaceSampling::merge(const SurfaceSampling& other) {
+    rough.merge(other.rough);
+    steps += other.steps;
+    falls += other.falls;
+    steepest += other.steepest;
+}
+
+void add_sampling(const Scene& scene, const Detection& detection, double min_height, const Window& own,
+                  SurfaceSampling& sampling, Executor& threads) {
+    sampling.merge(sum_of_row_bands(threads, own.rows, own.cols, SurfaceSampling(),
+                                    [&](RowBand band, SurfaceSampling& sum) {
+                                        SamplingOfRows(scene, detection, min_height, own, sum)
+                                            .add({own.row + band.begin, own.row + band.end});
+                                    }));
+}
+
+SamplingReport sampling_report(const SurfaceSampling& sampling) {
+    SamplingReport report;
+    report.filled_share = filled_share(sampling.rough);
+    if (report.filled_share >= least_filled)
+        report.points_per_cell = -std::log(report.filled_share);
+    if (sampling.steps >= fewest_steps)
+        report.step_width_cells =
+            tenths * blur_of(static_cast<double>(sampling.falls) / static_cast<double>(sampling.steepest));
+    return report;
+}
+
+}  // namespace d2b
