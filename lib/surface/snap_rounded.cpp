@@ -47,6 +47,7 @@ class Corners {
     }
     [[nodiscard]] std::vector<Box> boxes() const {
         std::vector<Box> boxes;
+        boxes.reserve(points_.size());
         for (const FinePoint& point : points_)
             boxes.push_back(box_of(point, 0));
         return boxes;
@@ -81,6 +82,7 @@ std::vector<FinePoint> Corners::beside(FinePoint from, FinePoint to) const {
     });
     std::ranges::sort(found);
     std::vector<FinePoint> points;
+    points.reserve(found.size());
     for (const auto& [way, point] : found)
         points.push_back(point);
     if (to < from)
