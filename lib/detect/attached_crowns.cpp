@@ -38,8 +38,13 @@ Mask roofs_of(const Scene& scene, const SmoothSegments& segments, const Mask& ob
 Regions parts_beside(const Mask& roofs, const Mask& objects, std::int64_t least_cells, Executor& threads) {
     Mask rest = Mask::unset(objects.rows, objects.cols, threads);
     for_row_bands(threads, objects.rows, objects.cols, [&](RowBand band) {
-        for (std::size_t i = rest.index(band.begin, 0); i < rest.index(band.end, 0); ++i)
-            rest.values[i] = objects.values[i] > roofs.values[i] ? 1 : 0;
+        for (std::int32_t r = band.begin; r < band.end; ++r) {
+            const std::span<const std::uint8_t> object = objects.row(r);
+            const std::span<const std::uint8_t> roof = roofs.row(r);
+            const std::span<std::uint8_t> out = rest.row(r);
+            for (std::size_t c = 0; c < out.size(); ++c)
+                out[c] = object[c] > roof[c] ? 1 : 0;
+        }
     });
     return connected_regions(rest, 1, least_cells, threads);
 }

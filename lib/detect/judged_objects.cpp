@@ -1,6 +1,7 @@
 #include "detect/judged_objects.hpp"
 
 #include <cstdint>
+#include <span>
 #include <utility>
 
 #include "core/row_bands.hpp"
@@ -39,21 +40,41 @@ Mask leave_plants_out(const Scene& scene, const SceneCells& cells, Executor& thr
     return elevated;
 }
 
+/// Rows with cells that are taller than trees.
+std::vector<std::uint8_t> tall_rows(const Scene& scene, Executor& threads) {
+    std::vector<std::uint8_t> tall(static_cast<std::size_t>(scene.surface.rows));
+    for_row_bands(threads, scene.surface.rows, scene.surface.cols, [&](RowBand band) {
+        for (std::int32_t r = band.begin; r < band.end; ++r) {
+            const std::span<const float> z = scene.surface.row(r);
+            const std::span<const float> ground = scene.terrain.row(r);
+            int any = 0;
+            for (std::size_t c = 0; c < z.size(); ++c)
+                any |= z[c] - ground[c] > taller_than_trees_m ? 1 : 0;
+            tall[static_cast<std::size_t>(r)] = static_cast<std::uint8_t>(any);
+        }
+    });
+    return tall;
+}
+
 /// What is taller than trees is a building's, however rough: belfries and the machines on towers.
-void add_what_is_too_tall_for_trees(const Scene& scene, const Mask& elevated, Mask& seeds,
-                                    Executor& threads) {
-    for_row_bands(threads, seeds.rows, seeds.cols, [&](RowBand band) {
-        for (std::size_t i = seeds.index(band.begin, 0); i < seeds.index(band.end, 0); ++i)
+void add_what_is_too_tall_for_trees(const Scene& scene, std::span<const std::uint8_t> tall,
+                                    const Mask& elevated, Mask& seeds, Executor& threads) {
+    threads.for_each(tall.size(), [&](std::size_t row) {
+        if (tall[row] == 0)
+            return;
+        const auto r = static_cast<std::int32_t>(row);
+        for (std::size_t i = seeds.index(r, 0); i < seeds.index(r + 1, 0); ++i)
             if (elevated.values[i] != 0 && scene.height(i) > taller_than_trees_m)
                 seeds.values[i] = 1;
     });
 }
 
 /// @param small gets the first cells of what is too small
-DetectedObjects find_objects(const Scene& scene, const Mask& elevated, const SmoothSegments& segments,
-                             std::int64_t least_cells, std::vector<FirstCell>& small, Executor& threads) {
+DetectedObjects find_objects(const Scene& scene, const SceneCells& known, const Mask& elevated,
+                             const SmoothSegments& segments, std::int64_t least_cells,
+                             std::vector<FirstCell>& small, Executor& threads) {
     Mask seeds = mask_of(segments.regions, threads);
-    add_what_is_too_tall_for_trees(scene, elevated, seeds, threads);
+    add_what_is_too_tall_for_trees(scene, known.tall_rows, elevated, seeds, threads);
     Mask cells = grow_by_majority(std::move(seeds), elevated, scene.cell, threads);
     cells = opened(cells, opening_m, scene.cell, threads);
     cells = grown(std::move(cells), elevated,
@@ -81,7 +102,7 @@ void flag_cells(const Scene& scene, const SurfaceQuality& quality, SceneCells& c
 }  // namespace
 
 SceneCells scene_cells(const Scene& scene, const DetectOptions& options, Executor& threads) {
-    return {elevated_cells(scene, options.min_height, threads), {}, {}};
+    return {elevated_cells(scene, options.min_height, threads), tall_rows(scene, threads), {}, {}};
 }
 
 SurfaceQuality surface_quality(const Scene& scene, SceneCells& cells, Executor& threads) {
@@ -103,7 +124,8 @@ JudgedObjects judged_objects(const Scene& scene, SceneCells& cells, double small
     const SmoothSegments segments = smooth_segments(scene, elevated, flags, threads);
     const std::int64_t least = cells_for(smallest_m2, scene.cell);
     JudgedObjects result;
-    DetectedObjects found = find_objects(scene, elevated, segments, least, result.left_out.small, threads);
+    DetectedObjects found =
+        find_objects(scene, cells, elevated, segments, least, result.left_out.small, threads);
     result.evidence = collect_evidence(scene, found, segments, flags, threads);
     for (const Evidence& evidence : result.evidence) {
         result.objects.push_back(judge(evidence, quality.filled));

@@ -21,8 +21,9 @@ struct JudgedObjects {
 /// What is known of each cell before objects are found. Kept from one look at a scene to the next.
 struct SceneCells {
     Mask elevated;
-    Grid<std::uint8_t> flags;            ///< of smoothness() ...
-    std::optional<SmoothLimits> limits;  ///< ... with these limits; none where they are not there yet
+    std::vector<std::uint8_t> tall_rows;  ///< 1 for rows with cells that are taller than trees
+    Grid<std::uint8_t> flags;             ///< of smoothness() ...
+    std::optional<SmoothLimits> limits;   ///< ... with these limits; none where they are not there yet
 };
 [[nodiscard]] SceneCells scene_cells(const Scene& scene, const DetectOptions& options, Executor& threads);
 

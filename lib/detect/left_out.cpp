@@ -1,5 +1,6 @@
 #include "detect/left_out.hpp"
 
+#include <span>
 #include <utility>
 
 #include "core/row_bands.hpp"
@@ -29,14 +30,21 @@ std::vector<FirstCell> first_cells(const Regions& regions, const Chosen& chosen)
 Mask low_cells(const Scene& scene, float min_height, Executor& threads) {
     Mask low = Mask::unset(scene.surface.rows, scene.surface.cols, threads);
     for_row_bands(threads, low.rows, low.cols, [&](RowBand band) {
-        const std::size_t end = low.index(band.end, 0);
-        for (std::size_t i = low.index(band.begin, 0); i < end; ++i) {
-            const float height = scene.height(i);
-            low.values[i] = height > lowest_roof_m && height <= min_height ? 1 : 0;  // not where it is NaN
+        for (std::int32_t r = band.begin; r < band.end; ++r) {
+            const std::span<const float> z = scene.surface.row(r);
+            const std::span<const float> ground = scene.terrain.row(r);
+            const std::span<std::uint8_t> out = low.row(r);
+            for (std::size_t c = 0; c < out.size(); ++c) {
+                const float height = z[c] - ground[c];
+                const int above = height > lowest_roof_m ? 1 : 0;  // not where it is NaN
+                out[c] = static_cast<std::uint8_t>(above & (height <= min_height ? 1 : 0));
+            }
+            if (scene.allowed == nullptr)
+                continue;
+            const std::span<const std::uint8_t> allowed = scene.allowed->row(r);
+            for (std::size_t c = 0; c < out.size(); ++c)
+                out[c] &= allowed[c];
         }
-        if (scene.allowed != nullptr)
-            for (std::size_t i = low.index(band.begin, 0); i < end; ++i)
-                low.values[i] &= scene.allowed->values[i];
     });
     return low;
 }

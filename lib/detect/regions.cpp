@@ -21,7 +21,7 @@ struct Part {
 using AddRows = std::function<void(RowBand band, RegionBuilder& builder)>;
 
 /// Leaves out cells that hang together with no other. @param below the links of the next row
-void leave_lonely_out(std::vector<std::uint8_t>& links, const std::vector<std::uint8_t>& below) {
+void leave_lonely_out(std::span<std::uint8_t> links, std::span<const std::uint8_t> below) {
     const auto keep = [&](std::size_t c, int right) {
         const int beside = (links[c] & (link_left | link_up)) | (right & link_left) | (below[c] & link_up);
         links[c] = beside != 0 ? links[c] : std::uint8_t{0};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/row_bands.hpp"
 
@@ -18,16 +19,22 @@ std::int64_t cells_for(double area_m2, const CellSize& cell) {
 
 Mask elevated_cells(const Scene& scene, double min_height, Executor& threads) {
     Mask result = Mask::unset(scene.surface.rows, scene.surface.cols, threads);
-    const auto least = static_cast<float>(min_height);
     for_row_bands(threads, result.rows, result.cols, [&](RowBand band) {
-        const std::size_t begin = result.index(band.begin, 0);
-        const std::size_t end = result.index(band.end, 0);
-        for (std::size_t i = begin; i < end; ++i)
-            result.values[i] = scene.height(i) > least ? 1 : 0;  // false where it is NaN
-        if (scene.allowed != nullptr)
-            for (std::size_t i = begin; i < end; ++i)
-                if (scene.allowed->values[i] == 0)
-                    result.values[i] = 0;
+        const auto least = static_cast<float>(min_height);
+        for (std::int32_t r = band.begin; r < band.end; ++r) {
+            // Spans of their own: what a byte is written to might else be any of them, and each cell would be
+            // done alone. So it is wherever bytes of cells are written.
+            const std::span<const float> z = scene.surface.row(r);
+            const std::span<const float> ground = scene.terrain.row(r);
+            const std::span<std::uint8_t> out = result.row(r);
+            for (std::size_t c = 0; c < out.size(); ++c)
+                out[c] = z[c] - ground[c] > least ? 1 : 0;  // 0 where it is NaN
+            if (scene.allowed == nullptr)
+                continue;
+            const std::span<const std::uint8_t> allowed = scene.allowed->row(r);
+            for (std::size_t c = 0; c < out.size(); ++c)
+                out[c] = allowed[c] != 0 ? out[c] : std::uint8_t{0};
+        }
     });
     return result;
 }

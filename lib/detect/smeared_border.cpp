@@ -1,8 +1,12 @@
 #include "detect/smeared_border.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
 
 #include "core/row_bands.hpp"
+#include "detect/mask_runs.hpp"
 
 namespace d2b {
 namespace {
@@ -14,15 +18,19 @@ constexpr double half = 0.5;
 Mask inside_of(const Mask& cells, Executor& threads) {
     Mask inside = Mask::unset(cells.rows, cells.cols, threads);
     for_row_bands(threads, cells.rows, cells.cols, [&](RowBand band) {
-        for (std::int32_t row = band.begin; row < band.end; ++row)
-            for (std::int32_t col = 0; col < cells.cols; ++col) {
-                const bool on_edge = row == 0 || col == 0 || row + 1 == cells.rows || col + 1 == cells.cols;
-                const std::size_t i = cells.index(row, col);
-                const auto cols = static_cast<std::size_t>(cells.cols);
-                inside.values[i] = on_edge ? 0
-                                           : cells.values[i] & cells.values[i - 1] & cells.values[i + 1] &
-                                                 cells.values[i - cols] & cells.values[i + cols];
+        for (std::int32_t row = band.begin; row < band.end; ++row) {
+            const std::span<std::uint8_t> out = inside.row(row);
+            if (row == 0 || row + 1 == cells.rows) {
+                std::fill(out.begin(), out.end(), std::uint8_t{0});
+                continue;
             }
+            const std::span<const std::uint8_t> here = cells.row(row);
+            const std::span<const std::uint8_t> above = cells.row(row - 1);
+            const std::span<const std::uint8_t> below = cells.row(row + 1);
+            for (std::size_t c = 1; c + 1 < out.size(); ++c)
+                out[c] = here[c] & here[c - 1] & here[c + 1] & above[c] & below[c];
+            out.front() = out.back() = 0;
+        }
     });
     return inside;
 }
@@ -47,12 +55,19 @@ bool is_smeared(const Scene& scene, const Mask& inside, std::int32_t row, std::i
 void take_smeared_border_off(const Scene& scene, Mask& cells, Executor& threads) {
     const Mask inside = inside_of(cells, threads);
     for_row_bands(threads, cells.rows, cells.cols, [&](RowBand band) {
-        for (std::int32_t row = band.begin; row < band.end; ++row)
-            for (std::int32_t col = 0; col < cells.cols; ++col) {
-                const std::size_t i = cells.index(row, col);
-                if (cells.values[i] != 0 && inside.values[i] == 0 && is_smeared(scene, inside, row, col))
-                    cells.values[i] = 0;
-            }
+        std::vector<std::uint8_t> border(static_cast<std::size_t>(cells.cols));
+        for (std::int32_t row = band.begin; row < band.end; ++row) {
+            const std::span<std::uint8_t> here = cells.row(row);
+            const std::span<const std::uint8_t> within = inside.row(row);
+            std::uint8_t* const out = border.data();
+            for (std::size_t c = 0; c < here.size(); ++c)
+                out[c] = here[c] ^ within[c];  // what is inside is a cell, too
+            for_mask_runs(border, 1, [&](std::int32_t begin, std::int32_t end) {
+                for (std::int32_t col = begin; col < end; ++col)
+                    if (is_smeared(scene, inside, row, col))
+                        here[static_cast<std::size_t>(col)] = 0;
+            });
+        }
     });
 }
 

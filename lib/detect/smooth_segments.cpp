@@ -96,10 +96,11 @@ void smooth_links(const Mask& mask, const Grid<std::uint8_t>& flags, std::int32_
         const int above = in & cells_up[c] & has_up & joins(up[c], here[c], 1);
         return static_cast<std::uint8_t>(in | (in & left) << 1 | above << 2);
     };
-    if (!links.empty())
-        links[0] = link(0, 0);
-    for (std::size_t c = 1; c < links.size(); ++c)
-        links[c] = link(c, cells[c - 1] & joins(here[c - 1], here[c], 0));
+    const std::span<std::uint8_t> out(links);
+    if (!out.empty())
+        out[0] = link(0, 0);
+    for (std::size_t c = 1; c < out.size(); ++c)
+        out[c] = link(c, cells[c - 1] & joins(here[c - 1], here[c], 0));
 }
 
 }  // namespace

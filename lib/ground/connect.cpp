@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -27,9 +28,13 @@ class Growth {
             steps_.push_back(static_cast<float>(
                 slope * std::hypot(n.down * blocks.cell.down, n.across * blocks.cell.across)));
         for_row_bands(threads, grid_.rows, grid_.cols, [&](RowBand band) {
-            for (std::size_t k = grid_.index(band.begin, 0); k < grid_.index(band.end, 0); ++k) {
-                const float z = grid_.values[k];
-                mask_.values[k] = static_cast<std::uint8_t>((z != no_value) & (z <= limits.values[k]));
+            for (std::int32_t i = band.begin; i < band.end; ++i) {
+                const std::span<const float> z = grid_.row(i);
+                const std::span<const float> limit = limits.row(i);
+                const std::span<std::uint8_t> out = mask_.row(i);
+                for (std::size_t j = 0; j < out.size(); ++j)
+                    out[j] =
+                        static_cast<std::uint8_t>((z[j] != no_value ? 1 : 0) & (z[j] <= limit[j] ? 1 : 0));
             }
         });
     }
