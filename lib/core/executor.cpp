@@ -124,6 +124,13 @@ void Executor::run(const Body& body) {
 }
 
 void Executor::indexed(std::size_t count, const Indexed& work) {
+    if (count <= 1) {  // small rasters: to wake the others takes longer than the work
+        if (count == 1) {
+            stop_.check();
+            work(0, 0);
+        }
+        return;
+    }
     FirstFailure failure;
     std::atomic<std::size_t> next = 0;
     run([&](std::size_t thread, const WorkListener* listener) {

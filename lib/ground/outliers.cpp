@@ -41,10 +41,13 @@ std::vector<Pit> pits_of(const MetreGrid& lowest, const Tile& tile, const Search
     copy_tile(lowest, place, part.surface);
     closed_by_rectangle(part.surface, search.closed, part.workspace, part.closed);
     // Below all around is below what is here: most tiles have no such cell.
-    bool any = false;
-    for (std::size_t k = 0; k < part.surface.size(); ++k)
-        any = any | search.below(part.surface.values[k], part.closed.values[k]);
-    if (!any)
+    int any = 0;
+    const float depth = search.depth;
+    for (std::size_t k = 0; k < part.surface.size(); ++k) {
+        const float closed = part.closed.values[k];
+        any |= (closed != no_value ? 1 : 0) & (part.surface.values[k] < closed - depth ? 1 : 0);
+    }
+    if (any == 0)
         return {};
     MetreGrid& along = part.workspace.first;
     part.around = part.closed;

@@ -54,7 +54,7 @@ void Crs::Impl::read(std::string_view text) {
         horizontal_unit = length_unit(unit);
     if (kind != Kind::other)
         vertical_unit = vertical_unit_of(pj_context, given.get(), base.get());
-    on_ellipsoid = lon_lat_of(horizontal.get()) != nullptr;
+    lon_lat = lon_lat_of(horizontal.get());
 }
 
 Crs::Crs() : impl_(std::make_shared<const Impl>()) {}
@@ -88,7 +88,7 @@ std::optional<LengthUnit> Crs::vertical_unit() const {
     return impl_->vertical_unit;
 }
 bool Crs::on_ellipsoid() const {
-    return impl_->on_ellipsoid;
+    return impl_->lon_lat != nullptr;
 }
 
 void require_plane(const Crs& crs, const std::string& option, const std::string& input) {

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/crs.hpp"
+#include "core/crs/lon_lat.hpp"
 #include "core/crs/proj_objects.hpp"
 
 namespace d2b {
@@ -21,7 +22,7 @@ struct Crs::Impl {
     std::string url;
     std::optional<LengthUnit> horizontal_unit;
     std::optional<LengthUnit> vertical_unit;
-    bool on_ellipsoid = false;
+    std::unique_ptr<const LonLat> lon_lat;  ///< null where it is not on an ellipsoid; to be copied
     double angular_unit = 0;  ///< degrees in one unit of the horizontal axes, 0 where they are lengths
 
     void read(std::string_view text);

@@ -52,8 +52,7 @@ Geodesy::Geodesy(const Crs& crs, StopRequest stop) : impl_(std::make_unique<Impl
     const Crs::Impl& definition = crs.impl();
     if (definition.horizontal_unit)
         impl_->metres = definition.horizontal_unit->metres;
-    std::unique_ptr<LonLat> lon_lat =
-        definition.on_ellipsoid ? lon_lat_of(definition.horizontal.get()) : nullptr;
+    std::unique_ptr<LonLat> lon_lat = definition.lon_lat ? definition.lon_lat->copy() : nullptr;
     if (!lon_lat)
         return;
     const double step = longest_edge(definition, lon_lat->radius);

@@ -31,6 +31,17 @@ bool read_ellipsoid(LonLat& result, const PJ* geographic) {
 
 }  // namespace
 
+std::unique_ptr<LonLat> LonLat::copy() const {
+    auto result = std::make_unique<LonLat>();
+    result->degrees = degrees;
+    result->prime_meridian = prime_meridian;
+    result->radius = radius;
+    result->flattening = flattening;
+    if (operation)
+        result->operation.reset(proj_clone(result->context.get(), operation.get()));
+    return operation && !result->operation ? nullptr : std::move(result);
+}
+
 void LonLat::apply(std::span<Position> positions) const {
     if (operation)
         carry_out(operation.get(), positions);

@@ -19,6 +19,10 @@ struct LonLat {
     double radius = 0;          ///< equatorial, metres
     double flattening = 0;
 
+    /// The same for another thread: PROJ need not look for the operation once more, which takes milliseconds.
+    /// @returns null where PROJ cannot
+    [[nodiscard]] std::unique_ptr<LonLat> copy() const;
+
     /// In place; positions without image become infinite or NaN.
     void apply(std::span<Position> positions) const;
 };
