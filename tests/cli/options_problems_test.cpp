@@ -2,6 +2,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include <nlohmann/json.hpp>
+
 #include "cli/option_effect.hpp"
 #include "cli/read_obj.hpp"
 #include "cli/town_files.hpp"
@@ -22,6 +24,27 @@ RasterSpec touching_blocks() {
     return spec;
 }
 
+/// Twelve blocks of 4 x 4 cells, 20 m high, stand where nothing else is known, below each other, and one
+/// beside them on level ground.
+RasterSpec blocks_without_ground() {
+    constexpr std::size_t rows = 74;
+    constexpr std::size_t cols = 16;
+    RasterSpec spec = town_raster(std::vector<double>(rows * cols, -9999));
+    spec.rows = rows;
+    spec.cols = cols;
+    spec.nodata = -9999;
+    const auto put = [&](std::size_t top, std::size_t left, std::size_t height, std::size_t width, double z) {
+        for (std::size_t row = top; row < top + height; ++row)
+            for (std::size_t col = left; col < left + width; ++col)
+                spec.values[row * cols + col] = z;
+    };
+    put(0, 8, rows, 8, 0);
+    put(2, 10, 4, 4, 20);
+    for (std::size_t i = 0; i < 12; ++i)
+        put(2 + 6 * i, 2, 4, 4, 20);
+    return spec;
+}
+
 const Arguments thesis{"-preset", "thesis", "-trace", "cells",    "-fl",   "0",          "10",
                        "-nf",     "0",      "-q",     "-surface", "s.obj", "-overwrite", "-write_problems"};
 
@@ -35,7 +58,8 @@ Arguments thesis_with(const Arguments& more) {
 
 TEST_F(OptionEffect, write_problems) {
     write(path("touch.tif"), touching_blocks());
-    run_well(thesis_with({"--", "touch.tif", "out.gpkg"}));
+    const std::string report = run_well(thesis_with({"-json", "--", "touch.tif", "out.gpkg"}));
+    EXPECT_EQ(nlohmann::json::parse(report)["dropped"]["surface_corner_cut"], 1);
     EXPECT_EQ(layer_names(path("out.gpkg")), (std::vector<std::string>{"buildings", "contours", "problems"}));
     const Layer problems = layer("out.gpkg", "problems");
     EXPECT_EQ(problems.type, wkbPoint);
@@ -52,6 +76,28 @@ TEST_F(OptionEffect, write_problems) {
     EXPECT_EQ(problem.text("state"), "changed");
     run_well(thesis_with({"-nln", "roofs", "--", "touch.tif", "out.gpkg"}));
     EXPECT_EQ(layer("out.gpkg", "roofs_problems").records.size(), 1U);
+}
+
+/// What no surface can be made of is named, up to ten of it, counted, and has its place; the rest is made.
+TEST_F(OptionEffect, write_problems__ofBuildingsThatAreLost) {
+    write(path("bare.tif"), blocks_without_ground());
+    Arguments arguments = thesis_with({"-surface_of", "buildings", "-json", "--", "bare.tif", "out.gpkg"});
+    const ToolResult result = run(arguments);
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(nlohmann::json::parse(result.out)["dropped"]["surface_lost"], 12) << result.out;
+    expect_has(result.err,
+               " is not in the surface: it has no height above its ground, or no closed surface was found "
+               "for it.\n");
+    expect_has(result.err, "Warning: 2 more buildings are not in the surface.\n");
+    EXPECT_EQ(read_obj(path("s.obj")).objects().size(), 1U);
+    const Layer lost = layer("out.gpkg", "problems");
+    ASSERT_EQ(lost.records.size(), 12U);
+    for (const Record& problem : lost.records) {
+        EXPECT_EQ(problem.text("kind"), "surface_lost");
+        EXPECT_EQ(problem.text("state"), "left");
+        EXPECT_NEAR(problem.number("before"), 16, 0.01);
+        EXPECT_LE(OGR_G_GetX(problem.geometry(), 0), 391006);
+    }
 }
 
 TEST_F(OptionEffect, write_problems__whereAFormatHoldsOneLayer) {
