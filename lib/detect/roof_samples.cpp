@@ -19,16 +19,16 @@ struct Square {
 };
 
 template <typename T>
-Grid<T> cut(const Grid<T>& grid, const Square& square) {
-    Grid<T> part(square.rows, square.cols);
+Grid<T> cut(const Grid<T>& grid, const Square& square, Executor& threads) {
+    auto part = Grid<T>::unset(square.rows, square.cols, threads);
     for (std::int32_t r = 0; r < square.rows; ++r)
         std::copy_n(grid.row(square.row + r).begin() + square.col, square.cols, part.row(r).begin());
     return part;
 }
 
 template <typename T>
-std::optional<Grid<T>> cut(const Grid<T>* grid, const Square& square) {
-    return grid != nullptr ? std::optional(cut(*grid, square)) : std::nullopt;
+std::optional<Grid<T>> cut(const Grid<T>* grid, const Square& square, Executor& threads) {
+    return grid != nullptr ? std::optional(cut(*grid, square, threads)) : std::nullopt;
 }
 
 std::int64_t roofs_in(const Mask& roofs, const Square& square) {
@@ -55,15 +55,21 @@ std::vector<Square> squares_of(const Mask& roofs) {
 
 }  // namespace
 
-std::vector<RoofSample> roof_samples(const Scene& scene, const Mask& roofs) {
+std::vector<RoofSample> roof_samples(const Scene& scene, const Mask& roofs, Executor& threads) {
     std::vector<Square> squares = squares_of(roofs);
     std::stable_sort(squares.begin(), squares.end(),
                      [](const Square& a, const Square& b) { return a.roofs > b.roofs; });
-    std::vector<RoofSample> samples;
-    for (std::size_t i = 0; i < std::min(squares.size(), most_samples); ++i)
-        samples.push_back({cut(scene.surface, squares[i]), cut(scene.terrain, squares[i]), scene.cell,
-                           cut(scene.allowed, squares[i]), cut(scene.greenness, squares[i]),
-                           cut(roofs, squares[i])});
+    squares.resize(std::min(squares.size(), most_samples));
+    std::vector<RoofSample> samples(squares.size());
+    threads.for_each(squares.size(), [&](std::size_t i) {
+        const Square& square = squares[i];
+        samples[i] = {cut(scene.surface, square, threads),
+                      cut(scene.terrain, square, threads),
+                      scene.cell,
+                      cut(scene.allowed, square, threads),
+                      cut(scene.greenness, square, threads),
+                      cut(roofs, square, threads)};
+    });
     return samples;
 }
 

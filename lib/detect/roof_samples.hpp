@@ -24,6 +24,6 @@ struct RoofSample {
 
 /// The squares of 1024 by 1024 cells that hold the most cells of roofs, up to four; of equal ones the first.
 /// They are cut from the scene's first row and column on.
-[[nodiscard]] std::vector<RoofSample> roof_samples(const Scene& scene, const Mask& roofs);
+[[nodiscard]] std::vector<RoofSample> roof_samples(const Scene& scene, const Mask& roofs, Executor& threads);
 
 }  // namespace d2b

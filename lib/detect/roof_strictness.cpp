@@ -48,7 +48,7 @@ std::optional<double> roof_strictness(const Scene& scene, const DetectOptions& o
     if (step_sharpness(scene.surface, buildings, threads) < least_sharp)
         return std::nullopt;
     const std::vector<RoofSample> samples =
-        roof_samples(scene, eroded(buildings, inside_m, scene.cell, threads));
+        roof_samples(scene, eroded(buildings, inside_m, scene.cell, threads), threads);
     std::vector<SceneCells> sample_cells;
     for (const RoofSample& sample : samples)
         sample_cells.push_back(scene_cells(sample.scene(), options, threads));

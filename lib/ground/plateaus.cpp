@@ -1,7 +1,9 @@
 #include "ground/plateaus.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -26,7 +28,11 @@ class Plateaus {
           rules_(rules),
           largest_(largest),
           seen_(grid_.rows, grid_.cols),
-          roofs_(grid_.rows, grid_.cols) {}
+          roofs_(grid_.rows, grid_.cols) {
+        for (std::size_t k = 0; k < blocks_around.size(); ++k)
+            rises_.at(k) = rules.link_slope * std::hypot(blocks_around.at(k).row * blocks.cell.down,
+                                                         blocks_around.at(k).col * blocks.cell.across);
+    }
 
     void look_at(BlockPlace first) {
         if (seen_.at(first.row, first.col) != not_seen)
@@ -65,22 +71,22 @@ class Plateaus {
         while (ends && !open_.empty()) {
             const BlockPlace at = open_.back();
             open_.pop_back();
-            for (const BlockPlace& step : blocks_around)
-                ends = go(at, step) && ends;
+            for (std::size_t k = 0; k < blocks_around.size(); ++k)
+                ends = go(at, k) && ends;
             ends = ends && !may_be_ground();
         }
         open_.clear();
         return ends;
     }
-    /// @return false where that leads to what is no roof
-    [[nodiscard]] bool go(BlockPlace from, BlockPlace step) {
+    /// @param k of blocks_around @return false where that leads to what is no roof
+    [[nodiscard]] bool go(BlockPlace from, std::size_t k) {
+        const BlockPlace step = blocks_around[k];
         const BlockPlace to{from.row + step.row, from.col + step.col};
         if (!is_known(to))
             return true;
-        const double distance = std::hypot(step.row * blocks_.cell.down, step.col * blocks_.cell.across);
         const auto rise =
             static_cast<double>(std::fabs(grid_.at(to.row, to.col) - grid_.at(from.row, from.col)));
-        if (!(rise < rules_.link_slope * distance))
+        if (!(rise < rises_[k]))
             return true;
         if (seen_.at(to.row, to.col) == not_seen)
             add(to);
@@ -117,6 +123,7 @@ class Plateaus {
     const MetreGrid& grid_;
     const Rules& rules_;
     double largest_;
+    std::array<double, blocks_around.size()> rises_{};  ///< up to which ground goes on, by step
     Grid<std::uint8_t> seen_;
     Mask roofs_;
     std::vector<BlockPlace> plateau_;

@@ -68,8 +68,9 @@ std::span<const Step> first_steps(std::span<const Step> steps) {
 }
 
 /// Opens a grid by all elements of a series. @return what is left; nothing where there are no elements
+/// @param beside is empty once it was done
 MetreGrid open_whole(const MetreGrid& surface, std::span<const Step> steps, Opening open, MetreGrid& limits,
-                     Executor& threads) {
+                     Executor& threads, std::function<void()>& beside) {
     const std::vector<Tile> tiles = tiles_of(surface.rows, surface.cols, tile_side);
     MetreGrid left;
     MetreGrid into;
@@ -78,8 +79,12 @@ MetreGrid open_whole(const MetreGrid& surface, std::span<const Step> steps, Open
         const MetreGrid& from = left.size() == 0 ? surface : left;
         if (into.size() == 0)
             into = MetreGrid::unset(surface.rows, surface.cols, threads);
-        threads.for_each_in_room<OpenedPart>(tiles.size(), [&](std::size_t t, OpenedPart& part) {
-            const Tile& tile = tiles[t];
+        const std::function<void()> first = std::exchange(beside, {});
+        const std::size_t before = first ? 1 : 0;
+        threads.for_each_in_room<OpenedPart>(before + tiles.size(), [&](std::size_t t, OpenedPart& part) {
+            if (t < before)
+                return first();
+            const Tile& tile = tiles[t - before];
             open_part(from, tile, now, open, part);
             for (std::int32_t i = 0; i < tile.rows; ++i) {
                 const auto opened = part.row(part.surface, i);
@@ -155,7 +160,7 @@ void open_part(const MetreGrid& surface, const Tile& tile, std::span<const Step>
 }
 
 MetreGrid limits_on_blocks(const AlignedGrid& surface, const StructuringElements& elements, Opening open,
-                           Executor& threads) {
+                           Executor& threads, std::function<void()> beside) {
     std::vector<AlignedGrid> levels{shape_of(surface)};
     std::vector<MetreGrid> limits;
     const MetreGrid* cells = &surface.grid;
@@ -166,7 +171,7 @@ MetreGrid limits_on_blocks(const AlignedGrid& surface, const StructuringElements
         here.last_radius = std::min(elements.last_radius, widest_in_cells * smaller_side(size));
         const OpeningSteps series = opening_steps(here, size);
         limits.emplace_back(cells->rows, cells->cols, no_value, threads);
-        MetreGrid left = open_whole(*cells, series.steps, open, limits.back(), threads);
+        MetreGrid left = open_whole(*cells, series.steps, open, limits.back(), threads, beside);
         here.radius = series.next_radius;
         if (here.radius > elements.last_radius * 1.0001)
             break;
@@ -176,6 +181,8 @@ MetreGrid limits_on_blocks(const AlignedGrid& surface, const StructuringElements
         blocks = std::move(coarse.grid);
         cells = &blocks;
     }
+    if (beside)  // there was no element at all
+        beside();
     for (std::size_t k = levels.size(); k-- > 1;)
         lower_limits(limits[k - 1], levels[k - 1], levels[k], limits[k], threads);
     return std::move(limits.front());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -58,8 +59,9 @@ void open_part(const MetreGrid& surface, const Tile& tile, std::span<const Step>
 
 /// The same for all cells, but elements of more than some ten cells are opened on blocks of 2 x 2 cells, and
 /// so on: the cost a cell does not grow with the widest element. @return the limits
+/// @param beside work for one thread alone that needs none of it: done once, while the others open
 [[nodiscard]] MetreGrid limits_on_blocks(const AlignedGrid& surface, const StructuringElements& elements,
-                                         Opening open, Executor& threads);
+                                         Opening open, Executor& threads, std::function<void()> beside = {});
 
 /// A block's limit holds for its cells and, as walls do not run along blocks, for those of its neighbours,
 /// but for what the ground may rise until there.

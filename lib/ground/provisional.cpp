@@ -83,14 +83,19 @@ MetreGrid limits_of_blocks(AlignedGrid& blocks, double next_radius, double width
     StructuringElements elements{next_radius,       rules.reach * width, rules.large_rise,
                                  rules.large_slope, rules.large_growth,  rules.border_reach};
     MetreGrid sure = limits_on_blocks(blocks, elements, opened_by_rectangle, threads);
-    Grid<std::uint8_t> ground = connected_ground(blocks, sure, rules.link_slope, rules.link_steps, threads);
-    const Mask roofs = walled_plateaus(blocks, sure, ground, rules, rules.wall_length * width);
-    take_walled_back(blocks, sure, rules, rules.wall_length * width, ground);
-    sure = with_neighbours_limits(sure, blocks.cell, threads);
+    // Ground is followed from block to block, which one thread does: meanwhile the others open by lines.
+    Grid<std::uint8_t> ground;
+    Mask roofs;
+    const auto follow_ground = [&] {
+        ground = connected_ground(blocks, sure, rules.link_slope, rules.link_steps, threads);
+        roofs = walled_plateaus(blocks, sure, ground, rules, rules.wall_length * width);
+        take_walled_back(blocks, sure, rules, rules.wall_length * width, ground);
+    };
     elements.rise = rules.line_rise;
     elements.slope = rules.line_slope;
     const MetreGrid lines = with_neighbours_limits(
-        limits_on_blocks(blocks, elements, opened_by_lines, threads), blocks.cell, threads);
+        limits_on_blocks(blocks, elements, opened_by_lines, threads, follow_ground), blocks.cell, threads);
+    sure = with_neighbours_limits(sure, blocks.cell, threads);
     const auto rise = static_cast<float>(rules.link_rise);
     for_row_bands(threads, sure.rows, sure.cols, [&](RowBand band) {
         for (std::size_t k = sure.index(band.begin, 0); k < sure.index(band.end, 0); ++k) {

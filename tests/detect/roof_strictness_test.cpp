@@ -98,7 +98,7 @@ TEST(RoofSamples, AreTheSquaresWithTheMostRoofs) {
     fill(5, 1500, 30);     // the first row of squares, the second of its three
     fill(1030, 0, 50);     // the second, the first
     fill(2099, 2990, 10);  // the last
-    const std::vector<RoofSample> samples = roof_samples({surface, terrain, {2, 3}}, roofs);
+    const std::vector<RoofSample> samples = roof_samples({surface, terrain, {2, 3}}, roofs, test::threads());
     ASSERT_EQ(samples.size(), 3U);
     EXPECT_EQ(samples[0].surface.at(0, 0), surface.at(1024, 0));
     EXPECT_EQ(samples[1].surface.at(0, 0), surface.at(0, 1024));
@@ -111,12 +111,14 @@ TEST(RoofSamples, AreTheSquaresWithTheMostRoofs) {
     EXPECT_EQ(samples[0].scene().allowed, nullptr);
     fill(3, 0, 5);
     fill(3, 2500, 5);
-    EXPECT_EQ(roof_samples({surface, terrain, {}, &roofs, &surface}, roofs).size(), 4U) << "four at most";
-    const std::vector<RoofSample> cut = roof_samples({surface, terrain, {}, &roofs, &surface}, roofs);
+    EXPECT_EQ(roof_samples({surface, terrain, {}, &roofs, &surface}, roofs, test::threads()).size(), 4U)
+        << "four at most";
+    const std::vector<RoofSample> cut =
+        roof_samples({surface, terrain, {}, &roofs, &surface}, roofs, test::threads());
     EXPECT_EQ(cut[3].surface.at(0, 0), surface.at(0, 0)) << "of equal ones the first";
     EXPECT_EQ(cut[1].scene().allowed->values, cut[1].roofs.values);
     EXPECT_EQ(cut[1].scene().greenness->values, cut[1].surface.values);
-    EXPECT_TRUE(roof_samples({surface, terrain, {}}, Mask(2100, 3000)).empty());
+    EXPECT_TRUE(roof_samples({surface, terrain, {}}, Mask(2100, 3000), test::threads()).empty());
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ TEST(Callbacks, HearWhatThreadsWorkOn) {
     };
     run(options, {dem}, {sink}, callbacks);
     EXPECT_EQ(threads, (std::set<std::size_t>{0, 1}));
-    for (const std::string function : {"smoothness", "linked_regions"})
+    for (const std::string function : {"ElevationReader", "write_features"})
         EXPECT_TRUE(std::ranges::any_of(works, [&](const std::string& work) {
             return work.find(function) != std::string::npos;
         })) << function;
