@@ -10,11 +10,13 @@ namespace d2b {
 namespace {
 
 constexpr std::size_t large_page = std::size_t{2} << 20;
+// A multiple of what any system calls a page. Not a large one: what a block has beyond these is small pages.
+constexpr std::size_t page = std::size_t{64} << 10;
 
 std::size_t whole_pages(std::size_t bytes) {
     if (bytes > std::numeric_limits<std::size_t>::max() - 2 * large_page)
         throw std::bad_alloc();
-    return (bytes + large_page - 1) / large_page * large_page;
+    return (bytes + page - 1) / page * page;
 }
 
 }  // namespace

@@ -14,8 +14,8 @@ namespace d2b {
 /// which takes as long as a pass over it. From any thread.
 class BlockPool {
   public:
-    static constexpr std::size_t large = std::size_t{2} << 20;        ///< bytes; what is less is not kept
-    static constexpr std::size_t most_idle = std::size_t{128} << 20;  ///< bytes that wait at a time
+    static constexpr std::size_t large = std::size_t{2} << 20;       ///< bytes; what is less is not kept
+    static constexpr std::size_t most_idle = std::size_t{64} << 20;  ///< bytes that wait at a time
 
     BlockPool() { idle_.reserve(most_blocks); }
     BlockPool(const BlockPool&) = delete;

@@ -103,6 +103,7 @@ FoundBuildings find_buildings(const UnitSearch& search, const UnitSize& size) {
     if (plan.ground == GroundMode::given)
         context.report.count(Reason::terrain_outside_range, search.sources.terrain->cells_outside_range());
     sum.finish(units);
+    context.threads->blocks()->clear();  // no grid comes after these
     return found;
 }
 
