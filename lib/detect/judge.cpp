@@ -23,7 +23,7 @@ constexpr double filled_where_thin = 0.08;
 constexpr double house_m2 = 300;
 
 // Found by tests/accuracy/run.py --learn, see docs/accuracy.md.
-constexpr double thin_constant = -1.59;
+constexpr double thin_constant = -0.89;
 
 bool has_walls(const Evidence& evidence) {
     return evidence.walled >= fewest_walls || evidence.fall > steeper * evidence.tilt;

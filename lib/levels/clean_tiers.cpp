@@ -132,7 +132,10 @@ RegionOptions region_options(double detail, const CellSize& cell, double metres)
     // Cells: a tier of a handful of cells is worth its vertices where it stands out more than a large one.
     constexpr double own_border = 12;
     const double height = detail / metres;
-    return {height * height / std::sqrt(cell.across * cell.down), least_width, own_border};
+    // A border as long as a cell is worth what the strip has in a cell's length, in points. What is narrower
+    // than a cell is not seen.
+    const double strip_cells = std::max(1.0, 1 / std::sqrt(cell.across * cell.down));
+    return {height * height * strip_cells, least_width, own_border};
 }
 
 }  // namespace d2b

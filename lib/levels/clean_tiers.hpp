@@ -17,7 +17,8 @@ namespace d2b {
 [[nodiscard]] CleanRows clean_tiers(ElevationReader& reader, const LabelRows& labels, Label count,
                                     const RegionOptions& regions, const Window& window, Context& context);
 
-/// What a strip one metre wide costs that stands out by `detail`. @param detail m @param cell of the raster
+/// What a strip costs that stands out by `detail` and is one metre wide, or a cell where cells are larger.
+/// @param detail m @param cell of the raster
 /// @param metres in a vertical unit
 [[nodiscard]] RegionOptions region_options(double detail, const CellSize& cell, double metres);
 

@@ -136,8 +136,8 @@ std::vector<OptionRow> levels() {
         [](auto& r) -> auto& { return r.options.levels.detail; },
         {.title = "Smallest step of a roof",
          .section = DialogSection::detail,
-         .help = "Smallest step of a roof: a strip one metre wide that stands out by less joins "
-                 "the roof beside it.",
+         .help = "Smallest step of a roof: a strip one metre wide (a cell, where cells are larger) that "
+                 "stands out by less joins the roof beside it.",
          .details = "So do parts narrower than two cells: chimneys, dormers, edges that a wall smears. Wider "
                     "strips may stand out by less, narrower ones must by more. A larger height gives fewer "
                     "contours with fewer vertices; 0 keeps every cell's own elevation. By default " +

@@ -186,7 +186,7 @@ TEST(Judge, WeightsOfThinPointsTakeOverAsCellsAreFilled) {
         return std::log(p / (1 - p));
     };
     const double usual = 4.3 * 0.1 + 1.3 * std::log(3 / 2.2) - 0.4 * std::log(0.3 / 0.4) + std::log(9 / 48.0);
-    const double thin = -1.59 + 1.04 * (std::log(9) - 2.61) + 10.16 * (1 - 0.99) -
+    const double thin = -0.89 + 1.04 * (std::log(9) - 2.61) + 10.16 * (1 - 0.99) -
                         0.5 * (std::log(1.3) - 1.34) + 1.68 * (std::log(75) - 5.01) + 3.47 * (0.6 - 0.33) +
                         8.5 * (0.9 - 0.59);
     EXPECT_LT(usual, -0.5);

@@ -74,7 +74,8 @@ struct LevelOptions {
     std::vector<double> fixed;       ///< explicit thresholds
     std::optional<double> interval;  ///< thresholds at offset + n * interval
     double offset = 0;
-    /// m: how far a strip a metre wide must stand out to be a tier; 0: the image is not cleaned
+    /// m: how far a strip must stand out to be a tier that is a metre wide, or a cell where cells are larger;
+    /// 0: the image is not cleaned
     std::optional<double> detail;
 };
 
