@@ -50,6 +50,7 @@ std::optional<double> roof_strictness(const Scene& scene, const DetectOptions& o
     const std::vector<RoofSample> samples =
         roof_samples(scene, eroded(buildings, inside_m, scene.cell, threads), threads);
     std::vector<SceneCells> sample_cells;
+    sample_cells.reserve(samples.size());
     for (const RoofSample& sample : samples)
         sample_cells.push_back(scene_cells(sample.scene(), options, threads));
     const auto roofs_found = [&](double factor) {
