@@ -45,17 +45,14 @@ void append(const Values& band, std::int32_t cols, const Window& part, std::vect
     }
 }
 
-/// The cells of a band of whole rows that lie in a window. @param first_col of the band
-ElevationBand cut(const ElevationBand& band, std::int32_t first_col, const Window& window) {
-    const std::int32_t first = std::max(band.shape.first_row, window.row);
-    const std::int32_t rows =
-        std::max(std::min(band.shape.first_row + band.shape.rows, window.end_row()) - first, 0);
-    ElevationBand part{{first, rows, window.cols}, {}};
-    part.elevations.reserve(part.shape.size());
-    if (rows > 0)
-        append(band.elevations, band.shape.cols,
-               {first - band.shape.first_row, window.col - first_col, rows, window.cols}, part.elevations);
-    return part;
+/// The cells of a band of whole rows that lie in a window, as rows and columns of the band.
+/// @param first_col of the band
+Window within(const BandShape& band, std::int32_t first_col, const Window& window) {
+    const std::int32_t first = std::max(band.first_row, window.row);
+    const std::int32_t rows = std::min(band.first_row + band.rows, window.end_row()) - first;
+    if (rows <= 0 || window.cols <= 0)
+        return {};
+    return {first - band.first_row, window.col - first_col, rows, window.cols};
 }
 
 /// Spikes wait outside of their band until the rows beyond it have been seen.
@@ -174,15 +171,11 @@ ElevationSurvey ElevationReader::survey(const SiftRules& rules,
         [&](std::size_t, ElevationBand& band, Tally& tally) {
             const StageClock clock(tally, Stage::levels);
             Seen seen{StrangeValues(rules), {}, {}};
-            if (counted != window) {
-                ElevationBand part = cut(band, window.col, counted);
-                (void)sift(part, rules, seen.strange);
-            }
-            StrangeValues others(rules);
-            const std::vector<Stretch> steep = sift(band, rules, counted == window ? seen.strange : others);
+            const Window part = within(band.shape, window.col, counted);
+            const std::vector<Stretch> steep = sift(band, rules, seen.strange, part);
             seen.spikes = find_spikes(band, steep, rules.spikes);
             const Withheld withheld(band, seen.spikes);
-            seen.statistics.add(counted == window ? band : cut(band, window.col, counted));
+            seen.statistics.add(band, part);
             return seen;
         },
         [&](const ElevationBand& band, Seen seen) {

@@ -34,7 +34,8 @@ class ElevationReader {
 
     /// The first pass, without which every value is an elevation.
     /// @param done called for each band, from the first row to the last, on this thread
-    /// @param of cells that the survey is of; nothing: all. Of others it is decided what they are
+    /// @param of cells that the survey is of; nothing: all. Of others it is decided what they are: all of
+    /// them, where the window is empty
     [[nodiscard]] ElevationSurvey survey(const SiftRules& rules,
                                          const std::function<void(const ElevationBand&)>& done,
                                          const std::optional<Window>& of = {});

@@ -50,6 +50,34 @@ void take_out(std::span<double> values, const ElevationLimits& limits, ValueCoun
         }
 }
 
+/// Some cells of a row. @param seen null where nothing is noted of them @param steep gets where spikes may be
+void sift_cells(ElevationBand& band, const Stretch& cells, const SiftRules& rules, StrangeValues* seen,
+                ValueCounts& outside, std::vector<Stretch>& steep) {
+    constexpr std::int32_t stretch = 64;  // columns
+    for (std::int32_t begin = cells.begin; begin < cells.end; begin += stretch) {
+        const std::int32_t end = std::min(begin + stretch, cells.end);
+        const std::size_t first =
+            static_cast<std::size_t>(cells.row) * static_cast<std::size_t>(band.shape.cols) +
+            static_cast<std::size_t>(begin);
+        const std::span<double> values(band.elevations.data() + first, static_cast<std::size_t>(end - begin));
+        Extremes of = extremes_of(values);
+        if (of.known > 0 && !(rules.limits.hold(of.lowest) && rules.limits.hold(of.highest))) {
+            take_out(values, rules.limits, outside);
+            of = extremes_of(values);
+        }
+        if (of.known == 0)
+            continue;
+        if (seen != nullptr) {
+            seen->bins.add(values, of.lowest, of.highest, static_cast<std::int64_t>(of.known));
+            if (rules.set_aside_nodata)
+                seen->set_aside_nodata += std::ranges::count(values, *rules.set_aside_nodata);
+        }
+        // Where all are known each has a neighbour among them, or there is one alone.
+        if (of.known < values.size() || values.size() == 1 || of.highest - of.lowest > rules.spikes.no_roof)
+            steep.push_back({cells.row, begin, end});
+    }
+}
+
 }  // namespace
 
 void StrangeValues::merge(const StrangeValues& other) {
@@ -82,29 +110,21 @@ void limit(std::vector<double>& elevations, const ElevationLimits& limits) {
 }
 
 std::vector<Stretch> sift(ElevationBand& band, const SiftRules& rules, StrangeValues& seen) {
-    constexpr std::int32_t stretch = 64;  // columns
-    const std::int32_t cols = band.shape.cols;
+    return sift(band, rules, seen, {0, 0, band.shape.rows, band.shape.cols});
+}
+
+std::vector<Stretch> sift(ElevationBand& band, const SiftRules& rules, StrangeValues& seen,
+                          const Window& of) {
     std::vector<Stretch> steep;
-    for (std::int32_t row = 0; row < band.shape.rows; ++row)
-        for (std::int32_t begin = 0; begin < cols; begin += stretch) {
-            const auto size = static_cast<std::size_t>(std::min(stretch, cols - begin));
-            const std::size_t first = static_cast<std::size_t>(row) * static_cast<std::size_t>(cols) +
-                                      static_cast<std::size_t>(begin);
-            const std::span<double> values(band.elevations.data() + first, size);
-            Extremes of = extremes_of(values);
-            if (of.known > 0 && !(rules.limits.hold(of.lowest) && rules.limits.hold(of.highest))) {
-                take_out(values, rules.limits, seen.outside);
-                of = extremes_of(values);
-            }
-            if (of.known == 0)
-                continue;
-            seen.bins.add(values, of.lowest, of.highest, static_cast<std::int64_t>(of.known));
-            if (rules.set_aside_nodata)
-                seen.set_aside_nodata += std::ranges::count(values, *rules.set_aside_nodata);
-            // Where all are known each has a neighbour among them, or there is one alone.
-            if (of.known < size || size == 1 || of.highest - of.lowest > rules.spikes.no_roof)
-                steep.push_back({row, begin, begin + static_cast<std::int32_t>(size)});
-        }
+    ValueCounts nobodys;
+    for (std::int32_t row = 0; row < band.shape.rows; ++row) {
+        const bool noted = row >= of.row && row < of.end_row();
+        const std::int32_t first = noted ? of.col : band.shape.cols;
+        const std::int32_t end = noted ? of.end_col() : band.shape.cols;
+        sift_cells(band, {row, 0, first}, rules, nullptr, nobodys, steep);
+        sift_cells(band, {row, first, end}, rules, &seen, seen.outside, steep);
+        sift_cells(band, {row, end, band.shape.cols}, rules, nullptr, nobodys, steep);
+    }
     return steep;
 }
 

@@ -7,6 +7,7 @@
 #include "core/band.hpp"
 #include "core/elevation_limits.hpp"
 #include "core/value_counts.hpp"
+#include "dem2buildings/dem_source.hpp"
 #include "elevations/spikes.hpp"
 #include "elevations/value_bins.hpp"
 
@@ -41,5 +42,8 @@ void limit(std::vector<double>& elevations, const ElevationLimits& limits);
 /// The same, and notes what it sees on the way, which costs little more than a look at each elevation.
 /// @return where cells may be spikes: nowhere else are they
 [[nodiscard]] std::vector<Stretch> sift(ElevationBand& band, const SiftRules& rules, StrangeValues& seen);
+/// The same, where what is noted is of some cells alone. @param of rows and columns of the band
+[[nodiscard]] std::vector<Stretch> sift(ElevationBand& band, const SiftRules& rules, StrangeValues& seen,
+                                        const Window& of);
 
 }  // namespace d2b

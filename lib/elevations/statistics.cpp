@@ -6,9 +6,15 @@
 namespace d2b {
 
 void ElevationStatistics::add(const ElevationBand& band) {
-    for (const double z : band.elevations)
-        if (!std::isnan(z))
-            add(z);
+    add(band, {0, 0, band.shape.rows, band.shape.cols});
+}
+
+void ElevationStatistics::add(const ElevationBand& band, const Window& part) {
+    for (std::int32_t row = part.row; row < part.end_row(); ++row)
+        for (const double z :
+             band.row(row).subspan(static_cast<std::size_t>(part.col), static_cast<std::size_t>(part.cols)))
+            if (!std::isnan(z))
+                add(z);
 }
 
 void ElevationStatistics::add(double elevation) {

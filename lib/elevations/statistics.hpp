@@ -6,6 +6,7 @@
 #include "core/elevation_sample.hpp"
 #include "core/exact_sum.hpp"
 #include "core/point_stats.hpp"
+#include "dem2buildings/dem_source.hpp"
 
 namespace d2b {
 
@@ -17,6 +18,8 @@ struct ElevationStatistics {
     double maximum = -std::numeric_limits<double>::infinity();
 
     void add(const ElevationBand& band);
+    /// @param part rows and columns of the band
+    void add(const ElevationBand& band, const Window& part);
     /// @param elevation not NaN
     void add(double elevation);
     void merge(const ElevationStatistics& other);

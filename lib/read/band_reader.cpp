@@ -41,6 +41,18 @@ std::string path_of(GDALRasterBandH band) {
     return dataset == nullptr ? "" : GDALGetDescription(dataset);
 }
 
+/// What is masked in a band of floats whose mask is that of its NoData; nothing where it is another one.
+std::optional<double> masked_value(GDALRasterBandH band) {
+    const GDALDataType type = GDALGetRasterDataType(band);
+    int known = FALSE;
+    const double nodata = GDALGetRasterNoDataValue(band, &known);
+    if (known == FALSE || GDALGetMaskFlags(band) != GMF_NODATA ||
+        (type != GDT_Float32 && type != GDT_Float64) ||
+        !(std::abs(nodata) <= static_cast<double>(std::numeric_limits<float>::max())))
+        return {};
+    return type == GDT_Float32 ? as_single(nodata) : nodata;
+}
+
 }  // namespace
 
 double as_single(double value) {
@@ -69,6 +81,7 @@ BandReader::BandReader(GDALRasterBandH band, const ReadOptions& options, DemInfo
     const bool replaced = options.nodata && (flags & GMF_NODATA) != 0;
     masked_ = !options.ignore_nodata && !replaced && (flags & GMF_ALL_VALID) == 0;
     single_precision_ = GDALGetRasterDataType(band_) == GDT_Float32;
+    mask_nodata_ = masked_value(band_);
     if (options.nodata)
         nodata_ = single_precision_ ? as_single(*options.nodata) : *options.nodata;
     messages.pass_all(warnings);
@@ -102,23 +115,50 @@ void BandReader::read(const Window& part, std::span<double> elevations, Warnings
 
 void BandReader::read_part(const Window& part, std::span<double> elevations, Warnings& warnings) {
     load(band_, GDT_Float64, part, elevations.data(), warnings);
-    if (masked_) {
+    const bool asks_mask = masked_ && !is_told_by_value(elevations);
+    if (asks_mask) {
         mask_.resize(elevations.size());
         load(GDALGetMaskBand(band_), GDT_Byte, part, mask_.data(), warnings);
     }
+    make_elevations(elevations, asks_mask);
+    if (counted_)
+        take_out(part, elevations);
+}
+
+/// What is NoData is masked, and what is far from it is not: in between GDAL decides, which reads all values
+/// once more for it.
+bool BandReader::is_told_by_value(std::span<const double> values) const {
+    if (!mask_nodata_)
+        return false;
+    constexpr double near = 1e-5;  // relative; GDAL takes some 1e-6 for equal
+    const double nodata = *mask_nodata_;
+    const double distance = std::abs(nodata) * near;
+    std::size_t unclear = 0;
+    for (const double value : values)
+        unclear += std::abs(value - nodata) <= distance && value != nodata ? 1U : 0U;
+    return unclear == 0;
+}
+
+/// @param masked the mask says which of them are valid
+void BandReader::make_elevations(std::span<double> values, bool masked) const {
     constexpr double invalid = std::numeric_limits<double>::quiet_NaN();
     const bool scaled = scale_ != 1 || offset_ != 0;
-    for (std::size_t i = 0; i < elevations.size(); ++i) {
-        double& value = elevations[i];
-        if ((masked_ && mask_[i] == 0) || (nodata_ && value == *nodata_))
+    const std::optional<double> nodata = masked_ && !masked ? mask_nodata_ : nodata_;
+    if (!masked && !scaled) {
+        const double none = nodata.value_or(invalid);  // which nothing equals
+        for (double& value : values)
+            value = value != none && std::isfinite(value) ? value : invalid;
+        return;
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        double& value = values[i];
+        if ((masked && mask_[i] == 0) || (nodata && value == *nodata))
             value = invalid;
         else if (scaled)
             value = value * scale_ + offset_;
         if (!std::isfinite(value))
             value = invalid;
     }
-    if (counted_)
-        take_out(part, elevations);
 }
 
 void BandReader::take_only(const ElevationLimits& limits) {

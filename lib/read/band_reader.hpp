@@ -53,6 +53,8 @@ class BandReader {
   private:
     void take_out(const Window& part, std::span<double> elevations);
     void count(double value);
+    [[nodiscard]] bool is_told_by_value(std::span<const double> values) const;
+    void make_elevations(std::span<double> values, bool masked) const;
     void load(GDALRasterBandH band, GDALDataType type, const Window& part, void* values,
               Warnings& warnings) const;
     [[nodiscard]] std::int32_t chunk_rows() const;
@@ -62,6 +64,7 @@ class BandReader {
     double scale_ = 1;
     double offset_ = 0;
     bool masked_ = false;
+    std::optional<double> mask_nodata_;  ///< what masked cells have; nothing where they may have any value
     bool single_precision_ = false;
     std::optional<double> nodata_;  ///< set where the user's own takes effect
     std::vector<std::uint8_t> mask_;

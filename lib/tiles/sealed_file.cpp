@@ -132,6 +132,35 @@ std::string reason(int error) {
                       "; make room in the work folder or let it be written to, and run the step again.");
 }
 
+/// @param sync force it to the disk before it has its name @throws OutputError
+void write_file(const std::filesystem::path& path, const Seal& seal, std::span<const std::byte> body,
+                std::span<const std::byte> tail, bool sync) {
+    Head head = head_of(seal);
+    head.body_size = body.size();
+    head.body_digest = digest_of(body);
+    head.tail_size = tail.size();
+    // Two processes may work on one tile: what both write is the same, but for the seconds that it took, and
+    // the last rename stands.
+    // Process numbers of several machines may be the same.
+    const std::filesystem::path hidden =
+        path.parent_path() / ("." + path.filename().string() + "." + std::to_string(::getpid()) + "." +
+                              std::to_string(std::random_device()()));
+    int error = 0;
+    {
+        const OpenFile file(hidden, O_WRONLY | O_CREAT | O_TRUNC);
+        const bool done = file.is_open() && file.write(std::as_bytes(std::span(&head, 1))) &&
+                          file.write(body) && file.write(tail) && (!sync || file.sync());
+        error = done ? 0 : errno;
+    }
+    if (error == 0 && std::rename(hidden.c_str(), path.c_str()) != 0)
+        error = errno;
+    // Someone else may have been quicker, and have seen this one as left over.
+    if (error == 0 || (error == ENOENT && is_sealed(path, seal)))
+        return;
+    ::unlink(hidden.c_str());
+    fail(path, error);
+}
+
 }  // namespace
 
 std::string_view step_name(TileStep step) {
@@ -159,32 +188,31 @@ std::uint64_t digest_of(std::span<const std::byte> bytes) {
 
 void write_sealed(const std::filesystem::path& path, const Seal& seal, std::span<const std::byte> body,
                   std::span<const std::byte> tail) {
-    Head head = head_of(seal);
-    head.body_size = body.size();
-    head.body_digest = digest_of(body);
-    head.tail_size = tail.size();
     std::error_code ignored;
     std::filesystem::create_directories(path.parent_path(), ignored);
-    // Two processes may work on one tile: what both write is the same, but for the seconds that it took, and
-    // the last rename stands.
-    // Process numbers of several machines may be the same.
-    const std::filesystem::path hidden =
-        path.parent_path() / ("." + path.filename().string() + "." + std::to_string(::getpid()) + "." +
-                              std::to_string(std::random_device()()));
-    int error = 0;
-    {
-        const OpenFile file(hidden, O_WRONLY | O_CREAT | O_TRUNC);
-        const bool done = file.is_open() && file.write(std::as_bytes(std::span(&head, 1))) &&
-                          file.write(body) && file.write(tail) && file.sync();
-        error = done ? 0 : errno;
-    }
-    if (error == 0 && std::rename(hidden.c_str(), path.c_str()) != 0)
-        error = errno;
-    // Someone else may have been quicker, and have seen this one as left over.
-    if (error == 0 || (error == ENOENT && is_sealed(path, seal)))
-        return;
-    ::unlink(hidden.c_str());
-    fail(path, error);
+    write_file(path, seal, body, tail, true);
+}
+
+SealedFiles::SealedFiles(std::filesystem::path folder) : folder_(std::move(folder)) {
+    std::error_code ignored;
+    std::filesystem::create_directories(folder_, ignored);
+    opened_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (opened_ < 0)
+        fail(folder_, errno);
+}
+
+SealedFiles::~SealedFiles() {
+    ::close(opened_);
+}
+
+void SealedFiles::write(const std::string& name, const Seal& seal, std::span<const std::byte> body,
+                        std::span<const std::byte> tail) {
+    write_file(folder_ / name, seal, body, tail, false);
+}
+
+void SealedFiles::finish() {
+    if (::syncfs(opened_) != 0)
+        fail(folder_, errno);
 }
 
 void remove_unfinished(const std::filesystem::path& folder) {

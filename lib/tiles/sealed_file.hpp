@@ -33,6 +33,28 @@ struct Seal {
 void write_sealed(const std::filesystem::path& path, const Seal& seal, std::span<const std::byte> body,
                   std::span<const std::byte> tail = {});
 
+/// Files that count together: where they are many, forcing each to the disk by itself takes longer than all
+/// else.
+class SealedFiles {
+  public:
+    /// @param folder that they are in, which is made @throws OutputError
+    explicit SealedFiles(std::filesystem::path folder);
+    SealedFiles(const SealedFiles&) = delete;
+    SealedFiles& operator=(const SealedFiles&) = delete;
+    ~SealedFiles();
+
+    /// As write_sealed(), but what comes to the disk when is left to the system.
+    /// @param name within the folder @throws OutputError
+    void write(const std::string& name, const Seal& seal, std::span<const std::byte> body,
+               std::span<const std::byte> tail = {});
+    /// Forces all of them to the disk: what says that they are there may be written then. @throws OutputError
+    void finish();
+
+  private:
+    std::filesystem::path folder_;
+    int opened_;  ///< the folder, before anything could go wrong with what is in it
+};
+
 /// Removes what write_sealed() has left in a folder where it was killed. A process that still writes a file
 /// which another one has written as well loses nothing by it.
 void remove_unfinished(const std::filesystem::path& folder);

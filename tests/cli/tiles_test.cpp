@@ -255,6 +255,36 @@ TEST_F(TilesTool, refusesPlansThatAreNone) {
            "is no plan, or a part of one");
 }
 
+TEST_F(TilesTool, refusesAPlanThatWasChanged) {
+    well({"plan", "-q", sample("town.tif"), "a.gpkg", "work"});
+    const std::string made = read_bytes(path("work/plan.json"));
+    const auto change = [&](const std::string& from, const std::string& to) {
+        std::string bytes = made;
+        bytes.replace(bytes.find(from), from.size(), to);
+        std::ofstream(path("work/plan.json"), std::ios::binary) << bytes;
+    };
+    change("\"tiles\": 1", "\"tiles\": 7");
+    for (const Arguments& step : {Arguments{"find", "work", "6"}, Arguments{"join", "work"}})
+        expect_refused(1,
+                       "'" + path("work") +
+                           "/plan.json' has been changed: it says 7 tiles, and its options make 1; run "
+                           "'dem2buildings_tiles plan' with a new work folder.",
+                       step);
+    for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
+             {"\"tile\": 1", "\"tile\": 1001"},
+             {"\"tile\": 1", "\"tile\": 1e300"},
+             {"\"tiles\": 1", "\"tiles\": 0"},
+             {"\"tiles\": 1", "\"tiles\": 18446744073709551615"}}) {
+        change(from, to);
+        expect_refused(
+            1,
+            "'" + path("work") +
+                "/plan.json' is no plan, or a part of one; run 'dem2buildings_tiles plan' with a new "
+                "work folder.",
+            {"join", "work"});
+    }
+}
+
 TEST_F(TilesTool, refusesTilesThatAreNotThere) {
     well({"plan", "-q", sample("town.tif"), "a.gpkg", "work"});
     expect_refused(1, "There is no tile 1; the plan has 1, numbered from 0.", {"find", "work", "0", "1"});

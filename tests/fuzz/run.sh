@@ -11,7 +11,7 @@ corpus=${3:-$build/corpus}
 mkdir -p "$corpus"
 cd "$corpus"
 # What a target prints goes to a file a target; libFuzzer leaves the input that breaks it as crash-* in the corpus folder.
-for target in engine outlines reader values tiles command_line city; do
+for target in engine outlines reader values tiles plan command_line city; do
     # Without CGAL there is no target of cities.
     if [ "$target" != city ] || [ -e "$build/tests/fuzz/city_fuzz" ]; then echo "$target"; fi
 done |

@@ -148,6 +148,24 @@ TEST_F(RastersOfATown, AreMadeAgainWhereTheyAreGone) {
     EXPECT_TRUE(fs::exists(path("ground.vrt")));
 }
 
+TEST_F(RastersOfATown, AreMadeByTwoAtATime) {
+    PlannedSink nowhere(Layers::both);
+    TileRun run({folder_.path(), some_plan, 1, many_units}, options_, {dem_}, nowhere, {});
+    const Window own = run.tiles().whole(0).own;
+    const std::vector<float> values(static_cast<std::size_t>(own.points()), 7.5F);
+    SideSinks first = open_tile_rasters(run, 0);
+    SideSinks second = open_tile_rasters(run, 0);
+    first.ground->write(own, values);
+    second.ground->write(own, values);
+    finish_tile_rasters(run, 0, first);
+    finish_tile_rasters(run, 0, second);
+    EXPECT_EQ(seen(path("ground/0.tif")).values, std::vector<double>(values.begin(), values.end()));
+    // What cannot be written at all is told.
+    SideSinks third = open_tile_rasters(run, 1);
+    EXPECT_THROW(finish_tile_rasters(run, 1, third), OutputError);
+    EXPECT_FALSE(fs::exists(path("ground/1.tif")));
+}
+
 TEST_F(RastersOfATown, AreNotShownWithoutTheFirst) {
     for (std::int64_t tile = 0; tile < steps().count(); ++tile)
         steps().find(tile);

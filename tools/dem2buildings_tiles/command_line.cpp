@@ -9,6 +9,7 @@
 #include "dem2buildings/command_line.hpp"
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/tokens.hpp"
+#include "dem2buildings_tiles/plan_file.hpp"
 #include "options/option_checks.hpp"
 #include "options/option_values.hpp"
 
@@ -16,8 +17,6 @@ namespace d2b {
 namespace {
 
 using Strings = std::vector<std::string>;
-
-constexpr int most_side = 1000;
 
 const TileStepName& step_of(const std::string& name) {
     const auto& steps = tile_step_names();
@@ -62,7 +61,7 @@ const TileOption* own_option(const TileStepName& step, const std::string& token)
 
 void apply(const TileOption& option, const std::string& value, TileCommand& command) {
     if (option.name == "tile")
-        command.side = parse_whole("tile", {1, most_side}, value);
+        command.side = parse_whole("tile", {1, TilePlan::most_side}, value);
     else if (option.name == "threads")
         command.threads = parse_whole("threads", {1, 1024}, value);
     else if (option.name == "input_file_list")

@@ -2,7 +2,9 @@
 
 #include <cerrno>
 #include <fstream>
+#include <limits>
 #include <sstream>
+#include <stdexcept>
 #include <system_error>
 #include <unistd.h>
 
@@ -19,6 +21,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view program = "dem2buildings_tiles";
 constexpr std::array<std::string_view, 3> layer_words{"both", "buildings", "contours"};
+constexpr std::int64_t most_cells = std::numeric_limits<std::int32_t>::max();  // in a row or a column
+constexpr std::int64_t max_whole = std::numeric_limits<std::int64_t>::max();
+constexpr std::int64_t min_whole = std::numeric_limits<std::int64_t>::min();
 
 std::filesystem::path path_of(const std::filesystem::path& work) {
     return work / "plan.json";
@@ -75,6 +80,24 @@ Json json_of(const TilePlan& plan, const TileCost& cost) {
               {"bytes_read", cost.bytes_read}}}};
 }
 
+/// @throws std::out_of_range it is no whole number of these: it would be rounded, or come out as another one
+std::int64_t whole(const Json& json, std::int64_t least, std::int64_t most) {
+    const bool fits =
+        json.is_number_integer() &&
+        (!json.is_number_unsigned() || json.get<std::uint64_t>() <= static_cast<std::uint64_t>(max_whole));
+    const std::int64_t number = fits ? json.get<std::int64_t>() : 0;
+    if (!fits || number < least || number > most)
+        throw std::out_of_range("a number is none of a plan");
+    return number;
+}
+
+Window window_of(const Json& json) {
+    const auto at = [&](std::size_t i) {
+        return static_cast<std::int32_t>(whole(json.at(i), 0, most_cells));
+    };
+    return {at(0), at(1), at(2), at(3)};
+}
+
 TilePlan plan_of(const Json& json) {
     TilePlan plan;
     for (const Json& word : json.at("arguments"))
@@ -85,14 +108,13 @@ TilePlan plan_of(const Json& json) {
         if (layers == layer_words[i])
             plan.layers = static_cast<Layers>(i);
     plan.parts = json.at("parts").get<bool>();
-    plan.side = json.at("tile").get<std::int32_t>();
-    plan.tiles = json.at("tiles").get<std::int64_t>();
-    const Json& window = json.at("window");
-    plan.window = {window.at(0).get<std::int32_t>(), window.at(1).get<std::int32_t>(),
-                   window.at(2).get<std::int32_t>(), window.at(3).get<std::int32_t>()};
+    plan.side = static_cast<std::int32_t>(whole(json.at("tile"), 1, TilePlan::most_side));
+    plan.tiles = whole(json.at("tiles"), 1, max_whole);
+    plan.window = window_of(json.at("window"));
     for (const Json& file : json.at("files"))
         plan.files.push_back({from_json(file.at("name").get<std::string>()),
-                              file.at("bytes").get<std::int64_t>(), file.at("modified").get<std::int64_t>()});
+                              whole(file.at("bytes"), min_whole, max_whole),
+                              whole(file.at("modified"), min_whole, max_whole)});
     return plan;
 }
 
@@ -103,6 +125,10 @@ TilePlan plan_of(const Json& json) {
 
 }  // namespace
 
+std::string plan_text(const TilePlan& plan, const TileCost& cost) {
+    return json_of(plan, cost).dump(2) + '\n';
+}
+
 void write_plan(const std::filesystem::path& work, const TilePlan& plan, const TileCost& cost) {
     const std::filesystem::path path = path_of(work);
     const std::filesystem::path hidden = work / (".plan.json." + std::to_string(::getpid()));
@@ -110,7 +136,7 @@ void write_plan(const std::filesystem::path& work, const TilePlan& plan, const T
         std::filesystem::create_directories(work);
         {
             std::ofstream file(hidden, std::ios::binary);
-            file << json_of(plan, cost).dump(2) << '\n';
+            file << plan_text(plan, cost);
             file.flush();
             if (!file)
                 throw std::system_error(errno, std::generic_category());
@@ -134,21 +160,27 @@ KnownPlan read_plan(const std::filesystem::path& work) {
             "; run 'dem2buildings_tiles plan' first, or give the work folder that it was given.");
     std::ostringstream text;
     text << file.rdbuf();
-    const std::string bytes = std::move(text).str();
-    const Json json = Json::parse(bytes, nullptr, false);
+    return plan_from(work, std::move(text).str());
+}
+
+KnownPlan plan_from(const std::filesystem::path& work, const std::string& bytes) {
+    const std::filesystem::path path = path_of(work);
+    constexpr const char* no_plan = "is no plan, or a part of one";
+    KnownPlan known;
     try {
+        const Json json = Json::parse(bytes, nullptr, false);
         if (!json.is_object() || json.value("program", "") != program)
-            refuse(path, "is no plan, or a part of one");
+            refuse(path, no_plan);
         if (json.value("version", "") != version)
             refuse(path, "was written by another version of dem2buildings");
-        KnownPlan known{plan_of(json), {}};
-        if (known.plan.side < 1)
-            refuse(path, "is no plan, or a part of one");
-        known.work = {work, digest_of(std::as_bytes(std::span(bytes))), known.plan.side, {}};
-        return known;
-    } catch (const nlohmann::json::exception&) {
-        refuse(path, "is no plan, or a part of one");
+        known.plan = plan_of(json);
+    } catch (const Json::exception&) {
+        refuse(path, no_plan);
+    } catch (const std::out_of_range&) {
+        refuse(path, no_plan);
     }
+    known.work = {work, digest_of(std::as_bytes(std::span(bytes))), known.plan.side, {}};
+    return known;
 }
 
 }  // namespace d2b

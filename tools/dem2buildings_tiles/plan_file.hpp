@@ -13,6 +13,8 @@ namespace d2b {
 
 /// What `plan` decided, as <work>/plan.json has it.
 struct TilePlan {
+    static constexpr int most_side = 1000;
+
     std::vector<std::string> words;  ///< the command line of dem2buildings that the result is that of
     std::string folder;              ///< in which it was given: relative names of files are of it
     Layers layers = Layers::both;    ///< that the destination gets
@@ -31,6 +33,7 @@ struct TileCost {
     std::int64_t bytes_read = 0;  ///< by all steps on all tiles, as they are in memory
 };
 
+[[nodiscard]] std::string plan_text(const TilePlan& plan, const TileCost& cost);
 /// Writes the file in one rename. @throws OutputError
 void write_plan(const std::filesystem::path& work, const TilePlan& plan, const TileCost& cost);
 
@@ -41,5 +44,7 @@ struct KnownPlan {
 };
 /// @throws InputError where there is none, or it is of another version, or damaged
 [[nodiscard]] KnownPlan read_plan(const std::filesystem::path& work);
+/// The same of a file with these bytes.
+[[nodiscard]] KnownPlan plan_from(const std::filesystem::path& work, const std::string& bytes);
 
 }  // namespace d2b

@@ -160,6 +160,20 @@ Planned open_planned(const TileCommand& command, const Callbacks& callbacks) {
     return planned;
 }
 
+/// What a step works with. @param features the destination, or in its place a PlannedSink
+/// @throws InputError where the plan is not what is made of its options
+std::unique_ptr<TileRun> begin_step(const Planned& planned, FeatureSink& features,
+                                    const Callbacks& callbacks) {
+    auto run = std::make_unique<TileRun>(planned.known.work, planned.options, planned.inputs.sources(),
+                                         features, callbacks);
+    if (run->tiles().count() != planned.known.plan.tiles)
+        throw InputError("'" + (planned.known.work.folder / "plan.json").string() +
+                         "' has been changed: it says " + std::to_string(planned.known.plan.tiles) +
+                         " tiles, and its options make " + std::to_string(run->tiles().count()) +
+                         "; run 'dem2buildings_tiles plan' with a new work folder.");
+    return run;
+}
+
 void require_tile(std::int64_t tile, const TilePlan& plan) {
     if (tile >= plan.tiles)
         throw InputError("There is no tile " + std::to_string(tile) + "; the plan has " +
@@ -173,25 +187,23 @@ void on_tiles(const TileCommand& command, const Callbacks& callbacks, const Step
         require_tile(tile, planned.known.plan);
     for (const std::int64_t tile : command.tiles) {
         PlannedSink nowhere(planned.known.plan.layers);
-        TileRun run(planned.known.work, planned.options, planned.inputs.sources(), nowhere, callbacks);
-        step(run, tile);
+        step(*begin_step(planned, nowhere, callbacks), tile);
     }
 }
 
 void join(const TileCommand& command, const Callbacks& callbacks) {
     const Planned planned = open_planned(command, callbacks);
     PlannedSink nowhere(planned.known.plan.layers);
-    TileRun run(planned.known.work, planned.options, planned.inputs.sources(), nowhere, callbacks);
-    join_tiles(run);
+    join_tiles(*begin_step(planned, nowhere, callbacks));
 }
 
 /// Other files would have been written over; and what merge has numbered it does not number again.
 RunReport merged(const Planned& planned, const Callbacks& callbacks) {
     const auto sink = open_sink(planned.options.write, callbacks);
-    TileRun run(planned.known.work, planned.options, planned.inputs.sources(), *sink, callbacks);
+    const auto run = begin_step(planned, *sink, callbacks);
     if (!planned.known.plan.parts)
-        return merge_tiles(run, *sink);
-    RunReport report = number_tiles(run);
+        return merge_tiles(*run, *sink);
+    RunReport report = number_tiles(*run);
     report.output = planned.options.write.destination;
     return report;
 }
@@ -200,7 +212,7 @@ bool has_numbers(const Planned& planned) {
     if (!planned.known.plan.parts)
         return false;
     PlannedSink nowhere(planned.known.plan.layers);
-    return are_numbered(TileRun(planned.known.work, planned.options, planned.inputs.sources(), nowhere, {}));
+    return are_numbered(*begin_step(planned, nowhere, {}));
 }
 
 void merge(const TileCommand& command, const Callbacks& callbacks) {
@@ -247,10 +259,10 @@ void write(const TileCommand& command, const Callbacks& callbacks) {
         require_tile(tile, planned.known.plan);
     for (const std::int64_t tile : command.tiles) {
         const auto sink = open_part_sink(planned.options.write, tile, callbacks);
-        TileRun run(planned.known.work, planned.options, planned.inputs.sources(), *sink, callbacks);
-        write_tile(run, tile, *sink);
+        const auto run = begin_step(planned, *sink, callbacks);
+        write_tile(*run, tile, *sink);
         if (tile == command.tiles.back())
-            show_parts(run, tile);
+            show_parts(*run, tile);
     }
 }
 

@@ -172,7 +172,9 @@ void TileDrawing::read_cells(DrawnTile& drawn) {
 
 DrawnTile TileDrawing::draw(DrawnBlocks& blocks) {
     const RunSetup& setup = run_.setup();
-    (void)reader_.survey(run_.sift_rules(), [&](const ElevationBand&) { context_.check_stop(); });
+    // What is no elevation is all that has to be known.
+    (void)reader_.survey(
+        run_.sift_rules(), [&](const ElevationBand&) { context_.check_stop(); }, Window{});
     const FoundBuildings buildings = found();
     tiers_ = plan_tiers(reader_, buildings, joined_.window, setup, fixed_, global_levels(), context_);
     const TraceFrame frame{joined_.window, tiers_.plan.level_count(), fixed_,

@@ -46,7 +46,7 @@ void find_units(TileRun& run, std::int64_t tile, PartSource& part, ElevationRead
         facts.sampling.merge(here.sampling);
         found.units.push_back(found_unit(placed.unit, std::move(here)));
     }
-    finish_tile_rasters(rasters);
+    finish_tile_rasters(run, tile, rasters);
     if (run.setup().plan.ground == GroundMode::given)
         facts.terrain_outside = run.sources().terrain->cells_outside_range();
 }

@@ -53,7 +53,7 @@ class Join {
     void place_objects();
     /// What a unit's labels are to a tile with these objects.
     [[nodiscard]] JoinedUnit labels_for(std::int64_t number, const std::vector<Label>& numbers) const;
-    void write(std::int64_t tile, const std::vector<Label>& numbers);
+    [[nodiscard]] JoinedTile joined(const std::vector<Label>& numbers) const;
 
     TileRun& run_;
     std::vector<SeenUnit> units_;
@@ -131,8 +131,8 @@ JoinedUnit Join::labels_for(std::int64_t number, const std::vector<Label>& numbe
     return unit;
 }
 
-/// @param numbers of its objects, ascending: what is doubtful comes last
-void Join::write(std::int64_t tile, const std::vector<Label>& numbers) {
+/// A tile. @param numbers of its objects, ascending: what is doubtful comes last
+JoinedTile Join::joined(const std::vector<Label>& numbers) const {
     JoinedTile joined;
     for (const Label label : numbers) {
         const SeenObject& seen = merged_.objects[label - 1];
@@ -146,9 +146,7 @@ void Join::write(std::int64_t tile, const std::vector<Label>& numbers) {
         for (const PlacedUnit& placed : run_.tiles().units_in(joined.window))
             joined.units.push_back(labels_for(placed.number, numbers));
     }
-    ByteWriter writer;
-    save(joined, writer);
-    write_sealed(run_.file(TileStep::join, tile), run_.seal(TileStep::join, tile), writer.bytes());
+    return joined;
 }
 
 void Join::write_tiles() {
@@ -156,10 +154,14 @@ void Join::write_tiles() {
     for (std::size_t i = 0; i < objects_.size(); ++i)
         numbers[static_cast<std::size_t>(run_.tiles().tile_of(objects_[i].unit))].push_back(
             static_cast<Label>(i + 1));
+    SealedFiles files(run_.work().folder / step_name(TileStep::join));
     for (std::int64_t tile = 0; tile < run_.tiles().count(); ++tile) {
         run_.context().check_stop();
-        write(tile, numbers[static_cast<std::size_t>(tile)]);
+        ByteWriter writer;
+        save(joined(numbers[static_cast<std::size_t>(tile)]), writer);
+        files.write(std::to_string(tile), run_.seal(TileStep::join, tile), writer.bytes());
     }
+    files.finish();
 }
 
 void Join::write_frame() {

@@ -105,10 +105,21 @@ SideSinks open_tile_rasters(const TileRun& run, std::int64_t tile) {
         in_use);
 }
 
-void finish_tile_rasters(SideSinks& sinks) {
-    for (const auto& sink : {sinks.ground.get(), sinks.height.get(), sinks.canopy.get()})
-        if (sink != nullptr)
-            sink->finish();
+void finish_tile_rasters(const TileRun& run, std::int64_t tile, SideSinks& sinks) {
+    const auto finish = [&](RasterSink* sink, const std::string& vrt) {
+        try {
+            if (sink != nullptr)
+                sink->finish();
+        } catch (const OutputError&) {
+            std::error_code error;
+            if (!fs::exists(path_of(vrt, tile), error))
+                throw;
+        }
+    };
+    const WriteOptions& write = run.setup().plan.asked.write;
+    finish(sinks.ground.get(), write.ground);
+    finish(sinks.height.get(), write.height);
+    finish(sinks.canopy.get(), write.canopy);
 }
 
 void show_rasters(const TileRun& run) {

@@ -1,0 +1,177 @@
+#include "fuzz/tile_files.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "fuzz/bytes.hpp"
+#include "tiles/drawn_contour.hpp"
+#include "tiles/drawn_tile.hpp"
+#include "tiles/joined_tile.hpp"
+#include "tiles/numbered_tile.hpp"
+#include "tiles/traced_tile.hpp"
+
+namespace d2b::test {
+namespace {
+
+TraceFrame tile_frame() {
+    TraceFrame frame;
+    frame.window = tile_window;
+    frame.levels = 4;
+    return frame;
+}
+
+/// What a file begins with that has nothing to tell.
+template <typename Begin>
+ByteReader after(const Begin& begin, std::span<const std::byte> bytes) {
+    ByteWriter writer;
+    begin(writer);
+    writer.put_bytes(bytes);
+    return ByteReader({writer.bytes().begin(), writer.bytes().end()});
+}
+
+std::size_t read_found(std::span<const std::byte> bytes) {
+    ByteReader reader = after([](ByteWriter& writer) { no_facts().save(writer); }, bytes);
+    const FoundTile tile = load_found_tile(reader, no_facts(), {tile_window});
+    const FoundUnit& unit = tile.units.at(0);
+    demand(unit.boxes.size() == unit.objects.size(), "every object has a box");
+    for (const LabelRun& run : unit.runs) {
+        demand(run.label >= 1 && run.label <= unit.objects.size(), "a run has the label of an object");
+        demand(tile_window.holds(run.row, run.begin) && tile_window.holds(run.row, run.end - 1),
+               "a run lies in its unit");
+    }
+    for (const auto* lines : {&unit.edges.above, &unit.edges.left, &unit.edges.below, &unit.edges.right})
+        for (const std::vector<Label>& line : *lines)
+            for (const Label label : line)
+                demand(label <= unit.objects.size(), "a seam has labels of objects");
+    return reader.left();
+}
+
+std::size_t read_joined(std::span<const std::byte> bytes) {
+    ByteReader reader({bytes.begin(), bytes.end()});
+    const JoinedTile tile = load_joined_tile(reader, tile_window, 3);
+    for (const JoinedUnit& unit : tile.units) {
+        demand(unit.unit >= 0 && unit.unit < 3, "a unit is one of the plan's");
+        demand(std::ranges::all_of(unit.number, [&](Label label) { return label <= tile.other(); }),
+               "labels are of buildings");
+    }
+    ByteWriter again;
+    save(tile, again);
+    demand(std::ranges::equal(again.bytes(), bytes.first(bytes.size() - reader.left())),
+           "it is written as it was");
+    return reader.left();
+}
+
+std::size_t read_drawn(std::span<const std::byte> bytes) {
+    ByteReader reader = after(
+        [](ByteWriter& writer) {
+            writer.put(Tally());
+            writer.put(std::int32_t{1});
+            writer.put(std::int64_t{0});
+            writer.put(StackError());
+        },
+        bytes);
+    const DrawnTile tile = load_drawn_tile(reader);
+    for (std::size_t i = 0; i < tile.left.size(); ++i) {
+        const ContourHead& head = tile.left[i].head;
+        demand(head.parent < static_cast<std::int64_t>(i), "a contour stands on one before");
+        demand(static_cast<std::size_t>(head.key.level) <=
+                   tile.left_buildings.at(head.label - 1).thresholds.size(),
+               "a contour has a threshold");
+    }
+    return reader.left();
+}
+
+std::size_t read_numbered(std::span<const std::byte> bytes) {
+    ByteReader reader({bytes.begin(), bytes.end()});
+    const NumberedTile tile = load_numbered_tile(reader);
+    ByteWriter again;
+    save(tile, again);
+    demand(std::ranges::equal(again.bytes(), bytes.first(bytes.size() - reader.left())),
+           "it is written as it was");
+    return reader.left();
+}
+
+std::size_t read_numbered_whole(std::span<const std::byte> bytes) {
+    ByteReader reader({bytes.begin(), bytes.end()});
+    const NumberedWhole whole = load_numbered_whole(reader, 3);
+    for (const NumberedLayer& layer : whole.layers)
+        demand(layer.tiles.size() <= 3 &&
+                   std::ranges::all_of(layer.tiles, [](std::int64_t tile) { return tile >= 0 && tile < 3; }),
+               "a part is of one of the plan's tiles");
+    return reader.left();
+}
+
+std::size_t read_contour(std::span<const std::byte> bytes) {
+    ByteReader reader({bytes.begin(), bytes.end()});
+    const DrawnContour drawn = load_drawn_contour(reader);
+    demand(drawn.record.level == drawn.key.level, "a contour is on its level");
+    ByteWriter again;
+    save(drawn, again);
+    demand(again.bytes().size() == bytes.size() - reader.left(), "it is written as long as it was");
+    return reader.left();
+}
+
+std::size_t read_lines(std::span<const std::byte> bytes) {
+    const TraceFrame frame = tile_frame();
+    ByteReader reader({bytes.begin(), bytes.end()});
+    std::vector<TileLine> parts;
+    parts.push_back(load_tile_line(reader, frame));
+    parts.push_back(load_tile_line(reader, frame));
+    ByteWriter again;
+    for (const TileLine& part : parts) {
+        save(part, again);
+        for (const ContourSum& sum : part.sums)
+            demand(sum.level >= 0 && sum.level < frame.levels && sum.col < tile_window.cols,
+                   "a sum is of a level and a column");
+    }
+    ByteReader twice({again.bytes().begin(), again.bytes().end()});
+    for (const TileLine& part : parts)
+        demand(load_tile_line(twice, frame).squares.size() == part.squares.size(), "it is written as it was");
+    const TraceLine line = join_lines(std::move(parts), frame);
+    for (const std::vector<Run>& runs : line.squares.levels)
+        for (std::size_t i = 0; i < runs.size(); ++i) {
+            demand(runs[i].begin < runs[i].end && runs[i].end <= tile_window.cols,
+                   "a run lies in the window");
+            demand(i == 0 || runs[i - 1].end < runs[i].begin, "runs of a level are apart");
+        }
+    return reader.left();
+}
+
+std::size_t read_traced(std::span<const std::byte> bytes) {
+    ByteReader reader = after([](ByteWriter& writer) { writer.put(Tally()); }, bytes);
+    const TracedTile tile = load_traced_tile(reader);
+    demand((tile.lines + TracedTile::lines_a_block - 1) / TracedTile::lines_a_block == tile.blocks.size(),
+           "there are as many blocks as lines need");
+    return reader.left();
+}
+
+}  // namespace
+
+FoundFacts no_facts() {
+    return FoundFacts({on_land, spikes_m, 1, {}}, 2);
+}
+
+std::size_t read_tile_file(std::span<const std::byte> file) {
+    const std::span<const std::byte> bytes = file.subspan(1);
+    switch (static_cast<TileFile>(static_cast<std::uint8_t>(file[0]) % tile_files)) {
+        case TileFile::found:
+            return read_found(bytes);
+        case TileFile::joined:
+            return read_joined(bytes);
+        case TileFile::drawn:
+            return read_drawn(bytes);
+        case TileFile::numbered:
+            return read_numbered(bytes);
+        case TileFile::numbered_whole:
+            return read_numbered_whole(bytes);
+        case TileFile::lines:
+            return read_lines(bytes);
+        case TileFile::traced:
+            return read_traced(bytes);
+        case TileFile::contour:
+            break;
+    }
+    return read_contour(bytes);
+}
+
+}  // namespace d2b::test
