@@ -255,6 +255,11 @@ int fdatasync(int descriptor) {
     return fails("sync", descriptor) ? -1 : next(descriptor);
 }
 
+int syncfs(int descriptor) {
+    static const auto next = real<int (*)(int)>("syncfs");
+    return fails("sync", descriptor) ? -1 : next(descriptor);
+}
+
 int ftruncate64(int descriptor, off64_t size) {
     static const auto next = real<int (*)(int, off64_t)>("ftruncate64");
     return fails("truncate", descriptor) ? -1 : next(descriptor, size);
