@@ -16,7 +16,10 @@ void warn_of_search(const Search& search, bool found_any, Context& context) {
     if (report.valid_points == 0)
         return;
     warn_of(ndvi_doubt(search.sides, search.plan.asked), context);
-    if (search.sampling) {
+    const std::string ground = ground_doubt(search.fit, search.plan.ground, search.plan.asked.ground.terrain);
+    const std::string doubt = ground.empty() ? surface_doubt(search.fit, search.dem.name) : ground;
+    // What is no surface, or stands on another ground, has no walls that could be smeared.
+    if (search.sampling && doubt.empty()) {
         const double side = std::sqrt(search.cell.area());
         warn_of(thin_doubt(*search.sampling, side), context);
         warn_of(blur_doubt(*search.sampling, side), context);
@@ -34,8 +37,7 @@ void warn_of_search(const Search& search, bool found_any, Context& context) {
         warn_of(overlap_doubt(*search.parcels, detect), context);
         warn_of(validity_doubt(*search.parcels, detect), context);
     }
-    const std::string ground = ground_doubt(search.fit, search.plan.ground, search.plan.asked.ground.terrain);
-    warn_of(ground.empty() ? surface_doubt(search.fit, search.dem.name) : ground, context);
+    warn_of(doubt, context);
 }
 
 }  // namespace d2b

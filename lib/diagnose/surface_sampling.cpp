@@ -15,6 +15,9 @@ namespace {
 
 constexpr std::int32_t reach = SurfaceSampling::reach;
 constexpr std::int64_t fewest_steps = 100;
+/// Rough pairs are at least a tenth of the cells of buildings; scans have two thirds to twice as many, blocks
+/// on a terrain a fiftieth, at their corners.
+constexpr std::int64_t least_rough = 10;
 /// Fewer cells without a point than these cannot be told from none.
 constexpr double least_filled = 0.01;
 /// Between a tenth and nine tenths of a normal distribution, in standard deviations.
@@ -123,9 +126,11 @@ void SamplingOfRows::add(RowBand band) {
         add_pairs(r, here, below);
         std::swap(here, below);
         for (std::int32_t c = own_.col; c < own_.end_col(); ++c)
-            if (detection_.is_building(detection_.labels.at(r, c)))
+            if (detection_.is_building(detection_.labels.at(r, c))) {
+                ++sampling_.built;
                 for (const auto& [down, right] : {std::pair{0, 1}, {0, -1}, {1, 0}, {-1, 0}})
                     add_step(r, c, down, right);
+            }
     }
 }
 
@@ -152,6 +157,7 @@ double blur_of(double ratio) {
 
 void SurfaceSampling::merge(const SurfaceSampling& other) {
     rough.merge(other.rough);
+    built += other.built;
     steps += other.steps;
     falls += other.falls;
     steepest += other.steepest;
@@ -168,7 +174,8 @@ void add_sampling(const Scene& scene, const Detection& detection, double min_hei
 
 SamplingReport sampling_report(const SurfaceSampling& sampling) {
     SamplingReport report;
-    report.filled_share = filled_share(sampling.rough);
+    if (sampling.rough.all * least_rough >= sampling.built)
+        report.filled_share = filled_share(sampling.rough);
     if (report.filled_share >= least_filled)
         report.points_per_cell = -std::log(report.filled_share);
     if (sampling.steps >= fewest_steps)

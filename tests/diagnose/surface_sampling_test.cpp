@@ -111,6 +111,23 @@ TEST(SurfaceSampling, PointsAreAsManyAsFellIntoACell) {
     EXPECT_EQ(Found().report().points_per_cell, std::nullopt) << "nothing is rough";
 }
 
+TEST(SurfaceSampling, OfAModelsCornersNothingFollows) {
+    Found found = crowns(1.5);
+    found.detection.labels = Grid<Label>(side, side, 1);
+    EXPECT_NE(found.report().points_per_cell, std::nullopt);
+    // An eighth of it stays, which is enough to count; the rest are flat roofs.
+    for (std::int32_t r = 12; r < side; ++r)
+        for (std::int32_t c = 0; c < side; ++c)
+            found.surface.at(r, c) = 9;
+    ASSERT_GE(found.counted().rough.all, 300);
+    ASSERT_GT(filled_share(found.counted().rough), 0.1);
+    for (const std::int64_t built : {10, 11}) {
+        SurfaceSampling sampling = found.counted();
+        sampling.built = built * sampling.rough.all;
+        EXPECT_EQ(sampling_report(sampling).points_per_cell.has_value(), built == 10);
+    }
+}
+
 /// So units and threads do not change what is said.
 TEST(SurfaceSampling, PartsAddUpToTheWhole) {
     Found found = crowns(1.5);
@@ -128,6 +145,8 @@ TEST(SurfaceSampling, PartsAddUpToTheWhole) {
     EXPECT_GT(whole.rough.counts[0], 0);
     EXPECT_EQ(sum.rough.counts, whole.rough.counts);
     EXPECT_EQ(sum.rough.all, whole.rough.all);
+    EXPECT_EQ(whole.built, 40 * 30 - 4) << "the blur takes the corners";
+    EXPECT_EQ(sum.built, whole.built);
     EXPECT_EQ(sum.steps, whole.steps);
     EXPECT_EQ(sum.falls, whole.falls);
     EXPECT_EQ(sum.steepest, whole.steepest);
