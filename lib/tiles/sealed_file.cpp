@@ -161,6 +161,16 @@ void write_file(const std::filesystem::path& path, const Seal& seal, std::span<c
     fail(path, error);
 }
 
+/// @return its descriptor @throws OutputError
+int open_folder(const std::filesystem::path& folder) {
+    std::error_code ignored;
+    std::filesystem::create_directories(folder, ignored);
+    const int opened = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (opened < 0)
+        fail(folder, errno);
+    return opened;
+}
+
 }  // namespace
 
 std::string_view step_name(TileStep step) {
@@ -193,13 +203,8 @@ void write_sealed(const std::filesystem::path& path, const Seal& seal, std::span
     write_file(path, seal, body, tail, true);
 }
 
-SealedFiles::SealedFiles(std::filesystem::path folder) : folder_(std::move(folder)) {
-    std::error_code ignored;
-    std::filesystem::create_directories(folder_, ignored);
-    opened_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (opened_ < 0)
-        fail(folder_, errno);
-}
+SealedFiles::SealedFiles(std::filesystem::path folder)
+    : folder_(std::move(folder)), opened_(open_folder(folder_)) {}
 
 SealedFiles::~SealedFiles() {
     ::close(opened_);
