@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include <cpl_string.h>
 #include <gdal_utils.h>
@@ -14,6 +15,7 @@
 #include "core/number_text.hpp"
 #include "core/warnings.hpp"
 #include "dem2buildings/error.hpp"
+#include "read/cell_boxes.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/open_raster.hpp"
 #include "read/start_gdal.hpp"
@@ -151,6 +153,27 @@ std::optional<double> nodata_of(const std::vector<Listed>& rasters) {
     return unlikely(rasters.front().type);
 }
 
+/// Whether each cell has the value of one raster, or none, whatever that value is: GDAL then copies rows
+/// where it would look at each cell.
+bool may_copy(const std::vector<Listed>& rasters, double nodata) {
+    const auto fits = [&](const Listed& raster) {
+        return !raster.nodata || *raster.nodata == nodata ||
+               (std::isnan(*raster.nodata) && std::isnan(nodata));
+    };
+    if (!std::ranges::all_of(rasters, fits))
+        return false;
+    std::vector<CellBox> boxes;
+    for (const Listed& raster : rasters) {
+        CellBox& box = boxes.emplace_back();
+        for (std::size_t i = 0; i < box.size(); ++i) {
+            const Axis& origin = rasters.front().axes[i];
+            const double first = std::round((raster.axes[i].first - origin.first) / origin.step);
+            box[i] = {first, first + raster.axes[i].cells};
+        }
+    }
+    return are_apart(std::move(boxes));
+}
+
 struct OptionsRelease {
     void operator()(GDALBuildVRTOptions* options) const { GDALBuildVRTOptionsFree(options); }
 };
@@ -169,6 +192,10 @@ void build_mosaic(const std::string& path, const std::vector<std::string>& raste
     if (const std::optional<double> nodata = nodata_of(all)) {
         words.AddString("-vrtnodata");
         words.AddString(number_text(*nodata).c_str());
+        if (may_copy(all, *nodata)) {
+            words.AddString("-srcnodata");
+            words.AddString("None");
+        }
     }
     const GdalMessages messages;
     const std::unique_ptr<GDALBuildVRTOptions, OptionsRelease> options(

@@ -51,7 +51,8 @@ def run_all(commands):
 
 
 def make_mosaic(build, work, million):
-    mosaic = work / "mosaic.vrt"
+    folder = work / "mosaic"  # of a plan that nothing else is done for
+    mosaic = folder / "source.vrt"
     if mosaic.exists():
         return mosaic
     city = work / "city.tif"
@@ -67,7 +68,10 @@ def make_mosaic(build, work, million):
                             "-co", "COMPRESS=DEFLATE", "-co", "PREDICTOR=3", "-srcwin",
                             *map(str, first + [end[0] - first[0], end[1] - first[1]]), city, parts[-1]], check=True)
     city.unlink()
-    subprocess.run(["gdalbuildvrt", "-q", mosaic, *parts], check=True)
+    names = work / "parts.txt"
+    names.write_text("".join(f"{part}\n" for part in parts))
+    subprocess.run([build / "tools/dem2buildings_tiles", "plan", "-q", "-input_file_list", names, work / "none.gpkg", folder],
+                   check=True)
     return mosaic
 
 

@@ -65,6 +65,37 @@ TEST_F(ReadMosaic, ofBytesLeavesGapsWithoutData) {
     expect_values(mosaic({"a.tif", "b.tif"}), {0, 254, none, 2, 1});
 }
 
+/// Rows are copied where no raster lies above another one and all mean the same by no data.
+TEST_F(ReadMosaic, looksAtEachCellOnlyWhereItHasTo) {
+    const auto copies = [&] { return read_bytes(path("source.vrt")).find("<NODATA>") == std::string::npos; };
+    RasterSpec a = at(10, 20, {1, -7});
+    RasterSpec b = at(12, 20, {-7, 4});
+    a.type = b.type = GDT_Float32;
+    a.nodata = b.nodata = -7;
+    write(path("a.tif"), a);
+    write(path("b.tif"), b);
+    expect_values(mosaic({"a.tif", "b.tif"}), {1, none, none, 4});
+    EXPECT_TRUE(copies());
+    b.nodata = -9;
+    write(path("b.tif"), b);
+    expect_values(mosaic({"a.tif", "b.tif"}), {1, none, none, 4});  // -7 is none of the mosaic's
+    EXPECT_FALSE(copies());
+    b = at(11, 20, {-7, 4});
+    b.type = GDT_Float32;
+    b.nodata = -7;
+    write(path("b.tif"), b);
+    write(path("c.tif"), a);
+    expect_values(mosaic({"a.tif", "b.tif"}), {1, none, 4});
+    expect_values(mosaic({"c.tif", "b.tif", "a.tif"}), {1, none, 4});
+    EXPECT_FALSE(copies());
+    a = at(10, 20, {3, 5});  // all of which is above
+    a.type = GDT_Float32;
+    a.nodata = -7;
+    write(path("a.tif"), a);
+    expect_values(mosaic({"a.tif", "b.tif"}), {3, 5, 4});
+    EXPECT_FALSE(copies());
+}
+
 TEST_F(ReadMosaic, refusesWhatIsNotOnOneGrid) {
     write(path("a.tif"), at(10, 20, {1, 2}));
     const auto expect = [&](const RasterSpec& spec, const std::string& why, const std::string& advice) {
