@@ -22,6 +22,7 @@ class RowSlabs {
         return static_cast<std::size_t>((row - first_row_) / slab_rows);
     }
     [[nodiscard]] Slab& operator[](std::size_t i) { return slabs_[i]; }
+    [[nodiscard]] const Slab& operator[](std::size_t i) const { return slabs_[i]; }
     /// Calls use(slab) for each that has rows of a band of the window, from the first to the last.
     template <typename Use>
     void for_band(const BandShape& band, const Use& use) const {

@@ -105,14 +105,16 @@ std::size_t ElevationReader::band_with(std::int32_t row) const {
     return static_cast<std::size_t>(found - shapes_.begin());
 }
 
-ElevationBand ElevationReader::get(const Window& part, Tally& tally) {
+ElevationBand ElevationReader::get(const Window& part, std::vector<double>&& buffer, Tally& tally) {
     const StageClock clock(tally, Stage::read);
     const Window& window = source_.info().window;
     ElevationBand band{{part.row, part.rows, part.cols}, {}};
     if (complete_) {
+        band.elevations = std::move(buffer);
+        band.elevations.clear();
         band.elevations.reserve(band.shape.size());
     } else {
-        band = read(part);
+        band = read(part, std::move(buffer));
         limit(band.elevations, rules_.limits);
     }
     for (std::size_t i = band_with(part.row); i < shapes_.size() && shapes_[i].first_row < part.end_row();
@@ -131,8 +133,8 @@ ElevationBand ElevationReader::get(const Window& part, Tally& tally) {
     return band;
 }
 
-ElevationBand ElevationReader::read(const Window& part) {
-    ElevationBand band{{part.row, part.rows, part.cols}, {}};
+ElevationBand ElevationReader::read(const Window& part, std::vector<double>&& buffer) {
+    ElevationBand band{{part.row, part.rows, part.cols}, std::move(buffer)};
     band.elevations.resize(band.shape.size());
     source_.read(part, band.elevations);
     return band;
@@ -144,7 +146,7 @@ ElevationBand ElevationReader::get_above(std::size_t i, std::int32_t halo, Tally
     const BandShape& band = shapes_[i];
     const std::int32_t rows = std::min(halo, band.first_row - shapes_.front().first_row);
     const BandShape above{band.first_row - rows, rows, band.cols};
-    return rows > 0 ? get(whole(above), tally) : ElevationBand{above, {}};
+    return rows > 0 ? get(whole(above), {}, tally) : ElevationBand{above, {}};
 }
 
 ElevationSurvey ElevationReader::survey(const SiftRules& rules,
@@ -166,7 +168,7 @@ ElevationSurvey ElevationReader::survey(const SiftRules& rules,
     pass(
         [this](std::size_t i, Tally& tally) {
             const StageClock clock(tally, Stage::read);
-            return read(whole(shapes_[i]));
+            return read(whole(shapes_[i]), buffers_.take());
         },
         [&](std::size_t, ElevationBand& band, Tally& tally) {
             const StageClock clock(tally, Stage::levels);
@@ -251,8 +253,12 @@ void ElevationReader::for_part(const Window& part, const std::function<void(cons
     std::vector<Tally> tallies(pieces.size());
     const Merger merger{tallies, context_.report};
     context_.threads->for_each(pieces.size(), [&](std::size_t i) {
-        use(get({pieces[i].first_row, part.col, pieces[i].rows, part.cols}, tallies[i]));
+        ElevationBand band =
+            get({pieces[i].first_row, part.col, pieces[i].rows, part.cols}, buffers_.take(), tallies[i]);
+        use(band);
+        buffers_.give(std::move(band.elevations));
     });
+    buffers_.clear();
 }
 
 }  // namespace d2b

@@ -11,6 +11,7 @@
 #include "core/band.hpp"
 #include "core/context.hpp"
 #include "dem2buildings/dem_source.hpp"
+#include "elevations/band_buffers.hpp"
 #include "elevations/band_cells.hpp"
 #include "elevations/sift.hpp"
 #include "elevations/statistics.hpp"
@@ -55,7 +56,7 @@ class ElevationReader {
     /// itself and waits for no other. @param halo so many rows, at most 64; fewer where the window begins
     template <typename Prepare, typename Use>
     void for_each_below(std::int32_t halo, const Prepare& prepare, const Use& use) {
-        pass([this](std::size_t i, Tally& tally) { return get(whole(shapes_[i]), tally); },
+        pass([this](std::size_t i, Tally& tally) { return get(whole(shapes_[i]), buffers_.take(), tally); },
              [&](std::size_t i, const ElevationBand& band, Tally& tally) {
                  // After the band: whoever reads the one above has decoded these rows by now.
                  return prepare(get_above(i, halo, tally), band, tally);
@@ -116,14 +117,16 @@ class ElevationReader {
                 use(made.band, std::move(made.prepared));
                 if (made.kept)
                     put(i, std::move(*made.kept));
+                buffers_.give(std::move(made.band.elevations));
             },
             ahead_);
+        buffers_.clear();
         complete_ = keep_;
     }
-    /// What is in the source. @throws InputError
-    [[nodiscard]] ElevationBand read(const Window& part);
+    /// What is in the source. @param buffer for the elevations @throws InputError
+    [[nodiscard]] ElevationBand read(const Window& part, std::vector<double>&& buffer);
     /// What of it is valid. @param part of the window @throws InputError
-    [[nodiscard]] ElevationBand get(const Window& part, Tally& tally);
+    [[nodiscard]] ElevationBand get(const Window& part, std::vector<double>&& buffer, Tally& tally);
     [[nodiscard]] ElevationBand get_above(std::size_t i, std::int32_t halo, Tally& tally);
     [[nodiscard]] Window whole(const BandShape& rows) const;
     /// The first band that has rows from this one on.
@@ -144,6 +147,7 @@ class ElevationReader {
     std::size_t ahead_ = 1;  ///< bands a thread that are read ahead
     std::vector<BandShape> shapes_;
     std::vector<Kept> kept_;
+    BandBuffers buffers_;  ///< of one pass
     SiftRules rules_;
     std::optional<BandCells> decided_;  ///< spikes of the bands
 };

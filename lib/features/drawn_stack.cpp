@@ -16,15 +16,19 @@ constexpr double no_tier = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-/// The tiers of a band, which only buildings' cells have.
-class DrawnStack::BandTiers {
+/// The tiers of some rows, which only buildings' cells have.
+class DrawnStack::SlabTiers {
   public:
-    BandTiers(const BandShape& shape, std::int32_t first_col)
-        : shape_(shape), first_col_(first_col), tiers_(shape.size()) {}
+    explicit SlabTiers(std::int32_t first_col) : first_col_(first_col) {}
 
-    /// Calls use(first, last, tier) with the tiers of each run of an entry that lies in the band.
+    /// For other rows. Cells hold whatever they held until they are cleared.
+    void begin(const BandShape& rows) {
+        shape_ = rows;
+        tiers_.resize(rows.size());
+    }
+    /// Calls use(first, last, tier) with the tiers of each run of an entry that lies in the rows.
     template <typename Use>
-    void for_runs(const Spool& spool, const SpoolEntry& entry, const Use& use) {
+    void for_runs(const Spool& spool, const SpoolEntry& entry, const Use& use) const {
         ByteReader reader(spool, entry);
         const auto own = reader.take<double>();
         const auto whole = reader.take<double>();
@@ -96,20 +100,34 @@ void DrawnStack::add(const std::vector<RowSpan>& cells, const StackTier& tier,
     }
 }
 
-template <typename Use>
-void DrawnStack::for_runs(BandTiers& tiers, const BandShape& band,
-                          const std::vector<SpoolEntry> Slab::*entries, const Use& use) const {
-    slabs_.for_band(band, [&](const Slab& slab) {
-        for (const SpoolEntry& entry : slab.*entries)
-            tiers.for_runs(*spool_, entry, use);
-    });
+template <typename Work>
+void DrawnStack::for_slabs(const ElevationBand& band, const Work& work) const {
+    const std::int32_t end = band.shape.first_row + band.shape.rows;
+    std::size_t first = 0;
+    for (std::int32_t row = band.shape.first_row; row < end;) {
+        const std::size_t slab = slabs_.index(row);
+        BandShape rows{row, 0, band.shape.cols};
+        while (row < end && slabs_.index(row) == slab)
+            ++row;
+        rows.rows = row - rows.first_row;
+        work(slabs_[slab], rows, std::span(band.elevations).subspan(first, rows.size()));
+        first += rows.size();
+    }
 }
 
-StackError DrawnStack::measured(BandTiers& tiers, const ElevationBand& band, const FixedPoint& fixed) const {
+template <typename Use>
+void DrawnStack::for_runs(const SlabTiers& tiers, const std::vector<SpoolEntry>& entries,
+                          const Use& use) const {
+    for (const SpoolEntry& entry : entries)
+        tiers.for_runs(*spool_, entry, use);
+}
+
+StackError DrawnStack::measured(SlabTiers& tiers, const Slab& slab, std::span<const double> elevations,
+                                const FixedPoint& fixed) const {
     StackError error;
-    for_runs(tiers, band.shape, &Slab::buildings, [&](std::size_t begin, std::size_t end, const StackTier&) {
+    for_runs(tiers, slab.buildings, [&](std::size_t begin, std::size_t end, const StackTier&) {
         for (std::size_t i = begin; i < end; ++i) {
-            const double distance = tiers.at(i) - band.elevations[i];
+            const double distance = tiers.at(i) - elevations[i];
             tiers.at(i) = no_tier;  // each cell once
             if (!std::isnan(distance))
                 error.add(distance, fixed);
@@ -118,37 +136,44 @@ StackError DrawnStack::measured(BandTiers& tiers, const ElevationBand& band, con
     return error;
 }
 
-void DrawnStack::begin_buildings(BandTiers& tiers, const BandShape& band) const {
-    for_runs(tiers, band, &Slab::buildings,
+void DrawnStack::begin_buildings(SlabTiers& tiers, const Slab& slab) const {
+    for_runs(tiers, slab.buildings,
              [&](std::size_t begin, std::size_t end, const StackTier&) { tiers.clear(begin, end); });
 }
 
 StackError DrawnStack::error(const ElevationBand& band, std::int32_t first_col,
                              const FixedPoint& fixed) const {
-    BandTiers tiers(band.shape, first_col);
-    begin_buildings(tiers, band.shape);
-    for_runs(
-        tiers, band.shape, &Slab::contours,
-        [&](std::size_t begin, std::size_t end, const StackTier& tier) { tiers.fill(begin, end, tier.own); });
-    return measured(tiers, band, fixed);
+    StackError error;
+    SlabTiers tiers(first_col);
+    for_slabs(band, [&](const Slab& slab, const BandShape& rows, std::span<const double> elevations) {
+        tiers.begin(rows);
+        begin_buildings(tiers, slab);
+        for_runs(tiers, slab.contours, [&](std::size_t begin, std::size_t end, const StackTier& tier) {
+            tiers.fill(begin, end, tier.own);
+        });
+        error.merge(measured(tiers, slab, elevations, fixed));
+    });
+    return error;
 }
 
 std::vector<StackError> DrawnStack::errors_by_level(const ElevationBand& band, const FixedPoint& fixed,
                                                     std::int32_t levels) const {
-    std::vector<StackError> errors;
-    BandTiers below(band.shape, 0);
-    begin_buildings(below, band.shape);
-    for (std::int32_t level = 1; level <= levels; ++level) {
-        BandTiers cut = below;
-        for_runs(cut, band.shape, &Slab::contours,
-                 [&](std::size_t begin, std::size_t end, const StackTier& tier) {
-                     if (tier.level != level)
-                         return;
-                     cut.fill(begin, end, tier.whole);
-                     below.fill(begin, end, tier.own);
-                 });
-        errors.push_back(measured(cut, band, fixed));
-    }
+    std::vector<StackError> errors(static_cast<std::size_t>(levels));
+    SlabTiers below(0);
+    for_slabs(band, [&](const Slab& slab, const BandShape& rows, std::span<const double> elevations) {
+        below.begin(rows);
+        begin_buildings(below, slab);
+        for (std::int32_t level = 1; level <= levels; ++level) {
+            SlabTiers cut = below;
+            for_runs(cut, slab.contours, [&](std::size_t begin, std::size_t end, const StackTier& tier) {
+                if (tier.level != level)
+                    return;
+                cut.fill(begin, end, tier.whole);
+                below.fill(begin, end, tier.own);
+            });
+            errors[static_cast<std::size_t>(level - 1)].merge(measured(cut, slab, elevations, fixed));
+        }
+    });
     return errors;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/band.hpp"
@@ -66,14 +67,17 @@ class DrawnStack {
         std::vector<SpoolEntry> buildings;
         std::vector<SpoolEntry> contours;
     };
-    class BandTiers;
-    /// Calls use(first, last, tier) with the runs of the entries that lie in the band.
+    class SlabTiers;
+    /// Calls work(slab, rows, elevations) for the rows of a band that lie in one slab, slab by slab: what is
+    /// worked on stays in the cache.
+    template <typename Work>
+    void for_slabs(const ElevationBand& band, const Work& work) const;
+    /// Calls use(first, last, tier) with the runs of the entries that lie in the rows.
     template <typename Use>
-    void for_runs(BandTiers& tiers, const BandShape& band, const std::vector<SpoolEntry> Slab::*entries,
-                  const Use& use) const;
+    void for_runs(const SlabTiers& tiers, const std::vector<SpoolEntry>& entries, const Use& use) const;
     /// Where buildings stand there is no tier until a contour has one.
-    void begin_buildings(BandTiers& tiers, const BandShape& band) const;
-    [[nodiscard]] StackError measured(BandTiers& tiers, const ElevationBand& band,
+    void begin_buildings(SlabTiers& tiers, const Slab& slab) const;
+    [[nodiscard]] StackError measured(SlabTiers& tiers, const Slab& slab, std::span<const double> elevations,
                                       const FixedPoint& fixed) const;
     void add(const std::vector<RowSpan>& cells, const StackTier& tier,
              std::vector<SpoolEntry> Slab::*entries);

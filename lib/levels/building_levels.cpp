@@ -53,6 +53,18 @@ BreakPrice price_of(const PointStats& stats, double border_price) {
     return {least_error + border_price * 2 * std::sqrt(static_cast<double>(stats.n)), least_share};
 }
 
+void add_even(std::span<const double> cells, Label label, std::vector<EvenCells>& to) {
+    for (std::size_t c = 0; c < cells.size();) {
+        const double z = cells[c];
+        const std::size_t first = c++;
+        if (std::isnan(z))
+            continue;
+        while (c < cells.size() && cells[c] == z)
+            ++c;
+        to.push_back({label, static_cast<std::int64_t>(c - first), z});
+    }
+}
+
 /// What a building's own elevations say.
 std::vector<double> own_thresholds(const BuildingStatistics& statistics, Label label,
                                    const LevelOptions& options, LevelSource source, double border_price,
@@ -70,17 +82,16 @@ std::vector<EvenCells> even_cells(const ElevationBand& elevations, const LabelBa
     for (std::int32_t r = 0; r < elevations.shape.rows; ++r) {
         const std::span<const double> row = elevations.row(r);
         for_label_runs(labels.row(r), [&](std::int32_t begin, std::int32_t end, Label label) {
-            for (auto c = static_cast<std::size_t>(begin); c < static_cast<std::size_t>(end);) {
-                const double z = row[c];
-                const std::size_t first = c++;
-                if (std::isnan(z))
-                    continue;
-                while (c < static_cast<std::size_t>(end) && row[c] == z)
-                    ++c;
-                result.push_back({label, static_cast<std::int64_t>(c - first), z});
-            }
+            add_even(row.subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin)),
+                     label, result);
         });
     }
+    return result;
+}
+
+std::vector<EvenCells> even_cells(const BuildingCells& cells, Label label) {
+    std::vector<EvenCells> result;
+    add_even(cells.elevations, label, result);
     return result;
 }
 

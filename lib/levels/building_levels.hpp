@@ -5,6 +5,7 @@
 
 #include "core/context.hpp"
 #include "dem2buildings/options.hpp"
+#include "levels/building_cells.hpp"
 #include "levels/elevation_histogram.hpp"
 #include "levels/level_plan.hpp"
 
@@ -18,6 +19,8 @@ struct EvenCells {
 };
 /// Of the valid cells of a band that have a label other than 0. Clean elevations have few for many cells.
 [[nodiscard]] std::vector<EvenCells> even_cells(const ElevationBand& elevations, const LabelBand& labels);
+/// Of the valid cells of a building.
+[[nodiscard]] std::vector<EvenCells> even_cells(const BuildingCells& cells, Label label);
 
 /// What the thresholds of each building depend on: exact, so that the order of bands does not matter.
 class BuildingStatistics {
@@ -31,6 +34,7 @@ class BuildingStatistics {
           stats_(labels + std::size_t{1}),
           histograms_(metres > 0 ? stats_.size() : 0) {}
 
+    /// From several threads, where no two of them have cells of the same label.
     void add(const std::vector<EvenCells>& cells);
     [[nodiscard]] const PointStats& of(Label label) const { return stats_[label]; }
     /// Only where histograms are kept.

@@ -1,11 +1,8 @@
 #include "levels/clean_rows.hpp"
 
-#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <utility>
-
-#include "core/byte_record.hpp"
 
 namespace d2b {
 namespace {
@@ -35,28 +32,10 @@ void CleanRows::add(const BuildingCells& cells) {
                 begin = end;
             }
         }
-        slabs_[slab].push_back(append(*spool_, writer));
+        const SpoolEntry entry = append(*spool_, writer);
+        const std::lock_guard lock(*mutex_);
+        slabs_[slab].push_back(entry);
     }
-}
-
-ElevationBand CleanRows::clean(const ElevationBand& band) const {
-    ElevationBand result = band;
-    const std::int32_t first = band.shape.first_row;
-    const std::int32_t end = first + band.shape.rows;
-    slabs_.for_band(band.shape, [&](const std::vector<SpoolEntry>& entries) {
-        for (const SpoolEntry& entry : entries) {
-            ByteReader reader(*spool_, entry);
-            for (std::size_t i = 0; i < entry.size / sizeof(Run); ++i) {
-                const Run run = reader.take<Run>();
-                if (run.row < first || run.row >= end)
-                    continue;
-                const auto row = result.elevations.begin() +
-                                 static_cast<std::ptrdiff_t>(run.row - first) * band.shape.cols;
-                std::fill(row + run.begin, row + run.end, run.elevation);
-            }
-        }
-    });
-    return result;
 }
 
 }  // namespace d2b

@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "core/band.hpp"
+#include "core/byte_record.hpp"
 #include "core/row_slabs.hpp"
 #include "dem2buildings/spool.hpp"
 #include "levels/building_cells.hpp"
@@ -17,11 +19,32 @@ class CleanRows {
     /// @param first_row of the window @param rows of it
     CleanRows(std::unique_ptr<Spool> spool, std::int32_t first_row, std::int32_t rows);
 
-    /// A building's cells; each cell is given once. @throws OutputError the spool has no room
+    /// A building's cells; each cell is given once. From any thread. @throws OutputError the spool has no
+    /// room
     void add(const BuildingCells& cells);
-    /// Elevations, clean in all cells that were given. From any thread, once all are there.
-    /// @throws OutputError the spool cannot be read
-    [[nodiscard]] ElevationBand clean(const ElevationBand& band) const;
+
+    /// Cells of one building side by side with the same clean elevation; NaN where they are not valid.
+    struct CleanRun {
+        std::int32_t row;    ///< of the band
+        std::int32_t begin;  ///< columns
+        std::int32_t end;
+        double elevation;
+    };
+    /// Calls use(run) for all cells of a band that were given, in no order. From any thread, once all are
+    /// there. @throws OutputError the spool cannot be read
+    template <typename Use>
+    void for_runs(const BandShape& band, const Use& use) const {
+        slabs_.for_band(band, [&](const std::vector<SpoolEntry>& entries) {
+            for (const SpoolEntry& entry : entries) {
+                ByteReader reader(*spool_, entry);
+                for (std::size_t i = 0; i < entry.size / sizeof(Run); ++i) {
+                    const Run run = reader.take<Run>();
+                    if (run.row >= band.first_row && run.row < band.first_row + band.rows)
+                        use(CleanRun{run.row - band.first_row, run.begin, run.end, run.elevation});
+                }
+            }
+        });
+    }
 
   private:
     struct Run {
@@ -33,7 +56,8 @@ class CleanRows {
     };
 
     std::unique_ptr<Spool> spool_;
-    RowSlabs<std::vector<SpoolEntry>> slabs_;  ///< the entries with runs in each
+    std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();  ///< of the slabs
+    RowSlabs<std::vector<SpoolEntry>> slabs_;                             ///< the entries with runs in each
 };
 
 }  // namespace d2b

@@ -72,15 +72,16 @@ void add_to(OpenBuildings& open, const GatheredRows& rows) {
     }
 }
 
-std::vector<BuildingCells> take_ended(OpenBuildings& open, const std::vector<std::int32_t>& last,
-                                      std::int32_t end_row) {
-    std::vector<BuildingCells> ended;
+using EndedBuildings = std::vector<std::pair<Label, BuildingCells>>;
+
+EndedBuildings take_ended(OpenBuildings& open, const std::vector<std::int32_t>& last, std::int32_t end_row) {
+    EndedBuildings ended;
     for (auto it = open.begin(); it != open.end();) {
         if (last[it->first] >= end_row) {
             ++it;
             continue;
         }
-        ended.push_back(std::move(it->second));
+        ended.emplace_back(it->first, std::move(it->second));
         it = open.erase(it);
     }
     return ended;
@@ -98,7 +99,8 @@ void clean(BuildingCells& cells, const RegionOptions& options, const StopRequest
 }  // namespace
 
 CleanRows clean_tiers(ElevationReader& reader, const LabelRows& labels, Label count,
-                      const RegionOptions& regions, const Window& window, Context& context) {
+                      const RegionOptions& regions, const Window& window,
+                      const std::function<void(Label, const BuildingCells&)>& use, Context& context) {
     Executor& threads = *context.threads;
     const std::vector<std::int32_t> last = last_rows(labels, count, window, threads);
     CleanRows rows(context.make_spool(), window.row, window.rows);
@@ -118,10 +120,14 @@ CleanRows clean_tiers(ElevationReader& reader, const LabelRows& labels, Label co
         const StageClock clock(context.report, Stage::levels);
         for (const auto& [first, part] : gathered)
             add_to(open, part);
-        std::vector<BuildingCells> ended = take_ended(open, last, chunk.end_row());
-        threads.for_each(ended.size(), [&](std::size_t i) { clean(ended[i], regions, threads.stop()); });
-        for (const BuildingCells& cells : ended)
+        EndedBuildings ended = take_ended(open, last, chunk.end_row());
+        threads.for_each(ended.size(), [&](std::size_t i) {
+            auto& [label, cells] = ended[i];
+            clean(cells, regions, threads.stop());
+            use(label, cells);
             rows.add(cells);
+            cells = {};
+        });
     }
     return rows;
 }

@@ -23,19 +23,24 @@ Count exceeded(double z, const std::vector<double>& thresholds) {
 }  // namespace
 
 template <typename Count>
+Count quantise(double z, Label label, const LevelPlan& plan) {
+    // A point of a footprint that is not valid is part of it all the same.
+    const Count least = plan.footprints && label != 0 ? 2 : std::isnan(z) ? 0 : 1;
+    return std::isnan(z) ? least : std::max(least, exceeded<Count>(z, plan.thresholds[label]));
+}
+
+template <typename Count>
 LevelBand<Count> quantise(const ElevationBand& elevations, const LabelBand& labels, const LevelPlan& plan) {
     LevelBand<Count> result{elevations.shape, std::vector<Count>(elevations.shape.size())};
     for (std::size_t i = 0; i < result.counts.size(); ++i) {
         const Label label = labels.labels.empty() ? 1 : labels.labels[i];
-        const double z = elevations.elevations[i];
-        // A point of a footprint that is not valid is part of it all the same.
-        const Count least = plan.footprints && label != 0 ? 2 : std::isnan(z) ? 0 : 1;
-        result.counts[i] =
-            std::isnan(z) ? least : std::max(least, exceeded<Count>(z, plan.thresholds[label]));
+        result.counts[i] = quantise<Count>(elevations.elevations[i], label, plan);
     }
     return result;
 }
 
+template std::uint8_t quantise(double, Label, const LevelPlan&);
+template std::uint16_t quantise(double, Label, const LevelPlan&);
 template LevelBand<std::uint8_t> quantise(const ElevationBand&, const LabelBand&, const LevelPlan&);
 template LevelBand<std::uint16_t> quantise(const ElevationBand&, const LabelBand&, const LevelPlan&);
 

@@ -12,6 +12,12 @@ template <typename Count>
 [[nodiscard]] LevelBand<Count> quantise(const ElevationBand& elevations, const LabelBand& labels,
                                         const LevelPlan& plan);
 
+/// The same of one point. @param z NaN where it is not valid
+template <typename Count>
+[[nodiscard]] Count quantise(double z, Label label, const LevelPlan& plan);
+
+extern template std::uint8_t quantise(double, Label, const LevelPlan&);
+extern template std::uint16_t quantise(double, Label, const LevelPlan&);
 extern template LevelBand<std::uint8_t> quantise(const ElevationBand&, const LabelBand&, const LevelPlan&);
 extern template LevelBand<std::uint16_t> quantise(const ElevationBand&, const LabelBand&, const LevelPlan&);
 

@@ -8,19 +8,17 @@ namespace d2b {
 namespace {
 
 /// What the thresholds of each building depend on.
-BuildingStatistics statistics_of(ElevationReader& reader, const FoundBuildings& found, const CleanRows* clean,
-                                 BuildingStatistics buildings, Context& context) {
+void add_statistics(ElevationReader& reader, const FoundBuildings& found, BuildingStatistics& buildings,
+                    Context& context) {
     reader.for_each(
         [&](const ElevationBand& band, Tally& tally) {
             const StageClock clock(tally, Stage::levels);
-            const LabelBand labels = found.band(band.shape);
-            return clean != nullptr ? even_cells(clean->clean(band), labels) : even_cells(band, labels);
+            return even_cells(band, found.band(band.shape));
         },
         [&](const ElevationBand&, const std::vector<EvenCells>& cells) {
             const StageClock clock(context.report, Stage::levels);
             buildings.add(cells);
         });
-    return buildings;
 }
 
 }  // namespace
@@ -31,12 +29,14 @@ Tiers plan_tiers(ElevationReader& reader, const FoundBuildings& found, const Win
     const double metres = context.report.units.vertical_metres;
     const RegionOptions regions = region_options(decided.detail, setup.cell, metres);
     Tiers tiers;
+    BuildingStatistics statistics(found.count(), fixed, decided.levels == LevelSource::natural ? metres : 0);
     if (decided.detail > 0)
-        tiers.clean = clean_tiers(reader, found.labels, found.count(), regions, window, context);
-    const BuildingStatistics statistics = statistics_of(
-        reader, found, tiers.clean ? &*tiers.clean : nullptr,
-        BuildingStatistics(found.count(), fixed, decided.levels == LevelSource::natural ? metres : 0),
-        context);
+        tiers.clean.emplace(clean_tiers(
+            reader, found.labels, found.count(), regions, window,
+            [&](Label label, const BuildingCells& cells) { statistics.add(even_cells(cells, label)); },
+            context));
+    else
+        add_statistics(reader, found, statistics, context);
     tiers.plan = plan_building_levels(statistics, found.ground, global, decided.asked.levels, decided.levels,
                                       metres, regions.price);
     return tiers;

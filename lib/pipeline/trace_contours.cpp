@@ -1,5 +1,6 @@
 #include "pipeline/trace_contours.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -19,15 +20,27 @@ LabelBand labels_of(const ElevationBand& band, const BandTracing& tracing) {
     return found == nullptr ? detect_one_label(band, none) : found->band(band.shape);
 }
 
+/// Buildings' cells have the levels of their clean elevations.
+template <typename Count>
+void take_clean_levels(const CleanRows& clean, const LabelBand& labels, const LevelPlan& plan,
+                       LevelBand<Count>& levels) {
+    clean.for_runs(levels.shape, [&](const CleanRows::CleanRun& run) {
+        const auto begin = static_cast<std::size_t>(run.begin);
+        const Count count = quantise<Count>(run.elevation, labels.row(run.row)[begin], plan);
+        const std::size_t row =
+            static_cast<std::size_t>(run.row) * static_cast<std::size_t>(levels.shape.cols);
+        std::fill_n(levels.counts.data() + (row + begin), run.end - run.begin, count);
+    });
+}
+
 template <typename Count>
 PointRows<Count> point_rows(const std::shared_ptr<const ElevationBand>& elevations,
                             const BandTracing& tracing) {
     PointRows<Count> rows;
     rows.labels = labels_of(*elevations, tracing);
-    std::optional<ElevationBand> clean;
+    rows.levels = quantise<Count>(*elevations, rows.labels, tracing.image.plan);
     if (tracing.image.clean != nullptr)
-        clean = tracing.image.clean->clean(*elevations);
-    rows.levels = quantise<Count>(clean ? *clean : *elevations, rows.labels, tracing.image.plan);
+        take_clean_levels(*tracing.image.clean, rows.labels, tracing.image.plan, rows.levels);
     rows.elevations = elevations;
     return rows;
 }

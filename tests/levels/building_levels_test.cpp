@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -55,6 +57,28 @@ TEST(BuildingStatistics, CountsEachLabelsValidPoints) {
     EXPECT_EQ(statistics.fixed().mean(statistics.of(1).sum, 2), 4);
     EXPECT_EQ(statistics.of(2).n, 1);
     EXPECT_EQ(statistics.of(3).n, 0);
+}
+
+TEST(BuildingStatistics, AreTheSameOfABuildingsCellsAlone) {
+    // Two rows of a building, which meet with the same elevation.
+    const BuildingCells cells{{{7, 2, 5}, {8, 0, 3}}, {3, not_valid, 5, 5, 5, -4}};
+    BuildingStatistics statistics(2, FixedPoint(100), 1);
+    statistics.add(even_cells(cells, 2));
+    const BuildingStatistics of_band = statistics_of(cells.elevations, {2, 2, 2, 2, 2, 2}, 2, 100, 1);
+    EXPECT_EQ(statistics.of(2).n, 5);
+    EXPECT_EQ(statistics.of(2).lowest, -4);
+    EXPECT_EQ(statistics.of(2).highest, 5);
+    EXPECT_NEAR(statistics.fixed().mean(statistics.of(2).sum, 5), 2.8, 1e-9);
+    EXPECT_EQ(statistics.of(2).sum, of_band.of(2).sum);
+    EXPECT_EQ(statistics.of(1).n, 0);
+    const auto counts = [](const BuildingStatistics& of) {
+        std::vector<std::pair<std::int64_t, std::int64_t>> bins;
+        for (const HistogramBin& bin : of.histogram(2).bins(100).bins)
+            bins.emplace_back(bin.bin, bin.points);
+        return bins;
+    };
+    EXPECT_EQ(counts(statistics), counts(of_band));
+    EXPECT_EQ(counts(statistics).size(), 3U);
 }
 
 TEST(BuildingStatistics, DoNotDependOnTheBands) {
@@ -220,6 +244,11 @@ TEST(QuantiseFootprints, AllTheirPointsAreOfLevelOne) {
               (std::vector<std::uint8_t>{2, 2, 2, 2, 3, 2, 1, 0}));
     EXPECT_EQ(quantise<std::uint16_t>(band, labels, plan).counts,
               (std::vector<std::uint16_t>{2, 2, 2, 2, 3, 2, 1, 0}));
+    // One by one.
+    EXPECT_EQ(quantise<std::uint8_t>(25, 1, plan), 3);
+    EXPECT_EQ(quantise<std::uint8_t>(not_valid, 1, plan), 2);
+    EXPECT_EQ(quantise<std::uint8_t>(not_valid, 0, plan), 0);
+    EXPECT_EQ(quantise<std::uint16_t>(-1000, 0, plan), 1);
 }
 
 /// The ground is one more: what the whole DEM may have, a building that exceeds all of it may not.
