@@ -11,20 +11,28 @@
 namespace d2b::ground {
 
 struct Lower {
-    static constexpr float neutral = no_value;
-    float operator()(float a, float b) const { return a < b ? a : b; }
+    template <typename T>
+    static constexpr T neutral = no_value_of<T>;
+    template <typename T>
+    T operator()(T a, T b) const {
+        return a < b ? a : b;
+    }
 };
 struct Higher {
-    static constexpr float neutral = -no_value;
-    float operator()(float a, float b) const { return a > b ? a : b; }
+    template <typename T>
+    static constexpr T neutral = static_cast<T>(-no_value_of<T>);
+    template <typename T>
+    T operator()(T a, T b) const {
+        return a > b ? a : b;
+    }
 };
 
 /// Van Herk's and Gil and Werman's algorithm on whole rows: lines run down, `shift` columns a row. Columns
 /// are taken in strips whose rows stay in the cache.
-template <typename Pick>
+template <typename Pick, typename T>
 class DownPass {
   public:
-    DownPass(const MetreGrid& from, MetreGrid& into, std::int32_t radius, std::int32_t shift)
+    DownPass(const Grid<T>& from, Grid<T>& into, std::int32_t radius, std::int32_t shift)
         : from_(from), into_(into), radius_(radius), shift_(shift) {}
 
     void run() {
@@ -39,13 +47,14 @@ class DownPass {
         first_ = first - margin_;
         cols_ = last - first + 2 * margin_;
         const std::int32_t length = 2 * radius_ + 1;
-        suffix_.assign(static_cast<std::size_t>(length) * static_cast<std::size_t>(cols_), Pick::neutral);
-        prefix_.assign(static_cast<std::size_t>(cols_), Pick::neutral);
+        suffix_.assign(static_cast<std::size_t>(length) * static_cast<std::size_t>(cols_),
+                       Pick::template neutral<T>);
+        prefix_.assign(static_cast<std::size_t>(cols_), Pick::template neutral<T>);
         other_ = prefix_;
         source_ = prefix_;
         for (std::int32_t top = 0; top < from_.rows; top += length) {
             fill_suffixes(top);
-            std::fill(prefix_.begin(), prefix_.end(), Pick::neutral);
+            std::fill(prefix_.begin(), prefix_.end(), Pick::template neutral<T>);
             for (std::int32_t k = 0; k < length && top + k < from_.rows; ++k) {
                 if (k > 0) {
                     extend(prefix_.data(), other_.data(), top + radius_ + k, -shift_);
@@ -56,27 +65,27 @@ class DownPass {
         }
     }
 
-    float* suffix(std::int32_t k) { return suffix_.data() + static_cast<std::ptrdiff_t>(k) * cols_; }
+    T* suffix(std::int32_t k) { return suffix_.data() + static_cast<std::ptrdiff_t>(k) * cols_; }
 
     /// suffix k: lines from row top - radius + k to the block's last row, top + radius.
     void fill_suffixes(std::int32_t top) {
-        std::fill(other_.begin(), other_.end(), Pick::neutral);
+        std::fill(other_.begin(), other_.end(), Pick::template neutral<T>);
         extend(other_.data(), suffix(2 * radius_), top + radius_, shift_);
         for (std::int32_t k = 2 * radius_ - 1; k >= 0; --k)
             extend(suffix(k + 1), suffix(k), top - radius_ + k, shift_);
     }
 
     /// Lines that end in the row before (or behind) are moved by a step and take in the row.
-    void extend(const float* old, float* out, std::int32_t row, std::int32_t step) {
+    void extend(const T* old, T* out, std::int32_t row, std::int32_t step) {
         const std::int32_t begin = std::max(0, -step);
         const std::int32_t end = cols_ - std::max(0, step);
         if (row < 0 || row >= from_.rows) {
             std::copy(old + begin + step, old + end + step, out + begin);
-            std::fill(out, out + begin, Pick::neutral);
-            std::fill(out + end, out + cols_, Pick::neutral);
+            std::fill(out, out + begin, Pick::template neutral<T>);
+            std::fill(out + end, out + cols_, Pick::template neutral<T>);
             return;
         }
-        const float* source = padded_row(row);
+        const T* source = padded_row(row);
         const Pick pick;
         for (std::int32_t j = begin; j < end; ++j)
             out[j] = pick(source[j], old[j + step]);
@@ -85,36 +94,36 @@ class DownPass {
     }
 
     /// The strip's part of a row with its margins, neutral outside the grid.
-    const float* padded_row(std::int32_t row) {
-        const float* whole = from_.row(row).data();
+    const T* padded_row(std::int32_t row) {
+        const T* whole = from_.row(row).data();
         const std::int32_t begin = std::max(first_, 0);
         const std::int32_t end = std::min(first_ + cols_, from_.cols);
         if (begin == first_ && end == first_ + cols_)
             return whole + first_;
-        std::fill(source_.begin(), source_.begin() + (begin - first_), Pick::neutral);
+        std::fill(source_.begin(), source_.begin() + (begin - first_), Pick::template neutral<T>);
         std::copy(whole + begin, whole + end, source_.begin() + (begin - first_));
-        std::fill(source_.begin() + (end - first_), source_.end(), Pick::neutral);
+        std::fill(source_.begin() + (end - first_), source_.end(), Pick::template neutral<T>);
         return source_.data();
     }
 
     void write(std::int32_t row, std::int32_t k, std::int32_t first, std::int32_t last) {
         const std::int32_t aside = shift_ * radius_;
-        const float* behind = suffix(k) + (margin_ - aside);
-        const float* ahead = prefix_.data() + (margin_ + aside);
-        float* out = into_.row(row).data() + first;
+        const T* behind = suffix(k) + (margin_ - aside);
+        const T* ahead = prefix_.data() + (margin_ + aside);
+        T* out = into_.row(row).data() + first;
         const Pick pick;
         for (std::int32_t j = 0; j < last - first; ++j)
             out[j] = pick(behind[j], ahead[j]);
     }
 
-    const MetreGrid& from_;
-    MetreGrid& into_;
+    const Grid<T>& from_;
+    Grid<T>& into_;
     std::int32_t radius_;
     std::int32_t shift_;
     std::int32_t margin_ = 0;
     std::int32_t first_ = 0;  ///< column of the strip's first, margin included
     std::int32_t cols_ = 0;
-    std::vector<float> suffix_, prefix_, other_, source_;
+    std::vector<T> suffix_, prefix_, other_, source_;
 };
 
 }  // namespace d2b::ground

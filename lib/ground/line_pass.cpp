@@ -12,55 +12,56 @@ namespace d2b::ground {
 namespace {
 
 /// Lines of 2, 4, 8, ... cells from those of half as many; the last two overlap.
-template <typename Pick>
-void along_rows(const MetreGrid& from, MetreGrid& into, std::int32_t radius) {
+template <typename Pick, typename T>
+void along_rows(const Grid<T>& from, Grid<T>& into, std::int32_t radius) {
     const Pick pick;
     const auto reach = static_cast<std::size_t>(radius);
     const auto cols = static_cast<std::size_t>(from.cols);
     const std::size_t width = 2 * reach + 1;
-    std::vector<float> padded(cols + 2 * reach);
-    std::vector<float> doubled(padded.size());
+    std::vector<T> padded(cols + 2 * reach);
+    std::vector<T> doubled(padded.size());
     for (std::int32_t i = 0; i < from.rows; ++i) {
-        std::fill_n(padded.data(), reach, Pick::neutral);
+        std::fill_n(padded.data(), reach, Pick::template neutral<T>);
         std::copy_n(from.row(i).data(), cols, padded.data() + reach);
-        std::fill_n(padded.data() + reach + cols, reach, Pick::neutral);
+        std::fill_n(padded.data() + reach + cols, reach, Pick::template neutral<T>);
         std::size_t span = 1;
         for (; 2 * span <= width; span *= 2) {
             const std::size_t n = padded.size() - 2 * span + 1;
-            const float* near = padded.data();
-            const float* far = near + span;
-            float* out = doubled.data();
+            const T* near = padded.data();
+            const T* far = near + span;
+            T* out = doubled.data();
             for (std::size_t j = 0; j < n; ++j)
                 out[j] = pick(near[j], far[j]);
             padded.swap(doubled);
         }
-        const float* near = padded.data();
-        const float* far = near + (width - span);
-        float* out = into.row(i).data();
+        const T* near = padded.data();
+        const T* far = near + (width - span);
+        T* out = into.row(i).data();
         for (std::size_t j = 0; j < cols; ++j)
             out[j] = pick(near[j], far[j]);
     }
 }
 
-template <typename Pick, std::int32_t radius = widest_narrow>
-void narrow_pass(const MetreGrid& from, MetreGrid& into, Line line, std::int32_t wanted) {
+template <typename Pick, std::int32_t radius = widest_narrow, typename T>
+void narrow_pass(const Grid<T>& from, Grid<T>& into, Line line, std::int32_t wanted) {
     if constexpr (radius > 0)
         if (wanted < radius)
             return narrow_pass<Pick, radius - 1>(from, into, line, wanted);
     if (line == Line::row)
-        NarrowPass<Pick, radius>::along_rows(from, into);
+        NarrowPass<Pick, radius, T>::along_rows(from, into);
     else
-        NarrowPass<Pick, radius>::down_columns(from, into);
+        NarrowPass<Pick, radius, T>::down_columns(from, into);
 }
 
-template <typename Pick>
-void pass(const MetreGrid& from, MetreGrid& into, Line line, std::int32_t radius) {
+template <typename Pick, typename T>
+void pass(const Grid<T>& from, Grid<T>& into, Line line, std::int32_t radius) {
     if (radius <= widest_narrow && (line == Line::row || line == Line::column))
         narrow_pass<Pick>(from, into, line, radius);
     else if (line == Line::row)
         along_rows<Pick>(from, into, radius);
     else
-        DownPass<Pick>(from, into, radius, line == Line::column ? 0 : (line == Line::right_diagonal ? 1 : -1))
+        DownPass<Pick, T>(from, into, radius,
+                          line == Line::column ? 0 : (line == Line::right_diagonal ? 1 : -1))
             .run();
 }
 
@@ -83,12 +84,16 @@ void lowest_of_nine(const MetreGrid& grid, std::int32_t row, std::vector<float>&
 
 }  // namespace
 
-void line_pass(const MetreGrid& from, MetreGrid& into, Line line, Extremum which, std::int32_t radius) {
+template <typename T>
+void line_pass(const Grid<T>& from, Grid<T>& into, Line line, Extremum which, std::int32_t radius) {
     if (which == Extremum::lowest)
         pass<Lower>(from, into, line, radius);
     else
         pass<Higher>(from, into, line, radius);
 }
+
+template void line_pass(const Grid<float>&, Grid<float>&, Line, Extremum, std::int32_t);
+template void line_pass(const Grid<std::int16_t>&, Grid<std::int16_t>&, Line, Extremum, std::int32_t);
 
 MetreGrid lowest_around(const MetreGrid& grid, Executor& threads) {
     MetreGrid around = MetreGrid::unset(grid.rows, grid.cols, threads);

@@ -15,11 +15,21 @@ enum class Line { row, column, right_diagonal, left_diagonal };
 /// What cells without a value hold in the grids of this folder, so that no comparison has to look for them.
 inline constexpr float no_value = 3.402823466e+38F;
 
+/// The same in grids of other values.
+template <typename T>
+inline constexpr T no_value_of = no_value;
+template <>
+inline constexpr std::int16_t no_value_of<std::int16_t> = 32767;
+
 /// The lowest or highest value within `radius` cells along a line, for every cell; lines are cut off at the
 /// grid's border. The cost a cell does not grow with the radius but for lines along a row, where it grows
 /// with its logarithm (and those are in the processor's nearest cache).
 /// @param into of the same size; another grid than `from`
-void line_pass(const MetreGrid& from, MetreGrid& into, Line line, Extremum which, std::int32_t radius);
+template <typename T>
+void line_pass(const Grid<T>& from, Grid<T>& into, Line line, Extremum which, std::int32_t radius);
+
+extern template void line_pass(const Grid<float>&, Grid<float>&, Line, Extremum, std::int32_t);
+extern template void line_pass(const Grid<std::int16_t>&, Grid<std::int16_t>&, Line, Extremum, std::int32_t);
 
 /// The lowest of each cell and its eight neighbours.
 [[nodiscard]] MetreGrid lowest_around(const MetreGrid& grid, Executor& threads);

@@ -12,14 +12,14 @@ inline constexpr std::int32_t widest_narrow = 3;
 
 /// The values picked from lines of 2 * radius + 1 cells along rows or down columns, each line looked at
 /// cell by cell: for narrow ones that takes fewer steps than any sharing between lines.
-template <typename Pick, std::int32_t radius>
+template <typename Pick, std::int32_t radius, typename T>
 class NarrowPass {
   public:
-    static void along_rows(const MetreGrid& from, MetreGrid& into) {
+    static void along_rows(const Grid<T>& from, Grid<T>& into) {
         const std::int32_t inner = std::max(from.cols - radius, radius);
         for (std::int32_t i = 0; i < from.rows; ++i) {
-            const float* in = from.row(i).data();
-            float* out = into.row(i).data();
+            const T* in = from.row(i).data();
+            T* out = into.row(i).data();
             for (std::int32_t j = radius; j < inner; ++j)
                 out[j] = picked([&](std::int32_t k) { return in[j + k]; });
             // Beyond an end its own value stands: it changes no pick of a line that holds it.
@@ -33,32 +33,32 @@ class NarrowPass {
         }
     }
 
-    static void down_columns(const MetreGrid& from, MetreGrid& into) {
+    static void down_columns(const Grid<T>& from, Grid<T>& into) {
         for (std::int32_t i = 0; i < from.rows; ++i)
             across(from, i, into.row(i).data(), std::make_integer_sequence<std::int32_t, radius>());
     }
 
   private:
     template <std::int32_t... k>
-    static void across(const MetreGrid& from, std::int32_t i, float* out,
+    static void across(const Grid<T>& from, std::int32_t i, T* out,
                        std::integer_sequence<std::int32_t, k...> /*rows*/) {
         const auto row = [&](std::int32_t r) { return from.row(std::clamp(r, 0, from.rows - 1)).data(); };
         const std::int32_t cols = from.cols;
         down(cols, out, row(i), row(i - 1 - k)..., row(i + 1 + k)...);
     }
     template <typename... Row>
-    static void down(std::int32_t cols, float* out, const float* here, Row... rows) {
+    static void down(std::int32_t cols, T* out, const T* here, Row... rows) {
         [[maybe_unused]] const Pick pick;
         for (std::int32_t j = 0; j < cols; ++j) {
-            float found = here[j];
+            T found = here[j];
             ((found = pick(rows[j], found)), ...);
             out[j] = found;
         }
     }
     template <typename Value>
-    static float picked(const Value& value) {
+    static T picked(const Value& value) {
         const Pick pick;
-        float found = value(0);
+        T found = value(0);
         for (std::int32_t k = 1; k <= radius; ++k)
             found = pick(pick(value(-k), value(k)), found);
         return found;

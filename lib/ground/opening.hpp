@@ -14,27 +14,36 @@ struct Radius {
 };
 
 /// Grids that openings work in; kept from one to the next, so that memory is asked for once.
+template <typename T>
 struct Workspace {
-    MetreGrid first;
-    std::array<MetreGrid, 4> lines;
-    MetreGrid roomy, roomy_opened;
+    Grid<T> first;
+    std::array<Grid<T>, 4> lines;
+    Grid<T> roomy, roomy_opened;
     bool gaps = true;  ///< whether the surface may have cells without a value
 };
 
-/// The morphological opening by a rectangle: at each cell the highest of the lowest values of all positions
-/// of it that hold the cell. Cells without a value are left out; they keep `no_value`. Structuring elements
-/// reach out of the grid by at most `outside` cells.
-/// @param opened another grid than `surface`
-void opened_by_rectangle(const MetreGrid& surface, Radius radius, Radius outside, Workspace& workspace,
-                         MetreGrid& opened);
+enum class Element {
+    rectangle,
+    lines  ///< along the row, the column and both diagonals
+};
 
-/// The second highest of the openings by lines along the row, the column and both diagonals: what is as low
-/// in three directions of four is cut, while the edge of a terrace, a ridge or a dam stays.
-void opened_by_lines(const MetreGrid& surface, Radius radius, Radius outside, Workspace& workspace,
-                     MetreGrid& opened);
+/// The morphological opening. By a rectangle: at each cell the highest of the lowest values of all positions
+/// of it that hold the cell. By lines: the second highest of the openings by each of the four; what is as low
+/// in three directions of four is cut, while the edge of a terrace, a ridge or a dam stays. Cells without a
+/// value are left out; they keep `no_value_of<T>`. Structuring elements reach out of the grid by at most
+/// `outside` cells.
+/// @tparam T float or std::int16_t @param opened another grid than `surface`
+template <typename T>
+void open(Element element, const Grid<T>& surface, Radius radius, Radius outside, Workspace<T>& workspace,
+          Grid<T>& opened);
 
 /// The closing by a rectangle: the lowest of the highest values.
 /// @param closed another grid than `surface`
-void closed_by_rectangle(const MetreGrid& surface, Radius radius, Workspace& workspace, MetreGrid& closed);
+void closed_by_rectangle(const MetreGrid& surface, Radius radius, Workspace<float>& workspace,
+                         MetreGrid& closed);
+
+extern template void open(Element, const Grid<float>&, Radius, Radius, Workspace<float>&, Grid<float>&);
+extern template void open(Element, const Grid<std::int16_t>&, Radius, Radius, Workspace<std::int16_t>&,
+                          Grid<std::int16_t>&);
 
 }  // namespace d2b::ground

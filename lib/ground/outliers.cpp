@@ -21,7 +21,7 @@ struct Part {
     MetreGrid surface;
     MetreGrid closed;
     MetreGrid around;
-    Workspace workspace;
+    Workspace<float> workspace;
 };
 
 struct Search {

@@ -1,6 +1,7 @@
 #include "ground/progressive_opening.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -32,19 +33,58 @@ std::int32_t reach_of(std::span<const Step> steps) {
     return sum;
 }
 
-/// Lowers the limits of the cells that one opening, from `surface` to `next`, cut off by more than the
+/// Lowers the limits of some cells of a row that one opening, from `old` to `now`, cut off by more than the
 /// elements allow.
+void lower_limits(std::span<float> limits, const float* old, const float* now, float rise) {
+    for (std::size_t j = 0; j < limits.size(); ++j) {
+        const float limit = now[j] + rise;
+        const float lower = limit < limits[j] ? limit : limits[j];
+        limits[j] = old[j] > limit ? lower : limits[j];
+    }
+}
+
 void set_limits(OpenedPart& part, float rise) {
+    for (std::int32_t i = 0; i < part.tile.rows; ++i)
+        lower_limits(part.limits.row(i), part.row(part.surface, i).data(), part.row(part.next, i).data(),
+                     rise);
+}
+
+/// The same in whole steps, which become metres only where a cell may have been cut off by as much.
+void set_limits_of_steps(OpenedPart& part, float rise) {
+    constexpr std::size_t piece = 64;
+    const WholeSteps& values = part.whole;
+    const int least = values.surely_within(rise);
+    std::array<float, piece> old{};
+    std::array<float, piece> now{};
     for (std::int32_t i = 0; i < part.tile.rows; ++i) {
-        const float* old = part.row(part.surface, i).data();
-        const float* now = part.row(part.next, i).data();
-        const auto out = part.limits.row(i);
-        for (std::size_t j = 0; j < out.size(); ++j) {
-            const float limit = now[j] + rise;
-            const float lower = limit < out[j] ? limit : out[j];
-            out[j] = old[j] > limit ? lower : out[j];
+        const auto before = part.row(values.surface, i);
+        const auto after = part.row(values.next, i);
+        const auto limits = part.limits.row(i);
+        for (std::size_t first = 0; first < limits.size(); first += piece) {
+            const std::size_t n = std::min(piece, limits.size() - first);
+            int cut = 0;
+            for (std::size_t j = first; j < first + n; ++j)
+                cut |= before[j] - after[j] > least ? 1 : 0;
+            if (cut == 0)
+                continue;
+            values.in_metres(before.subspan(first, n), old.data());
+            values.in_metres(after.subspan(first, n), now.data());
+            lower_limits(limits.subspan(first, n), old.data(), now.data(), rise);
         }
     }
+}
+
+void open_whole_steps(OpenedPart& part, std::span<const Step> steps, Element element) {
+    WholeSteps& values = part.whole;
+    values.workspace.gaps = part.workspace.gaps;
+    for (const Step& step : steps) {
+        open(element, values.surface, step.radius, step.outside, values.workspace, values.next);
+        set_limits_of_steps(part, step.rise);
+        std::swap(values.surface, values.next);
+    }
+    for (std::int32_t i = part.tile.row - part.place.row; i < part.tile.row - part.place.row + part.tile.rows;
+         ++i)
+        values.in_metres(values.surface.row(i), part.surface.row(i).data());
 }
 
 bool has_gaps(const MetreGrid& grid) {
@@ -69,8 +109,8 @@ std::span<const Step> first_steps(std::span<const Step> steps) {
 
 /// Opens a grid by all elements of a series. @return what is left; nothing where there are no elements
 /// @param beside is empty once it was done
-MetreGrid open_whole(const MetreGrid& surface, std::span<const Step> steps, Opening open, MetreGrid& limits,
-                     Executor& threads, std::function<void()>& beside) {
+MetreGrid open_whole(const MetreGrid& surface, std::span<const Step> steps, Element element,
+                     MetreGrid& limits, Executor& threads, std::function<void()>& beside) {
     const std::vector<Tile> tiles = tiles_of(surface.rows, surface.cols, tile_side);
     MetreGrid left;
     MetreGrid into;
@@ -85,7 +125,7 @@ MetreGrid open_whole(const MetreGrid& surface, std::span<const Step> steps, Open
             if (t < before)
                 return first();
             const Tile& tile = tiles[t - before];
-            open_part(from, tile, now, open, part);
+            open_part(from, tile, now, element, part);
             for (std::int32_t i = 0; i < tile.rows; ++i) {
                 const auto opened = part.row(part.surface, i);
                 std::copy(opened.begin(), opened.end(), into.row(tile.row + i).begin() + tile.col);
@@ -143,7 +183,7 @@ OpeningSteps opening_steps(const StructuringElements& elements, const CellSize& 
     return series;
 }
 
-void open_part(const MetreGrid& surface, const Tile& tile, std::span<const Step> steps, Opening open,
+void open_part(const MetreGrid& surface, const Tile& tile, std::span<const Step> steps, Element element,
                OpenedPart& part) {
     part.tile = tile;
     part.place = widened(tile, reach_of(steps), surface);
@@ -152,14 +192,16 @@ void open_part(const MetreGrid& surface, const Tile& tile, std::span<const Step>
     part.limits.rows = tile.rows;
     part.limits.cols = tile.cols;
     part.limits.values.assign(part.limits.index(tile.rows, 0), no_value);
+    if (part.whole.take(part.surface))
+        return open_whole_steps(part, steps, element);
     for (const Step& step : steps) {
-        open(part.surface, step.radius, step.outside, part.workspace, part.next);
+        open(element, part.surface, step.radius, step.outside, part.workspace, part.next);
         set_limits(part, step.rise);
         std::swap(part.surface, part.next);
     }
 }
 
-MetreGrid limits_on_blocks(const AlignedGrid& surface, const StructuringElements& elements, Opening open,
+MetreGrid limits_on_blocks(const AlignedGrid& surface, const StructuringElements& elements, Element element,
                            Executor& threads, std::function<void()> beside) {
     std::vector<AlignedGrid> levels{shape_of(surface)};
     std::vector<MetreGrid> limits;
@@ -171,7 +213,7 @@ MetreGrid limits_on_blocks(const AlignedGrid& surface, const StructuringElements
         here.last_radius = std::min(elements.last_radius, widest_in_cells * smaller_side(size));
         const OpeningSteps series = opening_steps(here, size);
         limits.emplace_back(cells->rows, cells->cols, no_value, threads);
-        MetreGrid left = open_whole(*cells, series.steps, open, limits.back(), threads, beside);
+        MetreGrid left = open_whole(*cells, series.steps, element, limits.back(), threads, beside);
         here.radius = series.next_radius;
         if (here.radius > elements.last_radius * 1.0001)
             break;

@@ -7,10 +7,9 @@
 #include "ground/aligned_grid.hpp"
 #include "ground/opening.hpp"
 #include "ground/tiles.hpp"
+#include "ground/whole_steps.hpp"
 
 namespace d2b::ground {
-
-using Opening = void (*)(const MetreGrid&, Radius, Radius, Workspace&, MetreGrid&);
 
 /// Which structuring elements are opened with, and what rises too far above them.
 struct StructuringElements {
@@ -44,24 +43,27 @@ struct OpenedPart {
     MetreGrid surface;  ///< of `place`, but right in `tile` alone
     MetreGrid limits;   ///< of `tile`
     MetreGrid next;
-    Workspace workspace;
+    Workspace<float> workspace;
+    WholeSteps whole;  ///< in the place of `next` where all elevations are whole steps
 
     /// The surface in a row of the part. @param grid `surface` or `next` @param i from the tile's first row
-    [[nodiscard]] std::span<const float> row(const MetreGrid& grid, std::int32_t i) const {
+    template <typename T>
+    [[nodiscard]] std::span<const T> row(const Grid<T>& grid, std::int32_t i) const {
         return grid.row(tile.row - place.row + i)
             .subspan(static_cast<std::size_t>(tile.col - place.col), static_cast<std::size_t>(tile.cols));
     }
 };
 
 /// Progressive opening (SMRF): each element opens what the one before has left.
-void open_part(const MetreGrid& surface, const Tile& tile, std::span<const Step> steps, Opening open,
+void open_part(const MetreGrid& surface, const Tile& tile, std::span<const Step> steps, Element element,
                OpenedPart& part);
 
 /// The same for all cells, but elements of more than some ten cells are opened on blocks of 2 x 2 cells, and
 /// so on: the cost a cell does not grow with the widest element. @return the limits
 /// @param beside work for one thread alone that needs none of it: done once, while the others open
 [[nodiscard]] MetreGrid limits_on_blocks(const AlignedGrid& surface, const StructuringElements& elements,
-                                         Opening open, Executor& threads, std::function<void()> beside = {});
+                                         Element element, Executor& threads,
+                                         std::function<void()> beside = {});
 
 /// A block's limit holds for its cells and, as walls do not run along blocks, for those of its neighbours,
 /// but for what the ground may rise until there.

@@ -47,7 +47,7 @@ SmallOpened open_small(const AlignedGrid& surface, Factor factor, const Structur
     const std::vector<Tile> tiles = tiles_of(blocks.rows, blocks.cols, side);
     threads.for_each_in_room<OpenedPart>(tiles.size(), [&](std::size_t t, OpenedPart& part) {
         const Tile cells = cells_of(tiles[t], surface, result.blocks, factor);
-        open_part(surface.grid, cells, series.steps, opened_by_rectangle, part);
+        open_part(surface.grid, cells, series.steps, Element::rectangle, part);
         for (std::int32_t i = 0; i < cells.rows; ++i) {
             const auto opened = part.row(part.surface, i);
             const auto limits = part.limits.row(i);
@@ -82,7 +82,7 @@ MetreGrid limits_of_blocks(AlignedGrid& blocks, double next_radius, double width
     close_gaps(blocks.grid, threads);
     StructuringElements elements{next_radius,       rules.reach * width, rules.large_rise,
                                  rules.large_slope, rules.large_growth,  rules.border_reach};
-    MetreGrid sure = limits_on_blocks(blocks, elements, opened_by_rectangle, threads);
+    MetreGrid sure = limits_on_blocks(blocks, elements, Element::rectangle, threads);
     // Ground is followed from block to block, which one thread does: meanwhile the others open by lines.
     Grid<std::uint8_t> ground;
     Mask roofs;
@@ -94,7 +94,7 @@ MetreGrid limits_of_blocks(AlignedGrid& blocks, double next_radius, double width
     elements.rise = rules.line_rise;
     elements.slope = rules.line_slope;
     const MetreGrid lines = with_neighbours_limits(
-        limits_on_blocks(blocks, elements, opened_by_lines, threads, follow_ground), blocks.cell, threads);
+        limits_on_blocks(blocks, elements, Element::lines, threads, follow_ground), blocks.cell, threads);
     sure = with_neighbours_limits(sure, blocks.cell, threads);
     const auto rise = static_cast<float>(rules.link_rise);
     for_row_bands(threads, sure.rows, sure.cols, [&](RowBand band) {

@@ -54,20 +54,20 @@ std::vector<Offset> line(std::int32_t radius, std::int32_t down, std::int32_t ac
 }
 
 TEST(Opening, ByARectangleIsTheDefinition) {
-    Workspace workspace;
+    Workspace<float> workspace;
     for (unsigned seed = 0; seed < 60; ++seed) {
         const MetreGrid grid = test::random_surface(seed, static_cast<std::int32_t>(1 + seed % 13),
                                                     static_cast<std::int32_t>(1 + seed % 17), 3);
         const Radius radius{static_cast<std::int32_t>(1 + seed % 4), static_cast<std::int32_t>(1 + seed % 3)};
         const Radius outside{static_cast<std::int32_t>(seed % 3), static_cast<std::int32_t>(seed % 2)};
         MetreGrid opened;
-        opened_by_rectangle(grid, radius, outside, workspace, opened);
+        open(Element::rectangle, grid, radius, outside, workspace, opened);
         ASSERT_EQ(opened.values, opened_by_definition(grid, rectangle(radius), outside).values) << seed;
     }
 }
 
 TEST(Opening, ByLinesIsTheSecondHighestOfFour) {
-    Workspace workspace;
+    Workspace<float> workspace;
     for (unsigned seed = 0; seed < 60; ++seed) {
         const MetreGrid grid = test::random_surface(seed, static_cast<std::int32_t>(1 + seed % 15),
                                                     static_cast<std::int32_t>(1 + seed % 11), 5);
@@ -79,7 +79,7 @@ TEST(Opening, ByLinesIsTheSecondHighestOfFour) {
                                                opened_by_definition(grid, line(diagonal, 1, 1), outside),
                                                opened_by_definition(grid, line(diagonal, 1, -1), outside)};
         MetreGrid opened;
-        opened_by_lines(grid, {radius, radius}, outside, workspace, opened);
+        open(Element::lines, grid, {radius, radius}, outside, workspace, opened);
         for (std::size_t k = 0; k < grid.size(); ++k) {
             std::array<float, 4> of{by_line[0].values[k], by_line[1].values[k], by_line[2].values[k],
                                     by_line[3].values[k]};
@@ -96,11 +96,11 @@ TEST(Opening, LinesKeepTheEdgeOfATerraceAndCutABlock) {
             terrace.at(i, j) = j >= 10 ? 5.0F : 0.0F;
             block.at(i, j) = i > 7 && i < 13 && j > 7 && j < 13 ? 5.0F : 0.0F;
         }
-    Workspace workspace;
+    Workspace<float> workspace;
     MetreGrid opened;
-    opened_by_lines(terrace, {8, 8}, {8, 8}, workspace, opened);
+    open(Element::lines, terrace, {8, 8}, {8, 8}, workspace, opened);
     EXPECT_EQ(opened.values, terrace.values);
-    opened_by_lines(block, {8, 8}, {0, 0}, workspace, opened);
+    open(Element::lines, block, {8, 8}, {0, 0}, workspace, opened);
     EXPECT_EQ(opened.values, MetreGrid(21, 21, 0.0F).values);
 }
 
@@ -108,7 +108,7 @@ TEST(Closing, FillsWhatIsNarrowerThanItsWindow) {
     MetreGrid grid(9, 9, 4.0F);
     grid.at(4, 4) = 0;
     grid.at(0, 0) = no_value;
-    Workspace workspace;
+    Workspace<float> workspace;
     MetreGrid closed;
     closed_by_rectangle(grid, {1, 1}, workspace, closed);
     EXPECT_EQ(closed.at(4, 4), 4);

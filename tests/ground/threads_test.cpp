@@ -72,11 +72,11 @@ namespace {
 constexpr StructuringElements elements{2, 40, 0.5, 0.1, 1.4, 8};
 
 /// All elements on the whole grid, one after the other.
-MetreGrid limits_without_tiles(const MetreGrid& surface, const StructuringElements& of, Opening open) {
+MetreGrid limits_without_tiles(const MetreGrid& surface, const StructuringElements& of, Element element) {
     MetreGrid now = surface, next, limits(surface.rows, surface.cols, no_value);
-    Workspace workspace;
+    Workspace<float> workspace;
     for (const Step& step : opening_steps(of, {1, 1}).steps) {
-        open(now, step.radius, step.outside, workspace, next);
+        open(element, now, step.radius, step.outside, workspace, next);
         for (std::size_t k = 0; k < now.size(); ++k)
             if (now.values[k] > next.values[k] + step.rise)
                 limits.values[k] = std::min(limits.values[k], next.values[k] + step.rise);
@@ -101,12 +101,18 @@ TEST(Tiles, CoverEachCellOnce) {
 TEST(Tiles, DoNotShowInLimits) {
     AlignedGrid surface;
     surface.cell = {1, 1};
-    surface.grid = test::random_surface(5, 700, 1300, 9);
     StructuringElements small = elements;
     small.last_radius = 28;  // no blocks of blocks
-    for (const Opening open : {opened_by_rectangle, opened_by_lines})
-        EXPECT_EQ(limits_on_blocks(surface, small, open, test::threads()).values,
-                  limits_without_tiles(surface.grid, small, open).values);
+    // In steps of a metre, a centimetre, a millimetre, and of nothing that is whole.
+    for (const float step : {1.0F, 0.01F, 0.001F, 0.0123F}) {
+        surface.grid = test::random_surface(5, 700, 1300, 9);
+        for (float& z : surface.grid.values)
+            z = z == no_value ? z : static_cast<float>(std::lround(z)) * step * 7;
+        for (const Element element : {Element::rectangle, Element::lines})
+            EXPECT_EQ(limits_on_blocks(surface, small, element, test::threads()).values,
+                      limits_without_tiles(surface.grid, small, element).values)
+                << step;
+    }
 }
 
 }  // namespace

@@ -1,0 +1,82 @@
+#include "ground/whole_steps.hpp"
+
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "ground/line_pass.hpp"
+
+namespace d2b::ground {
+namespace {
+
+MetreGrid row_of(const std::vector<float>& values) {
+    MetreGrid grid(1, static_cast<std::int32_t>(values.size()));
+    std::ranges::copy(values, grid.values.begin());
+    return grid;
+}
+
+/// What a file holds that has so many whole steps.
+float written(int steps, int in_metre) {
+    return static_cast<float>(static_cast<double>(steps) / in_metre);
+}
+
+std::vector<float> back(const WholeSteps& steps) {
+    std::vector<float> metres(steps.surface.size());
+    steps.in_metres(steps.surface.values, metres.data());
+    return metres;
+}
+
+TEST(WholeSteps, AreTheElevationsBitByBit) {
+    std::mt19937 random(1);
+    for (const int in_metre : {100, 1000})
+        for (const int lowest : {-1500, -3, 0, 2, 1400}) {
+            std::vector<float> metres{no_value};
+            for (int i = 0; i < 20000; ++i)
+                metres.push_back(written(lowest * in_metre + static_cast<int>(random() % 60000), in_metre));
+            WholeSteps steps;
+            ASSERT_TRUE(steps.take(row_of(metres))) << in_metre << " " << lowest;
+            EXPECT_EQ(steps.in_metre, in_metre);
+            const std::vector<float> again = back(steps);
+            for (std::size_t i = 0; i < metres.size(); ++i)
+                ASSERT_EQ(std::bit_cast<std::uint32_t>(again[i]), std::bit_cast<std::uint32_t>(metres[i]))
+                    << metres[i];
+            for (std::size_t i = 1; i < metres.size(); ++i)
+                ASSERT_EQ(metres[i] < metres[i - 1], steps.surface.values[i] < steps.surface.values[i - 1]);
+        }
+}
+
+TEST(WholeSteps, AreNotTakenOfWhatHasNone) {
+    WholeSteps steps;
+    EXPECT_TRUE(steps.take(row_of({1, 2.5F, 656})));
+    EXPECT_FALSE(steps.take(row_of({1, 2.5F, 657}))) << "more than 16 bits of centimetres";
+    EXPECT_TRUE(steps.take(row_of({1, 2.503F, 66})));
+    EXPECT_FALSE(steps.take(row_of({1, 2.503F, 67}))) << "more than 16 bits of millimetres";
+    EXPECT_FALSE(steps.take(row_of({1, 2.5031F, 3})));
+    EXPECT_FALSE(steps.take(row_of({1, std::nextafter(2.5F, 3.0F), 3})));
+    EXPECT_FALSE(steps.take(row_of({1, -0.0F})));
+    EXPECT_FALSE(steps.take(row_of({20000, 20001}))) << "a float has not its centimetres";
+    EXPECT_FALSE(steps.take(row_of({no_value, no_value})));
+    EXPECT_FALSE(steps.take(row_of({1, std::numeric_limits<float>::infinity()})));
+}
+
+TEST(WholeSteps, KnowWhatIsSurelyWithinARise) {
+    for (const int in_metre : {100, 1000}) {
+        WholeSteps steps;
+        steps.in_metre = in_metre;
+        const int lowest = 1600 * in_metre;
+        for (const float rise : {0.0F, 0.18F, 0.216F, 0.7F, 1.234F}) {
+            const int within = steps.surely_within(rise);
+            EXPECT_GE(within, 0);
+            EXPECT_GE(within, rise * static_cast<float>(in_metre) - 3.01F);
+            for (int now = lowest; now < lowest + 1000; ++now)
+                ASSERT_FALSE(written(now + within, in_metre) > written(now, in_metre) + rise) << now;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace d2b::ground
