@@ -30,11 +30,12 @@ Window house(const Window& own, std::int32_t number) {
             side};
 }
 
-void make_found(const TileRun& run, std::int64_t tile, std::int32_t houses) {
+void make_found(const TileRun& run, std::int64_t tile, std::int32_t houses, SealedFiles& files) {
     FoundTile found{run.no_facts(), {}};
     const PlacedUnit placed = run.tiles().units_of(tile).at(0);
     const Window own = placed.unit.own;
     found.facts.survey.statistics.add({{own.row, 1, 2}, {1, 30}});
+    found.facts.sides = {true, true, true};  // nothing lies beside it that there could be too little of
     FoundUnit& unit = found.units.emplace_back();
     for (std::int32_t i = 0; i < houses; ++i) {
         const Window cells = house(own, i);
@@ -57,7 +58,7 @@ void make_found(const TileRun& run, std::int64_t tile, std::int32_t houses) {
         unit.edges.right = {high, high};
     ByteWriter writer;
     save(found, writer);
-    write_sealed(run.file(TileStep::find, tile), run.seal(TileStep::find, tile), writer.bytes());
+    files.write(std::to_string(tile), run.seal(TileStep::find, tile), writer.bytes());
 }
 
 FeaturePolygon polygon_of(const Window& cells) {
@@ -73,7 +74,7 @@ FeaturePolygon polygon_of(const Window& cells) {
     return made;
 }
 
-void make_drawn(const TileRun& run, std::int64_t tile, std::int32_t houses) {
+void make_drawn(const TileRun& run, std::int64_t tile, std::int32_t houses, SealedFiles& files) {
     const Window own = run.tiles().whole(tile).own;
     DrawnTile drawn;
     drawn.levels = levels + 1;
@@ -96,8 +97,7 @@ void make_drawn(const TileRun& run, std::int64_t tile, std::int32_t houses) {
     ByteWriter writer;
     save(drawn, writer);
     writer.put_list(blocks.all().blocks());
-    write_sealed(run.file(TileStep::draw, tile), run.seal(TileStep::draw, tile), writer.bytes(),
-                 blocks.all().bytes());
+    files.write(std::to_string(tile), run.seal(TileStep::draw, tile), writer.bytes(), blocks.all().bytes());
 }
 
 void make(const std::string& work, std::int32_t contours, const std::string& what) {
@@ -108,8 +108,11 @@ void make(const std::string& work, std::int32_t contours, const std::string& wha
     const Inputs inputs = open_inputs(options, {});
     PlannedSink nowhere(known.plan.layers);
     const TileRun run(known.work, options, inputs.sources(), nowhere, {});
+    const bool find = what == "find";
+    SealedFiles files(run.work().folder / step_name(find ? TileStep::find : TileStep::draw));
     for (std::int64_t tile = 0; tile < run.tiles().count(); ++tile)
-        what == "find" ? make_found(run, tile, contours / levels) : make_drawn(run, tile, contours / levels);
+        (find ? make_found : make_drawn)(run, tile, contours / levels, files);
+    files.finish();
 }
 
 }  // namespace
