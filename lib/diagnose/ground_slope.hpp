@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "core/executor.hpp"
 #include "core/grid.hpp"
 #include "dem2buildings/dem_source.hpp"
 
@@ -33,7 +34,7 @@ struct GroundSlope {
 /// Adds the slopes of a ground in every sixteenth of the window's rows. @param first_row of the grid in the
 /// window @param cells of the grid
 void add_slope(const MetreGrid& ground, const CellSize& cell, std::int32_t first_row, const Window& cells,
-               GroundSlope& slope);
+               GroundSlope& slope, Executor& threads);
 
 /// Where most of the ground is steep. Without a full stop; "" where it is not.
 [[nodiscard]] std::string slope_doubt(const GroundSlope& slope, const std::string& dem);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/row_bands.hpp"
+#include "detect/label_rows.hpp"
 #include "detect/smoothness.hpp"
 
 namespace d2b {
@@ -38,12 +39,13 @@ class SamplingOfRows {
     void add(RowBand band);
 
   private:
-    /// Whether a cell is elevated and bends both ways.
-    [[nodiscard]] bool is_rough(std::int32_t r, std::int32_t c) const;
-    /// Of the own columns of a row and one more, where there is one.
+    /// Whether cells are elevated and bend both ways: of the own columns of a row and one more, where there
+    /// is one.
     void find_rough(std::int32_t r, std::vector<std::uint8_t>& rough) const;
     void add_pairs(std::int32_t r, const std::vector<std::uint8_t>& here,
                    const std::vector<std::uint8_t>& below);
+    /// The steps at the own cells of buildings in a row.
+    void add_steps(std::int32_t r);
     void add_step(std::int32_t r, std::int32_t c, std::int32_t down, std::int32_t right);
 
     const Scene& scene_;
@@ -54,24 +56,36 @@ class SamplingOfRows {
     SurfaceSampling& sampling_;
 };
 
-bool SamplingOfRows::is_rough(std::int32_t r, std::int32_t c) const {
-    const MetreGrid& z = scene_.surface;
-    if (!(scene_.height(z.index(r, c)) > min_height_))
-        return false;
-    const float twice = 2 * z.at(r, c);
-    const float along_row =
-        std::abs(z.at(r, std::max(c - 1, 0)) + z.at(r, std::min(c + 1, z.cols - 1)) - twice);
-    const float along_column =
-        std::abs(z.at(std::max(r - 1, 0), c) + z.at(std::min(r + 1, z.rows - 1), c) - twice);
-    return !(along_row < limit_) && !(along_column < limit_);
-}
-
 void SamplingOfRows::find_rough(std::int32_t r, std::vector<std::uint8_t>& rough) const {
-    const std::int32_t end = std::min(own_.end_col() + 1, scene_.surface.cols);
+    const MetreGrid& z = scene_.surface;
     rough.assign(static_cast<std::size_t>(own_.cols) + 1, 0);
-    if (r < scene_.surface.rows)
-        for (std::int32_t c = own_.col; c < end; ++c)
-            rough[static_cast<std::size_t>(c - own_.col)] = is_rough(r, c) ? 1 : 0;
+    if (r >= z.rows)
+        return;
+    const float* here = z.row(r).data();
+    const float* above = z.row(std::max(r - 1, 0)).data();
+    const float* below = z.row(std::min(r + 1, z.rows - 1)).data();
+    const float* ground = scene_.terrain.row(r).data();
+    const float least = min_height_;
+    const float limit = limit_;
+    // Through a pointer of its own, so that what is written to it cannot be what is read.
+    std::uint8_t* const out = rough.data();
+    const std::int32_t first = own_.col;
+    const auto look = [&](std::int32_t c, std::int32_t left, std::int32_t right) {
+        const float twice = 2 * here[c];
+        const float along_row = std::abs(here[left] + here[right] - twice);
+        const float along_column = std::abs(above[c] + below[c] - twice);
+        const int elevated = here[c] - ground[c] > least ? 1 : 0;
+        const int smooth = (along_row < limit ? 1 : 0) | (along_column < limit ? 1 : 0);
+        out[c - first] = static_cast<std::uint8_t>(elevated & (smooth ^ 1));
+    };
+    const std::int32_t end = std::min(own_.end_col() + 1, z.cols);
+    const std::int32_t inner = std::min(end, z.cols - 1);
+    for (std::int32_t c = std::max(first, 1); c < inner; ++c)
+        look(c, c - 1, c + 1);
+    if (first == 0)
+        look(0, 0, std::min(1, z.cols - 1));
+    if (end == z.cols)
+        look(z.cols - 1, std::max(z.cols - 2, 0), z.cols - 1);
 }
 
 /// With the next cell, and with the cell below.
@@ -125,13 +139,31 @@ void SamplingOfRows::add(RowBand band) {
         find_rough(r + 1, below);
         add_pairs(r, here, below);
         std::swap(here, below);
-        for (std::int32_t c = own_.col; c < own_.end_col(); ++c)
-            if (detection_.is_building(detection_.labels.at(r, c))) {
-                ++sampling_.built;
-                for (const auto& [down, right] : {std::pair{0, 1}, {0, -1}, {1, 0}, {-1, 0}})
-                    add_step(r, c, down, right);
-            }
+        add_steps(r);
     }
+}
+
+void SamplingOfRows::add_steps(std::int32_t r) {
+    const Grid<Label>& labels = detection_.labels;
+    const auto own = [&](std::int32_t row) {
+        return labels.row(row).subspan(static_cast<std::size_t>(own_.col),
+                                       static_cast<std::size_t>(own_.cols));
+    };
+    for_label_runs(own(r), [&](std::int32_t begin, std::int32_t end, Label label) {
+        if (!detection_.is_building(label))
+            return;
+        sampling_.built += end - begin;
+        add_step(r, own_.col + begin, 0, -1);
+        add_step(r, own_.col + end - 1, 0, 1);
+        for (const std::int32_t down : {1, -1}) {
+            if (r + down < 0 || r + down >= labels.rows)
+                continue;
+            const auto beside = own(r + down);
+            for (std::int32_t c = begin; c < end; ++c)
+                if (beside[static_cast<std::size_t>(c)] == 0)  // else it is as inside of buildings
+                    add_step(r, own_.col + c, down, 0);
+        }
+    });
 }
 
 double normal(double x) {

@@ -9,6 +9,21 @@
 
 namespace d2b::ground {
 
+namespace {
+
+/// The blocks that cover `fine`, without values.
+AlignedGrid shape_of_blocks(const AlignedGrid& fine, Factor factor) {
+    AlignedGrid blocks;
+    blocks.first_row = block_of(fine.first_row, factor.down);
+    blocks.first_col = block_of(fine.first_col, factor.across);
+    blocks.cell = {fine.cell.across * factor.across, fine.cell.down * factor.down};
+    blocks.grid.rows = block_of(fine.first_row + fine.grid.rows - 1, factor.down) - blocks.first_row + 1;
+    blocks.grid.cols = block_of(fine.first_col + fine.grid.cols - 1, factor.across) - blocks.first_col + 1;
+    return blocks;
+}
+
+}  // namespace
+
 AlignedGrid shape_of(const AlignedGrid& grid) {
     AlignedGrid shape;
     shape.grid.rows = grid.grid.rows;
@@ -27,13 +42,8 @@ Factor factor_for(const CellSize& cell, double wanted) {
 }
 
 AlignedGrid blocks_of(const AlignedGrid& fine, Factor factor, float value, Executor& threads) {
-    AlignedGrid blocks;
-    blocks.first_row = block_of(fine.first_row, factor.down);
-    blocks.first_col = block_of(fine.first_col, factor.across);
-    blocks.cell = {fine.cell.across * factor.across, fine.cell.down * factor.down};
-    blocks.grid = MetreGrid(
-        block_of(fine.first_row + fine.grid.rows - 1, factor.down) - blocks.first_row + 1,
-        block_of(fine.first_col + fine.grid.cols - 1, factor.across) - blocks.first_col + 1, value, threads);
+    AlignedGrid blocks = shape_of_blocks(fine, factor);
+    blocks.grid = MetreGrid(blocks.grid.rows, blocks.grid.cols, value, threads);
     return blocks;
 }
 
@@ -66,7 +76,8 @@ void spread_blocks(std::span<const float> blocks, std::int32_t first, std::int32
 
 AlignedGrid lowest_of_blocks(const AlignedGrid& shape, const MetreGrid& values, Factor factor,
                              Executor& threads) {
-    AlignedGrid blocks = blocks_of(shape, factor, no_value, threads);
+    AlignedGrid blocks = shape_of_blocks(shape, factor);
+    blocks.grid = MetreGrid::unset(blocks.grid.rows, blocks.grid.cols, threads);
     const auto cols = static_cast<std::size_t>(values.cols);
     for_row_bands(threads, blocks.grid.rows, values.cols, [&](RowBand band) {
         std::vector<float> lowest(cols);
@@ -75,7 +86,9 @@ AlignedGrid lowest_of_blocks(const AlignedGrid& shape, const MetreGrid& values, 
             std::fill(lowest.begin(), lowest.end(), no_value);
             for (std::int32_t i = std::max(first, 0); i < std::min(first + factor.down, values.rows); ++i)
                 lower_blocks(values.row(i), 0, 1, lowest);
-            lower_blocks(lowest, shape.first_col, factor.across, blocks.grid.row(row));
+            const auto out = blocks.grid.row(row);
+            std::fill(out.begin(), out.end(), no_value);
+            lower_blocks(lowest, shape.first_col, factor.across, out);
         }
     });
     return blocks;

@@ -25,11 +25,9 @@ inline constexpr std::int16_t no_value_of<std::int16_t> = 32767;
 /// grid's border. The cost a cell does not grow with the radius but for lines along a row, where it grows
 /// with its logarithm (and those are in the processor's nearest cache).
 /// @param into of the same size; another grid than `from`
-template <typename T>
-void line_pass(const Grid<T>& from, Grid<T>& into, Line line, Extremum which, std::int32_t radius);
-
-extern template void line_pass(const Grid<float>&, Grid<float>&, Line, Extremum, std::int32_t);
-extern template void line_pass(const Grid<std::int16_t>&, Grid<std::int16_t>&, Line, Extremum, std::int32_t);
+void line_pass(const Grid<float>& from, Grid<float>& into, Line line, Extremum which, std::int32_t radius);
+void line_pass(const Grid<std::int16_t>& from, Grid<std::int16_t>& into, Line line, Extremum which,
+               std::int32_t radius);
 
 /// The lowest of each cell and its eight neighbours.
 [[nodiscard]] MetreGrid lowest_around(const MetreGrid& grid, Executor& threads);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/processors.hpp"
 #include "ground/line_pass.hpp"
 
 namespace d2b::ground {
@@ -116,11 +117,9 @@ void open_by_lines(const Grid<T>& grid, Radius radius, Workspace<T>& workspace, 
     second_highest(workspace.lines, out);
 }
 
-}  // namespace
-
 template <typename T>
-void open(Element element, const Grid<T>& surface, Radius radius, Radius outside, Workspace<T>& workspace,
-          Grid<T>& opened) {
+void open_by(Element element, const Grid<T>& surface, Radius radius, Radius outside, Workspace<T>& workspace,
+             Grid<T>& opened) {
     with_room(surface, outside, workspace, opened, [&](const Grid<T>& grid, Grid<T>& out) {
         if (element == Element::rectangle)
             open_by_rectangle(grid, radius, workspace, out);
@@ -129,9 +128,18 @@ void open(Element element, const Grid<T>& surface, Radius radius, Radius outside
     });
 }
 
-template void open(Element, const Grid<float>&, Radius, Radius, Workspace<float>&, Grid<float>&);
-template void open(Element, const Grid<std::int16_t>&, Radius, Radius, Workspace<std::int16_t>&,
-                   Grid<std::int16_t>&);
+}  // namespace
+
+D2B_FOR_EACH_PROCESSOR void open(Element element, const Grid<float>& surface, Radius radius, Radius outside,
+                                 Workspace<float>& workspace, Grid<float>& opened) {
+    open_by(element, surface, radius, outside, workspace, opened);
+}
+
+D2B_FOR_EACH_PROCESSOR void open(Element element, const Grid<std::int16_t>& surface, Radius radius,
+                                 Radius outside, Workspace<std::int16_t>& workspace,
+                                 Grid<std::int16_t>& opened) {
+    open_by(element, surface, radius, outside, workspace, opened);
+}
 
 void closed_by_rectangle(const MetreGrid& surface, Radius radius, Workspace<float>& workspace,
                          MetreGrid& closed) {

@@ -32,18 +32,15 @@ enum class Element {
 /// in three directions of four is cut, while the edge of a terrace, a ridge or a dam stays. Cells without a
 /// value are left out; they keep `no_value_of<T>`. Structuring elements reach out of the grid by at most
 /// `outside` cells.
-/// @tparam T float or std::int16_t @param opened another grid than `surface`
-template <typename T>
-void open(Element element, const Grid<T>& surface, Radius radius, Radius outside, Workspace<T>& workspace,
-          Grid<T>& opened);
+/// @param opened another grid than `surface`
+void open(Element element, const Grid<float>& surface, Radius radius, Radius outside,
+          Workspace<float>& workspace, Grid<float>& opened);
+void open(Element element, const Grid<std::int16_t>& surface, Radius radius, Radius outside,
+          Workspace<std::int16_t>& workspace, Grid<std::int16_t>& opened);
 
 /// The closing by a rectangle: the lowest of the highest values.
 /// @param closed another grid than `surface`
 void closed_by_rectangle(const MetreGrid& surface, Radius radius, Workspace<float>& workspace,
                          MetreGrid& closed);
-
-extern template void open(Element, const Grid<float>&, Radius, Radius, Workspace<float>&, Grid<float>&);
-extern template void open(Element, const Grid<std::int16_t>&, Radius, Radius, Workspace<std::int16_t>&,
-                          Grid<std::int16_t>&);
 
 }  // namespace d2b::ground

@@ -58,8 +58,8 @@ bool take_row(std::span<const float> metres, std::int32_t base, std::int32_t in_
 
 bool WholeSteps::take(const MetreGrid& metres) {
     const Range range = range_of(metres);
-    const double lowest = std::min(range.lowest, range.highest);
-    const double highest = std::max(range.lowest, range.highest);
+    const auto lowest = static_cast<double>(std::min(range.lowest, range.highest));
+    const auto highest = static_cast<double>(std::max(range.lowest, range.highest));
     surface.rows = metres.rows;
     surface.cols = metres.cols;
     surface.values.resize(metres.size());

@@ -112,7 +112,7 @@ FoundInUnit find_in_unit(const UnitSearch& search, const Unit& unit) {
     MetreGrid surface = surface_of(search, unit.seen);
     MetreGrid terrain = terrain_of(search, unit.seen, surface);
     add_fit(surface, terrain, own, found.fit, threads);
-    add_slope(terrain, frame.cell, unit.seen.row - frame.window.row, own, found.slope);
+    add_slope(terrain, frame.cell, unit.seen.row - frame.window.row, own, found.slope, threads);
     found.sides.terrain = search.plan.ground != GroundMode::given || found.fit.cells() > 0;
     keep_below(search, surface, terrain);
     Mask allowed;

@@ -26,7 +26,7 @@ void take_clean_levels(const CleanRows& clean, const LabelBand& labels, const Le
                        LevelBand<Count>& levels) {
     clean.for_runs(levels.shape, [&](const CleanRows::CleanRun& run) {
         const auto begin = static_cast<std::size_t>(run.begin);
-        const Count count = quantise<Count>(run.elevation, labels.row(run.row)[begin], plan);
+        const auto count = quantise<Count>(run.elevation, labels.row(run.row)[begin], plan);
         const std::size_t row =
             static_cast<std::size_t>(run.row) * static_cast<std::size_t>(levels.shape.cols);
         std::fill_n(levels.counts.data() + (row + begin), run.end - run.begin, count);

@@ -5,6 +5,18 @@
 #include "read/temporary_file.hpp"
 
 namespace d2b {
+namespace {
+
+/// Makes room for more without going through all that is there each time that it doubles: what is not written
+/// to yet takes no memory.
+void grow(std::vector<std::byte>& memory, std::size_t size, std::size_t most) {
+    constexpr std::size_t small = std::size_t{1} << 20;
+    constexpr std::size_t large = std::size_t{64} << 20;
+    if (size > memory.capacity() && size > small)
+        memory.reserve(std::max(size, std::min(most, large) + small));
+}
+
+}  // namespace
 
 FileSpool::FileSpool(std::string folder, std::size_t in_memory)
     : folder_(std::move(folder)), most_in_memory_(in_memory) {}
@@ -18,8 +30,11 @@ std::uint64_t FileSpool::in_file() const {
 std::uint64_t FileSpool::append(std::span<const std::byte> bytes) {
     const std::scoped_lock lock(mutex_);
     const std::uint64_t begin = in_file() + memory_.size();
+    const std::size_t most = file_ ? bytes_a_write : most_in_memory_;
+    if (memory_.size() + bytes.size() <= most)
+        grow(memory_, memory_.size() + bytes.size(), most);
     memory_.insert(memory_.end(), bytes.begin(), bytes.end());
-    if (memory_.size() > (file_ ? bytes_a_write : most_in_memory_))
+    if (memory_.size() > most)
         flush();
     return begin;
 }
@@ -28,8 +43,9 @@ void FileSpool::flush() {
     if (!file_)
         file_ = std::make_unique<TemporaryFile>(folder_, "The finished part of the result", FileName::none);
     file_->append(memory_);
-    memory_ = {};
-    memory_.reserve(bytes_a_write);
+    if (memory_.capacity() > 2 * bytes_a_write)
+        memory_ = {};
+    memory_.clear();
 }
 
 void FileSpool::read(std::uint64_t begin, std::span<std::byte> bytes) const {

@@ -26,5 +26,31 @@ TEST(GroundSlope, IsToldWhereMostOfItIsSteep) {
         "(-zunit)");
 }
 
+TEST(GroundSlope, IsOfEverySixteenthRowOfItsCells) {
+    constexpr std::int32_t rows = 5000;
+    constexpr std::int32_t cols = 60;
+    MetreGrid ground(rows, cols);
+    for (std::int32_t r = 0; r < rows; ++r)
+        for (std::int32_t c = 0; c < cols; ++c)
+            ground.at(r, c) = static_cast<float>((r + c * c) % 11) * 0.13F;
+    GroundSlope slope;
+    Executor threads(2);
+    add_slope(ground, {1, 1}, 3, {10, 5, rows - 10, cols - 5}, slope, threads);
+    std::int64_t cells = 0;
+    std::int64_t steep = 0;
+    for (std::int32_t r = 10; r < rows - 1; ++r)
+        if ((r + 3) % 16 == 0)
+            for (std::int32_t c = 5; c < cols - 1; ++c) {
+                ++cells;
+                const float down = ground.at(r + 1, c) - ground.at(r, c);
+                const float across = ground.at(r, c + 1) - ground.at(r, c);
+                steep += across * across + down * down > 0.16F ? 1 : 0;
+            }
+    EXPECT_EQ(slope.cells, cells);
+    EXPECT_EQ(slope.steep_cells, steep);
+    EXPECT_GT(steep, 0);
+    EXPECT_LT(steep, cells);
+}
+
 }  // namespace
 }  // namespace d2b
