@@ -4,12 +4,22 @@
 
 #include "detect/cut_by_parcels.hpp"
 #include "detect/judged_objects.hpp"
+#include "detect/neighbour_prior.hpp"
 #include "detect/place_prior.hpp"
 #include "detect/roof_strictness.hpp"
 #include "detect/split.hpp"
 
 namespace d2b {
 namespace {
+
+/// Confidences for as many buildings as there are in the place, and around each object.
+void correct_for_surroundings(const Scene& scene, const SurfaceQuality& quality, JudgedObjects& judged,
+                              Executor& threads) {
+    const bool known = looks_as_elsewhere(judged.objects);
+    const SupposedShare supposed = correct_for_place(quality.filled, judged.objects);
+    if (known)
+        correct_for_neighbours(judged.regions, scene.cell, supposed, judged.objects, threads);
+}
 
 JudgedObjects judged_as_the_data_say(const Scene& scene, const DetectOptions& options, double smallest_m2,
                                      Executor& threads) {
@@ -22,7 +32,7 @@ JudgedObjects judged_as_the_data_say(const Scene& scene, const DetectOptions& op
                                : judged_objects(scene, cells, smallest_m2, quality, threads);
     judged.left_out.low =
         low_roofs(scene, cells.flags, options.min_height, cells_for(smallest_m2, scene.cell), threads);
-    correct_for_place(quality.filled, judged.objects);
+    correct_for_surroundings(scene, quality, judged, threads);
     return judged;
 }
 

@@ -56,6 +56,7 @@ constexpr std::size_t terms_of_a_sum = 10;
 // Places among them.
 constexpr std::size_t greenness = 1;
 constexpr std::size_t segment_size = 4;
+constexpr std::size_t squareness = 8;
 
 /// Each term is 0 for an object that may as well be a tree.
 std::array<Sight, terms_of_a_sum> sights_of(const Evidence& evidence) {
@@ -68,7 +69,7 @@ std::array<Sight, terms_of_a_sum> sights_of(const Evidence& evidence) {
         {evidence.walled, Doubt::no_step, {}, {10.16, 0.99}},
         {std::log(evidence.beside_m + 0.5), Doubt::no_step, {}, {-0.5, 1.34}},
         {std::log(std::min(evidence.area_m2, house_m2)), Doubt::pieces, {}, {1.68, 5.01}},
-        {evidence.right_angles, Doubt::no_step, {}, {3.47, 0.33}},
+        {evidence.right_angles, Doubt::no_right_angles, {2.5, even_right_angles}, {3.47, 0.33}},
         {evidence.gentle, Doubt::rough, {}, {8.5, 0.59}},
     }};
 }
@@ -99,7 +100,7 @@ double roof_likeness(const Evidence& part) {
     const std::array<Sight, terms_of_a_sum> sights = sights_of(part);
     double sum = 0;
     for (std::size_t i = 0; i < sights.size(); ++i)
-        if (i != greenness)
+        if (i != greenness && i != squareness)
             sum += (i == segment_size ? of_segment_size : 1) * sights[i].usual.term(sights[i].value);
     return sum;
 }
@@ -116,6 +117,8 @@ std::string_view doubt_name(Doubt doubt) {
             return "small pieces";
         case Doubt::green:
             return "green";
+        case Doubt::no_right_angles:
+            return "no right angles";
     }
     return "";
 }

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 namespace d2b {
 namespace {
 
-constexpr std::int64_t fewest_candidates = 100;
+constexpr std::size_t fewest_candidates = 100;
 constexpr double most_filled = 0.1;
 constexpr double likely = 0.5;
 constexpr double beyond_doubt = 0.95;
@@ -32,25 +33,41 @@ double posterior(double ratio, double share) {
     return ratio * share / (ratio * share + 1 - share);
 }
 
-bool is_candidate(const DetectedObject& object) {
-    return object.confidence > 0 && object.confidence < 1;
-}
-
-/// Whether what is surely a building looks here as it does elsewhere.
-bool is_known_place(const std::vector<DetectedObject>& objects) {
-    const auto above = [&](double confidence) {
-        return std::ranges::count_if(
-            objects, [&](const DetectedObject& object) { return object.confidence > confidence; });
-    };
-    return std::ranges::count_if(objects, is_candidate) >= fewest_candidates &&
-           likely_per_sure * above(beyond_doubt) >= above(likely);
-}
-
 double ratio_of(const DetectedObject& object) {
     return std::exp(steepness * log_odds(object.confidence) + offset);
 }
 
+std::int64_t above(double confidence, const std::vector<DetectedObject>& objects) {
+    return std::ranges::count_if(
+        objects, [&](const DetectedObject& object) { return object.confidence > confidence; });
+}
+
+/// Mean confidence of candidates; the usual share where there is none.
+double mean_confidence(const std::vector<DetectedObject>& objects) {
+    double sum = 0;
+    double count = 0;
+    for (const DetectedObject& object : objects)
+        if (is_candidate(object)) {
+            sum += object.confidence;
+            count += 1;
+        }
+    return count > 0 ? sum / count : usual_share;
+}
+
+SupposedShare not_corrected(const std::vector<DetectedObject>& objects) {
+    const double mean = mean_confidence(objects);
+    return {std::min(mean, usual_share), std::max(mean, usual_share)};
+}
+
 }  // namespace
+
+bool is_candidate(const DetectedObject& object) {
+    return object.confidence > 0 && object.confidence < 1;
+}
+
+bool looks_as_elsewhere(const std::vector<DetectedObject>& objects) {
+    return likely_per_sure * above(beyond_doubt, objects) >= above(likely, objects);
+}
 
 double share_of_buildings(std::span<const double> ratios) {
     double share = usual_share;
@@ -66,19 +83,20 @@ double share_of_buildings(std::span<const double> ratios) {
     return share;
 }
 
-void correct_for_place(double filled, std::vector<DetectedObject>& objects) {
-    if (filled > most_filled || !is_known_place(objects))
-        return;
+SupposedShare correct_for_place(double filled, std::vector<DetectedObject>& objects) {
     std::vector<double> ratios;
     for (const DetectedObject& object : objects)
         if (is_candidate(object))
             ratios.push_back(ratio_of(object));
+    if (filled > most_filled || ratios.size() < fewest_candidates || !looks_as_elsewhere(objects))
+        return not_corrected(objects);
     const double share = share_of_buildings(ratios);
     if (share >= usual_share)
-        return;
+        return not_corrected(objects);
     for (DetectedObject& object : objects)
         if (is_candidate(object))
             object.confidence = posterior(ratio_of(object), share);
+    return {share, share};
 }
 
 }  // namespace d2b

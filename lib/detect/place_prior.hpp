@@ -17,12 +17,26 @@ namespace d2b {
 /// @param ratios how much likelier each candidate is among buildings than among other things, above 0
 [[nodiscard]] double share_of_buildings(std::span<const double> ratios);
 
+/// Whether an object may or may not be a building: a confidence of 0 or 1 is kept, whatever the place.
+[[nodiscard]] bool is_candidate(const DetectedObject& object);
+
+/// Whether what is surely a building looks here as it does elsewhere: a fifth of the objects with a
+/// confidence above 0.5 are beyond doubt (above 0.95). Thin points and blur undo that for small houses.
+[[nodiscard]] bool looks_as_elsewhere(const std::vector<DetectedObject>& objects);
+
+/// Shares of candidates that are buildings which confidences may suppose, the lowest and the highest.
+struct SupposedShare {
+    double least = 0;
+    double most = 1;
+};
+
 /// Makes confidences those of a place with its own share_of_buildings(). That supposes that buildings look
-/// here as they do elsewhere, which thin points and blur undo for small houses: so it is done only where at
-/// most a tenth of the cells was filled, where a fifth of the objects with a confidence above 0.5 are beyond
-/// doubt (above 0.95), and where there are at least a hundred candidates. Elsewhere confidences stay as they
-/// are, as do those of 0 and 1 everywhere. Sums are made in the order of the objects.
+/// here as they do elsewhere, see looks_as_elsewhere(): it is done only where they do, where at most a tenth
+/// of the cells was filled, and where there are at least a hundred candidates. Elsewhere confidences stay as
+/// they are, as do those of 0 and 1 everywhere. Sums are made in the order of the objects.
 /// @param filled see SurfaceQuality
-void correct_for_place(double filled, std::vector<DetectedObject>& objects);
+/// @return what share they suppose then: the one they were corrected for, or one between the usual share and
+/// their own mean
+SupposedShare correct_for_place(double filled, std::vector<DetectedObject>& objects);
 
 }  // namespace d2b

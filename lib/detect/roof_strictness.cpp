@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <numeric>
 #include <vector>
@@ -22,17 +23,33 @@ constexpr double least_sharp = 0.6;
 constexpr std::array<double, 4> stricter{0.9, 0.8, 0.7, 0.6};
 constexpr std::int64_t most_lost = 5;  // of a thousand
 
-/// Cells of objects that are more likely than this to be buildings.
-Mask cells_above(double confidence, const JudgedObjects& judged, Executor& threads) {
+/// Cells of objects with a property. @param has has(i): whether the object at i has it
+template <typename Has>
+Mask cells_of(const JudgedObjects& judged, const Has& has, Executor& threads) {
     Mask cells(judged.regions.rows, judged.regions.cols, 0, threads);
     for_row_bands(threads, cells.rows, cells.cols, [&](RowBand band) {
         for (std::int32_t r = band.begin; r < band.end; ++r)
             for (const RegionRun& run : judged.regions.row(r))
-                if (judged.objects[run.label - 1].confidence > confidence)
+                if (has(run.label - 1))
                     std::fill(cells.row(r).begin() + run.begin, cells.row(r).begin() + run.end,
                               std::uint8_t{1});
     });
     return cells;
+}
+
+/// What is beyond doubt without its right angles: the surface is to show how smooth it is.
+Mask sure_roofs(const JudgedObjects& judged, double filled, Executor& threads) {
+    const auto is_sure = [&](std::size_t i) {
+        Evidence without = judged.evidence[i];
+        without.right_angles = even_right_angles;
+        return judged.objects[i].confidence > surely_roof && judge(without, filled).confidence > surely_roof;
+    };
+    return cells_of(judged, is_sure, threads);
+}
+
+Mask likely_roofs(const JudgedObjects& judged, Executor& threads) {
+    return cells_of(
+        judged, [&](std::size_t i) { return judged.objects[i].confidence > likely_roof; }, threads);
 }
 
 std::int64_t common_cells(const Mask& a, const Mask& b) {
@@ -44,7 +61,7 @@ std::int64_t common_cells(const Mask& a, const Mask& b) {
 std::optional<double> roof_strictness(const Scene& scene, const DetectOptions& options, double smallest_m2,
                                       const SurfaceQuality& quality, const JudgedObjects& first,
                                       Executor& threads) {
-    const Mask buildings = cells_above(surely_roof, first, threads);
+    const Mask buildings = sure_roofs(first, quality.filled, threads);
     if (step_sharpness(scene.surface, buildings, threads) < least_sharp)
         return std::nullopt;
     const std::vector<RoofSample> samples =
@@ -60,7 +77,7 @@ std::optional<double> roof_strictness(const Scene& scene, const DetectOptions& o
         for (std::size_t i = 0; i < samples.size(); ++i) {
             const JudgedObjects judged = judged_objects(samples[i].scene(), sample_cells[i], smallest_m2,
                                                         stricter_quality, threads, LeaningCrowns::stay);
-            cells += common_cells(samples[i].roofs, cells_above(likely_roof, judged, threads));
+            cells += common_cells(samples[i].roofs, likely_roofs(judged, threads));
         }
         return cells;
     };

@@ -9,7 +9,8 @@
 namespace d2b {
 namespace {
 
-constexpr std::array doubts{Doubt::rough, Doubt::no_step, Doubt::steep, Doubt::pieces, Doubt::green};
+constexpr std::array doubts{Doubt::rough,  Doubt::no_step, Doubt::steep,
+                            Doubt::pieces, Doubt::green,   Doubt::no_right_angles};
 
 std::uint8_t number_of(std::string_view doubt) {
     std::uint8_t number = 0;

@@ -9,7 +9,7 @@ from osgeo import gdal, ogr
 
 from tables import table, text
 
-NAMES = ("smooth", "ln step", "ln tilt", "ln segment", "constant")
+NAMES = ("smooth", "ln step", "ln tilt", "ln segment", "right angles", "constant")
 THIN_NAMES = ("ln segment", "walled", "ln beside", "ln area", "right angles", "gentle", "constant")
 THIN = 0.05  # share of filled cells
 SCENES_HEAVY = 0.4  # of a real place: made crowns and houses are all alike

@@ -172,24 +172,36 @@ TEST(Judge, EachTermCounts) {
     EXPECT_NEAR(log_odds(evidence), 2, 1e-9);
     evidence.segment = 0;
     EXPECT_NEAR(log_odds(evidence), -std::log(even_cells), 1e-9) << "no less than with one cell";
+    evidence = as_well_a_tree;
+    evidence.right_angles = 0.7;
+    EXPECT_NEAR(log_odds(evidence), 1, 1e-9);
+}
+
+TEST(Judge, PartsOfARoofAreNotJudgedByTheirRightAngles) {
+    Evidence part = as_well_a_tree;
+    part.smooth = 0.6;
+    const double likeness = roof_likeness(part);
+    part.right_angles = 0.9;
+    EXPECT_EQ(roof_likeness(part), likeness);
 }
 
 TEST(Judge, WeightsOfThinPointsTakeOverAsCellsAreFilled) {
     // A house of 12 cells of 2.5 m: few of its cells are smooth, and its segments are small.
     Evidence house{0.5, 3, 0.3, 9, 0, 1};
     house.beside_m = 0.8;
-    house.right_angles = 0.6;
+    house.right_angles = 0.5;
     house.area_m2 = 75;
     house.gentle = 0.9;
     const auto log_odds = [&](double filled) {
         const double p = judge(house, filled).confidence;
         return std::log(p / (1 - p));
     };
-    const double usual = 4.3 * 0.1 + 1.3 * std::log(3 / 2.2) - 0.4 * std::log(0.3 / 0.4) + std::log(9 / 48.0);
+    const double usual = 4.3 * 0.1 + 1.3 * std::log(3 / 2.2) - 0.4 * std::log(0.3 / 0.4) +
+                         std::log(9 / 48.0) + 2.5 * (0.5 - 0.3);
     const double thin = -0.89 + 1.04 * (std::log(9) - 2.61) + 10.16 * (1 - 0.99) -
-                        0.5 * (std::log(1.3) - 1.34) + 1.68 * (std::log(75) - 5.01) + 3.47 * (0.6 - 0.33) +
+                        0.5 * (std::log(1.3) - 1.34) + 1.68 * (std::log(75) - 5.01) + 3.47 * (0.5 - 0.33) +
                         8.5 * (0.9 - 0.59);
-    EXPECT_LT(usual, -0.5);
+    EXPECT_LT(usual, 0);
     EXPECT_GT(thin, usual + 0.5);
     EXPECT_NEAR(log_odds(0), usual, 1e-9);
     EXPECT_NEAR(log_odds(0.04), usual, 1e-9);
@@ -256,12 +268,18 @@ TEST(Judge, NamesTheWorstTerm) {
     EXPECT_EQ(doubt({0.4, 2.2, 0.4, 9, 0}), "small pieces");
     EXPECT_EQ(doubt({0.4, 2.2, 0.4, even_cells, 1}), "green");
     EXPECT_EQ(judge({0.4, 2.2, 0.4, even_cells, 1}).doubt, Doubt::green);
+    Evidence round = as_well_a_tree;
+    round.right_angles = 0.1;
+    EXPECT_EQ(doubt(round), "no right angles");
 }
 
 TEST(Judge, WhatIsNotGreenIsNotDoubtedForIt) {
     // All terms speak for it, the tilt least.
-    EXPECT_EQ(judge({0.9, 8, 0.35, 4 * even_cells, 0}).doubt, Doubt::steep);
-    EXPECT_EQ(judge({0.9, 8, 0.35, 4 * even_cells, 0.01}).doubt, Doubt::green);
+    Evidence roof{0.9, 8, 0.35, 4 * even_cells, 0};
+    roof.right_angles = 0.7;
+    EXPECT_EQ(judge(roof).doubt, Doubt::steep);
+    roof.green = 0.01;
+    EXPECT_EQ(judge(roof).doubt, Doubt::green);
 }
 
 TEST(Judge, WithoutWallsNothingIsABuilding) {

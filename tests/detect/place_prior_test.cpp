@@ -113,6 +113,33 @@ TEST(CorrectForPlace, EvenOddsStayEvenAtTheUsualShare) {
     EXPECT_NEAR(objects.back().confidence, 0.5, 2e-3);
 }
 
+TEST(CorrectForPlace, SaysWhatShareConfidencesSupposeThen) {
+    std::vector<DetectedObject> woods = place(40, 40, 920);
+    const SupposedShare corrected = correct_for_place(0, woods);
+    EXPECT_EQ(corrected.least, corrected.most);
+    double sum = 50 * usual;
+    for (const DetectedObject& object : woods)
+        sum += object.confidence;
+    EXPECT_NEAR(sum / 1050, corrected.least, 1e-5);
+    // Not corrected: between the usual share and their mean.
+    std::vector<DetectedObject> few = objects_of({0, 0.2, 0.4, 1});
+    const SupposedShare low = correct_for_place(0, few);
+    EXPECT_NEAR(low.least, 0.3, 1e-12);
+    EXPECT_EQ(low.most, usual);
+    few = objects_of({0.8, 0.9});
+    const SupposedShare high = correct_for_place(0, few);
+    EXPECT_EQ(high.least, usual);
+    EXPECT_NEAR(high.most, 0.85, 1e-12);
+    few.clear();
+    EXPECT_EQ(correct_for_place(0, few).least, usual);
+}
+
+TEST(LooksAsElsewhere, AFifthOfTheLikelyAreBeyondDoubt) {
+    EXPECT_TRUE(looks_as_elsewhere({}));
+    EXPECT_TRUE(looks_as_elsewhere(place(1, 4, 50)));
+    EXPECT_FALSE(looks_as_elsewhere(place(1, 5, 0)));
+}
+
 TEST(CorrectForPlace, KeepsTheOrderAndWhatIsCertain) {
     std::vector<double> confidences{0, 1};
     for (int i = 1; i < 200; ++i)

@@ -1,0 +1,120 @@
+#include "detect/neighbour_prior.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace d2b {
+namespace {
+
+// Reaches up to 300 m are as good in the places of docs/accuracy.md; a unit sees as far as that around it.
+constexpr double reach_m = 150;
+
+struct Candidate {
+    double down = 0;  // metres
+    double across = 0;
+    double confidence = 0;
+    std::size_t object = 0;
+};
+
+/// Sums of rows and columns are whole numbers: exact, in any order.
+struct CellSums {
+    std::int64_t rows = 0;
+    std::int64_t cols = 0;
+};
+
+std::vector<CellSums> cell_sums(const Regions& regions, Executor& threads) {
+    std::vector<CellSums> sums(regions.count());
+    for_runs_by_label(threads, regions, [&](std::int32_t r, const RegionRun& run) {
+        CellSums& sum = sums[run.label - 1];
+        const std::int64_t cells = run.end - run.begin;
+        sum.rows += r * cells;
+        sum.cols += (std::int64_t{run.begin} + run.end - 1) * cells / 2;
+    });
+    return sums;
+}
+
+/// Candidates in strips as high as the reach, each from left to right.
+class Strips {
+  public:
+    Strips(std::vector<Candidate> candidates, double height)
+        : strips_(static_cast<std::size_t>(height / reach_m) + 1) {
+        for (const Candidate& candidate : candidates)
+            strips_[strip_of(candidate)].push_back(candidate);
+        for (std::vector<Candidate>& strip : strips_)
+            std::ranges::stable_sort(strip, {}, &Candidate::across);
+    }
+    [[nodiscard]] std::span<const std::vector<Candidate>> all() const { return strips_; }
+
+    /// Mean confidence around a candidate, without itself. @param usual the confidence of one more
+    [[nodiscard]] double share_around(const Candidate& middle, double usual) const {
+        double sum = usual;
+        double weights = 1;
+        const std::size_t strip = strip_of(middle);
+        for (std::size_t i = strip == 0 ? 0 : strip - 1; i <= std::min(strip + 1, strips_.size() - 1); ++i)
+            for (auto other =
+                     std::ranges::lower_bound(strips_[i], middle.across - reach_m, {}, &Candidate::across);
+                 other != strips_[i].end() && other->across <= middle.across + reach_m; ++other) {
+                if (other->object == middle.object)
+                    continue;
+                const double weight = weight_of(*other, middle);
+                sum += weight * other->confidence;
+                weights += weight;
+            }
+        return sum / weights;
+    }
+
+  private:
+    static std::size_t strip_of(const Candidate& candidate) {
+        return static_cast<std::size_t>(candidate.down / reach_m);
+    }
+    /// Falls from 1 to 0 at the reach, without a step.
+    static double weight_of(const Candidate& other, const Candidate& middle) {
+        const double down = (other.down - middle.down) / reach_m;
+        const double across = (other.across - middle.across) / reach_m;
+        const double left = std::max(0.0, 1 - down * down - across * across);
+        return left * left;
+    }
+
+    std::vector<std::vector<Candidate>> strips_;
+};
+
+std::vector<Candidate> candidates_of(const Regions& regions, const CellSize& cell,
+                                     const std::vector<DetectedObject>& objects, Executor& threads) {
+    const std::vector<CellSums> sums = cell_sums(regions, threads);
+    std::vector<Candidate> result;
+    for (std::size_t i = 0; i < objects.size(); ++i)
+        if (is_candidate(objects[i])) {
+            const auto cells = static_cast<double>(regions.cells[i + 1]);
+            result.push_back({static_cast<double>(sums[i].rows) / cells * cell.down,
+                              static_cast<double>(sums[i].cols) / cells * cell.across, objects[i].confidence,
+                              i});
+        }
+    return result;
+}
+
+/// Finite, where rounding made certain what nearly is.
+double odds(double probability) {
+    constexpr double least_doubt = 1e-15;
+    return probability / std::max(1 - probability, least_doubt);
+}
+
+}  // namespace
+
+void correct_for_neighbours(const Regions& regions, const CellSize& cell, const SupposedShare& supposed,
+                            std::vector<DetectedObject>& objects, Executor& threads) {
+    const Strips strips(candidates_of(regions, cell, objects, threads), regions.rows * cell.down);
+    const double usual = (supposed.least + supposed.most) / 2;
+    threads.for_each(strips.all().size(), [&](std::size_t i) {
+        for (const Candidate& candidate : strips.all()[i]) {
+            const double share = strips.share_around(candidate, usual);
+            const double change = odds(share) / odds(std::clamp(share, supposed.least, supposed.most));
+            const double now = odds(candidate.confidence) * change;
+            objects[candidate.object].confidence = now / (1 + now);
+        }
+    });
+}
+
+}  // namespace d2b
