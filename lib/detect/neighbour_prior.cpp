@@ -39,7 +39,7 @@ std::vector<CellSums> cell_sums(const Regions& regions, Executor& threads) {
 /// Candidates in strips as high as the reach, each from left to right.
 class Strips {
   public:
-    Strips(std::vector<Candidate> candidates, double height)
+    Strips(const std::vector<Candidate>& candidates, double height)
         : strips_(static_cast<std::size_t>(height / reach_m) + 1) {
         for (const Candidate& candidate : candidates)
             strips_[strip_of(candidate)].push_back(candidate);
