@@ -1,6 +1,7 @@
 #include "ground/whole_steps.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -18,14 +19,25 @@ struct Range {
     float highest = -no_value;
 };
 
-Range range_of(const MetreGrid& metres) {
-    Range range;
-    for (const float z : metres.values) {
+/// In lanes, which processors do at once.
+Range range_of(std::span<const float> metres) {
+    constexpr std::size_t lanes = 16;
+    std::array<float, lanes> lowest{};
+    std::array<float, lanes> highest{};
+    lowest.fill(no_value);
+    highest.fill(-no_value);
+    const auto look = [&](float z, std::size_t lane) {
         const float known = z == no_value ? -no_value : z;
-        range.lowest = z < range.lowest ? z : range.lowest;
-        range.highest = known > range.highest ? known : range.highest;
-    }
-    return range;
+        lowest[lane] = z < lowest[lane] ? z : lowest[lane];
+        highest[lane] = known > highest[lane] ? known : highest[lane];
+    };
+    std::size_t i = 0;
+    for (; i + lanes <= metres.size(); i += lanes)
+        for (std::size_t lane = 0; lane < lanes; ++lane)
+            look(metres[i + lane], lane);
+    for (; i < metres.size(); ++i)
+        look(metres[i], 0);
+    return {std::ranges::min(lowest), std::ranges::max(highest)};
 }
 
 /// Rounded to a float once: mostly what a file has that was written with so many digits.
@@ -33,23 +45,20 @@ float metres_of(std::int32_t steps, double step) {
     return static_cast<float>(steps * step);
 }
 
-/// Not of 0 and -0.
-bool same_bits(float a, float b) {
-    return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
-}
-
-/// @return whether all of them are whole steps
+/// @return whether all of them are whole steps, bit by bit: -0 is none
 bool take_row(std::span<const float> metres, std::int32_t base, std::int32_t in_metre, std::int16_t* values) {
     // Added and taken off again it rounds to a whole number: it leaves no digits behind the point.
     constexpr double rounder = 6755399441055744.0;  // 1.5 * 2^52
     const double step = 1.0 / in_metre;
-    int broken = 0;
+    const double in_each = in_metre;
+    std::int32_t broken = 0;
     for (std::size_t j = 0; j < metres.size(); ++j) {
-        const float z = metres[j] == no_value ? 0 : metres[j];
-        const double whole = (static_cast<double>(z) * in_metre + rounder) - rounder;
+        const float z = metres[j];
+        const float here = z == no_value ? 0.0F : z;
+        const double whole = (static_cast<double>(here) * in_each + rounder) - rounder;
         const auto steps = static_cast<std::int32_t>(whole);
-        broken |= same_bits(metres_of(steps, step), z) ? 0 : 1;
-        values[j] = metres[j] == no_value ? none : static_cast<std::int16_t>(steps - base);
+        broken |= std::bit_cast<std::int32_t>(metres_of(steps, step)) ^ std::bit_cast<std::int32_t>(here);
+        values[j] = static_cast<std::int16_t>(z == no_value ? none : steps - base);
     }
     return broken == 0;
 }
@@ -57,7 +66,7 @@ bool take_row(std::span<const float> metres, std::int32_t base, std::int32_t in_
 }  // namespace
 
 bool WholeSteps::take(const MetreGrid& metres) {
-    const Range range = range_of(metres);
+    const Range range = range_of(metres.values);
     const auto lowest = static_cast<double>(std::min(range.lowest, range.highest));
     const auto highest = static_cast<double>(std::max(range.lowest, range.highest));
     surface.rows = metres.rows;
