@@ -75,6 +75,12 @@ void close_gaps(MetreGrid& grid, Executor& threads) {
     });
 }
 
+/// The steepest way on from a block. Within two blocks a step of `wall_rise` is a wall, so half of it in one
+/// is none.
+double link_slope(const CellSize& block, const Rules& rules) {
+    return std::max(rules.link_slope, rules.wall_rise / 2 / std::max(block.across, block.down));
+}
+
 /// The heights up to which cells are ground, by the block that they lie in: below the limit of large objects,
 /// or connected to the ground and low enough seen along lines.
 MetreGrid limits_of_blocks(AlignedGrid& blocks, double next_radius, double width, const Rules& rules,
@@ -87,7 +93,7 @@ MetreGrid limits_of_blocks(AlignedGrid& blocks, double next_radius, double width
     Grid<std::uint8_t> ground;
     Mask roofs;
     const auto follow_ground = [&] {
-        ground = connected_ground(blocks, sure, rules.link_slope, rules.link_steps, threads);
+        ground = connected_ground(blocks, sure, link_slope(blocks.cell, rules), rules.link_steps, threads);
         roofs = walled_plateaus(blocks, sure, ground, rules, rules.wall_length * width);
         take_walled_back(blocks, sure, rules, rules.wall_length * width, ground);
     };

@@ -21,20 +21,20 @@ struct Rules {
     double large_rise = 0.7;    ///< a large object rises above the opened surface by this ...
     double large_slope = 0.05;  ///< ... and this times the radius
     double line_rise = 2;       ///< the same for elements that are lines
-    double line_slope = 0.12;
-    double link_slope = 0.3;  ///< ground goes on to a neighbour that is no steeper
+    double line_slope = 0.15;
+    double link_slope = 0.3;  ///< ground goes on to a neighbour no steeper, or half a wall higher
     double link_rise = 1;     ///< how far above the lowest point of its block ground may lie
     int link_steps = 60;      ///< blocks
-    double wall_share = 0.8;  ///< what is walled on more of its border is a roof ...
+    double wall_share = 0.9;  ///< what is walled on more of its border is a roof ...
     double wall_rise = 1.5;   ///< ... where the surface steps by as much ...
     double wall_length = 5;   ///< ... if it is not longer than this, in widths of the widest building
     double plateau_share =
         0.9;  ///< what falls by a wall on more of its border is a roof, however it is reached
 
-    double tolerance = 0.4;      ///< ground lies as near the provisional terrain ...
-    double tolerance_slope = 1;  ///< ... and this times its slope nearer
-    int rounds = 1;              ///< of this test
-    int relaxations = 3;         ///< of smoothing a level when gaps are filled
+    double tolerance = 0.4;         ///< ground lies as near the provisional terrain ...
+    double tolerance_slope = 1.25;  ///< ... and this times its slope nearer
+    int rounds = 1;                 ///< of this test
+    int relaxations = 3;            ///< of smoothing a level when gaps are filled
 };
 
 }  // namespace d2b::ground

@@ -42,6 +42,8 @@ class Pieces {
         for (const BlockPlace& at : piece)
             for (const BlockPlace& side : block_sides) {
                 const BlockPlace beside{at.row + side.row, at.col + side.col};
+                if (!grid_.holds(beside.row, beside.col))
+                    ++border;  // what reaches the border of the raster may go on
                 if (!outside(beside))
                     continue;
                 ++border;

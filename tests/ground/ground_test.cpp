@@ -122,6 +122,29 @@ TEST(Ground, ARoofReachedByAWideRampIsNone) {
     EXPECT_EQ(connected.flags.at(130, 170), bare_ground);
 }
 
+/// A mound of 10 m whose sides are as steep as `slope`, with a level top of 30 m.
+Scene mound(double slope, CellSize cell) {
+    Scene scene(static_cast<std::int32_t>(240 / cell.down), static_cast<std::int32_t>(240 / cell.across),
+                cell);
+    for (std::int32_t i = 0; i < scene.surface.rows; ++i)
+        for (std::int32_t j = 0; j < scene.surface.cols; ++j) {
+            const double from_middle =
+                std::max(std::fabs((i + 0.5) * cell.down - 120), std::fabs((j + 0.5) * cell.across - 120));
+            scene.surface.at(i, j) +=
+                static_cast<float>(std::clamp(10 - slope * (from_middle - 15), 0.0, 10.0));
+        }
+    return scene;
+}
+
+TEST(Ground, AMoundIsGroundWhereItRisesByLessThanHalfAWallFromBlockToBlock) {
+    // Blocks of 2 m: by 0.74 m, and by 0.8 m.
+    EXPECT_EQ(mound(0.37, {1, 1}).terrain().elevation.at(120, 120), 110);
+    EXPECT_LT(mound(0.40, {1, 1}).terrain().elevation.at(120, 120), 105);
+    // Blocks of 3 m: by 0.72 m, and by 1.11 m.
+    EXPECT_EQ(mound(0.24, {3, 3}).terrain().elevation.at(40, 40), 110);
+    EXPECT_LT(mound(0.37, {3, 3}).terrain().elevation.at(40, 40), 105);
+}
+
 TEST(Ground, ABridgeIsNone) {
     Scene valley(200, 200, {1, 1});
     for (std::int32_t i = 0; i < 200; ++i)

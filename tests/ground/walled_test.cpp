@@ -60,20 +60,20 @@ struct Blocks {
 };
 
 TEST(WalledBack, ARoofReachedByARamp) {
-    const Blocks blocks({"0000000000",  //
-                         "0000055550",  //
-                         "0123455550",  //
-                         "0000055550",  //
-                         "0000055550",  //
-                         "0000000000"});
-    // The ramp's first block has no wall on three sides, its other blocks have two each, the roof fifteen: 21
-    // of 24.
-    const Drawing expected{"##########",  //
-                           "#####    #",  //
-                           "#        #",  //
-                           "#####    #",  //
-                           "#####    #",  //
-                           "##########"};
+    const Blocks blocks({"00000000000000",  //
+                         "00000555555550",  //
+                         "01234555555550",  //
+                         "00000555555550",  //
+                         "00000555555550",  //
+                         "00000000000000"});
+    // The ramp's first block has no wall on three sides, its other blocks have two each, the roof 23: 29 of
+    // 32.
+    const Drawing expected{"##############",  //
+                           "#####        #",  //
+                           "#            #",  //
+                           "#####        #",  //
+                           "#####        #",  //
+                           "##############"};
     EXPECT_EQ(blocks.left(), expected);
 }
 
@@ -91,7 +91,7 @@ TEST(WalledBack, ATerraceThatGoesOnLevelOnOneSideStays) {
 }
 
 TEST(WalledBack, TheShareIsExceededNotReached) {
-    // Five by five blocks have twenty sides; behind four, or three of them, it goes on level.
+    // Five by five blocks have twenty sides; behind two, or one of them, it goes on level.
     const auto piece = [](std::int32_t level) {
         Blocks blocks({"0000000",  //
                        "0555550",  //
@@ -106,11 +106,11 @@ TEST(WalledBack, TheShareIsExceededNotReached) {
         }
         return blocks;
     };
-    EXPECT_EQ(piece(4).left(), piece(4).before());
-    const Drawing three = piece(3).left();
-    EXPECT_EQ(three[0], "#######");
+    EXPECT_EQ(piece(2).left(), piece(2).before());
+    const Drawing one = piece(1).left();
+    EXPECT_EQ(one[0], "#######");
     for (std::size_t i = 1; i < 6; ++i)
-        EXPECT_EQ(three[i], "#     #") << i;
+        EXPECT_EQ(one[i], "#     #") << i;
 }
 
 /// A pyramid of 15 by 15 blocks, its top seven steps above its border, with objects from 2.7 m on.
@@ -192,11 +192,25 @@ TEST(WalledBack, WallsMayRiseBeyond) {
     EXPECT_EQ(parapet.left(), parapet.before());
 }
 
-TEST(WalledBack, TheRastersBorderAndBlocksWithoutAPointAreNoBorder) {
-    const Blocks corner({"5500",  //
-                         "5500",  //
-                         "0000"});
-    EXPECT_EQ(corner.left(), (Drawing{"  ##", "  ##", "####"}));
+TEST(WalledBack, WhatReachesTheRastersBorderMayGoOn) {
+    // Two of its ten sides are the border of the raster, the others walls.
+    const Blocks cut({"005500",  //
+                      "005500",  //
+                      "005500",  //
+                      "000000"});
+    EXPECT_EQ(cut.left(), cut.before());
+    // Two of 24.
+    const Blocks street({"0055000000000",  //
+                         "0055555555550",  //
+                         "0000000000000"});
+    EXPECT_EQ(street.left(), (Drawing{"##  #########",  //
+                                      "##          #",  //
+                                      "#############"}));
+    const Blocks all({"555", "555"});
+    EXPECT_EQ(all.left(), all.before()) << "nothing is known about its border";
+}
+
+TEST(WalledBack, BlocksWithoutAPointAreNoBorder) {
     const Blocks shore({"00000",  //
                         "0555.",  //
                         "0555.",  //
@@ -210,8 +224,6 @@ TEST(WalledBack, TheRastersBorderAndBlocksWithoutAPointAreNoBorder) {
                   ".4."});
     wharf.limits.at(4, 1) = 100;
     EXPECT_EQ(wharf.left(), wharf.before());
-    const Blocks all({"555", "555"});
-    EXPECT_EQ(all.left(), all.before()) << "nothing is known about its border";
 }
 
 TEST(WalledBack, PiecesAreJudgedOneByOne) {
