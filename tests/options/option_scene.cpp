@@ -85,7 +85,7 @@ std::vector<double> surface() {
         for (int c = 0; c < cols; ++c) {
             const double noise = 0.05 * (share() - 0.5);
             const double tree = wood.holds(r, c) && share() < 0.7 ? 3 + 9 * share() : 0;
-            const double rubble = ruin.holds(r, c) ? 4 + 1.5 * share() : rough.holds(r, c) ? 4 + share() : 0;
+            const double rubble = ruin.holds(r, c) ? 4 + 1.6 * share() : rough.holds(r, c) ? 4 + share() : 0;
             const double top = roof(r, c);
             z.push_back((std::isnan(top) ? ground(r, c) + tree + rubble : top) + noise);
             if (Block{12, 14, 2, 3}.holds(r, c))
