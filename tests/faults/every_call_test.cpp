@@ -52,22 +52,16 @@ class EveryCall : public FaultyTest, public testing::WithParamInterface<Destinat
                     spec.values[static_cast<std::size_t>(row * 50 + col)] = 9 + col / 20 - lower;
         return spec;
     }
-    /// One call in so many; all where D2B_FAULT_STEP is 1.
-    static long step() {
-        const char* wanted = std::getenv("D2B_FAULT_STEP");
-        return wanted == nullptr ? 30 : std::max(1L, std::atol(wanted));
-    }
-    static std::vector<std::string> errors() {
-        if (step() > 1)
+    [[nodiscard]] std::vector<std::string> errors() const {
+        if (step_ > 1)
             return {"ENOSPC-once", "EIO", "EDQUOT", "short"};
         return {"ENOSPC", "EIO", "EDQUOT", "EIO-once", "ENOSPC-once", "short", "short-ENOSPC"};
     }
 
     [[nodiscard]] ToolResult run_with(const std::string& fault, const Arguments& arguments) const {
-        return run(arguments,
-                   {.environment = {"OGR_CURRENT_DATE=2026-01-01T00:00:00Z", "LD_PRELOAD=" D2B_SHIM,
-                                    "D2B_FAULT=" + fault, "D2B_FAULT_PATH=" + folder_.string(),
-                                    "D2B_FAULT_COUNT=" + input_ + "/calls"}});
+        ToolSetup setup{.environment = failing(fault, folder_.string(), input_ + "/calls")};
+        setup.environment.emplace_back("OGR_CURRENT_DATE=2026-01-01T00:00:00Z");
+        return run(arguments, setup);
     }
     /// The layers as they are read, or the files where that is the same.
     [[nodiscard]] Files content() const {
@@ -150,7 +144,7 @@ class EveryCall : public FaultyTest, public testing::WithParamInterface<Destinat
         ASSERT_GT(count, 20);
         long first = 0;
         for (const std::string& error : errors())
-            for (long nth = 1 + first++ * 3 % step(); nth <= count; nth += step()) {
+            for (long nth = 1 + first++ * 3 % step_; nth <= count; nth += step_) {
                 SCOPED_TRACE(error + " at call " + std::to_string(nth) + " of " + std::to_string(count));
                 prepare();
                 const ToolResult result = run_with("change:" + std::to_string(nth) + ":" + error, arguments);
@@ -158,13 +152,14 @@ class EveryCall : public FaultyTest, public testing::WithParamInterface<Destinat
                 failed_ += result.status == 0 ? 0 : 1;
             }
         RecordProperty("failed", failed_);
-        EXPECT_GT(failed_, count / step());
+        EXPECT_GT(failed_, count / step_);
     }
 
     const std::string destination_ = GetParam().name;
     const std::string format_ = GetParam().format;
     const std::string layers_ = GetParam().layers;
     const std::string mode_ = GetParam().mode;
+    const long step_ = calls_apart(30);
     int failed_ = 0;
     const std::string input_ = [] {
         const std::string folder = testing::TempDir() + "d2b_every_call_" + std::to_string(::getpid());

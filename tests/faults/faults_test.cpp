@@ -22,8 +22,7 @@ class Faults : public FaultyTest {
     }
     ToolResult run_with(const std::string& fault, const std::string& files,
                         const Arguments& arguments) const {
-        return run(arguments, {.environment = {"LD_PRELOAD=" D2B_SHIM, "D2B_FAULT=" + fault,
-                                               "D2B_FAULT_PATH=" + files, "D2B_FAULT_COUNT=" + counter_}});
+        return run(arguments, {.environment = failing(fault, files, counter_)});
     }
     /// Calls that a run without a fault makes.
     long calls(const std::string& kind, const std::string& files, const Arguments& arguments) const {

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <cstdlib>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "cli/cli_test_case.hpp"
 
@@ -25,6 +29,20 @@ class FaultyTest : public CliTest {
                 spec.values.push_back(row % 30 < 14 && col % 30 < 17 ? 12 + (row * 7 + col * 3) % 5 * 0.1
                                                                      : 0);
         return spec;
+    }
+    /// The environment in which calls on files fail.
+    /// @param fault kind, number of the call (0: none fails) and error, as shim.cpp reads them
+    /// @param files what the names of these files have in them
+    /// @param counter the file that takes the number of calls
+    static std::vector<std::string> failing(const std::string& fault, const std::string& files,
+                                            const std::string& counter) {
+        return {"LD_PRELOAD=" D2B_SHIM, "D2B_FAULT=" + fault, "D2B_FAULT_PATH=" + files,
+                "D2B_FAULT_COUNT=" + counter};
+    }
+    /// One call in so many is let fail; all where D2B_FAULT_STEP is 1.
+    static long calls_apart(long usual) {
+        const char* wanted = std::getenv("D2B_FAULT_STEP");
+        return std::max(1L, wanted == nullptr ? usual : std::atol(wanted));
     }
     /// Features of all layers; -1 where there is no such file.
     [[nodiscard]] int features(const std::string& name) const {

@@ -92,10 +92,8 @@ TEST_F(SurfaceFaults, aWriteThatFailsLeavesTheOld) {
     for (const std::string& name : names)
         for (const std::string kind : {"write", "sync"}) {
             const std::string error = kind == "sync" ? "EIO" : "ENOSPC";
-            const ToolResult result =
-                run({"-q", "-overwrite", option_of(name), name, "dem.tif", "out.gpkg"},
-                    {.environment = {"LD_PRELOAD=" D2B_SHIM, "D2B_FAULT=" + kind + ":1:" + error,
-                                     "D2B_FAULT_PATH=" + name, "D2B_FAULT_COUNT=" + counter}});
+            const ToolResult result = run({"-q", "-overwrite", option_of(name), name, "dem.tif", "out.gpkg"},
+                                          {.environment = failing(kind + ":1:" + error, name, counter)});
             EXPECT_EQ(result.status, 1) << name << " " << kind;
             EXPECT_TRUE(result.err.starts_with("ERROR: ")) << result.err;
             EXPECT_NE(result.err.find(name), std::string::npos) << result.err;

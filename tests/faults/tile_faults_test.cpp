@@ -37,20 +37,14 @@ class TileFaults : public FaultyTest, public testing::WithParamInterface<TileDes
         fs::remove_all(beside_);
         FaultyTest::TearDown();
     }
-    /// One call in so many; all where D2B_FAULT_STEP is 1.
-    static long calls_apart(long count) {
-        const char* wanted = std::getenv("D2B_FAULT_STEP");
-        return wanted == nullptr ? std::max(1L, count / 4) : std::max(1L, std::atol(wanted));
-    }
     [[nodiscard]] ToolResult step_with(const std::string& fault, const Arguments& step) const {
         Arguments command{D2B_TILES_TOOL};
         command.insert(command.end(), step.begin(), step.end());
-        ToolSetup setup{.environment = {"OGR_CURRENT_DATE=2026-01-01T00:00:00Z"}};
-        setup.working_directory = folder_.string();
+        ToolSetup setup;
         if (!fault.empty())
-            setup.environment.insert(setup.environment.end(),
-                                     {"LD_PRELOAD=" D2B_SHIM, "D2B_FAULT=" + fault,
-                                      "D2B_FAULT_PATH=" + folder_.string(), "D2B_FAULT_COUNT=" + counter()});
+            setup.environment = failing(fault, folder_.string(), counter());
+        setup.environment.emplace_back("OGR_CURRENT_DATE=2026-01-01T00:00:00Z");
+        setup.working_directory = folder_.string();
         return run_tool(command, setup);
     }
     [[nodiscard]] std::string counter() const { return (beside_ / "calls").string(); }
@@ -94,9 +88,10 @@ class TileFaults : public FaultyTest, public testing::WithParamInterface<TileDes
         long count = 0;
         std::ifstream(counter()) >> count;
         ASSERT_GT(count, 0);
+        const long apart = calls_apart(count / 4);
         long first = 0;
         for (const std::string& error : std::vector<std::string>{"ENOSPC", "EIO-once"})
-            for (long nth = 1 + first++ % calls_apart(count); nth <= count; nth += calls_apart(count)) {
+            for (long nth = 1 + first++ % apart; nth <= count; nth += apart) {
                 SCOPED_TRACE(step[0] + ", " + error + " at call " + std::to_string(nth) + " of " +
                              std::to_string(count));
                 restore(kept);
