@@ -15,9 +15,8 @@ namespace {
 /// Confidences for as many buildings as there are in the place, and around each object.
 void correct_for_surroundings(const Scene& scene, const SurfaceQuality& quality, JudgedObjects& judged,
                               Executor& threads) {
-    const bool known = looks_as_elsewhere(judged.objects);
     const SupposedShare supposed = correct_for_place(quality.filled, judged.objects);
-    if (known)
+    if (supposed.as_elsewhere)
         correct_for_neighbours(judged.regions, scene.cell, supposed, judged.objects, threads);
 }
 

@@ -54,9 +54,9 @@ double mean_confidence(const std::vector<DetectedObject>& objects) {
     return count > 0 ? sum / count : usual_share;
 }
 
-SupposedShare not_corrected(const std::vector<DetectedObject>& objects) {
+SupposedShare not_corrected(const std::vector<DetectedObject>& objects, bool as_elsewhere) {
     const double mean = mean_confidence(objects);
-    return {std::min(mean, usual_share), std::max(mean, usual_share)};
+    return {std::min(mean, usual_share), std::max(mean, usual_share), as_elsewhere};
 }
 
 }  // namespace
@@ -88,15 +88,16 @@ SupposedShare correct_for_place(double filled, std::vector<DetectedObject>& obje
     for (const DetectedObject& object : objects)
         if (is_candidate(object))
             ratios.push_back(ratio_of(object));
-    if (filled > most_filled || ratios.size() < fewest_candidates || !looks_as_elsewhere(objects))
-        return not_corrected(objects);
+    const bool as_elsewhere = looks_as_elsewhere(objects);
+    if (filled > most_filled || ratios.size() < fewest_candidates || !as_elsewhere)
+        return not_corrected(objects, as_elsewhere);
     const double share = share_of_buildings(ratios);
     if (share >= usual_share)
-        return not_corrected(objects);
+        return not_corrected(objects, as_elsewhere);
     for (DetectedObject& object : objects)
         if (is_candidate(object))
             object.confidence = posterior(ratio_of(object), share);
-    return {share, share};
+    return {share, share, as_elsewhere};
 }
 
 }  // namespace d2b

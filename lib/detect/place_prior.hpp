@@ -28,6 +28,7 @@ namespace d2b {
 struct SupposedShare {
     double least = 0;
     double most = 1;
+    bool as_elsewhere = true;  ///< of the objects before they were corrected, see looks_as_elsewhere()
 };
 
 /// Makes confidences those of a place with its own share_of_buildings(). That supposes that buildings look

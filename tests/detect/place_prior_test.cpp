@@ -134,6 +134,15 @@ TEST(CorrectForPlace, SaysWhatShareConfidencesSupposeThen) {
     EXPECT_EQ(correct_for_place(0, few).least, usual);
 }
 
+TEST(CorrectForPlace, SaysWhetherBuildingsLookedAsElsewhereBefore) {
+    std::vector<DetectedObject> woods = place(40, 40, 920);
+    EXPECT_TRUE(correct_for_place(0, woods).as_elsewhere);
+    std::vector<DetectedObject> few = place(1, 4, 0);
+    EXPECT_TRUE(correct_for_place(0, few).as_elsewhere);
+    few = place(1, 5, 0);
+    EXPECT_FALSE(correct_for_place(0, few).as_elsewhere);
+}
+
 TEST(LooksAsElsewhere, AFifthOfTheLikelyAreBeyondDoubt) {
     EXPECT_TRUE(looks_as_elsewhere({}));
     EXPECT_TRUE(looks_as_elsewhere(place(1, 4, 50)));
