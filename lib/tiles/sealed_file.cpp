@@ -210,9 +210,9 @@ SealedFiles::~SealedFiles() {
     ::close(opened_);
 }
 
-void SealedFiles::write(const std::string& name, const Seal& seal, std::span<const std::byte> body,
+void SealedFiles::write(const std::filesystem::path& path, const Seal& seal, std::span<const std::byte> body,
                         std::span<const std::byte> tail) {
-    write_file(folder_ / name, seal, body, tail, false);
+    write_file(path, seal, body, tail, false);
 }
 
 void SealedFiles::finish() {

@@ -44,8 +44,8 @@ class SealedFiles {
     ~SealedFiles();
 
     /// As write_sealed(), but what comes to the disk when is left to the system.
-    /// @param name within the folder @throws OutputError
-    void write(const std::string& name, const Seal& seal, std::span<const std::byte> body,
+    /// @param path within the folder @throws OutputError
+    void write(const std::filesystem::path& path, const Seal& seal, std::span<const std::byte> body,
                std::span<const std::byte> tail = {});
     /// Forces all of them to the disk: what says that they are there may be written then. @throws OutputError
     void finish();

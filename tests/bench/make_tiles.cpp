@@ -58,7 +58,7 @@ void make_found(const TileRun& run, std::int64_t tile, std::int32_t houses, Seal
         unit.edges.right = {high, high};
     ByteWriter writer;
     save(found, writer);
-    files.write(std::to_string(tile), run.seal(TileStep::find, tile), writer.bytes());
+    files.write(run.file(TileStep::find, tile), run.seal(TileStep::find, tile), writer.bytes());
 }
 
 FeaturePolygon polygon_of(const Window& cells) {
@@ -97,7 +97,8 @@ void make_drawn(const TileRun& run, std::int64_t tile, std::int32_t houses, Seal
     ByteWriter writer;
     save(drawn, writer);
     writer.put_list(blocks.all().blocks());
-    files.write(std::to_string(tile), run.seal(TileStep::draw, tile), writer.bytes(), blocks.all().bytes());
+    files.write(run.file(TileStep::draw, tile), run.seal(TileStep::draw, tile), writer.bytes(),
+                blocks.all().bytes());
 }
 
 void make(const std::string& work, std::int32_t contours, const std::string& what) {
@@ -109,7 +110,7 @@ void make(const std::string& work, std::int32_t contours, const std::string& wha
     PlannedSink nowhere(known.plan.layers);
     const TileRun run(known.work, options, inputs.sources(), nowhere, {});
     const bool find = what == "find";
-    SealedFiles files(run.work().folder / step_name(find ? TileStep::find : TileStep::draw));
+    SealedFiles files(run.folder(find ? TileStep::find : TileStep::draw));
     for (std::int64_t tile = 0; tile < run.tiles().count(); ++tile)
         (find ? make_found : make_drawn)(run, tile, contours / levels, files);
     files.finish();

@@ -29,6 +29,17 @@ ByteReader after(const Begin& begin, std::span<const std::byte> bytes) {
     return ByteReader({writer.bytes().begin(), writer.bytes().end()});
 }
 
+enum class Same : std::uint8_t { bytes, length };
+
+/// What has been read is written as it was. @param taken what it was read from
+template <typename Record>
+void demand_same(const Record& record, std::span<const std::byte> taken, Same same = Same::bytes) {
+    ByteWriter again;
+    save(record, again);
+    demand(again.bytes().size() == taken.size(), "it is written as long as it was");
+    demand(same == Same::length || std::ranges::equal(again.bytes(), taken), "it is written as it was");
+}
+
 std::size_t read_found(std::span<const std::byte> bytes) {
     ByteReader reader = after([](ByteWriter& writer) { no_facts().save(writer); }, bytes);
     const FoundTile tile = load_found_tile(reader, no_facts(), {tile_window});
@@ -54,10 +65,7 @@ std::size_t read_joined(std::span<const std::byte> bytes) {
         demand(std::ranges::all_of(unit.number, [&](Label label) { return label <= tile.other(); }),
                "labels are of buildings");
     }
-    ByteWriter again;
-    save(tile, again);
-    demand(std::ranges::equal(again.bytes(), bytes.first(bytes.size() - reader.left())),
-           "it is written as it was");
+    demand_same(tile, bytes.first(bytes.size() - reader.left()));
     return reader.left();
 }
 
@@ -84,10 +92,7 @@ std::size_t read_drawn(std::span<const std::byte> bytes) {
 std::size_t read_numbered(std::span<const std::byte> bytes) {
     ByteReader reader({bytes.begin(), bytes.end()});
     const NumberedTile tile = load_numbered_tile(reader);
-    ByteWriter again;
-    save(tile, again);
-    demand(std::ranges::equal(again.bytes(), bytes.first(bytes.size() - reader.left())),
-           "it is written as it was");
+    demand_same(tile, bytes.first(bytes.size() - reader.left()));
     return reader.left();
 }
 
@@ -105,9 +110,8 @@ std::size_t read_contour(std::span<const std::byte> bytes) {
     ByteReader reader({bytes.begin(), bytes.end()});
     const DrawnContour drawn = load_drawn_contour(reader);
     demand(drawn.record.level == drawn.key.level, "a contour is on its level");
-    ByteWriter again;
-    save(drawn, again);
-    demand(again.bytes().size() == bytes.size() - reader.left(), "it is written as long as it was");
+    // Any number but 0 is read as true, and written as 1.
+    demand_same(drawn, bytes.first(bytes.size() - reader.left()), Same::length);
     return reader.left();
 }
 

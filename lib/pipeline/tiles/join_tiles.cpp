@@ -154,12 +154,12 @@ void Join::write_tiles() {
     for (std::size_t i = 0; i < objects_.size(); ++i)
         numbers[static_cast<std::size_t>(run_.tiles().tile_of(objects_[i].unit))].push_back(
             static_cast<Label>(i + 1));
-    SealedFiles files(run_.work().folder / step_name(TileStep::join));
+    SealedFiles files(run_.folder(TileStep::join));
     for (std::int64_t tile = 0; tile < run_.tiles().count(); ++tile) {
         run_.context().check_stop();
         ByteWriter writer;
         save(joined(numbers[static_cast<std::size_t>(tile)]), writer);
-        files.write(std::to_string(tile), run_.seal(TileStep::join, tile), writer.bytes());
+        files.write(run_.file(TileStep::join, tile), run_.seal(TileStep::join, tile), writer.bytes());
     }
     files.finish();
 }

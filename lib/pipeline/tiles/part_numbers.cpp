@@ -21,7 +21,7 @@ void PartNumbers::keep(const DrawnContour& drawn) {
 }
 
 void PartNumbers::write(const TileRun& run, std::vector<GivenNumbers>& numbers, int levels) {
-    SealedFiles files(run.work().folder / step_name(TileStep::merge));
+    SealedFiles files(run.folder(TileStep::merge));
     for (std::int64_t i = 0; i < run.tiles().count(); ++i) {
         NumberedTile tile{std::move(numbers[static_cast<std::size_t>(i)]), {}};
         DrawnBlocks blocks;
@@ -34,7 +34,8 @@ void PartNumbers::write(const TileRun& run, std::vector<GivenNumbers>& numbers, 
         tile.left = blocks.all().blocks();
         ByteWriter writer;
         save(tile, writer);
-        files.write(std::to_string(i), run.seal(TileStep::merge, i), writer.bytes(), blocks.all().bytes());
+        files.write(run.file(TileStep::merge, i), run.seal(TileStep::merge, i), writer.bytes(),
+                    blocks.all().bytes());
     }
     files.finish();
     whole_.levels = levels;

@@ -27,7 +27,7 @@ FoundFacts TileRun::no_facts() const {
 }
 
 std::filesystem::path TileRun::file(TileStep step, std::int64_t tile) const {
-    return work_.folder / step_name(step) / std::to_string(tile);
+    return folder(step) / std::to_string(tile);
 }
 
 Seal TileRun::frame_seal(TileStep step) const {

@@ -47,13 +47,15 @@ class TileRun {
     [[nodiscard]] Seal seal(TileStep step, std::int64_t tile) const {
         return {step, work_.plan, static_cast<std::uint32_t>(tile)};
     }
+    /// What a step writes.
+    [[nodiscard]] std::filesystem::path folder(TileStep step) const { return work_.folder / step_name(step); }
     [[nodiscard]] std::filesystem::path file(TileStep step, std::int64_t tile) const;
     /// Removes what processes have left that were killed while they worked on this step, all of whose files
     /// are there.
-    void tidy(TileStep step) const { remove_unfinished(work_.folder / step_name(step)); }
+    void tidy(TileStep step) const { remove_unfinished(folder(step)); }
     /// What join or merge says of the whole.
     [[nodiscard]] std::filesystem::path frame_file(TileStep step = TileStep::join) const {
-        return work_.folder / step_name(step) / "frame";
+        return folder(step) / "frame";
     }
     [[nodiscard]] Seal frame_seal(TileStep step = TileStep::join) const;
     /// @throws InputError
