@@ -6,11 +6,12 @@
 #include <fcntl.h>
 #include <optional>
 #include <random>
-#include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 
 #include "dem2buildings/version.hpp"
+#include "tiles/open_file.hpp"
+#include "tiles/recent_files.hpp"
 
 namespace d2b {
 namespace {
@@ -38,51 +39,6 @@ std::array<char, 16> this_version() {
 Head head_of(const Seal& seal) {
     return {magic, this_version(), seal.plan, static_cast<std::uint32_t>(seal.step), seal.part, 0, 0, 0};
 }
-
-class OpenFile {
-  public:
-    OpenFile(const std::filesystem::path& path, int flags)
-        : file_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
-    OpenFile(const OpenFile&) = delete;
-    OpenFile& operator=(const OpenFile&) = delete;
-    ~OpenFile() {
-        if (file_ >= 0)
-            ::close(file_);
-    }
-    [[nodiscard]] bool is_open() const { return file_ >= 0; }
-    [[nodiscard]] std::uint64_t size() const {
-        struct stat status {};
-        return ::fstat(file_, &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
-    }
-    /// @return whether all of it was there
-    [[nodiscard]] bool read(std::uint64_t begin, std::span<std::byte> bytes) const {
-        while (!bytes.empty()) {
-            const ssize_t n = ::pread(file_, bytes.data(), bytes.size(), static_cast<off_t>(begin));
-            if (n < 0 && errno == EINTR)
-                continue;
-            if (n <= 0)
-                return false;
-            begin += static_cast<std::uint64_t>(n);
-            bytes = bytes.subspan(static_cast<std::size_t>(n));
-        }
-        return true;
-    }
-    [[nodiscard]] bool write(std::span<const std::byte> bytes) const {
-        while (!bytes.empty()) {
-            const ssize_t n = ::write(file_, bytes.data(), bytes.size());
-            if (n < 0 && errno == EINTR)
-                continue;
-            if (n < 0)
-                return false;
-            bytes = bytes.subspan(static_cast<std::size_t>(n));
-        }
-        return true;
-    }
-    [[nodiscard]] bool sync() const { return ::fsync(file_) == 0; }
-
-  private:
-    int file_;
-};
 
 std::optional<Head> read_head(const OpenFile& file) {
     Head head;
@@ -233,8 +189,10 @@ bool is_sealed(const std::filesystem::path& path, const Seal& seal) {
     return head && is_of(*head, seal) && is_whole(*head, file.size());
 }
 
-SealedFile::SealedFile(std::filesystem::path path, const Seal& seal) : path_(std::move(path)), seal_(seal) {
-    const OpenFile file(path_, O_RDONLY);
+SealedFile::SealedFile(std::filesystem::path path, const Seal& seal, RecentFiles* recent)
+    : path_(std::move(path)), seal_(seal), recent_(recent) {
+    const std::shared_ptr<const OpenFile> opened = open();
+    const OpenFile& file = *opened;
     if (!file.is_open())
         throw InputError("'" + path_.string() + "' cannot be read: " + reason(errno) + "; run " +
                          again(seal) + " first.");
@@ -253,12 +211,16 @@ SealedFile::SealedFile(std::filesystem::path path, const Seal& seal) : path_(std
     tail_size_ = head->tail_size;
 }
 
+std::shared_ptr<const OpenFile> SealedFile::open() const {
+    return recent_ != nullptr ? recent_->open(path_) : std::make_shared<const OpenFile>(path_, O_RDONLY);
+}
+
 std::vector<std::byte> SealedFile::tail(std::uint64_t begin, std::uint64_t size) const {
-    const OpenFile file(path_, O_RDONLY);
+    const std::shared_ptr<const OpenFile> file = open();
     if (begin > tail_size_ || size > tail_size_ - begin)
         throw InputError(damaged("more is announced than there is"));
     std::vector<std::byte> bytes(static_cast<std::size_t>(size));
-    if (!file.is_open() || !file.read(tail_begin_ + begin, bytes))
+    if (!file->is_open() || !file->read(tail_begin_ + begin, bytes))
         throw InputError(damaged("it cannot be read any more"));
     return bytes;
 }

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,6 +14,9 @@
 #include "dem2buildings/error.hpp"
 
 namespace d2b {
+
+class OpenFile;
+class RecentFiles;
 
 /// The steps whose files others read, as messages call them.
 enum class TileStep : std::uint32_t { find, join, draw, merge, write };
@@ -65,9 +69,10 @@ void remove_unfinished(const std::filesystem::path& folder);
 /// A file that write_sealed() wrote.
 class SealedFile {
   public:
+    /// @param recent keeps it open among others, and must outlive this; null: it is opened for each piece
     /// @throws InputError where there is none, it is cut short or damaged, or of another step, plan or
     /// version
-    SealedFile(std::filesystem::path path, const Seal& seal);
+    SealedFile(std::filesystem::path path, const Seal& seal, RecentFiles* recent = nullptr);
 
     /// Takes the body. Call once.
     [[nodiscard]] ByteReader body() { return ByteReader(std::move(body_)); }
@@ -78,8 +83,11 @@ class SealedFile {
     [[nodiscard]] std::string damaged(const std::string& what) const;
 
   private:
+    [[nodiscard]] std::shared_ptr<const OpenFile> open() const;
+
     std::filesystem::path path_;
     Seal seal_;
+    RecentFiles* recent_;
     std::vector<std::byte> body_;
     std::uint64_t tail_begin_ = 0;
     std::uint64_t tail_size_ = 0;

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tiles/recent_files.hpp"
+
 namespace d2b {
 namespace {
 
@@ -61,6 +63,14 @@ TEST_F(TileFiles, GiveBackWhatWasWritten) {
     EXPECT_THROW((void)file.tail(5, 8), InputError);
     EXPECT_THROW((void)file.tail(13, 0), InputError);
     EXPECT_THROW((void)file.tail(~std::uint64_t{0}, 2), InputError);
+}
+
+TEST_F(TileFiles, StayOpenWhereTheyAreReadByTurns) {
+    RecentFiles recent;
+    SealedFile file(path_, seal, &recent);
+    fs::remove(path_);
+    EXPECT_EQ(file.tail(4, 8), bytes_from("the tail"));
+    EXPECT_THROW((void)file.tail(5, 8), InputError);
 }
 
 TEST_F(TileFiles, AreRefusedWhereverTheyEnd) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <optional>
 #include <queue>
+#include <tuple>
 #include <utility>
 
 #include "features/feature_writer.hpp"
@@ -14,6 +15,7 @@
 #include "pipeline/tiles/trace_tile.hpp"
 #include "pipeline/tiles/traced_frame.hpp"
 #include "tiles/drawn_tile.hpp"
+#include "tiles/recent_files.hpp"
 
 namespace d2b {
 namespace {
@@ -39,6 +41,8 @@ class DrawnTiles {
     void take(DrawnTile&& tile);
     void number_left(double metres);
 
+    RecentFiles files_;  ///< of the streams
+
     std::vector<LeftBuilding> left_buildings_;  ///< of one tile after the other
     std::vector<std::int64_t> left_by_;         ///< the tile of each
     std::vector<LeftContour> left_;             ///< likewise, with labels and parents among all
@@ -47,7 +51,7 @@ class DrawnTiles {
 DrawnTiles::DrawnTiles(const TileRun& run, Context& context) : elevations(context.make_spool()) {
     for (std::int64_t i = 0; i < run.tiles().count(); ++i) {
         context.check_stop();
-        SealedFile file(run.file(TileStep::draw, i), run.seal(TileStep::draw, i));
+        SealedFile file(run.file(TileStep::draw, i), run.seal(TileStep::draw, i), &files_);
         std::vector<TailBlocks::Block> blocks;
         DrawnTile tile = load_body(file, [&](ByteReader& reader) {
             DrawnTile loaded = load_drawn_tile(reader);
@@ -55,6 +59,7 @@ DrawnTiles::DrawnTiles(const TileRun& run, Context& context) : elevations(contex
             return loaded;
         });
         streams.emplace_back(std::move(file), std::move(blocks));
+        std::ignore = streams.back().key();  // which reads the first block, as long as the file is open
         take(std::move(tile));
     }
     number_left(run.metres());

@@ -10,6 +10,7 @@
 #include "pipeline/tiles/trace_tile.hpp"
 #include "pipeline/tiles/traced_frame.hpp"
 #include "pipeline/trace_contours.hpp"
+#include "tiles/recent_files.hpp"
 #include "tiles/traced_tile.hpp"
 
 namespace d2b {
@@ -39,6 +40,7 @@ class TileRow {
     [[nodiscard]] std::vector<TileLine> lines_of(const Tile& tile, std::size_t piece) const;
 
     const TraceFrame& frame_;
+    RecentFiles files_;
     std::vector<Tile> tiles_;
     std::size_t pieces_ = 0;
 };
@@ -46,7 +48,7 @@ class TileRow {
 TileRow::TileRow(const TileRun& run, std::int64_t first, const TraceFrame& frame, RunReport& report)
     : frame_(frame) {
     for (std::int64_t tile = first; tile < first + run.tiles().cols(); ++tile) {
-        SealedFile file(run.file(TileStep::draw, tile), run.seal(TileStep::draw, tile));
+        SealedFile file(run.file(TileStep::draw, tile), run.seal(TileStep::draw, tile), &files_);
         TracedTile head = load_body(file, load_traced_tile);
         std::vector<std::uint64_t> begins{0};
         for (const TailBlocks::Block& block : head.blocks)

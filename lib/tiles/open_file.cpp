@@ -1,0 +1,52 @@
+#include "tiles/open_file.hpp"
+
+#include <cerrno>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace d2b {
+
+OpenFile::OpenFile(const std::filesystem::path& path, int flags)
+    : file_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
+
+OpenFile::~OpenFile() {
+    if (file_ >= 0)
+        ::close(file_);
+}
+
+std::uint64_t OpenFile::size() const {
+    struct stat status {};
+    return ::fstat(file_, &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
+}
+
+bool OpenFile::read(std::uint64_t begin, std::span<std::byte> bytes) const {
+    while (!bytes.empty()) {
+        const ssize_t n = ::pread(file_, bytes.data(), bytes.size(), static_cast<off_t>(begin));
+        if (n < 0 && errno == EINTR)
+            continue;
+        if (n <= 0)
+            return false;
+        begin += static_cast<std::uint64_t>(n);
+        bytes = bytes.subspan(static_cast<std::size_t>(n));
+    }
+    return true;
+}
+
+bool OpenFile::write(std::span<const std::byte> bytes) const {
+    while (!bytes.empty()) {
+        const ssize_t n = ::write(file_, bytes.data(), bytes.size());
+        if (n < 0 && errno == EINTR)
+            continue;
+        if (n < 0)
+            return false;
+        bytes = bytes.subspan(static_cast<std::size_t>(n));
+    }
+    return true;
+}
+
+bool OpenFile::sync() const {
+    return ::fsync(file_) == 0;
+}
+
+}  // namespace d2b

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <unordered_map>
+
+#include "tiles/open_file.hpp"
+
+namespace d2b {
+
+/// Files that are read a little of each by turns: those that were read last stay open, as many as any system
+/// lets a process have. From any thread.
+class RecentFiles {
+  public:
+    /// @param most that stay open
+    explicit RecentFiles(std::size_t most = 256) : most_(most) {}
+
+    /// To be read. Where it could not be opened errno says why.
+    [[nodiscard]] std::shared_ptr<const OpenFile> open(const std::filesystem::path& path);
+
+  private:
+    struct Recent {
+        std::string path;
+        std::shared_ptr<const OpenFile> file;
+    };
+    std::size_t most_;
+    std::mutex mutex_;
+    std::list<Recent> files_;  ///< the one that was read last comes first
+    std::unordered_map<std::string, std::list<Recent>::iterator> places_;  ///< by path
+};
+
+}  // namespace d2b
