@@ -32,23 +32,40 @@ void UnitMerger::compare(std::span<const Label> first, std::span<const Label> se
             sets_.join(labels.first, labels.second);
 }
 
-UnitMerger::Merged UnitMerger::finish(std::int64_t least_cells) {
-    Merged merged;
-    std::vector<std::int64_t> cells(seen_.size(), 0);  // of a set, by the label that stands for it
-    std::vector<Label> told(seen_.size(), 0);          // the one of a set that says what it is
+std::unordered_map<Label, UnitMerger::Joined> UnitMerger::joined_sets() {
+    std::unordered_map<Label, Joined> all;
     for (Label label = 1; label < seen_.size(); ++label) {
         const Label set = sets_.find(label);
-        cells[set] += seen_[label].own_cells;
-        if (told[set] == 0 || seen_[label].own_cells > seen_[told[set]].own_cells)
-            told[set] = label;
+        if (set == label)
+            continue;  // comes before those that it stands for
+        Joined& joined = all.try_emplace(set, Joined{set, seen_[set].own_cells}).first->second;
+        joined.cells += seen_[label].own_cells;
+        if (seen_[label].own_cells > seen_[joined.says].own_cells)
+            joined.says = label;
     }
+    return all;
+}
+
+UnitMerger::Merged UnitMerger::finish(std::int64_t least_cells) {
+    const std::unordered_map<Label, Joined> joined = joined_sets();
+    const auto object = [&](Label set) {
+        const auto known = joined.find(set);
+        SeenObject merged = seen_[known == joined.end() ? set : known->second.says];
+        merged.own_cells = merged.object.cells =
+            known == joined.end() ? merged.own_cells : known->second.cells;
+        return merged;
+    };
+    Merged merged;
+    merged.objects.reserve(seen_.size() - 1);
     merged.number.assign(seen_.size(), 0);
     for (const bool sure : {true, false}) {
         for (Label set = 1; set < seen_.size(); ++set) {
-            if (told[set] == 0 || seen_[told[set]].is_building != sure || cells[set] < least_cells)
+            if (sets_.find(set) != set)
                 continue;
-            merged.objects.push_back(seen_[told[set]]);
-            merged.objects.back().own_cells = merged.objects.back().object.cells = cells[set];
+            const SeenObject whole = object(set);
+            if (whole.is_building != sure || whole.own_cells < least_cells)
+                continue;
+            merged.objects.push_back(whole);
             merged.number[set] = static_cast<Label>(merged.objects.size());
         }
         if (sure)
@@ -56,6 +73,7 @@ UnitMerger::Merged UnitMerger::finish(std::int64_t least_cells) {
     }
     for (Label label = 1; label < seen_.size(); ++label)
         merged.number[label] = merged.number[sets_.find(label)];
+    seen_ = {};
     return merged;
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "detect/detection.hpp"
@@ -33,12 +35,21 @@ class UnitMerger {
         Label buildings = 0;
         std::vector<Label> number;  ///< place in `objects` plus one, by label that was added to; 0: left out
     };
+    /// Call once: what was seen is forgotten.
     /// @param least_cells objects with fewer are left out: slivers on the far side of a seam
     [[nodiscard]] Merged finish(std::int64_t least_cells);
 
   private:
+    /// What several units saw of one object.
+    struct Joined {
+        Label says = 0;  ///< what it is
+        std::int64_t cells = 0;
+    };
+    /// Of the sets with more than one label, by the label that stands for each: few objects lie at a seam.
+    [[nodiscard]] std::unordered_map<Label, Joined> joined_sets();
+
     LabelSets sets_;
-    std::vector<SeenObject> seen_{1};  ///< by label
+    std::deque<SeenObject> seen_{1};  ///< by label; there may be very many
 };
 
 }  // namespace d2b

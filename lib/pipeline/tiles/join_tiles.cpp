@@ -14,10 +14,16 @@
 namespace d2b {
 namespace {
 
+/// Where an object lies in a unit.
+struct SeenPlace {
+    Window box;
+    std::int32_t cells = 0;  ///< of the unit's own
+};
+
 /// What is known of a unit when all tiles have been looked at, but for the labels of its cells.
 struct SeenUnit {
-    std::vector<SeenObject> objects;
-    std::vector<Window> boxes;
+    std::vector<SeenObject> objects;  ///< until it has been compared
+    std::vector<SeenPlace> places;    ///< likewise of all objects
     UnitEdges edges;
     std::size_t first = 0;  ///< what was added to its labels
 };
@@ -25,9 +31,17 @@ struct SeenUnit {
 /// A joined object: where its cells are, and the unit that owns most of them.
 struct JoinedObject {
     Window box;
+    std::int32_t cells = 0;  ///< of that unit
     std::int64_t unit = 0;
-    std::int64_t cells = 0;
 };
+
+SeenUnit seen_unit(FoundUnit&& found) {
+    SeenUnit unit{std::move(found.objects), {}, std::move(found.edges), 0};
+    unit.places.reserve(unit.objects.size());
+    for (std::size_t i = 0; i < unit.objects.size(); ++i)
+        unit.places.push_back({found.boxes[i], static_cast<std::int32_t>(unit.objects[i].own_cells)});
+    return unit;
+}
 
 class Join {
   public:
@@ -74,8 +88,7 @@ void Join::load() {
         const std::vector<PlacedUnit> placed = run_.tiles().units_of(tile);
         for (std::size_t i = 0; i < placed.size(); ++i) {
             const auto number = static_cast<std::size_t>(placed[i].number);
-            units_[number] = {std::move(found.units[i].objects), std::move(found.units[i].boxes),
-                              std::move(found.units[i].edges), 0};
+            units_[number] = seen_unit(std::move(found.units[i]));
             known_[number] = true;
         }
         while (next_ < units_.size() && known_[next_])
@@ -86,7 +99,7 @@ void Join::load() {
 /// Row by row: the lines of a unit are as long as it is wide, so they go as soon as they can.
 void Join::compare_next() {
     SeenUnit& unit = units_[next_];
-    unit.first = merger_.add(unit.objects);
+    unit.first = merger_.add(std::exchange(unit.objects, {}));
     unit.edges.add(static_cast<Label>(unit.first));
     const auto cols = static_cast<std::size_t>(run_.tiles().units().cols());
     seams_.add(static_cast<std::int32_t>(next_ % cols), std::exchange(unit.edges, {}), merger_);
@@ -103,14 +116,15 @@ void Join::join() {
 void Join::place_objects() {
     objects_.resize(merged_.objects.size());
     for (std::size_t i = 0; i < units_.size(); ++i)
-        for (std::size_t k = 0; k < units_[i].objects.size(); ++k) {
+        for (std::size_t k = 0; k < units_[i].places.size(); ++k) {
+            const SeenPlace& place = units_[i].places[k];
             const Label label = number(units_[i], k);
             if (label == 0)
                 continue;
             JoinedObject& object = objects_[label - 1];
-            object.box = around(object.box, units_[i].boxes[k]);
-            if (units_[i].objects[k].own_cells > object.cells) {
-                object.cells = units_[i].objects[k].own_cells;
+            object.box = around(object.box, place.box);
+            if (place.cells > object.cells) {
+                object.cells = place.cells;
                 object.unit = static_cast<std::int64_t>(i);
             }
         }
@@ -120,7 +134,7 @@ JoinedUnit Join::labels_for(std::int64_t number, const std::vector<Label>& numbe
     const SeenUnit& seen = units_[static_cast<std::size_t>(number)];
     const auto other = static_cast<Label>(numbers.size() + 1);
     JoinedUnit unit{number, {0}};
-    for (std::size_t k = 0; k < seen.objects.size(); ++k) {
+    for (std::size_t k = 0; k < seen.places.size(); ++k) {
         const Label label = this->number(seen, k);
         const auto place = std::ranges::lower_bound(numbers, label);
         unit.number.push_back(label == 0 ? 0
