@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "dem2buildings/extract_file.hpp"
+#include "dem2buildings/open_sinks.hpp"
 #include "dem2buildings/options.hpp"
 #include "read/start_gdal.hpp"
 
@@ -21,7 +22,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::string_view usage =
-    "Usage: timeline [-preset <preset>] [-threads <n>] <dem> <destination>\n"
+    "Usage: timeline [-preset <preset>] [-threads <n>] [-keep <MiB of elevations>] <dem> <destination>\n"
     "Prints a line for each stretch of work: the thread, its begin and end in microseconds, what was called; "
     "and\n"
     "a line for the whole run, whose thread is `run`.\n";
@@ -55,7 +56,7 @@ class Timeline {
     std::vector<WorkSpan> spans_;
 };
 
-bool parse(std::span<char* const> words, Options& options) {
+bool parse(std::span<char* const> words, Options& options, BandSize& size) {
     std::vector<std::string> places;
     for (std::size_t i = 1; i < words.size(); ++i) {
         const std::string word = words[i];
@@ -63,6 +64,8 @@ bool parse(std::span<char* const> words, Options& options) {
             places.push_back(word);
         else if (++i == words.size())
             return false;
+        else if (word == "-keep")
+            size.keep_bytes = std::strtoull(words[i], nullptr, 10) << 20;
         else
             set_option(options, word.substr(1), {words[i]});
     }
@@ -76,7 +79,8 @@ bool parse(std::span<char* const> words, Options& options) {
 
 int run_once(std::span<char* const> words) {
     Options options;
-    if (!parse(words, options)) {
+    BandSize size;
+    if (!parse(words, options, size)) {
         std::cerr << usage;
         return 2;
     }
@@ -86,7 +90,9 @@ int run_once(std::span<char* const> words) {
     callbacks.on_work = [&](const WorkSpan& span) { timeline.add(span); };
     const Clock::time_point begin = Clock::now();
     start_gdal();
-    extract_file(options, callbacks);
+    const Inputs inputs = open_inputs(options, callbacks);
+    const auto sink = open_sink(options.write, callbacks);
+    run(options, inputs.sources(), {*sink}, callbacks, size);
     timeline.print(begin, Clock::now());
     return EXIT_SUCCESS;
 }
