@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <numbers>
 
 #include "dem2buildings/error.hpp"
@@ -16,14 +17,15 @@ constexpr int block_shift = 8;
 // window.
 constexpr double finest_cell_m = 0.001;
 
-/// Remembers what it has measured; copies share it.
+/// Remembers what it has measured; copies share it, on any thread.
 class Measured {
   public:
     Measured(const Georeference& georeference, const Crs& crs, const LatticeBox& raster)
-        : state_(std::make_shared<State>(State{georeference, Geodesy(crs), raster, {}})) {}
+        : state_(std::make_shared<State>(georeference, crs, raster)) {}
 
     double operator()(LatticePoint square) const {
         const LatticePoint block{square.row >> block_shift, square.col >> block_shift};
+        const std::scoped_lock lock(state_->mutex);
         const auto [found, is_new] = state_->blocks.try_emplace(block, 0.0);
         if (is_new)
             found->second = measure(block);
@@ -32,9 +34,12 @@ class Measured {
 
   private:
     struct State {
+        State(const Georeference& the_georeference, const Crs& crs, const LatticeBox& the_raster)
+            : georeference(the_georeference), geodesy(crs), raster(the_raster) {}
         Georeference georeference;
         Geodesy geodesy;
         LatticeBox raster;
+        std::mutex mutex;
         std::map<LatticePoint, double> blocks;
     };
 

@@ -10,7 +10,7 @@
 
 namespace d2b {
 
-/// Square metres of a unit square at a place; constant on a projected grid.
+/// Square metres of a unit square at a place; constant on a projected grid. Any thread may ask.
 using SquareArea = std::function<double(LatticePoint)>;
 
 /// Square metres of a cell, as areas are measured for the output: geodesic where the CRS is on an ellipsoid,

@@ -41,26 +41,23 @@ LatticePolygon StoredContours::fetch(const Rejected& rejected) const {
     return polygon;
 }
 
-ContourStore::ContourStore(Settings settings, std::unique_ptr<Spool> spool, Context& context)
-    : settings_(std::move(settings)), spool_(std::move(spool)), context_(context) {}
-
-std::int64_t ContourStore::take(FinishedContour&& finished) {
+std::int64_t ContourPile::take(FinishedContour&& finished) {
     const Contour& contour = finished.contour;
     if (contour.key.level == 0 && !settings_.keep_roots)
         return -1;
-    const auto name = static_cast<std::int64_t>(entries_.size());
+    const auto name = static_cast<std::int64_t>(piled_.entries.size());
     auto reason = contour_noise(contour, settings_.noise, settings_.square_area);
     const RoofElevations roof = reason ? RoofElevations() : take_roof(finished.sample, settings_.range);
     if (!reason && contour.key.level == 1 && is_too_low(contour.label, roof, settings_.heights))
         reason = Reason::building_not_tall;
     for (const std::int64_t standing : finished.standing_on_it)
-        entries_[static_cast<std::size_t>(standing)].head.parent = reason ? on_noise : name;
+        piled_.entries[static_cast<std::size_t>(standing)].head.parent = reason ? on_noise : name;
     if (reason) {
         SpoolEntry place;
         if (settings_.keep_rejected) {
             ByteWriter writer;
             save(contour, writer);
-            place = append(*spool_, writer);
+            place = append(spool_, writer);
         }
         reject({contour.key, *reason, place});
         return -1;
@@ -69,8 +66,8 @@ std::int64_t ContourStore::take(FinishedContour&& finished) {
     return name;
 }
 
-void ContourStore::put_aside(const Contour& contour, const RoofElevations& roof) {
-    Entry& entry = entries_.emplace_back();
+void ContourPile::put_aside(const Contour& contour, const RoofElevations& roof) {
+    StoredContours::Entry& entry = piled_.entries.emplace_back();
     entry.head.key = contour.key;
     entry.head.label = contour.label;
     if (contour.own.n > 0)
@@ -80,72 +77,90 @@ void ContourStore::put_aside(const Contour& contour, const RoofElevations& roof)
     save(contour, writer);
     if (contour.key.level == 1)
         writer.put(roof);
-    entry.place = append(*spool_, writer);
-    entry.first_hole = holes_.size();
+    entry.place = append(spool_, writer);
+    entry.first_hole = piled_.holes.size();
     entry.holes = contour.interiors.size();
     for (const PackedRing& ring : contour.interiors)
-        holes_.push_back({contour.key.level, ring.start(), ring.box().low, ring.box().high,
-                          hole_noise(ring, contour.key.level, settings_.noise, settings_.square_area)});
+        piled_.holes.push_back({contour.key.level, ring.start(), ring.box().low, ring.box().high,
+                                hole_noise(ring, contour.key.level, settings_.noise, settings_.square_area)});
 }
 
-void ContourStore::reject(const StoredContours::Rejected& what) {
-    context_.report.count(what.reason);
+void ContourPile::reject(const StoredContours::Rejected& what) {
+    tally_.count(what.reason);
     if (settings_.keep_rejected)
-        rejected_.push_back(what);
+        piled_.rejected.push_back(what);
+}
+
+ContourStore::ContourStore(Settings settings, std::unique_ptr<Spool> spool, Context& context)
+    : settings_(std::move(settings)), spool_(std::move(spool)), context_(context) {}
+
+/// Names are places.
+std::int64_t ContourStore::add(PiledContours&& piled) {
+    const auto first = static_cast<std::int64_t>(all_.entries.size());
+    for (StoredContours::Entry& entry : piled.entries) {
+        if (entry.head.parent >= 0)
+            entry.head.parent += first;
+        entry.first_hole += all_.holes.size();
+    }
+    all_.entries.insert(all_.entries.end(), piled.entries.begin(), piled.entries.end());
+    all_.holes.insert(all_.holes.end(), piled.holes.begin(), piled.holes.end());
+    all_.rejected.insert(all_.rejected.end(), piled.rejected.begin(), piled.rejected.end());
+    return first;
 }
 
 /// Contours come after those that stand on them.
 void ContourStore::drop_what_stands_on_noise() {
-    for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry)
+    for (auto entry = all_.entries.rbegin(); entry != all_.entries.rend(); ++entry)
         if (entry->head.parent >= 0 &&
-            entries_[static_cast<std::size_t>(entry->head.parent)].head.parent == on_noise)
+            all_.entries[static_cast<std::size_t>(entry->head.parent)].head.parent == on_noise)
             entry->head.parent = on_noise;
     std::size_t kept_holes = 0;
-    for (Entry& entry : entries_) {
+    for (StoredContours::Entry& entry : all_.entries) {
         const std::size_t begin = std::exchange(entry.first_hole, kept_holes);
         if (entry.head.parent == on_noise) {
-            reject({entry.head.key, Reason::contour_on_dropped, entry.place});
+            pile(all_, context_.report).reject({entry.head.key, Reason::contour_on_dropped, entry.place});
             continue;
         }
         for (std::size_t h = begin; h < begin + entry.holes; ++h)
-            holes_[kept_holes++] = holes_[h];
+            all_.holes[kept_holes++] = all_.holes[h];
     }
-    holes_.resize(kept_holes);
+    all_.holes.resize(kept_holes);
 }
 
 /// Brings contours into the order of their keys.
 void ContourStore::sort() {
     // Until they have places, `building` says as which one a contour came.
-    for (std::size_t i = 0; i < entries_.size(); ++i)
-        entries_[i].head.building = static_cast<std::int64_t>(i);
-    std::vector<std::uint32_t> place(entries_.size());
-    std::erase_if(entries_, [](const Entry& entry) { return entry.head.parent == on_noise; });
-    std::ranges::sort(entries_, {}, [](const Entry& entry) { return entry.head.key; });
-    for (std::size_t i = 0; i < entries_.size(); ++i)
-        place[static_cast<std::size_t>(entries_[i].head.building)] = static_cast<std::uint32_t>(i);
-    for (Entry& entry : entries_)
+    for (std::size_t i = 0; i < all_.entries.size(); ++i)
+        all_.entries[i].head.building = static_cast<std::int64_t>(i);
+    std::vector<std::uint32_t> place(all_.entries.size());
+    std::erase_if(all_.entries,
+                  [](const StoredContours::Entry& entry) { return entry.head.parent == on_noise; });
+    std::ranges::sort(all_.entries, {}, [](const StoredContours::Entry& entry) { return entry.head.key; });
+    for (std::size_t i = 0; i < all_.entries.size(); ++i)
+        place[static_cast<std::size_t>(all_.entries[i].head.building)] = static_cast<std::uint32_t>(i);
+    for (StoredContours::Entry& entry : all_.entries)
         if (entry.head.parent >= 0)
             entry.head.parent = place[static_cast<std::size_t>(entry.head.parent)];
 }
 
 void ContourStore::number_buildings() {
     std::int64_t buildings = 0;
-    for (Entry& entry : entries_) {
+    for (StoredContours::Entry& entry : all_.entries) {
         ContourHead& head = entry.head;
         if (head.key.level == 0)
             head.building = -1;
         else if (head.key.level == 1)
             head.building = buildings++;
         else
-            head.building = entries_[static_cast<std::size_t>(head.parent)].head.building;
+            head.building = all_.entries[static_cast<std::size_t>(head.parent)].head.building;
     }
 }
 
 std::vector<bool> ContourStore::fill() {
     std::vector<ContourKey> keys;
-    std::vector<std::uint32_t> owner(holes_.size());
-    keys.reserve(entries_.size());
-    for (const Entry& entry : entries_) {
+    std::vector<std::uint32_t> owner(all_.holes.size());
+    keys.reserve(all_.entries.size());
+    for (const StoredContours::Entry& entry : all_.entries) {
         std::fill_n(owner.begin() + static_cast<std::ptrdiff_t>(entry.first_hole), entry.holes,
                     static_cast<std::uint32_t>(keys.size()));
         keys.push_back(entry.head.key);
@@ -154,7 +169,7 @@ std::vector<bool> ContourStore::fill() {
     std::optional<std::uint32_t> loaded;
     std::vector<PackedRing> rings;
     const auto ring = [&](std::size_t hole) -> const PackedRing& {
-        const Entry& entry = entries_[owner[hole]];
+        const StoredContours::Entry& entry = all_.entries[owner[hole]];
         if (loaded != owner[hole]) {
             ByteReader reader(*spool_, entry.place);
             rings = load_contour(reader).interiors;
@@ -163,7 +178,7 @@ std::vector<bool> ContourStore::fill() {
         return rings[hole - entry.first_hole];
     };
     std::vector<bool> filled = fill_holes(
-        keys, holes_, [&](std::size_t hole) { return ring(hole).corners(); }, context_);
+        keys, all_.holes, [&](std::size_t hole) { return ring(hole).corners(); }, context_);
     for (std::size_t h = 0; settings_.keep_rejected && h < filled.size(); ++h) {
         if (!filled[h])
             continue;
@@ -171,7 +186,8 @@ std::vector<bool> ContourStore::fill() {
         // Apart from the contour, which would have to be loaded for each.
         ByteWriter writer;
         ring(h).save(writer);
-        rejected_.push_back({entries_[owner[h]].head.key, *holes_[h].reason, append(*spool_, writer), true});
+        all_.rejected.push_back(
+            {all_.entries[owner[h]].head.key, *all_.holes[h].reason, append(*spool_, writer), true});
     }
     return filled;
 }
@@ -181,9 +197,9 @@ std::unique_ptr<StoredContours> ContourStore::finish() {
     sort();
     number_buildings();
     std::vector<bool> filled = fill();
-    std::ranges::stable_sort(rejected_, {}, &StoredContours::Rejected::key);
-    return std::make_unique<StoredContours>(std::move(spool_), std::exchange(entries_, {}), std::move(filled),
-                                            std::exchange(rejected_, {}));
+    std::ranges::stable_sort(all_.rejected, {}, &StoredContours::Rejected::key);
+    return std::make_unique<StoredContours>(std::move(spool_), std::exchange(all_.entries, {}),
+                                            std::move(filled), std::exchange(all_.rejected, {}));
 }
 
 }  // namespace d2b

@@ -60,29 +60,63 @@ class StoredContours : public ContourList {
     std::vector<Rejected> rejected_;
 };
 
+/// What is kept of contours, and how.
+struct StoreSettings {
+    NoiseRules noise;
+    SquareArea square_area;
+    ElevationRange range;
+    FixedPoint fixed;
+    bool keep_roots = true;      ///< else footprints are the lowest contours
+    bool keep_rejected = false;  ///< what is dropped or filled is kept apart
+    HeightRules heights = {};    ///< of buildings, which level 1 is then
+};
+
+/// Contours in a spool, as they came; `parent` of those that stand on noise is that they do.
+struct PiledContours {
+    std::vector<StoredContours::Entry> entries;
+    std::vector<Hole> holes;  ///< of one contour after the other
+    std::vector<StoredContours::Rejected> rejected;
+};
+
 /// Takes contours as they are finished, drops noise, and puts the rest aside.
-class ContourStore : public ContourSink {
+class ContourPile : public ContourSink {
   public:
-    struct Settings {
-        NoiseRules noise;
-        SquareArea square_area;
-        ElevationRange range;
-        FixedPoint fixed;
-        bool keep_roots = true;      ///< else footprints are the lowest contours
-        bool keep_rejected = false;  ///< what is dropped or filled is kept apart
-        HeightRules heights = {};    ///< of buildings, which level 1 is then
-    };
-    ContourStore(Settings settings, std::unique_ptr<Spool> spool, Context& context);
+    /// @param settings, spool other threads may have piles of the same @param piled, tally are added to
+    ContourPile(const StoreSettings& settings, Spool& spool, PiledContours& piled, Tally& tally)
+        : settings_(settings), spool_(spool), piled_(piled), tally_(tally) {}
 
     std::int64_t take(FinishedContour&& finished) override;
+    void reject(const StoredContours::Rejected& what);
+
+  private:
+    void put_aside(const Contour& contour, const RoofElevations& roof);
+
+    const StoreSettings& settings_;
+    Spool& spool_;
+    PiledContours& piled_;
+    Tally& tally_;
+};
+
+/// The contours of a run, until the last has been taken.
+class ContourStore : public ContourSink {
+  public:
+    using Settings = StoreSettings;
+    ContourStore(Settings settings, std::unique_ptr<Spool> spool, Context& context);
+
+    std::int64_t take(FinishedContour&& finished) override {
+        return pile(all_, context_.report).take(std::move(finished));
+    }
+    /// Takes some of the contours on another thread. @param piled, tally are added to
+    [[nodiscard]] ContourPile pile(PiledContours& piled, Tally& tally) const {
+        return {settings_, *spool_, piled, tally};
+    }
+    /// @param piled what such a pile has taken @return what the first of its contours is called here
+    std::int64_t add(PiledContours&& piled);
     /// After the last contour: drops what stands on noise, sorts, numbers and fills holes. The store is empty
     /// afterwards.
     [[nodiscard]] std::unique_ptr<StoredContours> finish();
 
   private:
-    using Entry = StoredContours::Entry;
-    void put_aside(const Contour& contour, const RoofElevations& roof);
-    void reject(const StoredContours::Rejected& what);
     void drop_what_stands_on_noise();
     void sort();
     void number_buildings();
@@ -91,9 +125,7 @@ class ContourStore : public ContourSink {
     Settings settings_;
     std::shared_ptr<Spool> spool_;
     Context& context_;
-    std::vector<Entry> entries_;
-    std::vector<Hole> holes_;  ///< of one contour after the other, as they came
-    std::vector<StoredContours::Rejected> rejected_;
+    PiledContours all_;
 };
 
 }  // namespace d2b

@@ -46,8 +46,9 @@ PointRows<Count> point_rows(const std::shared_ptr<const ElevationBand>& elevatio
 }
 
 /// Bands are taken apart on all threads, each with the rows above it that it needs, which it counts again.
-template <typename Count>
-void take_apart_as(ElevationReader& reader, const BandTracing& tracing, const UseLines& use) {
+/// @param work goes on with the lines, on the same thread @param use gets what that gives, on this one
+template <typename Count, typename Work, typename Use>
+void take_apart_as(ElevationReader& reader, const BandTracing& tracing, const Work& work, const Use& use) {
     reader.for_each_below(
         rows_above(tracing.mode),
         [&](ElevationBand above, const ElevationBand& elevations, Tally& tally) {
@@ -60,18 +61,26 @@ void take_apart_as(ElevationReader& reader, const BandTracing& tracing, const Us
                 band = point_rows<Count>(borrowed, tracing);
             }
             const StageClock clock(tally, Stage::trace);
-            return take_apart(tracing.frame, tracing.mode, before, band, tracing.summed);
+            return work(take_apart(tracing.frame, tracing.mode, before, band, tracing.summed), tally);
         },
-        [&](const ElevationBand& band, std::vector<TraceLine> lines) { use(band.shape, std::move(lines)); });
+        use);
+}
+
+template <typename Work, typename Use>
+void take_apart_by_counts(ElevationReader& reader, const BandTracing& tracing, const Work& work,
+                          const Use& use) {
+    if (tracing.image.plan.level_count() <= std::numeric_limits<std::uint8_t>::max())
+        take_apart_as<std::uint8_t>(reader, tracing, work, use);
+    else
+        take_apart_as<std::uint16_t>(reader, tracing, work, use);
 }
 
 }  // namespace
 
 void take_bands_apart(ElevationReader& reader, const BandTracing& tracing, const UseLines& use) {
-    if (tracing.image.plan.level_count() <= std::numeric_limits<std::uint8_t>::max())
-        take_apart_as<std::uint8_t>(reader, tracing, use);
-    else
-        take_apart_as<std::uint16_t>(reader, tracing, use);
+    take_apart_by_counts(
+        reader, tracing, [](std::vector<TraceLine>&& lines, Tally&) { return std::move(lines); },
+        [&](const ElevationBand& band, std::vector<TraceLine> lines) { use(band.shape, std::move(lines)); });
 }
 
 ContourStore contour_store(const TraceFrame& frame, const FoundBuildings* found, const RunPlan& plan,
@@ -86,20 +95,36 @@ ContourStore contour_store(const TraceFrame& frame, const FoundBuildings* found,
             context};
 }
 
+TracedBand trace_band(const TraceFrame& frame, TraceMode mode, std::vector<TraceLine>&& lines,
+                      const ContourStore& store, Tally& tally) {
+    TracedBand band;
+    ContourPile pile = store.pile(band.contours, tally);
+    band.linked = Tracer::link(frame, mode, std::move(lines), pile);
+    return band;
+}
+
+void join_band(TracedBand&& band, Tracer& tracer, ContourStore& store) {
+    tracer.join(std::move(band.linked), store.add(std::move(band.contours)));
+}
+
 std::unique_ptr<StoredContours> trace_contours(ElevationReader& reader, const TraceFrame& frame,
                                                const TierImage& image, const RunPlan& plan,
                                                const SquareArea& area, double metres, Context& context) {
     ContourStore store = contour_store(frame, image.found, plan, area, metres, context);
     Tracer tracer(frame, plan.trace, store);
-    take_bands_apart(reader, {frame, image, plan.trace},
-                     [&](const BandShape& band, std::vector<TraceLine>&& lines) {
-                         {
-                             const StageClock clock(context.report, Stage::trace);
-                             tracer.trace(std::move(lines));
-                         }
-                         context.progress(static_cast<double>(band.first_row + band.rows - frame.window.row) /
-                                          frame.window.rows);
-                     });
+    take_apart_by_counts(
+        reader, {frame, image, plan.trace},
+        [&](std::vector<TraceLine>&& lines, Tally& tally) {
+            return trace_band(frame, plan.trace, std::move(lines), store, tally);
+        },
+        [&](const ElevationBand& band, TracedBand traced) {
+            {
+                const StageClock clock(context.report, Stage::trace);
+                join_band(std::move(traced), tracer, store);
+            }
+            context.progress(static_cast<double>(band.shape.first_row + band.shape.rows - frame.window.row) /
+                             frame.window.rows);
+        });
     const StageClock clock(context.report, Stage::filter);
     return store.finish();
 }

@@ -38,6 +38,17 @@ void take_bands_apart(ElevationReader& reader, const BandTracing& tracing, const
                                          const RunPlan& plan, const SquareArea& area, double metres,
                                          Context& context);
 
+/// A band of which is known what can be known without those above it.
+struct TracedBand {
+    PiledContours contours;  ///< that lie in it
+    LinkedBand linked;
+};
+/// On any thread. @param lines of the band @param tally counts what is dropped
+[[nodiscard]] TracedBand trace_band(const TraceFrame& frame, TraceMode mode, std::vector<TraceLine>&& lines,
+                                    const ContourStore& store, Tally& tally);
+/// From the first row to the last. @param tracer whose sink is the store
+void join_band(TracedBand&& band, Tracer& tracer, ContourStore& store);
+
 /// Traces and filters the contours of all levels, in one pass over the DEM.
 /// @param metres in one vertical unit
 /// @throws InputError, Cancelled, and what the spool throws

@@ -1,5 +1,7 @@
 #include "trace/arms.hpp"
 
+#include <algorithm>
+
 namespace d2b {
 
 std::uint32_t Arms::add_node(const Corner& corner, std::uint32_t next) {
@@ -59,21 +61,56 @@ void Arms::extend_tail(std::uint32_t arm, Corner turn, Corner down) {
 }
 
 std::span<const Corner> Arms::join(std::uint32_t head, Corner turn, Corner up, std::uint32_t tail) {
-    turn.outside = arms_[head].outside;
+    extend_head(head, turn, up);
+    return connect(head, tail);
+}
+
+std::span<const Corner> Arms::connect(std::uint32_t head, std::uint32_t tail) {
     const std::uint32_t first = arms_[tail].node;
-    set_outside(first, arms_[tail].outside);
-    const bool closes = arms_[head].mate == tail;
-    const std::uint32_t last = add_node(up, closes ? no_index : first);
-    nodes_[arms_[head].node].next = add_node(turn, last);
+    const std::uint32_t last = arms_[head].node;
+    set_outside(first, std::min(arms_[head].outside, arms_[tail].outside));
     const std::uint32_t other_tail = arms_[head].mate;
     const std::uint32_t other_head = arms_[tail].mate;
     free_arm(head);
     free_arm(tail);
-    if (closes)
+    if (other_tail == tail)
         return take_ring(first, last);
+    nodes_[last].next = first;
     arms_[other_tail].mate = other_head;
     arms_[other_head].mate = other_tail;
     return {};
+}
+
+Arms::Sides Arms::open_above(LatticePoint left, LatticePoint right) {
+    const auto side = [this](LatticePoint at) {
+        const std::uint32_t node = add_node({at}, no_index);
+        const Pair pair{add_arm(node), add_arm(node)};
+        arms_[pair.tail].mate = pair.head;
+        arms_[pair.head].mate = pair.tail;
+        return pair;
+    };
+    const Pair down = side(left);
+    const Pair up = side(right);
+    return {{up.tail, down.head}, {down.tail, up.head}};
+}
+
+Arms::Pair Arms::add(std::span<const Corner> corners, double tail_outside, double head_outside) {
+    std::uint32_t node = add_node(corners.back(), no_index);
+    const std::uint32_t last = node;
+    for (std::size_t i = corners.size() - 1; i-- > 0;)
+        node = add_node(corners[i], node);
+    const Pair pair{add_arm(node), add_arm(last)};
+    arms_[pair.tail].mate = pair.head;
+    arms_[pair.head].mate = pair.tail;
+    pass(pair.tail, tail_outside);
+    pass(pair.head, head_outside);
+    return pair;
+}
+
+std::uint32_t Arms::copy_chain(std::uint32_t tail, std::vector<Corner>& to) const {
+    for (std::uint32_t node = arms_[tail].node; node != no_index; node = nodes_[node].next)
+        to.push_back(nodes_[node].corner);
+    return arms_[tail].mate;
 }
 
 std::span<const Corner> Arms::take_ring(std::uint32_t first, std::uint32_t last) {

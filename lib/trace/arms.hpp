@@ -31,6 +31,13 @@ class Arms {
     };
     /// Starts a chain: tail and head are joined by one horizontal edge.
     Pair open(Corner tail, Corner head);
+    /// The sides of a run that come from rows which are not known yet.
+    struct Sides {
+        Pair below;
+        Pair above;  ///< the chain that goes down begins at its tail, the one that goes up ends at its head
+    };
+    /// Starts a chain down the left side of a run and one up its right side, each with a corner that is none.
+    Sides open_above(LatticePoint left, LatticePoint right);
     /// The head goes on to `turn`, along the row to `down`, and down.
     void extend_head(std::uint32_t arm, Corner turn, Corner down);
     /// The same at the tail, against the direction of the chain: down from `turn` after `down`.
@@ -39,6 +46,17 @@ class Arms {
     /// chain.
     /// @return the corners of the ring that this closes, else none; valid until the next call
     std::span<const Corner> join(std::uint32_t head, Corner turn, Corner up, std::uint32_t tail);
+    /// The same where one vertical edge leads from the end of a chain to the beginning of another or its own.
+    std::span<const Corner> connect(std::uint32_t head, std::uint32_t tail);
+    /// Starts a chain of corners that were found elsewhere, at least one.
+    /// @param tail_outside, head_outside of the vertical edges that lead to the first and from the last
+    Pair add(std::span<const Corner> corners, double tail_outside, double head_outside);
+    /// Appends the corners of the chain that begins at an arm. @return the arm at which it ends
+    std::uint32_t copy_chain(std::uint32_t tail, std::vector<Corner>& to) const;
+    /// The least that an arm has passed since its last corner.
+    [[nodiscard]] double outside(std::uint32_t arm) const { return arms_[arm].outside; }
+    /// More than any arm's number.
+    [[nodiscard]] std::size_t end() const { return arms_.size(); }
     /// Elevations outside along the vertical edge at an arm.
     void pass(std::uint32_t arm, double outside) {
         Arm& a = arms_[arm];

@@ -5,16 +5,24 @@
 
 namespace d2b {
 
-std::uint32_t Components::add(std::int32_t level, Label label, LatticePoint first, std::uint32_t below) {
-    std::uint32_t number = free_;
-    if (number == no_index) {
-        number = static_cast<std::uint32_t>(pool_.size());
+std::uint32_t Components::free_number() {
+    if (free_ == no_index) {
         pool_.emplace_back();
-    } else {
-        free_ = pool_[number].next_member;
+        return static_cast<std::uint32_t>(pool_.size() - 1);
     }
-    Component& c = pool_[number] = Component{};
+    return std::exchange(free_, pool_[free_].next_member);
+}
+
+std::uint32_t Components::add(Component&& found) {
+    const std::uint32_t number = free_number();
+    Component& c = pool_[number] = std::move(found);
     c.up = c.next_member = number;
+    return number;
+}
+
+std::uint32_t Components::add(std::int32_t level, Label label, LatticePoint first, std::uint32_t below) {
+    const std::uint32_t number = add(Component{});
+    Component& c = pool_[number];
     c.level = level;
     c.label = label;
     c.first = first;
@@ -47,6 +55,7 @@ std::uint32_t Components::unite(std::uint32_t a, std::uint32_t b) {
     std::swap(into.next_member, from.next_member);
     into.last_row = std::max(into.last_row, from.last_row);
     into.first = std::min(into.first, from.first);
+    into.open_above = into.open_above || from.open_above;
     into.own.merge(from.own);
     into.above.merge(from.above);
     // Only the exterior ring of the finished contour closes last, so what was closed before are interiors.

@@ -16,6 +16,8 @@ struct Component {
     std::uint32_t next_member = no_index;  ///< ring of all numbers that were united
     std::int32_t level = 0;
     std::int32_t last_row = 0;
+    std::uint32_t place = no_index;  ///< in the list of what goes on beyond a band
+    bool open_above = false;         ///< it may go on in rows above that are not known yet
     Label label = 0;
     LatticePoint first;
     std::uint32_t below = no_index;  ///< component one level down
@@ -40,6 +42,9 @@ class Components {
 
     /// @return a component of one run
     std::uint32_t add(std::int32_t level, Label label, LatticePoint first, std::uint32_t below);
+    /// @param found elsewhere; what it says of union-find is written anew
+    /// @return a component that holds as much
+    std::uint32_t add(Component&& found);
     std::uint32_t find(std::uint32_t component);
     /// @return the root of both
     std::uint32_t unite(std::uint32_t a, std::uint32_t b);
@@ -49,6 +54,8 @@ class Components {
     FinishedContour finish(std::uint32_t root);
 
   private:
+    std::uint32_t free_number();
+
     ElevationRange range_;
     std::vector<Component> pool_;
     std::uint32_t free_ = no_index;

@@ -6,6 +6,7 @@
 
 #include "trace/arms.hpp"
 #include "trace/components.hpp"
+#include "trace/open_band.hpp"
 #include "trace/runs.hpp"
 
 namespace d2b {
@@ -37,6 +38,17 @@ class SweepLine {
     /// above.
     void finish_ended(ContourSink& sink);
 
+    /// Begins with a row of squares under a line, where rows above are not known yet, in the place of the
+    /// first link(). What the row passes is not handed out.
+    void begin_below(std::int32_t line, const RunRow& squares);
+    /// What is left of a band that was begun so: it goes on beyond it.
+    [[nodiscard]] OpenBand take_open();
+    /// After link() to the first row of a band: takes what was found below that row. Before finish_band().
+    /// @param first_name what the sink calls the first contour that the band has handed out
+    void join(OpenBand& band, std::int64_t first_name);
+    /// Hands out what ended above a band's last row, which then becomes the row above.
+    void finish_band(OpenBand&& band, ContourSink& sink);
+
     [[nodiscard]] RunRow& current() { return current_; }
     [[nodiscard]] const RunRow& previous() const { return previous_; }
     Components& components() { return components_; }
@@ -61,7 +73,10 @@ class SweepLine {
     void add_ring(Component& c, std::span<const Corner> corners);
     [[nodiscard]] Corner corner(std::int32_t col, double outside = nothing_outside) const;
     [[nodiscard]] double lowest(std::span<const double> row, std::int32_t from, std::int32_t to) const;
+    void finish_row(std::vector<Run>& runs, std::int32_t line, ContourSink& sink);
     void finish(std::uint32_t root, ContourSink& sink);
+    void place_components(OpenBand& band, RunRow& row);
+    std::uint32_t add_piece(std::uint32_t tail, const std::vector<bool>& at_top, OpenBand& band) const;
 
     bool traces_;  ///< outlines
     std::int32_t first_col_;
@@ -75,6 +90,7 @@ class SweepLine {
         pinches_;  ///< columns of this line and level where squares may meet in a corner
     Arms arms_;
     Components components_;
+    RunRow top_;        ///< what a band began in; the heads and tails are arms in the row
     LatticeRing ring_;  ///< room to work in
 };
 

@@ -31,16 +31,30 @@ void SweepLine::add_ring(Component& c, std::span<const Corner> corners) {
         c.lowest_outside = std::min(c.lowest_outside, corner.outside);
 }
 
+void SweepLine::finish_row(std::vector<Run>& runs, std::int32_t line, ContourSink& sink) {
+    for (const Run& run : runs) {
+        const std::uint32_t root = components_.find(run.component);
+        Component& c = components_[root];
+        // -1 marks those already handed out: several runs of the row above may have been theirs.
+        if (c.last_row >= 0 && c.last_row < line && !c.open_above)
+            finish(root, sink);
+    }
+}
+
 void SweepLine::finish_ended(ContourSink& sink) {
     for (auto level = previous_.levels.rbegin(); level != previous_.levels.rend(); ++level)
-        for (const Run& run : *level) {
-            const std::uint32_t root = components_.find(run.component);
-            Component& c = components_[root];
-            // -1 marks those already handed out: several runs of the row above may have been theirs.
-            if (c.last_row >= 0 && c.last_row < line_)
-                finish(root, sink);
-        }
+        finish_row(*level, line_, sink);
     std::swap(previous_, current_);
+    current_.clear();
+}
+
+void SweepLine::finish_band(OpenBand&& band, ContourSink& sink) {
+    for (std::size_t level = current_.levels.size(); level-- > 0;) {
+        finish_row(previous_.levels[level], band.last_line, sink);
+        finish_row(current_.levels[level], band.last_line, sink);
+    }
+    line_ = band.last_line;
+    previous_ = std::move(band.bottom);
     current_.clear();
 }
 

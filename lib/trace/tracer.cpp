@@ -13,20 +13,76 @@ Tracer::Tracer(const TraceFrame& frame, TraceMode mode, ContourSink& sink, Outli
       sink_(sink),
       sweep_line_(frame.levels, frame.window.col, frame.range, outlines) {}
 
+void Tracer::pass(std::vector<double>&& outside) {
+    std::swap(outside_[1], outside_[2]);
+    std::swap(outside_[0], outside_[1]);
+    outside_[0] = std::move(outside);
+}
+
+void Tracer::link(const TraceLine& line) {
+    sweep_line_.link(line.line, points_ ? OutsideRows{outside_[2], outside_[1], outside_[0], true}
+                                        : OutsideRows{outside_[1], {}, outside_[0], false});
+}
+
+void Tracer::add(TraceLine& line) {
+    add_points(line);
+    add_sums(line);
+}
+
 void Tracer::trace(std::vector<TraceLine>&& lines) {
     for (TraceLine& line : lines) {
-        std::swap(outside_[1], outside_[2]);
-        std::swap(outside_[0], outside_[1]);
-        outside_[0] = std::move(line.outside);
+        pass(std::move(line.outside));
         if (line.line == TraceLine::none)
             continue;
         sweep_line_.current() = std::move(line.squares);
-        sweep_line_.link(line.line, points_ ? OutsideRows{outside_[2], outside_[1], outside_[0], true}
-                                            : OutsideRows{outside_[1], {}, outside_[0], false});
-        add_points(line);
-        add_sums(line);
+        link(line);
+        add(line);
         sweep_line_.finish_ended(sink_);
     }
+}
+
+LinkedBand Tracer::link(const TraceFrame& frame, TraceMode mode, std::vector<TraceLine>&& lines,
+                        ContourSink& sink) {
+    // The line after the last of these has all the rows around it that count for it in the band.
+    std::size_t first = mode == TraceMode::points ? 2 : 1;
+    while (first <= lines.size() && lines[first - 1].line == TraceLine::none)
+        ++first;
+    LinkedBand band;
+    if (first > lines.size()) {
+        band.first = std::move(lines);
+        return band;
+    }
+    Tracer tracer(frame, mode, sink);
+    for (std::size_t i = 0; i < first; ++i) {
+        tracer.pass(std::vector(lines[i].outside));
+        band.first.push_back(std::move(lines[i]));
+    }
+    lines.erase(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(first));
+    const std::size_t rows = std::min(lines.size(), tracer.outside_.size());
+    tracer.sweep_line_.begin_below(band.first.back().line, band.first.back().squares);
+    tracer.trace(std::move(lines));
+    band.open = tracer.sweep_line_.take_open();
+    for (std::size_t i = rows; i-- > 0;)
+        band.outside.push_back(std::move(tracer.outside_[i]));
+    return band;
+}
+
+void Tracer::join(LinkedBand&& band, std::int64_t first_name) {
+    if (!band.open) {
+        trace(std::move(band.first));
+        return;
+    }
+    TraceLine last = std::move(band.first.back());
+    band.first.pop_back();
+    trace(std::move(band.first));
+    pass(std::move(last.outside));
+    sweep_line_.current() = std::move(last.squares);
+    link(last);
+    sweep_line_.join(*band.open, first_name);
+    add(last);
+    sweep_line_.finish_band(std::move(*band.open), sink_);
+    for (std::vector<double>& outside : band.outside)
+        pass(std::move(outside));
 }
 
 void Tracer::add_points(const TraceLine& line) {

@@ -42,6 +42,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     Bytes bytes(data, size);
     TraceSettings settings;
     settings.rows_a_band = static_cast<std::int32_t>(1 + bytes.below(8));
+    settings.linked_alone = bytes.below(2) == 0;
     const RandomGridCase c = grid_of(bytes, 12);
     settings.mode = c.mode;
     d2b::Context context;

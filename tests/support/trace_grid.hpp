@@ -42,7 +42,8 @@ struct TraceSettings {
     int noise_factor = 0;
     double min_area = 0;
     std::int32_t rows_a_band = 1000000;
-    LatticePoint origin;  ///< of the window in the whole raster
+    bool linked_alone = true;  ///< each band by itself, before it comes to those above
+    LatticePoint origin;       ///< of the window in the whole raster
     bool keep_roots = true;
     double min_building_height = 0;
     std::vector<double> ground{};  ///< by label
@@ -87,7 +88,17 @@ ContourSet trace_levels(const TraceGrid& grid, const LevelPlan& plan, const Trac
         const std::int32_t above = std::min(row, rows_above(settings.mode));
         const auto before = point_rows<Count>(grid, plan, settings.origin, row - above, above);
         const auto band = point_rows<Count>(grid, plan, settings.origin, row, rows);
-        tracer.trace(take_apart(frame, settings.mode, before, band));
+        std::vector<TraceLine> lines = take_apart(frame, settings.mode, before, band);
+        if (!settings.linked_alone) {
+            tracer.trace(std::move(lines));
+            continue;
+        }
+        PiledContours piled;
+        Tally tally;
+        ContourPile pile = store.pile(piled, tally);
+        LinkedBand linked = Tracer::link(frame, settings.mode, std::move(lines), pile);
+        context.report.merge(tally);
+        tracer.join(std::move(linked), store.add(std::move(piled)));
     }
     return fetch_set(store.finish());
 }

@@ -1,5 +1,6 @@
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -116,11 +117,22 @@ TEST_P(Metamorphic, TheWindowsPlaceIsAddedOnce) {
 }
 
 TEST_P(Metamorphic, BandsOfAnyHeightGiveTheSameBytes) {
+    settings_.linked_alone = false;
     const test::ContourSet whole = traced(case_.grid);
-    for (const std::int32_t rows : {1, 2, 3, 5}) {
+    const auto dropped = std::exchange(context_.report.dropped, {});
+    for (const auto& [rows, alone] : {std::pair(1, false),
+                                      {2, false},
+                                      {3, false},
+                                      {1, true},
+                                      {2, true},
+                                      {3, true},
+                                      {5, true},
+                                      {100, true}}) {
         TraceSettings banded = settings_;
         banded.rows_a_band = rows;
+        banded.linked_alone = alone;
         const test::ContourSet set = traced(case_.grid, banded);
+        EXPECT_EQ(std::exchange(context_.report.dropped, {}), dropped);
         ASSERT_EQ(set.contours.size(), whole.contours.size());
         for (std::size_t i = 0; i < set.contours.size(); ++i) {
             const Contour& a = set.contours[i];
@@ -131,8 +143,10 @@ TEST_P(Metamorphic, BandsOfAnyHeightGiveTheSameBytes) {
             ASSERT_EQ(a.interiors.size(), b.interiors.size());
             for (std::size_t k = 0; k < a.interiors.size(); ++k)
                 EXPECT_EQ(a.interiors[k].corners(), b.interiors[k].corners());
-            EXPECT_TRUE(a.own.sum == b.own.sum);
+            EXPECT_TRUE(a.own.sum == b.own.sum && a.above.sum == b.above.sum);
             EXPECT_EQ(a.own.n, b.own.n);
+            EXPECT_EQ(a.above.n, b.above.n);
+            EXPECT_EQ(a.lowest_outside, b.lowest_outside);
         }
         EXPECT_EQ(set.roofs, whole.roofs);
     }

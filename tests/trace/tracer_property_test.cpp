@@ -38,6 +38,8 @@ TEST_P(RandomGrid, EqualsTheReference) {
         Context context;
         TraceSettings settings;
         settings.mode = c.mode;
+        settings.rows_a_band = 1 + static_cast<std::int32_t>(seed % 15);
+        settings.linked_alone = seed % 4 != 0;
         const test::ContourSet set = test::trace_grid(c.grid, c.thresholds, settings, context);
         const auto expected = test::reference_contours(c.grid, c.thresholds, c.mode);
         ASSERT_EQ(set.contours.size(), expected.size());

@@ -97,14 +97,19 @@ std::unique_ptr<StoredContours> trace_tiles(TileRun& run, const TraceFrame& fram
     const RunSetup& setup = run.setup();
     ContourStore store = contour_store(frame, nullptr, setup.plan, setup.area, run.metres(), context);
     Tracer tracer(frame, setup.plan.trace, store);
+    std::vector<Tally> tallies(static_cast<std::size_t>(context.threads->threads()));
     for (std::int64_t first = 0; first < run.tiles().count(); first += run.tiles().cols()) {
         const TileRow row(run, first, frame, context.report);
         try {
             context.threads->in_order(
-                row.pieces(), [&](std::size_t piece, std::size_t /*thread*/) { return row.lines(piece); },
-                [&](std::size_t, std::vector<TraceLine>&& lines) {
+                row.pieces(),
+                [&](std::size_t piece, std::size_t thread) {
+                    const StageClock clock(tallies[thread], Stage::trace);
+                    return trace_band(frame, setup.plan.trace, row.lines(piece), store, tallies[thread]);
+                },
+                [&](std::size_t, TracedBand&& band) {
                     const StageClock clock(context.report, Stage::trace);
-                    tracer.trace(std::move(lines));
+                    join_band(std::move(band), tracer, store);
                 },
                 ahead);
         } catch (const BrokenRecord& broken) {
@@ -112,6 +117,8 @@ std::unique_ptr<StoredContours> trace_tiles(TileRun& run, const TraceFrame& fram
         }
         context.progress(0.5 * static_cast<double>(first) / static_cast<double>(run.tiles().count()));
     }
+    for (const Tally& tally : tallies)
+        context.report.merge(tally);
     const StageClock clock(context.report, Stage::filter);
     return store.finish();
 }
