@@ -9,7 +9,7 @@
 #include "read/open_raster.hpp"
 #include "read/raster_crs.hpp"
 #include "read/raster_transform.hpp"
-#include "read/reader_pool.hpp"
+#include "read/shared_raster.hpp"
 #include "read/standard_input.hpp"
 #include "read/start_gdal.hpp"
 #include "read/warning_source.hpp"
@@ -69,8 +69,9 @@ class GdalDemSource final : public WarningSource {
         : WarningSource(std::move(own)),
           standard_input_(std::move(standard_input)),
           info_(describe(raster, options, warnings())),
-          readers_(std::move(raster), options, standard_input_ ? standard_input_->path() : options.source,
-                   info_, warnings()),
+          readers_(share_raster(std::move(raster), options,
+                                standard_input_ ? standard_input_->path() : options.source, info_,
+                                warnings())),
           cutline_(open_cutline(options, info_, warnings())) {
         warnings().hold();
     }
@@ -78,7 +79,7 @@ class GdalDemSource final : public WarningSource {
     [[nodiscard]] const DemInfo& info() const override { return info_; }
 
     void read(const Window& part, std::span<double> elevations) override {
-        readers_.read(part, elevations);
+        readers_->read(part, elevations);
         if (cutline_)
             cutline_->apply(part, elevations);
     }
@@ -86,7 +87,7 @@ class GdalDemSource final : public WarningSource {
   private:
     std::unique_ptr<KeptStandardInput> standard_input_;  // before the readers, which must be closed first
     DemInfo info_;
-    ReaderPool readers_;
+    std::unique_ptr<SharedRaster> readers_;
     std::unique_ptr<CutlineMask> cutline_;
 };
 

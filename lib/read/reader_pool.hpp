@@ -7,29 +7,24 @@
 #include <string>
 #include <vector>
 
-#include "read/band_reader.hpp"
-#include "read/open_raster.hpp"
+#include "read/shared_raster.hpp"
 
 namespace d2b {
 
 /// A raster that several threads read at a time: GDAL's datasets serve one each, so it is opened again for
 /// those who would have to wait, where that is cheap and safe; else they wait. Those who want rows of the
 /// same blocks get the same reader, one after the other, so that no block is decoded twice.
-class ReaderPool {
+class ReaderPool final : public SharedRaster {
   public:
     /// @param path to open it again @param warnings outlives the pool
     ReaderPool(OpenRaster raster, const ReadOptions& options, std::string path, const DemInfo& info,
                Warnings& warnings);
 
-    /// As BandReader::read().
-    void read(const Window& part, std::span<double> elevations);
+    void read(const Window& part, std::span<double> elevations) override;
 
   private:
-    struct Reader {
-        Reader(OpenRaster raster, const ReadOptions& options, const DemInfo& info, Warnings& warnings)
-            : source(std::move(raster)), bands(source.band, options, info, warnings) {}
-        OpenRaster source;
-        BandReader bands;
+    struct Reader : RasterReader {
+        using RasterReader::RasterReader;
         std::int32_t block_row = -1;  ///< of blocks, that it has decoded last and holds in its cache
     };
     using ReaderPtr = std::unique_ptr<Reader>;

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "read/shared_raster.hpp"
+
+namespace d2b {
+
+/// A mosaic that several threads read at a time: it is opened once for each of its columns of rasters, which
+/// one thread reads at a time; who finds one at work takes another one first. So no block is decoded twice.
+class ColumnReaders final : public SharedRaster {
+  public:
+    /// @param ends of the columns, which cut no raster: see ends_of_columns()
+    ColumnReaders(OpenRaster raster, const ReadOptions& options, std::string path, const DemInfo& info,
+                  Warnings& warnings, const std::vector<std::int32_t>& ends);
+
+    void read(const Window& part, std::span<double> elevations) override;
+
+  private:
+    /// Columns of cells.
+    struct Column {
+        std::int32_t begin = 0;
+        std::int32_t end = 0;
+        std::mutex at_work{};
+        std::unique_ptr<RasterReader>
+            reader{};  ///< null until it is read, or where it cannot be opened again
+        std::vector<double> values{};
+    };
+    void read(Column& column, const Window& part, std::span<double> elevations);
+    void read(Column& column, RasterReader& reader, const Window& part, std::span<double> elevations);
+    /// Null where it cannot be opened again.
+    [[nodiscard]] std::unique_ptr<RasterReader> reopen() const;
+
+    ReadOptions options_;
+    std::string path_;
+    DemInfo info_;
+    Warnings& warnings_;
+    std::deque<Column> columns_;
+};
+
+}  // namespace d2b
