@@ -4,22 +4,11 @@
 #include <string>
 
 #include "cli/option_effect.hpp"
+#include "cli/town_errors.hpp"
 #include "cli/town_files.hpp"
 
 namespace d2b::test {
-class PageErrors : public OptionEffect {
-  protected:
-    void SetUp() override {
-        OptionEffect::SetUp();
-        write(path("town.tif"), town_raster(MadeTown::surface()));
-    }
-    void refused(int status, const std::string& part, const Arguments& options) const {
-        Arguments arguments{"-preset", "buildings", "-q"};
-        arguments.insert(arguments.end(), options.begin(), options.end());
-        arguments.insert(arguments.end(), {"--", "town.tif", "o.gpkg"});
-        expect_error(status, part, arguments);
-    }
-};
+class PageErrors : public TownErrors {};
 
 TEST_F(PageErrors, names) {
     refused(2, "Pages are written as HTML; give \"a.htm\" a name that ends in .html.", {"-page", "a.htm"});

@@ -5,6 +5,7 @@
 #include "cli/option_effect.hpp"
 #include "cli/read_cityjson.hpp"
 #include "cli/read_obj.hpp"
+#include "cli/town_errors.hpp"
 #include "cli/town_files.hpp"
 
 namespace d2b::test {
@@ -297,19 +298,7 @@ TEST_F(OptionEffect, surface__ofOtherGrids) {
     EXPECT_NEAR(obj.volume(), volumes(buildings(), "p70"), 0.002 * obj.volume());
 }
 
-class SurfaceErrors : public OptionEffect {
-  protected:
-    void SetUp() override {
-        OptionEffect::SetUp();
-        write(path("town.tif"), town_raster(MadeTown::surface()));
-    }
-    void refused(int status, const std::string& part, const Arguments& options) const {
-        Arguments arguments{"-preset", "buildings", "-q"};
-        arguments.insert(arguments.end(), options.begin(), options.end());
-        arguments.insert(arguments.end(), {"--", "town.tif", "o.gpkg"});
-        expect_error(status, part, arguments);
-    }
-};
+class SurfaceErrors : public TownErrors {};
 
 TEST_F(SurfaceErrors, names) {
     refused(

@@ -131,6 +131,8 @@ TEST_F(TilesTool, leavesNothingOfListsThatItRefuses) {
     std::ofstream(path("file")) << "no folder";
     expect_refused(1, "'file' cannot be written to: Not a directory; give another work folder.",
                    plan("town.txt", "a.gpkg", "file"));
+    expect_refused(1, "'file' cannot be written to: Not a directory; give another work folder.",
+                   {"plan", "-q", sample("town.tif"), "a.gpkg", "file"});
     // The mosaic was made by then.
     std::ofstream(path("a.gpkg")) << "not a database";
     const std::vector<std::string> before = entries();

@@ -136,26 +136,14 @@ std::string name_of_crs(const std::string& path) {
     return OSRGetName(GDALGetSpatialRef(file.get()));
 }
 
-std::string compound_wkt(const char* code) {
-    const OGRSpatialReferenceH srs = OSRNewSpatialReference(nullptr);
-    EXPECT_EQ(OSRSetFromUserInput(srs, code), OGRERR_NONE);
-    char* text = nullptr;
-    const char* const options[] = {"FORMAT=WKT2_2019", nullptr};
-    OSRExportToWktEx(srs, &text, options);
-    std::string wkt = text;
-    CPLFree(text);
-    OSRRelease(srs);
-    return wkt;
-}
-
 TEST_F(GeoTiffTest, TheVerticalCrsStaysWhereItIsTrue) {
-    grid_.crs_wkt = compound_wkt("EPSG:25832+7837");
+    grid_.crs_wkt = wkt_of("EPSG:25832+7837");
     write_all(*sink("height.tif"));
     EXPECT_EQ(name_of_crs(path("height.tif")), "ETRS89 / UTM zone 32N");
     meta_.elevations = true;
     write_all(*sink("ground.tif"));
     EXPECT_EQ(name_of_crs(path("ground.tif")), "ETRS89 / UTM zone 32N + DHHN2016 height");
-    grid_.crs_wkt = compound_wkt("EPSG:2229+6360");  // heights in US survey feet
+    grid_.crs_wkt = wkt_of("EPSG:2229+6360");  // heights in US survey feet
     write_all(*sink("feet.tif"));
     EXPECT_EQ(name_of_crs(path("feet.tif")), "NAD83 / California zone 5 (ftUS)");
 }

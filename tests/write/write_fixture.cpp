@@ -86,8 +86,12 @@ std::int64_t WriteTest::write(const WriteOptions& options, int n) {
 }
 
 std::string wkt_of(int epsg) {
-    OGRSpatialReferenceH srs = OSRNewSpatialReference(nullptr);
-    OSRImportFromEPSG(srs, epsg);
+    return wkt_of("EPSG:" + std::to_string(epsg));
+}
+
+std::string wkt_of(const std::string& crs) {
+    const OGRSpatialReferenceH srs = OSRNewSpatialReference(nullptr);
+    EXPECT_EQ(OSRSetFromUserInput(srs, crs.c_str()), OGRERR_NONE);
     char* text = nullptr;
     const char* const options[] = {"FORMAT=WKT2_2019", nullptr};
     OSRExportToWktEx(srs, &text, options);

@@ -65,6 +65,8 @@ class WriteTest : public ::testing::Test {
 };
 
 [[nodiscard]] std::string wkt_of(int epsg);
+/// @param crs e.g. "EPSG:25832+7837", with heights
+[[nodiscard]] std::string wkt_of(const std::string& crs);
 [[nodiscard]] LayerSpec layer_spec(const std::string& name, bool with_z = false);
 /// A unit square with its lower left corner at (id, 0); `height` is NULL for even numbers.
 [[nodiscard]] Feature square(std::int64_t id);

@@ -6,13 +6,13 @@
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
-#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/version.hpp"
-#include "write/file_moves.hpp"
+#include "dem2buildings_tiles/source_mosaic.hpp"
+#include "write/small_file.hpp"
 
 namespace d2b {
 namespace {
@@ -130,25 +130,11 @@ std::string plan_text(const TilePlan& plan, const TileCost& cost) {
 }
 
 void write_plan(const std::filesystem::path& work, const TilePlan& plan, const TileCost& cost) {
-    const std::filesystem::path path = path_of(work);
-    const std::filesystem::path hidden = work / (".plan.json." + std::to_string(::getpid()));
-    try {
-        std::filesystem::create_directories(work);
-        {
-            std::ofstream file(hidden, std::ios::binary);
-            file << plan_text(plan, cost);
-            file.flush();
-            if (!file)
-                throw std::system_error(errno, std::generic_category());
-        }
-        sync_to_disk(hidden);
-        std::filesystem::rename(hidden, path);
-    } catch (const std::system_error& error) {
-        std::error_code ignored;
-        std::filesystem::remove(hidden, ignored);
-        throw OutputError("'" + path.string() + "' cannot be written: " + error.code().message() +
-                          "; give another work folder, or make room in this one.");
-    }
+    std::error_code error;
+    std::filesystem::create_directories(work, error);
+    if (error)
+        refuse_folder(work, error);
+    write_small_file(path_of(work), plan_text(plan, cost));
 }
 
 KnownPlan read_plan(const std::filesystem::path& work) {

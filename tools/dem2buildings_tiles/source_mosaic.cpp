@@ -21,12 +21,12 @@ std::string bytes_of(const fs::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-[[noreturn]] void refuse_folder(const fs::path& work, const std::error_code& error) {
+}  // namespace
+
+void refuse_folder(const fs::path& work, const std::error_code& error) {
     throw OutputError("'" + work.string() + "' cannot be written to: " + error.message() +
                       "; give another work folder.");
 }
-
-}  // namespace
 
 void refuse_other_plan(const fs::path& work) {
     throw OptionError(

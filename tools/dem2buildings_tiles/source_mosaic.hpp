@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <system_error>
 #include <utility>
 
 namespace d2b {
@@ -32,5 +33,7 @@ class SourceMosaic {
 
 /// @throws OptionError always
 [[noreturn]] void refuse_other_plan(const std::filesystem::path& work);
+/// @throws OutputError always: nothing can be written into the work folder
+[[noreturn]] void refuse_folder(const std::filesystem::path& work, const std::error_code& error);
 
 }  // namespace d2b
