@@ -1,12 +1,12 @@
 #include "write/spatial_index.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 
+#include "write/row_inserts.hpp"
 #include "write/sql.hpp"
+#include "write/sqlite_handle.hpp"
 
 namespace d2b {
 namespace {
@@ -22,41 +22,6 @@ float above(double value) {
     const auto near = static_cast<float>(value);
     return static_cast<double>(near) < value ? std::nextafter(near, infinity) : near;
 }
-
-void append_hex(std::string& text, const std::vector<std::byte>& bytes) {
-    static constexpr std::string_view digits = "0123456789ABCDEF";
-    constexpr unsigned nibble = 4;
-    constexpr unsigned low = 15;
-    for (const std::byte byte : bytes) {
-        text += digits[std::to_integer<unsigned>(byte) >> nibble];
-        text += digits[std::to_integer<unsigned>(byte) & low];
-    }
-}
-
-/// Gathers rows into statements of some size.
-class Inserts {
-  public:
-    Inserts(std::string head, std::function<void(const std::string&)> run)
-        : head_(std::move(head)), run_(std::move(run)) {}
-
-    void add(const std::string& row) {
-        constexpr std::size_t most = 1 << 16;
-        sql_ += sql_.empty() ? head_ + "(" : ",(";
-        sql_ += row + ")";
-        if (sql_.size() > most)
-            flush();
-    }
-    void flush() {
-        if (!sql_.empty())
-            run_(sql_);
-        sql_.clear();
-    }
-
-  private:
-    std::string head_;
-    std::function<void(const std::string&)> run_;
-    std::string sql_;
-};
 
 }  // namespace
 
@@ -123,28 +88,24 @@ void SpatialIndex::add(std::int64_t id, const Feature& feature) {
 }
 
 void SpatialIndex::fill(const PackedRtree& tree) const {
-    const auto insert = [&](const std::string& sql) {
-        OgrCall call(*target_);
-        call.check(run(sql), "filling the spatial index");
+    sqlite3* const handle = sqlite_handle(dataset_);
+    const auto rows = [&](const char* verb, const char* table) {
+        return RowInserts(dataset_, handle, *target_, verb + sql_name(name_ + table) + " VALUES",
+                          "filling the spatial index");
     };
-    const auto head = [&](const char* table) {
-        return "INSERT INTO " + sql_name(name_ + table) + " VALUES ";
-    };
-    Inserts entries(head("_rowid"), insert);
+    RowInserts entries = rows("INSERT INTO ", "_rowid");
     for (const PackedRtree::Entry& entry : tree.entries)
-        entries.add(std::to_string(entry.id) + "," + std::to_string(entry.leaf));
-    entries.flush();
-    Inserts nodes("INSERT OR REPLACE INTO " + sql_name(name_ + "_node") + " VALUES ", insert);
-    Inserts parents(head("_parent"), insert);
-    for (const PackedRtree::Node& node : tree.nodes) {
-        std::string row = std::to_string(node.number) + ",X'";
-        append_hex(row, node.bytes);
-        nodes.add(row + "'");
+        entries.add({entry.id, entry.leaf});
+    entries.finish();
+    RowInserts nodes = rows("INSERT OR REPLACE INTO ", "_node");
+    for (const PackedRtree::Node& node : tree.nodes)
+        nodes.add({node.number, std::span(node.bytes)});
+    nodes.finish();
+    RowInserts parents = rows("INSERT INTO ", "_parent");
+    for (const PackedRtree::Node& node : tree.nodes)
         if (node.parent != 0)
-            parents.add(std::to_string(node.number) + "," + std::to_string(node.parent));
-    }
-    nodes.flush();
-    parents.flush();
+            parents.add({node.number, node.parent});
+    parents.finish();
 }
 
 void SpatialIndex::finish() {

@@ -51,9 +51,10 @@ def say(text):
 def trace(bench, path):
     """Each preset once on two threads, and what that says of more."""
     out = bench.work / "timeline.gpkg"
-    runs = {preset: timeline.run_once(bench.programs["timeline"], ["-threads", "2", *options], bench.city(25), out)
-            for preset, options in PRESETS.items()}
-    out.unlink()
+    runs = {}
+    for preset, options in PRESETS.items():
+        runs[preset] = timeline.run_once(bench.programs["timeline"], ["-threads", "2", *options], bench.city(25), out)
+        out.unlink()  # to replace the layers of a run takes longer than to make them
     timeline.write_chrome(path, runs)
     print(tables.timeline_table(runs))
     for name, (whole, spans) in runs.items():
