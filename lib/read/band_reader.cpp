@@ -113,6 +113,10 @@ void BandReader::read(const Window& part, std::span<double> elevations, Warnings
     }
 }
 
+void BandReader::forget_blocks() const {
+    static_cast<void>(GDALFlushRasterCache(band_));  // what it could not write is not ours: it is read alone
+}
+
 void BandReader::read_part(const Window& part, std::span<double> elevations, Warnings& warnings) {
     load(band_, GDT_Float64, part, elevations.data(), warnings);
     const bool asks_mask = masked_ && !is_told_by_value(elevations);

@@ -49,6 +49,8 @@ class BandReader {
     /// Any part of the raster, in one piece. @param elevations part.rows * part.cols values
     /// @throws InputError with GDAL's reason
     void read_part(const Window& part, std::span<double> elevations, Warnings& warnings);
+    /// Gives the memory of the blocks back that GDAL has decoded and keeps.
+    void forget_blocks() const;
 
   private:
     void take_out(const Window& part, std::span<double> elevations);

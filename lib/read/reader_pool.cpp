@@ -1,6 +1,7 @@
 #include "read/reader_pool.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 #include "dem2buildings/error.hpp"
@@ -83,6 +84,9 @@ ReaderPool::ReaderPtr ReaderPool::take(std::int32_t block_row) {
         reader = std::move(idle_.back());
         idle_.pop_back();
     }
+    // GDAL would keep what it has decoded, which nobody asks for again but for the rows beside a band.
+    if (std::abs(block_row - reader->block_row) > 1)
+        reader->bands.forget_blocks();
     reader->block_row = block_row;
     return reader;
 }
