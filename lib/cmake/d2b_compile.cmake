@@ -7,7 +7,14 @@ target_compile_options(d2b_compile INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast -Wnon-virtual-dtor
   -Woverloaded-virtual -Wdouble-promotion -Wformat=2
   # A fused multiply-add would make coordinates depend on the processor.
-  -ffp-contract=off)
+  -ffp-contract=off
+  # Nobody asks for errno or traps after arithmetic: without them square roots are one instruction, and conditions on
+  # floats need no branch. No result changes by a bit.
+  -fno-math-errno -fno-trapping-math)
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  # Else a shared library could replace any function, so that none could be inlined in position-independent code.
+  target_compile_options(d2b_compile INTERFACE -fno-semantic-interposition)
+endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   # GCC 12 sees overlaps in std::string's own operator+ (GCC bug 105651).
   target_compile_options(d2b_compile INTERFACE -Wno-restrict)

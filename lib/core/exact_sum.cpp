@@ -1,5 +1,6 @@
 #include "core/exact_sum.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -72,6 +73,14 @@ void ExactSum::add_square(double value) {
     add(static_cast<std::int64_t>(square >> 53), 2 * p.exponent + 53);
 }
 
+void ExactSum::add_scaled(Int128 value, int exponent) {
+    constexpr int digits = 53;
+    constexpr Int128 lowest = (Int128{1} << digits) - 1;
+    for (; value != 0 && value != -1; value >>= digits, exponent += digits)
+        add(static_cast<std::int64_t>(value & lowest), exponent);
+    add(static_cast<std::int64_t>(value), exponent);  // 0 or -1: the sign
+}
+
 void ExactSum::merge(const ExactSum& other) {
     for (std::size_t i = 0; i < bin_count; ++i)
         bins_[i] += other.bins_[i];
@@ -79,6 +88,34 @@ void ExactSum::merge(const ExactSum& other) {
 
 double ExactSum::value() const {
     return static_cast<double>(ldexp(Wide(as_integer(*this)), lowest_exponent));
+}
+
+void Moments::add_known(std::span<const double> values) {
+    // A Float32 elevation of some centimetres to some kilometres is a whole number of these units.
+    constexpr int unit = -30;
+    constexpr double in_unit = 0x1p30;
+    constexpr double most = 0x1p52;
+    constexpr std::size_t piece = 1 << 16;  // sums and squares of so many stay far below 2^127
+    for (std::size_t first = 0; first < values.size(); first += piece) {
+        Int128 whole_sum = 0;
+        Int128 whole_squares = 0;
+        for (const double value : values.subspan(first, std::min(piece, values.size() - first))) {
+            const double scaled = value * in_unit;
+            if (std::abs(scaled) < most) {
+                const auto whole = static_cast<std::int64_t>(scaled);
+                if (static_cast<double>(whole) == scaled) {
+                    ++n;
+                    whole_sum += whole;
+                    whole_squares += static_cast<Int128>(whole) * whole;
+                    continue;
+                }
+            }
+            if (!std::isnan(value))
+                add(value);
+        }
+        sum.add_scaled(whole_sum, unit);
+        squares.add_scaled(whole_squares, 2 * unit);
+    }
 }
 
 void Moments::merge(const Moments& other) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "core/int128.hpp"
 
@@ -16,6 +17,8 @@ class ExactSum {
     /// @param value finite
     void add(double value);
     void add_square(double value);
+    /// Adds value * 2^exponent. @param exponent from -1100 to 1100
+    void add_scaled(Int128 value, int exponent);
     void merge(const ExactSum& other);
     /// Rounded once from the exact value.
     [[nodiscard]] double value() const;
@@ -42,6 +45,8 @@ struct Moments {
         sum.add(value);
         squares.add_square(value);
     }
+    /// The same for each that is not NaN, sooner: elevations are added up as whole numbers.
+    void add_known(std::span<const double> values);
     void merge(const Moments& other);
     /// Rounded once from the exact value. @return NaN where n is 0
     [[nodiscard]] double mean() const;

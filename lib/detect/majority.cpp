@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "core/processors.hpp"
 #include "core/row_bands.hpp"
 
 namespace d2b {
@@ -38,7 +39,8 @@ std::int32_t reach(double reach_m, double step, std::int32_t cells) {
 }
 
 /// Counts of two kinds of cells in a neighbourhood that slides down: sums of columns, and along the row sums
-/// of these. Both are kept in one number, buildings' cells in its upper half: that is half the work.
+/// of these. Both are kept in one number, buildings' cells in its upper half: that is half the work. Unsigned
+/// numbers wrap around and come back.
 template <typename Pair>
 class NeighbourCounts {
   public:
@@ -53,7 +55,7 @@ class NeighbourCounts {
           up_(up),
           side_(static_cast<std::size_t>(side)),
           // Zeros beyond both ends stand for what is not there.
-          columns_(static_cast<std::size_t>(buildings.cols) + 2 * side_ + 1, 0),
+          columns_(static_cast<std::size_t>(buildings.cols) + 2 * side_, 0),
           none_(static_cast<std::size_t>(buildings.cols), 0) {
         if (elevated == nullptr)
             for (std::int32_t c = 0; c < buildings.cols; ++c)
@@ -65,22 +67,33 @@ class NeighbourCounts {
     /// @param counts of row `r`, which must be the one after the last
     void row(std::int32_t r, std::vector<Pair>& counts) {
         slide(r + up_, r - up_ - 1);
-        Pair sum = 0;
-        for (std::size_t i = 0; i < 2 * side_; ++i)
-            sum += columns_[i + 1];
-        for (std::size_t c = 0; c < counts.size(); ++c) {
-            sum += columns_[c + 2 * side_ + 1] - columns_[c];
-            counts[c] = sum;
-        }
+        add_up(counts);
         if (elevated_ == nullptr) {
             const auto rows =
                 static_cast<Pair>(std::min(r + up_, buildings_.rows - 1) - std::max(r - up_, 0) + 1);
             for (std::size_t c = 0; c < counts.size(); ++c)
-                counts[c] += rows * widths_[c];
+                counts[c] = static_cast<Pair>(counts[c] + rows * widths_[c]);
         }
     }
 
   private:
+    /// Sums of so many columns: of 1, 2, 4, ... side by side, of which a neighbourhood is put together. A
+    /// running sum takes fewer steps, but each waits for the one before.
+    void add_up(std::vector<Pair>& counts) {
+        const std::size_t width = 2 * side_ + 1;
+        sums_.assign(columns_.begin(), columns_.end());
+        std::fill(counts.begin(), counts.end(), Pair{0});
+        std::size_t taken = 0;
+        for (std::size_t span = 1; span <= width; span *= 2) {
+            if ((width & span) != 0) {
+                for (std::size_t c = 0; c < counts.size(); ++c)
+                    counts[c] = static_cast<Pair>(counts[c] + sums_[c + taken]);
+                taken += span;
+            }
+            for (std::size_t c = 0; c + span < sums_.size(); ++c)
+                sums_[c] = static_cast<Pair>(sums_[c] + sums_[c + span]);
+        }
+    }
     [[nodiscard]] std::span<const std::uint8_t> row_of(const Mask& mask, std::int32_t r) const {
         return r >= 0 && r < mask.rows ? mask.row(r) : none_;
     }
@@ -88,18 +101,19 @@ class NeighbourCounts {
     void slide(std::int32_t in, std::int32_t out) {
         const std::span<const std::uint8_t> buildings_in = row_of(buildings_, in);
         const std::span<const std::uint8_t> buildings_out = row_of(buildings_, out);
-        Pair* const columns = columns_.data() + side_ + 1;
-        // Unsigned numbers wrap around and come back.
+        Pair* const columns = columns_.data() + side_;
         if (elevated_ == nullptr) {
             for (std::size_t c = 0; c < buildings_in.size(); ++c)
-                columns[c] += (Pair{buildings_in[c]} - Pair{buildings_out[c]}) << half;
+                columns[c] = static_cast<Pair>(columns[c] +
+                                               ((Pair{buildings_in[c]} - Pair{buildings_out[c]}) << half));
             return;
         }
         const std::span<const std::uint8_t> elevated_in = row_of(*elevated_, in);
         const std::span<const std::uint8_t> elevated_out = row_of(*elevated_, out);
         for (std::size_t c = 0; c < buildings_in.size(); ++c)
-            columns[c] +=
-                ((Pair{buildings_in[c]} - Pair{buildings_out[c]}) << half) + elevated_in[c] - elevated_out[c];
+            columns[c] =
+                static_cast<Pair>(columns[c] + ((Pair{buildings_in[c]} - Pair{buildings_out[c]}) << half) +
+                                  elevated_in[c] - elevated_out[c]);
     }
 
     const Mask& buildings_;
@@ -107,6 +121,7 @@ class NeighbourCounts {
     std::int32_t up_;
     std::size_t side_;
     std::vector<Pair> columns_;
+    std::vector<Pair> sums_;  ///< room of add_up()
     std::vector<std::uint8_t> none_;
     std::vector<Pair> widths_;  ///< columns of each neighbourhood, where all cells count
 };
@@ -126,8 +141,8 @@ void vote(const Mask& now, const Electorate& of, Radius radius, Shares shares, R
         const std::span<const std::uint8_t> is = now.row(r);
         const std::span<const std::uint8_t> may = of.may.row(r);
         const std::span<std::uint8_t> out = next.row(r);
-        // A hundred times half a number fits into the number. Nothing branches: several cells are done at
-        // once.
+        // A hundred times half a number fits into the number, signed. Nothing branches: several cells are
+        // done at once.
         using Signed = std::make_signed_t<Pair>;
         const auto keep = static_cast<Signed>(shares.keep);
         const auto gain = static_cast<Signed>(shares.gain);
@@ -136,17 +151,34 @@ void vote(const Mask& now, const Electorate& of, Radius radius, Shares shares, R
             const auto all = static_cast<Signed>(
                 counts[c] & (std::numeric_limits<Pair>::max() >> NeighbourCounts<Pair>::half));
             const Signed share = is[c] != 0 ? keep : gain;
-            out[c] = static_cast<std::uint8_t>(may[c] & (100 * buildings > share * all ? 1 : 0));
+            const bool won = static_cast<Signed>(100 * buildings) > static_cast<Signed>(share * all);
+            out[c] = static_cast<std::uint8_t>(may[c] & (won ? 1 : 0));
         }
     }
+}
+
+D2B_FOR_EACH_PROCESSOR void small_vote(const Mask& now, const Electorate& of, Radius radius, Shares shares,
+                                       RowBand band, Mask& next) {
+    vote<std::uint16_t>(now, of, radius, shares, band, next);
+}
+
+D2B_FOR_EACH_PROCESSOR void large_vote(const Mask& now, const Electorate& of, Radius radius, Shares shares,
+                                       RowBand band, Mask& next) {
+    vote<std::uint32_t>(now, of, radius, shares, band, next);
+}
+
+/// @param cells of the largest neighbourhood
+auto vote_among(std::int64_t cells) {
+    if (cells <= std::numeric_limits<std::uint8_t>::max())
+        return small_vote;
+    return cells <= std::numeric_limits<std::uint16_t>::max() ? large_vote : vote<std::uint64_t>;
 }
 
 Mask voted(const Mask& now, const Electorate& of, double reach_m, const CellSize& cell, Shares shares,
            Executor& threads) {
     const Radius radius{reach(reach_m, cell.down, now.rows), reach(reach_m, cell.across, now.cols)};
     const std::int64_t largest = (2 * std::int64_t{radius.up} + 1) * (2 * std::int64_t{radius.side} + 1);
-    const auto vote_in =
-        largest <= std::numeric_limits<std::uint16_t>::max() ? vote<std::uint32_t> : vote<std::uint64_t>;
+    const auto vote_in = vote_among(largest);
     Mask next = Mask::unset(now.rows, now.cols, threads);
     // A band begins by counting the rows of its first neighbourhood.
     const std::int32_t least = 8 * std::min(radius.up, now.rows);

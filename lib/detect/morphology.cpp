@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/processors.hpp"
 #include "core/row_bands.hpp"
 #include "detect/element.hpp"
 
@@ -83,7 +84,8 @@ void take_row(Mask& result, RowBand band, std::int32_t from, std::int32_t down,
 
 /// Where the element does not fit into the mask, in a band.
 /// @param element from its shortest row to its longest
-void rest_of_band(const Mask& mask, const Element& element, std::int32_t reach, RowBand band, Mask& result) {
+D2B_FOR_EACH_PROCESSOR void rest_of_band(const Mask& mask, const Element& element, std::int32_t reach,
+                                         RowBand band, Mask& result) {
     std::fill(result.row(band.begin).begin(), result.row(band.end - 1).end(), std::uint8_t{1});
     NarrowedRow row(mask.cols, columns_beside(element));
     const std::int32_t end = std::min(band.end + reach, mask.rows);
@@ -114,7 +116,7 @@ Mask rest_of_erosion(const Mask& mask, Element element, Executor& threads) {
 }
 
 /// Adds the neighbours of a band in `within` to its copy, step by step: the ends of the copy are left behind.
-void grow_copy(BandCopy<std::uint8_t>& copy, const Mask& within, int steps) {
+D2B_FOR_EACH_PROCESSOR void grow_copy(BandCopy<std::uint8_t>& copy, const Mask& within, int steps) {
     // Rows as they were: the one above and this one, with a zero at each end.
     Mask& mask = copy.rows;
     const auto cols = static_cast<std::size_t>(mask.cols);

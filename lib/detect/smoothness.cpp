@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/processors.hpp"
 #include "core/row_bands.hpp"
 
 namespace d2b {
@@ -52,8 +53,8 @@ std::uint8_t flags(float row, float column, float falling, float rising, const S
     return static_cast<std::uint8_t>(along | any | enough);
 }
 
-void flag_row(const MetreGrid& surface, std::int32_t r, const SmoothLimits& limits,
-              std::span<std::uint8_t> out) {
+D2B_FOR_EACH_PROCESSOR void flag_row(const MetreGrid& surface, std::int32_t r, const SmoothLimits& limits,
+                                     std::span<std::uint8_t> out) {
     const std::span<const float> up = surface.row(std::max(r - 1, 0));
     const std::span<const float> here = surface.row(r);
     const std::span<const float> down = surface.row(std::min(r + 1, surface.rows - 1));

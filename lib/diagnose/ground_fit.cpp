@@ -5,23 +5,44 @@
 #include <limits>
 #include <numeric>
 
+#include "core/processors.hpp"
 #include "core/row_bands.hpp"
 
 namespace d2b {
 
-std::size_t GroundFit::bin_of(double height) {
+/// The first where it is NaN. Nothing branches: several cells are done at once.
+std::int32_t GroundFit::bin_of(double height) {
     const double bin = (height + highest_m) / bin_m;
-    return static_cast<std::size_t>(std::clamp(bin, 0.0, static_cast<double>(bins - 1)));
+    constexpr double last = bins - 1;
+    const double not_below = bin > 0 ? bin : 0;
+    return static_cast<std::int32_t>(not_below < last ? not_below : last);
+}
+
+D2B_FOR_EACH_PROCESSOR void GroundFit::find_bins(std::span<const float> surface,
+                                                 std::span<const float> ground,
+                                                 std::span<std::int32_t> found) {
+    std::int32_t known = 0;
+    std::int32_t bare = 0;
+    for (std::size_t i = 0; i < surface.size(); ++i) {
+        const float height = surface[i] - ground[i];
+        known += height == height ? 1 : 0;
+        bare += height <= min_height_ ? 1 : 0;
+        const std::int32_t bin = bin_of(static_cast<double>(height));
+        found[i] = height == height ? bin : unknown;
+    }
+    cells_ += known;
+    bare_ += bare;
 }
 
 void GroundFit::add(std::span<const float> surface, std::span<const float> ground) {
-    for (std::size_t i = 0; i < surface.size(); ++i) {
-        const float height = surface[i] - ground[i];
-        if (std::isnan(height))
-            continue;
-        ++cells_;
-        bare_ += height <= min_height_ ? 1 : 0;
-        ++counts_[bin_of(static_cast<double>(height))];
+    constexpr std::size_t piece = 256;
+    std::array<std::int32_t, piece> found{};
+    for (std::size_t first = 0; first < surface.size(); first += piece) {
+        const std::size_t n = std::min(piece, surface.size() - first);
+        find_bins(surface.subspan(first, n), ground.subspan(first, n), found);
+        for (std::size_t i = 0; i < n; ++i)
+            if (found[i] != unknown)
+                ++counts_[static_cast<std::size_t>(found[i])];
     }
 }
 
@@ -37,7 +58,7 @@ double GroundFit::bare_share() const {
 }
 
 double GroundFit::share_above(double height) const {
-    const auto first = counts_.begin() + static_cast<std::ptrdiff_t>(bin_of(height));
+    const auto first = counts_.begin() + bin_of(height);
     const std::int64_t above = std::accumulate(first, counts_.end(), std::int64_t{0});
     return cells_ == 0 ? 0 : static_cast<double>(above) / static_cast<double>(cells_);
 }

@@ -36,7 +36,11 @@ class GroundFit {
     static constexpr double bin_m = 0.25;
     static constexpr double highest_m = 500;
     static constexpr std::size_t bins = 4000;
-    [[nodiscard]] static std::size_t bin_of(double height);
+    static constexpr std::int32_t unknown = -1;
+    [[nodiscard]] static std::int32_t bin_of(double height);
+    /// The bins of some cells. Counts those that are known and those that are bare.
+    void find_bins(std::span<const float> surface, std::span<const float> ground,
+                   std::span<std::int32_t> found);
     /// The median of so many cells from the lowest on.
     [[nodiscard]] double middle(std::int64_t cells) const;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "core/stage_clock.hpp"
 
@@ -53,6 +54,19 @@ Window within(const BandShape& band, std::int32_t first_col, const Window& windo
     if (rows <= 0 || window.cols <= 0)
         return {};
     return {first - band.first_row, window.col - first_col, rows, window.cols};
+}
+
+/// Nothing branches: several cells are done at once. @return whether nothing is lost
+bool narrowed(std::span<const double> values, float* narrow) {
+    int lost = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double z = values[i];
+        narrow[i] = static_cast<float>(z);
+        const bool same = static_cast<double>(narrow[i]) == z;
+        const bool known = z == z;
+        lost |= (same ? 0 : 1) & (known ? 1 : 0);
+    }
+    return lost == 0;
 }
 
 /// Spikes wait outside of their band until the rows beyond it have been seen.
@@ -220,13 +234,7 @@ void ElevationReader::settle(const std::vector<Spike>& spikes, std::int32_t firs
 ElevationReader::Kept ElevationReader::keep(const ElevationBand& band) {
     Kept kept;
     kept.narrow.resize(band.elevations.size());
-    bool lossless = true;
-    for (std::size_t i = 0; i < kept.narrow.size(); ++i) {
-        const double z = band.elevations[i];
-        kept.narrow[i] = static_cast<float>(z);
-        lossless = lossless && (static_cast<double>(kept.narrow[i]) == z || std::isnan(z));
-    }
-    if (!lossless)
+    if (!narrowed(band.elevations, kept.narrow.data()))
         kept = {{}, band.elevations};
     return kept;
 }

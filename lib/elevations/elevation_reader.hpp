@@ -10,6 +10,7 @@
 
 #include "core/band.hpp"
 #include "core/context.hpp"
+#include "core/grid.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "elevations/band_buffers.hpp"
 #include "elevations/band_cells.hpp"
@@ -72,7 +73,7 @@ class ElevationReader {
   private:
     /// The elevations of a band: as they are, or where nothing is lost by it in half of the room.
     struct Kept {
-        std::vector<float> narrow;
+        CellValues<float> narrow;
         std::vector<double> wide;
         [[nodiscard]] std::size_t bytes() const {
             return narrow.size() * sizeof(float) + wide.size() * sizeof(double);

@@ -10,11 +10,15 @@ void ElevationStatistics::add(const ElevationBand& band) {
 }
 
 void ElevationStatistics::add(const ElevationBand& band, const Window& part) {
-    for (std::int32_t row = part.row; row < part.end_row(); ++row)
-        for (const double z :
-             band.row(row).subspan(static_cast<std::size_t>(part.col), static_cast<std::size_t>(part.cols)))
-            if (!std::isnan(z))
-                add(z);
+    for (std::int32_t row = part.row; row < part.end_row(); ++row) {
+        const auto cells =
+            band.row(row).subspan(static_cast<std::size_t>(part.col), static_cast<std::size_t>(part.cols));
+        moments.add_known(cells);
+        for (const double z : cells) {
+            minimum = z < minimum ? z : minimum;  // never NaN
+            maximum = z > maximum ? z : maximum;
+        }
+    }
 }
 
 void ElevationStatistics::add(double elevation) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "core/processors.hpp"
 #include "core/row_bands.hpp"
 #include "ground/line_pass.hpp"
 
@@ -120,7 +121,7 @@ struct TwoRows {
 
 /// Gaps take the mean of their four neighbours, all at once: a relaxation reaches one cell far.
 /// @param gaps_first the row of the gaps that is the grid's first
-void smooth(MetreGrid& grid, const Gaps& gaps, std::int32_t gaps_first, TwoRows& old) {
+D2B_FOR_EACH_PROCESSOR void smooth(MetreGrid& grid, const Gaps& gaps, std::int32_t gaps_first, TwoRows& old) {
     const auto cols = static_cast<std::size_t>(grid.cols);
     old.above.assign(grid.row(0).begin(), grid.row(0).end());
     old.here.resize(cols);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/processors.hpp"
 #include "core/row_bands.hpp"
 #include "ground/line_pass.hpp"
 
@@ -50,7 +51,7 @@ void set_limits(OpenedPart& part, float rise) {
 }
 
 /// The same in whole steps, which become metres only where a cell may have been cut off by as much.
-void set_limits_of_steps(OpenedPart& part, float rise) {
+D2B_FOR_EACH_PROCESSOR void set_limits_of_steps(OpenedPart& part, float rise) {
     constexpr std::size_t piece = 64;
     const WholeSteps& values = part.whole;
     const int least = values.surely_within(rise);
@@ -87,7 +88,7 @@ void open_whole_steps(OpenedPart& part, std::span<const Step> steps, Element ele
         values.in_metres(values.surface.row(i), part.surface.row(i).data());
 }
 
-bool has_gaps(const MetreGrid& grid) {
+D2B_FOR_EACH_PROCESSOR bool has_gaps(const MetreGrid& grid) {
     int gaps = 0;
     for (const float value : grid.values)
         gaps |= value == no_value ? 1 : 0;

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "core/processors.hpp"
 #include "ground/line_pass.hpp"
 
 namespace d2b::ground {
@@ -20,7 +21,7 @@ struct Range {
 };
 
 /// In lanes, which processors do at once.
-Range range_of(std::span<const float> metres) {
+D2B_FOR_EACH_PROCESSOR Range range_of(std::span<const float> metres) {
     constexpr std::size_t lanes = 16;
     std::array<float, lanes> lowest{};
     std::array<float, lanes> highest{};
@@ -46,7 +47,8 @@ float metres_of(std::int32_t steps, double step) {
 }
 
 /// @return whether all of them are whole steps, bit by bit: -0 is none
-bool take_row(std::span<const float> metres, std::int32_t base, std::int32_t in_metre, std::int16_t* values) {
+D2B_FOR_EACH_PROCESSOR bool take_row(std::span<const float> metres, std::int32_t base, std::int32_t in_metre,
+                                     std::int16_t* values) {
     // Added and taken off again it rounds to a whole number: it leaves no digits behind the point.
     constexpr double rounder = 6755399441055744.0;  // 1.5 * 2^52
     const double step = 1.0 / in_metre;
@@ -91,7 +93,7 @@ bool WholeSteps::take(const MetreGrid& metres) {
     return false;
 }
 
-void WholeSteps::in_metres(std::span<const std::int16_t> values, float* metres) const {
+D2B_FOR_EACH_PROCESSOR void WholeSteps::in_metres(std::span<const std::int16_t> values, float* metres) const {
     const double step = 1.0 / in_metre;
     for (std::size_t j = 0; j < values.size(); ++j) {
         const float z = metres_of(base + values[j], step);

@@ -26,7 +26,7 @@ class Seeds {
         : sets_(static_cast<std::uint32_t>(cells.elevations.size())), sums_(sets_.size()) {
         for (std::size_t i = 0; i < sums_.size(); ++i)
             if (!std::isnan(cells.elevations[i]))
-                sums_[i] = {1, cells.elevations[i]};
+                sums_[i] = {1, cells.elevations[i], cells.elevations[i]};
         CellNeighbours(cells, stop)
             .for_each([&](std::uint32_t cell, std::uint32_t left, std::uint32_t up, std::uint32_t) {
                 for (const std::uint32_t beside : {left, up})
@@ -45,8 +45,7 @@ class Seeds {
             return;
         const auto [low, high] = std::minmax(one, other);
         sets_.join_into(low, high);
-        sums_[low].points += sums_[high].points;
-        sums_[low].sum += sums_[high].sum;
+        sums_[low].add(sums_[high]);
     }
 
     DisjointSets sets_;

@@ -13,11 +13,7 @@ RegionGraph::RegionGraph(std::vector<Region> regions, double own_border)
       given_(regions_.size(), 0),
       cheapest_(regions_.size()),
       changed_(regions_.size(), 0),
-      place_(regions_.size(), none) {
-    means_.reserve(regions_.size());
-    for (const Region& region : regions_)
-        means_.push_back(region.sum / region.points);
-}
+      place_(regions_.size(), none) {}
 
 void RegionGraph::add_border(std::uint32_t a, std::uint32_t b, std::uint32_t length) {
     const auto add = [&](std::uint32_t from, std::uint32_t to) {
@@ -30,22 +26,6 @@ void RegionGraph::add_border(std::uint32_t a, std::uint32_t b, std::uint32_t len
     };
     add(a, b);
     add(b, a);
-}
-
-namespace {
-
-/// Squared error that merging two regions adds.
-double error_of_union(double points, double mean, double other_points, double other_mean) {
-    if (points == 0 || other_points == 0)
-        return 0;
-    const double step = mean - other_mean;
-    return points * other_points / (points + other_points) * step * step;
-}
-
-}  // namespace
-
-double RegionGraph::added_error(const Region& one, const Region& other) {
-    return error_of_union(one.points, one.sum / one.points, other.points, other.sum / other.points);
 }
 
 void RegionGraph::gather(std::uint32_t root_of) {
@@ -82,12 +62,9 @@ RegionGraph::Neighbour RegionGraph::cheapest(std::uint32_t root_of) {
         return cheapest_[root_of].neighbour;
     gather(root_of);
     Neighbour best;
-    const double points = regions_[root_of].points;
-    const double mean = means_[root_of];
+    const Region here = regions_[root_of];
     for (const Border& border : borders_[root_of]) {
-        const double cost =
-            error_of_union(points, mean, regions_[border.region].points, means_[border.region]) /
-            (border.length + own_border_);
+        const double cost = added_error(here, regions_[border.region]) / (border.length + own_border_);
         if (best.region == none || cost < best.cost || (cost == best.cost && border.region < best.region))
             best = {border.region, cost};
     }
@@ -100,12 +77,10 @@ std::uint32_t RegionGraph::merge(std::uint32_t a, std::uint32_t b) {
     if (given_[a] < given_[b])
         std::swap(a, b);
     sets_.join_into(a, b);
-    regions_[a].points += regions_[b].points;
-    regions_[a].sum += regions_[b].sum;
+    regions_[a].add(regions_[b]);
     borders_[a].insert(borders_[a].end(), borders_[b].begin(), borders_[b].end());
     given_[a] += given_[b];
     borders_[b] = {};
-    means_[a] = regions_[a].sum / regions_[a].points;
     changed_[a] = changed_[b] = ++merges_;
     return a;
 }

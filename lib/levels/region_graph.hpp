@@ -16,10 +16,22 @@ class RegionGraph {
 
     struct Region {
         double points = 0;
-        double sum = 0;  ///< of their elevations
+        double sum = 0;   ///< of their elevations
+        double mean = 0;  ///< of no meaning where there is no point
+
+        void add(const Region& other) {
+            points += other.points;
+            sum += other.sum;
+            mean = sum / points;
+        }
     };
     /// Squared error that merging two adds.
-    [[nodiscard]] static double added_error(const Region& one, const Region& other);
+    [[nodiscard]] static double added_error(const Region& one, const Region& other) {
+        if (one.points == 0 || other.points == 0)
+            return 0;
+        const double step = one.mean - other.mean;
+        return one.points * other.points / (one.points + other.points) * step * step;
+    }
 
     /// @param own_border of each region beside that which it has, in cells
     explicit RegionGraph(std::vector<Region> regions, double own_border = 0);
@@ -65,7 +77,6 @@ class RegionGraph {
     DisjointSets sets_;
     std::vector<Borders> borders_;
     std::vector<std::uint32_t> given_;  ///< borders as they were given: what says which of two lists moves
-    std::vector<double> means_;
     std::vector<Cheapest> cheapest_;
     std::vector<std::uint32_t> changed_;  ///< after how many merges it last grew, or went into another
     std::uint32_t merges_ = 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -88,6 +89,41 @@ TEST(Moments, DoNotDependOnOrderOrPortions) {
     EXPECT_EQ(forwards.standard_deviation(), merged.standard_deviation());
     EXPECT_EQ(forwards.sum.bins(), merged.sum.bins());
     EXPECT_EQ(forwards.squares.bins(), merged.squares.bins());
+}
+
+TEST(Moments, OfManyAreThoseOfEach) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    std::mt19937_64 random(8);
+    // Whole units and halves of them, what is too large for them or too small, and elevations of a file.
+    std::vector<double> values{0x1p-30,          -0x1p-30, 0x1p-31, 0x1p22, -0x1p22, 0x1p22 - 0x1p-30,
+                               0x1p22 - 0x1p-31, 1e300,    5e-324,  0,      -0.0,    unknown};
+    for (int i = 0; i < 200000; ++i) {
+        const auto step = static_cast<double>(random() % 2000001) - 1e6;
+        values.push_back(i % 7 == 0   ? unknown
+                         : i % 5 == 0 ? std::ldexp(step, static_cast<int>(random() % 80) - 60)
+                                      : static_cast<double>(static_cast<float>(step * 0.01)));
+    }
+    Moments each;
+    for (const double value : values)
+        if (!std::isnan(value))
+            each.add(value);
+    Moments all;
+    all.add_known(values);
+    all.add_known({});
+    EXPECT_EQ(all.n, each.n);
+    EXPECT_EQ(all.sum.value(), each.sum.value());
+    EXPECT_EQ(all.squares.value(), each.squares.value());
+    EXPECT_EQ(all.mean(), each.mean());
+    EXPECT_EQ(all.standard_deviation(), each.standard_deviation());
+    // Without the largest, beside which the others count for little.
+    Moments rest;
+    rest.add_known(std::span<const double>(values).subspan(12));
+    Moments each_of_rest;
+    for (const double value : std::span<const double>(values).subspan(12))
+        if (!std::isnan(value))
+            each_of_rest.add(value);
+    EXPECT_EQ(rest.mean(), each_of_rest.mean());
+    EXPECT_EQ(rest.standard_deviation(), each_of_rest.standard_deviation());
 }
 
 TEST(Moments, AgreeWithTwoPassesInLongDouble) {

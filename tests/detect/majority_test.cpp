@@ -76,7 +76,9 @@ TEST(Majority, LikeCountingWindowByWindow) {
         expect_like_reference(rows, cols, {0.5, 0.5}, random);
         expect_like_reference(rows, cols, {0.5, 2}, random);
         expect_like_reference(rows, cols, {5, 5}, random);
-        expect_like_reference(rows, cols, {20, 1.4}, random);  // 2.5 cells round up, 0.175 to one
+        expect_like_reference(rows, cols, {20, 1.4}, random);      // 2.5 cells round up, 0.175 to one
+        expect_like_reference(rows, cols, {0.4375, 0.5}, random);  // windows of 255 cells
+        expect_like_reference(rows, cols, {0.3, 0.3}, random);     // and of 625
     }
 }
 

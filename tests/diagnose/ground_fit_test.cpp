@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -41,6 +42,26 @@ TEST(GroundFit, AddsUp) {
     EXPECT_EQ(one.median(), both.median());
     EXPECT_EQ(one.bare_median(), both.bare_median());
     EXPECT_EQ(one.bare_share(), both.bare_share());
+}
+
+TEST(GroundFit, CountsManyCellsAsEachOne) {
+    // Heights of 0 to 9.99 m in steps of a centimetre, each tenth of them not known.
+    std::vector<float> surface;
+    for (int i = 0; i < 1000; ++i)
+        surface.push_back(i % 10 == 3 ? unknown : 0.01F * static_cast<float>(i));
+    const std::vector<float> ground(surface.size(), 0.0F);
+    GroundFit all(2);
+    all.add(surface, ground);
+    GroundFit each(2);
+    for (const float& z : surface)
+        each.add(std::span(&z, 1), std::span(ground).first(1));
+    EXPECT_EQ(all.cells(), 900);
+    EXPECT_DOUBLE_EQ(all.share_above(5), 450 / 900.0);
+    EXPECT_EQ(all.bare_share(), each.bare_share());
+    EXPECT_EQ(all.median(), each.median());
+    EXPECT_EQ(all.bare_median(), each.bare_median());
+    for (const double height : {-1.0, 0.0, 0.3, 2.0, 7.75, 9.9})
+        EXPECT_EQ(all.share_above(height), each.share_above(height)) << height;
 }
 
 TEST(GroundFit, BearsAnyHeight) {
