@@ -15,6 +15,16 @@ void BandCells::append(const Cells& cells) {
     entry = {d2b::append(*spool_, writer), cells.invalid.size()};
 }
 
+std::vector<std::size_t> BandCells::invalid(std::size_t band) const {
+    std::vector<std::size_t> cells;
+    if (band >= bands_.size() || bands_[band].invalid == 0)
+        return cells;
+    ByteReader reader(*spool_, bands_[band].place);
+    for (std::size_t i = 0; i < bands_[band].invalid; ++i)
+        cells.push_back(reader.take<std::size_t>());
+    return cells;
+}
+
 void BandCells::apply(std::size_t band, std::int32_t cols, const Window& part, ElevationBand& cells) const {
     if (band >= bands_.size() || bands_[band].place.size == 0)
         return;

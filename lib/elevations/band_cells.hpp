@@ -30,6 +30,9 @@ class BandCells {
     /// counted from the band's first @throws OutputError
     void apply(std::size_t band, std::int32_t cols, const Window& part, ElevationBand& cells) const;
 
+    /// Indices of what of a band is invalid. @throws OutputError
+    [[nodiscard]] std::vector<std::size_t> invalid(std::size_t band) const;
+
   private:
     struct Entry {
         SpoolEntry place;

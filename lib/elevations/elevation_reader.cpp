@@ -36,12 +36,12 @@ std::vector<BandShape> shapes_of(const Window& window, std::int32_t rows_a_band)
 }
 
 /// Adds some cells of a band to others. @param part rows and columns counted from the band's first
-template <typename Values>
-void append(const Values& band, std::int32_t cols, const Window& part, std::vector<double>& to) {
+template <typename T>
+void append(const T* band, std::int32_t cols, const Window& part, std::vector<double>& to) {
     const bool whole_rows = part.cols == cols;
     const std::int64_t length = whole_rows ? part.points() : part.cols;
     for (std::int32_t row = part.row; row < (whole_rows ? part.row + 1 : part.end_row()); ++row) {
-        const auto from = band.begin() + std::ptrdiff_t{row} * cols + part.col;
+        const T* const from = band + std::ptrdiff_t{row} * cols + part.col;
         to.insert(to.end(), from, from + length);
     }
 }
@@ -105,8 +105,6 @@ ElevationReader::ElevationReader(DemSource& source, Context& context, const Band
     ahead_ = static_cast<std::size_t>(
         std::clamp<std::int64_t>(points_ahead / (std::int64_t{rows} * std::max(window.cols, 1)), 3, 8));
     shapes_ = shapes_of(window, rows);
-    if (keep_)
-        kept_.resize(shapes_.size());
 }
 
 Window ElevationReader::whole(const BandShape& rows) const {
@@ -137,10 +135,10 @@ ElevationBand ElevationReader::get(const Window& part, std::vector<double>&& buf
         const std::int32_t first = std::max(part.row, kept.first_row);
         const std::int32_t end = std::min(part.end_row(), kept.first_row + kept.rows);
         const Window here{first - kept.first_row, part.col - window.col, end - first, part.cols};
-        if (complete_ && kept_[i].narrow.empty())
-            append(kept_[i].wide, kept.cols, here, band.elevations);
+        if (complete_ && wide_[i].empty())
+            append(floats_.row(kept.first_row - window.row).data(), kept.cols, here, band.elevations);
         else if (complete_)
-            append(kept_[i].narrow, kept.cols, here, band.elevations);
+            append(wide_[i].data(), kept.cols, here, band.elevations);
         if (decided_)
             decided_->apply(i, kept.cols, {part.row - kept.first_row, here.col, part.rows, part.cols}, band);
     }
@@ -203,6 +201,7 @@ ElevationSurvey ElevationReader::survey(const SiftRules& rules,
             done(band);
         });
     settle(seams.finish(), settled < shapes_.size() ? shapes_[settled].first_row : 0, counted, survey);
+    take_spikes_out();
     return survey;
 }
 
@@ -231,23 +230,49 @@ void ElevationReader::settle(const std::vector<Spike>& spikes, std::int32_t firs
     decided_->append(cells);
 }
 
-ElevationReader::Kept ElevationReader::keep(const ElevationBand& band) {
-    Kept kept;
-    kept.narrow.resize(band.elevations.size());
-    if (!narrowed(band.elevations, kept.narrow.data()))
-        kept = {{}, band.elevations};
-    return kept;
+void ElevationReader::begin_keeping() {
+    const Window& window = source_.info().window;
+    kept_bytes_ = 0;
+    wide_.assign(shapes_.size(), {});
+    floats_ = {};
+    floats_ = MetreGrid::unset(window.rows, window.cols, *context_.threads);  // no memory until it is written
 }
 
-void ElevationReader::put(std::size_t i, Kept&& kept) {
+std::vector<double> ElevationReader::keep(std::size_t i, const ElevationBand& band) {
+    const std::int32_t first = shapes_[i].first_row - source_.info().window.row;
+    for (std::int32_t row = 0; row < band.shape.rows; ++row)
+        if (!narrowed(band.row(row), floats_.row(first + row).data()))
+            return band.elevations;
+    return {};
+}
+
+void ElevationReader::put(std::size_t i, std::vector<double>&& wide) {
     if (!keep_)
         return;
-    kept_bytes_ += kept.bytes();
-    kept_[i] = std::move(kept);
+    kept_bytes_ += wide.empty() ? shapes_[i].size() * sizeof(float) : wide.size() * sizeof(double);
+    wide_[i] = std::move(wide);
     if (kept_bytes_ <= keep_bytes_)
         return;
-    keep_ = false;
-    kept_ = {};
+    keep_ = false;  // other threads may still write floats
+    wide_ = {};
+}
+
+/// Of the floats, which are lent as they are.
+void ElevationReader::take_spikes_out() {
+    for (std::size_t i = 0; complete_ && i < shapes_.size(); ++i) {
+        if (!wide_[i].empty())
+            continue;
+        float* const first = floats_.row(shapes_[i].first_row - source_.info().window.row).data();
+        for (const std::size_t cell : decided_->invalid(i))
+            first[cell] = std::numeric_limits<float>::quiet_NaN();
+    }
+}
+
+MetreGrid ElevationReader::lend(const Window& part) {
+    const auto narrow = [](const std::vector<double>& wide) { return wide.empty(); };
+    if (!complete_ || part != source_.info().window || !std::ranges::all_of(wide_, narrow))
+        return {};
+    return std::exchange(floats_, {});
 }
 
 void ElevationReader::for_each(const std::function<void(const ElevationBand&)>& use) {

@@ -70,15 +70,12 @@ class ElevationReader {
     /// count from the part's first.
     void for_part(const Window& part, const std::function<void(const ElevationBand&)>& use);
 
+    /// What is kept of a part of the window, where that is all of it and floats hold it; else nothing. Until
+    /// it is given back as it was, nothing may be asked for. @pre the survey is done
+    [[nodiscard]] MetreGrid lend(const Window& part);
+    void take_back(MetreGrid&& lent) { floats_ = std::move(lent); }
+
   private:
-    /// The elevations of a band: as they are, or where nothing is lost by it in half of the room.
-    struct Kept {
-        CellValues<float> narrow;
-        std::vector<double> wide;
-        [[nodiscard]] std::size_t bytes() const {
-            return narrow.size() * sizeof(float) + wide.size() * sizeof(double);
-        }
-    };
     /// Also where something is thrown.
     struct Merger {
         const std::vector<Tally>& tallies;
@@ -96,33 +93,36 @@ class ElevationReader {
                                                        std::declval<Tally&>()))>;
         struct Made {
             ElevationBand band;
-            std::optional<Kept> kept;
+            std::vector<double> wide;
             Prepared prepared;
         };
         std::vector<Tally> tallies(static_cast<std::size_t>(context_.threads->threads()));
         const Merger merger{tallies, context_.report};
         const bool keeping = keep_ && !complete_;
-        kept_bytes_ = complete_ ? kept_bytes_ : 0;
+        if (keeping)
+            begin_keeping();
         context_.threads->in_order(
             bands(),
             [&](std::size_t i, std::size_t thread) {
                 // `prepare` may refer to the band's values, which stay where they are when it is moved.
                 ElevationBand band = fetch(i, tallies[thread]);
                 Prepared prepared = prepare(i, band, tallies[thread]);
-                std::optional<Kept> kept;
+                std::vector<double> wide;
                 if (keeping)
-                    kept = keep(band);
-                return Made{std::move(band), std::move(kept), std::move(prepared)};
+                    wide = keep(i, band);
+                return Made{std::move(band), std::move(wide), std::move(prepared)};
             },
             [&](std::size_t i, Made made) {
                 use(made.band, std::move(made.prepared));
-                if (made.kept)
-                    put(i, std::move(*made.kept));
+                if (keeping)
+                    put(i, std::move(made.wide));
                 buffers_.give(std::move(made.band.elevations));
             },
             ahead_);
         buffers_.clear();
         complete_ = keep_;
+        if (!complete_)
+            floats_ = {};
     }
     /// What is in the source. @param buffer for the elevations @throws InputError
     [[nodiscard]] ElevationBand read(const Window& part, std::vector<double>&& buffer);
@@ -135,8 +135,11 @@ class ElevationReader {
     /// @param spikes of the next band, all of whose neighbours have been seen @param first_row of that band
     void settle(const std::vector<Spike>& spikes, std::int32_t first_row, const Window& counted,
                 ElevationSurvey& survey);
-    [[nodiscard]] static Kept keep(const ElevationBand& band);
-    void put(std::size_t i, Kept&& kept);
+    void begin_keeping();
+    /// Keeps a band as floats where nothing is lost by it. @return what is to be kept else
+    [[nodiscard]] std::vector<double> keep(std::size_t i, const ElevationBand& band);
+    void put(std::size_t i, std::vector<double>&& wide);
+    void take_spikes_out();
 
     DemSource& source_;
     Context& context_;
@@ -147,8 +150,9 @@ class ElevationReader {
     bool complete_ = false;  ///< all bands are kept
     std::size_t ahead_ = 1;  ///< bands a thread that are read ahead
     std::vector<BandShape> shapes_;
-    std::vector<Kept> kept_;
-    BandBuffers buffers_;  ///< of one pass
+    MetreGrid floats_;                       ///< of the window: kept bands, but for those that are wide
+    std::vector<std::vector<double>> wide_;  ///< by band: kept as they are; empty where floats hold them
+    BandBuffers buffers_;                    ///< of one pass
     SiftRules rules_;
     std::optional<BandCells> decided_;  ///< spikes of the bands
 };

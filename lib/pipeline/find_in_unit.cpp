@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <limits>
 #include <utility>
 
 #include "core/row_bands.hpp"
@@ -13,28 +12,19 @@
 #include "detect/side_grids.hpp"
 #include "ground/ground.hpp"
 #include "pipeline/scene_rasters.hpp"
+#include "pipeline/seen_surface.hpp"
 
 namespace d2b {
 namespace {
-
-constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
 Executor& threads_of(const UnitSearch& search) {
     return *search.context.threads;
 }
 
-MetreGrid surface_of(const UnitSearch& search, const Window& seen) {
-    MetreGrid surface = MetreGrid::unset(seen.rows, seen.cols, threads_of(search));
-    search.reader.for_part(seen, [&](const ElevationBand& band) {
-        std::ranges::transform(band.elevations, surface.row(band.shape.first_row - seen.row).data(),
-                               [&](double z) { return static_cast<float>(z * search.frame.metres); });
-    });
-    return surface;
-}
-
 /// The terrain as it is given or estimated. Where that finds a cell to be far below the ground, the surface
 /// is not known.
-MetreGrid terrain_of(const UnitSearch& search, const Window& seen, MetreGrid& surface) {
+MetreGrid terrain_of(const UnitSearch& search, const Window& seen, SeenSurface& seen_surface) {
+    const MetreGrid& surface = seen_surface.elevations();
     if (search.plan.ground == GroundMode::none)
         return MetreGrid(surface.rows, surface.cols, 0);
     if (search.plan.ground == GroundMode::given)
@@ -42,11 +32,8 @@ MetreGrid terrain_of(const UnitSearch& search, const Window& seen, MetreGrid& su
     const StageClock clock(search.context.report, Stage::ground);
     Terrain terrain = estimate_ground(surface, search.frame.cell, search.plan.asked.ground, search.context,
                                       {seen.row, seen.col});
-    for_cells(threads_of(search), surface, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            if ((terrain.flags.values[i] & low_outlier) != 0)
-                surface.values[i] = unknown;  // far below the ground: neither building nor ground
-    });
+    // What is far below the ground is neither building nor ground.
+    seen_surface.take_out(terrain.flags, low_outlier, threads_of(search));
     return std::move(terrain.elevation);
 }
 
@@ -109,8 +96,9 @@ FoundInUnit find_in_unit(const UnitSearch& search, const Unit& unit) {
     Executor& threads = threads_of(search);
     const Window own = own_in_seen(unit);
     FoundInUnit found{{}, {}, GroundFit(options.detect.min_height), {}, {false, false, false}, {}, {}};
-    MetreGrid surface = surface_of(search, unit.seen);
-    MetreGrid terrain = terrain_of(search, unit.seen, surface);
+    SeenSurface seen_surface(search.reader, unit.seen, frame.metres, threads);
+    const MetreGrid& surface = seen_surface.elevations();
+    MetreGrid terrain = terrain_of(search, unit.seen, seen_surface);
     add_fit(surface, terrain, own, found.fit, threads);
     add_slope(terrain, frame.cell, unit.seen.row - frame.window.row, own, found.slope, threads);
     found.sides.terrain = search.plan.ground != GroundMode::given || found.fit.cells() > 0;

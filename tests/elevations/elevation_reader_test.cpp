@@ -201,6 +201,43 @@ TEST(ElevationReader, GivesAnyPartOfTheWindow) {
         }
 }
 
+/// Whether what is lent of a window holds what bands do, where floats hold it.
+void expect_lent(ElevationReader& reader, const Window& window) {
+    const std::vector<double> expected = all_of(reader);
+    MetreGrid lent = reader.lend(window);
+    ASSERT_EQ(lent.rows, window.rows);
+    ASSERT_EQ(lent.cols, window.cols);
+    for (std::size_t i = 0; i < lent.size(); ++i)
+        ASSERT_TRUE(static_cast<double>(lent.values[i]) == expected[i] ||
+                    (std::isnan(lent.values[i]) && std::isnan(expected[i])))
+            << i;
+    reader.take_back(std::move(lent));
+    const std::vector<double> after = all_of(reader);
+    for (std::size_t i = 0; i < after.size(); ++i)
+        ASSERT_TRUE(after[i] == expected[i] || (std::isnan(after[i]) && std::isnan(expected[i]))) << i;
+}
+
+TEST(ElevationReader, LendsAllThatItKeepsAsFloats) {
+    const Window window{30, 4, 900, 25};
+    for (const double off : {0.0, 0.1})  // the second is no float
+        for (const std::size_t room : {std::size_t{1} << 30, std::size_t{0}}) {
+            std::vector<double> z = spiky(1000, 30, 64);
+            z[500 * 30 + 9] += off;
+            MemorySource source(1000, 30, z);
+            source.edit().window = window;
+            Context context;
+            context.threads = std::make_unique<Executor>(3);
+            ElevationReader reader(source, context, {.points = 1, .keep_bytes = room});
+            EXPECT_EQ(reader.lend(window).size(), 0U) << "nothing is kept yet";
+            (void)reader.survey({on_land, spikes_m, 1, {}}, [](const ElevationBand&) {});
+            EXPECT_EQ(reader.lend({30, 4, 899, 25}).size(), 0U);
+            if (off == 0 && room > 0)
+                expect_lent(reader, window);
+            else
+                EXPECT_EQ(reader.lend(window).size(), 0U);
+        }
+}
+
 TEST(ElevationReader, ReadsNoMoreThanThePart) {
     MemorySource source(40000, 30, std::vector<double>(1200000, 1));
     Context context;
