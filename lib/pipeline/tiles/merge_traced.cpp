@@ -38,15 +38,26 @@ class TileRow {
         std::vector<std::uint64_t> begins;  ///< of its blocks
     };
     [[nodiscard]] std::vector<TileLine> lines_of(const Tile& tile, std::size_t piece) const;
+    /// Adds those of a block.
+    void load(const Tile& tile, std::size_t block, std::vector<TileLine>& lines) const;
 
     const TraceFrame& frame_;
     RecentFiles files_;
     std::vector<Tile> tiles_;
     std::size_t pieces_ = 0;
+    std::size_t blocks_a_piece_;
 };
 
+/// Pieces are joined line by line, so they are as high as bands of a run, where the window is not too wide.
+std::size_t blocks_a_piece(const TraceFrame& frame) {
+    constexpr std::int64_t most_points = 1 << 21;
+    constexpr std::int64_t most_lines = 64;
+    const std::int64_t lines = std::min(most_points / frame.window.cols, most_lines);
+    return std::max<std::size_t>(static_cast<std::size_t>(lines) / TracedTile::lines_a_block, 1);
+}
+
 TileRow::TileRow(const TileRun& run, std::int64_t first, const TraceFrame& frame, RunReport& report)
-    : frame_(frame) {
+    : frame_(frame), blocks_a_piece_(blocks_a_piece(frame)) {
     for (std::int64_t tile = first; tile < first + run.tiles().cols(); ++tile) {
         SealedFile file(run.file(TileStep::draw, tile), run.seal(TileStep::draw, tile), &files_);
         TracedTile head = load_body(file, load_traced_tile);
@@ -56,15 +67,22 @@ TileRow::TileRow(const TileRun& run, std::int64_t first, const TraceFrame& frame
         report.merge(head.tally);
         if (!tiles_.empty() && head.lines != tiles_.front().head.lines)
             throw InputError(file.damaged("it has other lines than its neighbour"));
-        pieces_ = head.blocks.size();
+        pieces_ = (head.blocks.size() + blocks_a_piece_ - 1) / blocks_a_piece_;
         tiles_.push_back({std::move(file), std::move(head), std::move(begins)});
     }
 }
 
 std::vector<TileLine> TileRow::lines_of(const Tile& tile, std::size_t piece) const {
-    ByteReader reader = read_block(tile.file, tile.begins[piece], tile.head.blocks[piece]);
     std::vector<TileLine> lines;
-    const std::size_t first = piece * TracedTile::lines_a_block;
+    const std::size_t first = piece * blocks_a_piece_;
+    for (std::size_t i = first; i < std::min(first + blocks_a_piece_, tile.head.blocks.size()); ++i)
+        load(tile, i, lines);
+    return lines;
+}
+
+void TileRow::load(const Tile& tile, std::size_t block, std::vector<TileLine>& lines) const {
+    ByteReader reader = read_block(tile.file, tile.begins[block], tile.head.blocks[block]);
+    const std::size_t first = block * TracedTile::lines_a_block;
     const std::size_t count = std::min(TracedTile::lines_a_block, tile.head.lines - first);
     try {
         for (std::size_t i = 0; i < count; ++i)
@@ -72,7 +90,6 @@ std::vector<TileLine> TileRow::lines_of(const Tile& tile, std::size_t piece) con
     } catch (const BrokenRecord& broken) {
         throw InputError(tile.file.damaged(broken.what()));
     }
-    return lines;
 }
 
 std::vector<TraceLine> TileRow::lines(std::size_t piece) const {
