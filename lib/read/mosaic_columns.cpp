@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include <cpl_conv.h>
 #include <cpl_minixml.h>
 #include <cpl_vsi.h>
 

@@ -1,5 +1,6 @@
 #include "tiles/sealed_file.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -169,10 +170,11 @@ SealedFiles::~SealedFiles() {
 void SealedFiles::write(const std::filesystem::path& path, const Seal& seal, std::span<const std::byte> body,
                         std::span<const std::byte> tail) {
     write_file(path, seal, body, tail, false);
+    any_ = true;
 }
 
 void SealedFiles::finish() {
-    if (::syncfs(opened_) != 0)
+    if (any_ && ::syncfs(opened_) != 0)
         fail(folder_, errno);
 }
 

@@ -56,7 +56,8 @@ class SealedFiles {
 
   private:
     std::filesystem::path folder_;
-    int opened_;  ///< the folder, before anything could go wrong with what is in it
+    int opened_;        ///< the folder, before anything could go wrong with what is in it
+    bool any_ = false;  ///< has been written
 };
 
 /// Removes what write_sealed() has left in a folder where it was killed. A process that still writes a file

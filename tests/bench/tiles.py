@@ -3,7 +3,8 @@
 
     cmake -S . -B build -D D2B_BUILD_BENCHMARKS=ON && cmake --build build --parallel
     tests/bench/tiles.py build                     100 million points, in some ten minutes
-    tests/bench/tiles.py --million 1000 build      the figures of a country; some two hours, 20 GB of disk
+    tests/bench/tiles.py --million 1000 build      the figures of a country; half an hour with nothing else at work, 8 GB
+    tests/bench/tiles.py --cell 0.5 build          cells of half a metre
 
 Two processes with a thread each work on tiles, as the plain run has two threads. Each result is compared with that
 of the plain run, byte for byte. Core seconds are those of user and system together, of all processes: other work on
@@ -50,13 +51,13 @@ def run_all(commands):
     return Cost(sum(cost.core for cost in costs), time.monotonic() - begin, max(cost.memory for cost in costs))
 
 
-def make_mosaic(build, work, million):
+def make_mosaic(build, work, million, cell):
     folder = work / "mosaic"  # of a plan that nothing else is done for
     mosaic = folder / "source.vrt"
     if mosaic.exists():
         return mosaic
     city = work / "city.tif"
-    subprocess.run([build / "tests/bench/make_city", str(million), city], check=True)
+    subprocess.run([build / "tests/bench/make_city", "-cell", str(cell), str(million), city], check=True)
     size = json.loads(subprocess.run(["gdalinfo", "-json", city], check=True, capture_output=True).stdout)["size"]
     parts = []
     for row in range(SIDE):
@@ -114,15 +115,16 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=Path, help="build folder with dem2buildings, dem2buildings_tiles and make_city")
     parser.add_argument("--million", type=int, default=100, help="points; default: %(default)s")
+    parser.add_argument("--cell", type=float, default=1, help="m; default: %(default)s")
     parser.add_argument("--tile", default="1", help="units a side, with commas between; default: %(default)s")
     parser.add_argument("--preset", default="buildings", help="with commas between; default: %(default)s")
-    parser.add_argument("--work", type=Path, help="folder for all files; default: <build>/bench/tiles<million>")
+    parser.add_argument("--work", type=Path, help="folder for all files; default: <build>/bench/tiles<million>_<cell>")
     given = parser.parse_args()
     build = given.build.resolve()
-    work = (given.work or build / f"bench/tiles{given.million}").resolve()
+    work = (given.work or build / f"bench/tiles{given.million}_{given.cell:g}").resolve()
     work.mkdir(parents=True, exist_ok=True)
     os.environ["OGR_CURRENT_DATE"] = "2026-01-01T00:00:00.000Z"
-    mosaic = make_mosaic(build, work, given.million)
+    mosaic = make_mosaic(build, work, given.million, given.cell)
     for preset in given.preset.split(","):
         options = ["-preset", preset]
         whole = work / "whole.gpkg"
@@ -130,7 +132,7 @@ def main():
         plain = run([build / "tools/dem2buildings", "-q", "-threads", 2, *options, mosaic, whole])
         for side in given.tile.split(","):
             show(f"{preset}, -tile {side}", plain, *measure(build, work, options, side, mosaic, whole))
-        print(f"\n{given.million} million points: {bytes_in(work) / 1e6:.0f} MB in all, of which "
+        print(f"\n{given.million} million points of {given.cell:g} m: {bytes_in(work) / 1e6:.0f} MB in all, of which "
               f"{whole.stat().st_size / 1e6:.0f} MB are the result and "
               f"{sum(file.stat().st_size for file in work.glob('part_*.tif')) / 1e6:.0f} MB the source", flush=True)
 

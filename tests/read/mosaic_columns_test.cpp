@@ -42,8 +42,6 @@ TEST(MosaicColumns, AreNeitherNarrowNorMany) {
 /// Three rasters side by side and two below them, wide enough to be read apart.
 class ReadColumns : public ReadTest {
   protected:
-    static constexpr std::int32_t cols = 7000;
-    static constexpr std::int32_t rows = 24;
     static double value(std::int32_t row, std::int32_t col) { return row * 10000.0 + col; }
 
     void SetUp() override {
