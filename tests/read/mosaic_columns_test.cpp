@@ -91,6 +91,39 @@ TEST_F(ReadColumns, GiveEachThreadItsCells) {
     EXPECT_TRUE(warnings_.empty());
 }
 
+/// Each column has a handle of its own on what is in several.
+TEST_F(ReadColumns, MayHaveTheSameRaster) {
+    constexpr std::int32_t width = 2200;
+    constexpr std::int32_t height = 10;
+    std::string sources;
+    for (std::int32_t col = 0; col < 3 * width; col += width)
+        sources +=
+            "<SimpleSource><SourceFilename relativeToVRT=\"1\">part_0.tif</SourceFilename>"
+            "<SourceBand>1</SourceBand><SourceProperties RasterXSize=\"2200\" RasterYSize=\"10\" "
+            "DataType=\"Float64\" "
+            "BlockXSize=\"2200\" BlockYSize=\"1\"/><SrcRect xOff=\"0\" yOff=\"0\" xSize=\"2200\" "
+            "ySize=\"10\"/>"
+            "<DstRect xOff=\"" +
+            std::to_string(col) + "\" yOff=\"0\" xSize=\"2200\" ySize=\"10\"/></SimpleSource>";
+    write_text(path("same.vrt"),
+               "<VRTDataset rasterXSize=\"6600\" rasterYSize=\"10\"><SRS>EPSG:25832</SRS>"
+               "<GeoTransform>0,1,0,0,0,-1</GeoTransform><VRTRasterBand dataType=\"Float64\" band=\"1\">" +
+                   sources + "</VRTRasterBand></VRTDataset>");
+    const DatasetOwner mosaic(GDALOpen(path("same.vrt").c_str(), GA_ReadOnly));
+    ASSERT_NE(mosaic, nullptr);
+    EXPECT_EQ(ends_of_columns(mosaic.get(), 1), (Ends{width, 2 * width, 3 * width}));
+    const std::unique_ptr<DemSource> source = open("same.vrt");
+    std::atomic<int> wrong = 0;
+    Executor(4).for_each(300, [&](std::size_t k) {
+        const auto row = static_cast<std::int32_t>(k % height);
+        std::vector<double> elevations(static_cast<std::size_t>(3 * width));
+        source->read({row, 0, 1, 3 * width}, elevations);
+        for (std::int32_t col = 0; col < 3 * width; ++col)
+            wrong += elevations[static_cast<std::size_t>(col)] == value(row, col % width) ? 0 : 1;
+    });
+    EXPECT_EQ(wrong, 0);
+}
+
 TEST_F(ReadColumns, AreReadByOneWhereTheMosaicIsGone) {
     const std::unique_ptr<DemSource> source = open("all.vrt");
     ASSERT_EQ(VSIUnlink(path("all.vrt").c_str()), 0);
