@@ -34,14 +34,15 @@ void SweepLine::place_components(OpenBand& band, RunRow& row) {
         for (Run& run : runs) {
             const std::uint32_t root = components_.find(run.component);
             Component& c = components_[root];
-            if (c.place == no_index) {
-                c.place = static_cast<std::uint32_t>(band.components.size());
-                band.components.push_back(std::move(c));
-                Component& placed = band.components.back();
+            std::uint32_t place = c.place;
+            if (place == no_index) {
+                place = c.place = static_cast<std::uint32_t>(band.components.size());
+                // What is moved keeps its numbers.
+                Component& placed = band.components.emplace_back(std::move(c));
                 if (placed.level > 0)
                     placed.below = components_[components_.find(placed.below)].place;
             }
-            run.component = c.place;
+            run.component = place;
         }
 }
 
