@@ -49,7 +49,8 @@ TEST_F(TilesOverHttp, refusesASourceThatHasChanged) {
         "touch -d 2001-02-03 served/town.tif\n"
         "$tiles find work 0\n");
     EXPECT_EQ(result.status, 1);
-    EXPECT_NE(result.err.find("/town.tif' has changed since the plan was made"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("/town.tif' has changed since the plan was made"), std::string::npos)
+        << result.err;
     EXPECT_FALSE(std::filesystem::exists(path("work/find/0")));
 }
 
