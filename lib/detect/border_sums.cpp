@@ -11,15 +11,22 @@ constexpr std::int32_t ring_cells = 2;  // cells
 }  // namespace
 
 void BorderSums::add(const Scene& scene, const Mask& objects, std::int32_t r, std::int32_t c) {
-    for (std::int32_t y = std::max(r - ring_cells, 0); y <= std::min(r + ring_cells, objects.rows - 1); ++y)
-        for (std::int32_t x = std::max(c - ring_cells, 0); x <= std::min(c + ring_cells, objects.cols - 1);
-             ++x) {
-            const std::size_t i = objects.index(y, x);
-            if (objects.values[i] != 0 || std::isnan(scene.surface.values[i]))
-                continue;
-            heights_ += static_cast<double>(std::max(0.0F, scene.height(i)));
-            cells_ += 1;
-        }
+    double heights = heights_;
+    double cells = cells_;
+    const std::int32_t left = std::max(c - ring_cells, 0);
+    const std::int32_t right = std::min(c + ring_cells, objects.cols - 1);
+    for (std::int32_t y = std::max(r - ring_cells, 0); y <= std::min(r + ring_cells, objects.rows - 1); ++y) {
+        const std::uint8_t* const object = objects.row(y).data();
+        const float* const z = scene.surface.row(y).data();
+        const float* const ground = scene.terrain.row(y).data();
+        for (std::int32_t x = left; x <= right; ++x)
+            if (object[x] == 0 && !std::isnan(z[x])) {
+                heights += static_cast<double>(std::max(0.0F, z[x] - ground[x]));
+                cells += 1;
+            }
+    }
+    heights_ = heights;
+    cells_ = cells;
     if (r > 0 && c > 0 && r + 1 < objects.rows && c + 1 < objects.cols)
         add_gradient(scene.surface, r, c);
 }

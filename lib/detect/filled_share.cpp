@@ -45,9 +45,10 @@ struct RoughCells {
 }  // namespace
 
 void add_difference(float difference, HeightDifferences& differences) {
+    constexpr double half = 0.5;  // of a bin: what is not negative is rounded without a call
     if (!std::isnan(difference))
         differences.add(difference < bin_m * (bins - 1)
-                            ? static_cast<std::size_t>(std::lround(difference / bin_m))
+                            ? static_cast<std::size_t>(static_cast<double>(difference / bin_m) + half)
                             : bins);
 }
 

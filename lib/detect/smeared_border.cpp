@@ -39,14 +39,19 @@ Mask inside_of(const Mask& cells, Executor& threads) {
 bool is_smeared(const Scene& scene, const Mask& inside, std::int32_t row, std::int32_t col) {
     double sum = 0;
     int count = 0;
+    const std::int32_t left = std::max(col - cells_beside, 0);
+    const std::int32_t right = std::min(col + cells_beside, inside.cols - 1);
     for (std::int32_t r = std::max(row - cells_beside, 0); r <= std::min(row + cells_beside, inside.rows - 1);
-         ++r)
-        for (std::int32_t c = std::max(col - cells_beside, 0);
-             c <= std::min(col + cells_beside, inside.cols - 1); ++c)
-            if (const std::size_t i = inside.index(r, c); inside.values[i] != 0) {
-                sum += static_cast<double>(scene.height(i));
+         ++r) {
+        const std::uint8_t* const within = inside.row(r).data();
+        const float* const z = scene.surface.row(r).data();
+        const float* const ground = scene.terrain.row(r).data();
+        for (std::int32_t c = left; c <= right; ++c)
+            if (within[c] != 0) {
+                sum += static_cast<double>(z[c] - ground[c]);
                 ++count;
             }
+    }
     return static_cast<double>(scene.height(inside.index(row, col))) * count < half * sum;
 }
 
