@@ -1,5 +1,6 @@
 #include "detect/detection.hpp"
 
+#include <optional>
 #include <utility>
 
 #include "detect/cut_by_parcels.hpp"
@@ -7,17 +8,22 @@
 #include "detect/neighbour_prior.hpp"
 #include "detect/place_prior.hpp"
 #include "detect/roof_strictness.hpp"
+#include "detect/second_look.hpp"
 #include "detect/split.hpp"
 
 namespace d2b {
 namespace {
 
-/// Confidences for as many buildings as there are in the place, and around each object.
-void correct_for_surroundings(const Scene& scene, const SurfaceQuality& quality, JudgedObjects& judged,
-                              Executor& threads) {
-    const SupposedShare supposed = correct_for_place(quality.filled, judged.objects);
-    if (supposed.as_elsewhere)
-        correct_for_neighbours(judged.regions, scene.cell, supposed, judged.objects, threads);
+/// Confidences for as many buildings as there are in the place, and around each object. What a second look
+/// finds is mostly trees, also where all houses are found at once: it is no witness.
+void correct_for_surroundings(const Scene& scene, double filled, JudgedObjects& judged,
+                              std::optional<JudgedObjects>& second, Executor& threads) {
+    const SupposedShare supposed = correct_for_place(filled, judged.objects);
+    if (!supposed.as_elsewhere)
+        return;
+    if (second)
+        correct_for_witnesses(judged, scene.cell, supposed, *second, threads);
+    correct_for_neighbours(judged.regions, scene.cell, supposed, judged.objects, threads);
 }
 
 JudgedObjects judged_as_the_data_say(const Scene& scene, const DetectOptions& options, double smallest_m2,
@@ -31,8 +37,11 @@ JudgedObjects judged_as_the_data_say(const Scene& scene, const DetectOptions& op
                                : judged_objects(scene, cells, smallest_m2, quality, threads);
     judged.left_out.low =
         low_roofs(scene, cells.flags, options.min_height, cells_for(smallest_m2, scene.cell), threads);
-    correct_for_surroundings(scene, quality, judged, threads);
-    return judged;
+    std::optional<JudgedObjects> second;
+    if (deserves_second_look(quality.filled))
+        second = second_look(scene, cells, smallest_m2, quality, judged.regions, threads);
+    correct_for_surroundings(scene, quality.filled, judged, second, threads);
+    return second ? united(std::move(judged), *second, threads) : judged;
 }
 
 /// Buildings first, then what is doubtful, each in scan order.

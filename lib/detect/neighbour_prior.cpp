@@ -4,19 +4,22 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
+#include <utility>
 
 namespace d2b {
 namespace {
 
 // Reaches up to 300 m are as good in the places of docs/accuracy.md; a unit sees as far as that around it.
 constexpr double reach_m = 150;
+constexpr std::size_t no_witness = std::numeric_limits<std::size_t>::max();
 
 struct Candidate {
     double down = 0;  // metres
     double across = 0;
     double confidence = 0;
-    std::size_t object = 0;
+    std::size_t object = 0;  ///< its index among the witnesses; no_witness where it is none
 };
 
 /// Sums of rows and columns are whole numbers: exact, in any order.
@@ -101,19 +104,33 @@ double odds(double probability) {
     return probability / std::max(1 - probability, least_doubt);
 }
 
+void correct(const Strips& witnesses, const Candidate& candidate, const SupposedShare& supposed,
+             DetectedObject& object) {
+    const double share = witnesses.share_around(candidate, (supposed.least + supposed.most) / 2);
+    const double change = odds(share) / odds(std::clamp(share, supposed.least, supposed.most));
+    const double now = odds(candidate.confidence) * change;
+    object.confidence = now / (1 + now);
+}
+
 }  // namespace
 
 void correct_for_neighbours(const Regions& regions, const CellSize& cell, const SupposedShare& supposed,
                             std::vector<DetectedObject>& objects, Executor& threads) {
     const Strips strips(candidates_of(regions, cell, objects, threads), regions.rows * cell.down);
-    const double usual = (supposed.least + supposed.most) / 2;
     threads.for_each(strips.all().size(), [&](std::size_t i) {
-        for (const Candidate& candidate : strips.all()[i]) {
-            const double share = strips.share_around(candidate, usual);
-            const double change = odds(share) / odds(std::clamp(share, supposed.least, supposed.most));
-            const double now = odds(candidate.confidence) * change;
-            objects[candidate.object].confidence = now / (1 + now);
-        }
+        for (const Candidate& candidate : strips.all()[i])
+            correct(strips, candidate, supposed, objects[candidate.object]);
+    });
+}
+
+void correct_for_witnesses(const JudgedObjects& witnesses, const CellSize& cell,
+                           const SupposedShare& supposed, JudgedObjects& judged, Executor& threads) {
+    const Regions& around = witnesses.regions;
+    const Strips strips(candidates_of(around, cell, witnesses.objects, threads), around.rows * cell.down);
+    std::vector<Candidate> candidates = candidates_of(judged.regions, cell, judged.objects, threads);
+    threads.for_each(candidates.size(), [&](std::size_t i) {
+        DetectedObject& object = judged.objects[std::exchange(candidates[i].object, no_witness)];
+        correct(strips, candidates[i], supposed, object);
     });
 }
 

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "detect/judged_objects.hpp"
 #include "detect/place_prior.hpp"
 #include "detect/regions.hpp"
 
@@ -17,5 +18,11 @@ namespace d2b {
 /// The sums of a candidate are made in the order of rows of 150 m, so they do not depend on threads.
 void correct_for_neighbours(const Regions& regions, const CellSize& cell, const SupposedShare& supposed,
                             std::vector<DetectedObject>& objects, Executor& threads);
+
+/// The same for objects that are no neighbours of each other, nor of the witnesses around them.
+/// @param witnesses other objects of the same scene, with what is thought of them before their own
+/// surroundings are looked at
+void correct_for_witnesses(const JudgedObjects& witnesses, const CellSize& cell,
+                           const SupposedShare& supposed, JudgedObjects& judged, Executor& threads);
 
 }  // namespace d2b

@@ -76,7 +76,7 @@ D2B_FOR_EACH_PROCESSOR void flag_row(const MetreGrid& surface, std::int32_t r, c
 }  // namespace
 
 SmoothLimits smooth_limits(double side, const SurfaceQuality& quality) {
-    const double room = noise_room(quality.noise) + sampling_room(quality.filled, side);
+    const double room = noise_room(quality.noise) + quality.allowance * sampling_room(quality.filled, side);
     // Metres, and metres a metre of cell. Found on cities of 0.5 to 5 m cells, see docs/accuracy.md.
     const auto limit = [&](double metres, double of_side) {
         return static_cast<float>(quality.strictness * (metres + of_side * side) + room);

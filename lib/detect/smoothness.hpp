@@ -21,6 +21,7 @@ struct SurfaceQuality {
     double noise = 0;       ///< standard deviation of the surface's noise, metres
     double filled = 0;      ///< share of the cells that no pulse met, see filled_share()
     double strictness = 1;  ///< factor on the limits of clean data, see roof_strictness()
+    double allowance = 1;   ///< factor on what is added to them for thin points
 };
 
 /// Second differences below these are smooth, metres.

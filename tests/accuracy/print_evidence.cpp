@@ -48,7 +48,7 @@ Surface read_surface(const char* path) {
     return surface;
 }
 
-/// The objects as a run with the defaults finds them, see detect_buildings().
+/// The objects as the first look of a run with the defaults finds them, see detect_buildings().
 JudgedObjects objects_of(const Scene& scene, SceneCells& cells, const Options& options,
                          SurfaceQuality quality, Executor& threads) {
     constexpr double smallest_m2 = 30;

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "detect_case.hpp"
 #include "support/test_threads.hpp"
 
 namespace d2b {
@@ -79,6 +80,34 @@ TEST(CorrectForNeighbours, WhatIsCertainStaysAndIsNoNeighbour) {
 
 TEST(CorrectForNeighbours, WhereNothingStands) {
     EXPECT_TRUE(Place(3, 3).corrected(half).empty());
+}
+
+TEST(CorrectForWitnesses, BayesRuleWithTheShareOfOthersAlone) {
+    JudgedObjects witnesses;
+    witnesses.regions = connected_regions(test::drawn({"#...#"}), 1, 0, test::threads());
+    witnesses.objects = {{0.9, Doubt::rough, 1}, {1, Doubt::rough, 1}};  // what is certain is no witness
+    JudgedObjects judged;
+    judged.regions = connected_regions(test::drawn({"..#.#"}), 1, 0, test::threads());
+    judged.objects = {{0.6, Doubt::rough, 1}, {0, Doubt::rough, 1}};
+    const CellSize cell{37.5, 37.5};
+    correct_for_witnesses(witnesses, cell, half, judged, test::threads());
+    const double weight = 0.75 * 0.75;  // half of the reach away
+    const double share = (0.5 + weight * 0.9) / (1 + weight);
+    const double odds = 0.6 / 0.4 * share / (1 - share);
+    EXPECT_NEAR(judged.objects[0].confidence, odds / (1 + odds), 1e-12);
+    EXPECT_EQ(judged.objects[1].confidence, 0);
+    EXPECT_EQ(witnesses.objects[0].confidence, 0.9);
+}
+
+TEST(CorrectForWitnesses, WhereThereIsNone) {
+    JudgedObjects witnesses;
+    witnesses.regions = connected_regions(test::drawn({"..."}), 1, 0, test::threads());
+    JudgedObjects judged;
+    judged.regions = connected_regions(test::drawn({"#.#"}), 1, 0, test::threads());
+    judged.objects = {{0.6, Doubt::rough, 1}, {0.8, Doubt::rough, 1}};
+    correct_for_witnesses(witnesses, {1, 1}, half, judged, test::threads());
+    EXPECT_NEAR(judged.objects[0].confidence, 0.6, 1e-12);
+    EXPECT_NEAR(judged.objects[1].confidence, 0.8, 1e-12);
 }
 
 TEST(CorrectForNeighbours, TheSameOnAnyNumberOfThreads) {

@@ -94,6 +94,8 @@ TEST(Smoothness, ThresholdsGrowWhereCellsWereFilled) {
     EXPECT_NEAR(limits(2, 0.27).any, 0.43, 1e-6);
     EXPECT_NEAR(limits(2, 0.27).enough, 0.54, 1e-6);
     EXPECT_EQ(limits(2, 0.02).line, limits(2, 0).line) << "some are filled in any survey";
+    EXPECT_NEAR(smooth_limits(2, {.filled = 0.27, .strictness = 0.5, .allowance = 3}).line, 0.09 + 3 * 0.17,
+                1e-6);
     // At 0.5 m: 0.09 m and 0.17 x 0.5 m x 0.5.
     EXPECT_NEAR(limits(0.5, 0.27).line, 0.1325, 1e-6);
 }

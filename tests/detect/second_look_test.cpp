@@ -1,0 +1,160 @@
+#include "detect/second_look.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "detect_case.hpp"
+#include "support/test_threads.hpp"
+
+namespace d2b {
+namespace {
+
+using test::drawing;
+using test::drawn;
+using test::threads;
+using test::Town;
+
+constexpr double smallest_m2 = 30;
+constexpr test::Block smooth_house{4, 4, 10, 10};
+constexpr test::Block rough_house{15, 20, 21, 26};
+
+/// Odd rows and odd columns are 0.3 m higher each, so that all bend by 0.6 m, and every other cell of the
+/// diagonals by more. Of points as thin as Looked has them that is too much for a first look (0.51 m) and
+/// little enough for a second (0.82 m).
+void build_rough(Town& town, const test::Block& block) {
+    town.build([&](std::int32_t r, std::int32_t c) {
+        const bool in = r >= block.top && r < block.bottom && c >= block.left && c < block.right;
+        return in ? 106 + 0.3F * static_cast<float>(r % 2 + c % 2) : test::unknown;
+    });
+}
+
+void build_smooth(Town& town, const test::Block& block) {
+    town.block(block.top, block.left, block.bottom, block.right, 106);
+}
+
+Town two_houses() {
+    Town town(30, 40, {2.5, 2.5});
+    build_smooth(town, smooth_house);
+    build_rough(town, rough_house);
+    return town;
+}
+
+/// What two looks find where a quarter of the cells was filled.
+struct Looked {
+    explicit Looked(const Town& town, Executor& by = threads()) {
+        const Scene scene = town.scene();
+        SceneCells cells = scene_cells(scene, {}, by);
+        quality.filled = 0.25;
+        first = judged_objects(scene, cells, smallest_m2, quality, by);
+        second = second_look(scene, cells, smallest_m2, quality, first.regions, by);
+    }
+
+    SurfaceQuality quality;
+    JudgedObjects first;
+    JudgedObjects second;
+};
+
+TEST(SecondLook, FindsWhatWasTooRoughAndNothingTwice) {
+    const Looked looked(two_houses());
+    ASSERT_EQ(looked.first.objects.size(), 1U);
+    EXPECT_EQ(mask_of(looked.first.regions, threads()).at(7, 7), 1);
+    ASSERT_EQ(looked.second.objects.size(), 1U);
+    const Mask second = mask_of(looked.second.regions, threads());
+    EXPECT_EQ(second.at(18, 23), 1);
+    EXPECT_EQ(second.at(7, 7), 0);
+    EXPECT_GE(looked.second.objects[0].cells, 32) << "36 but for the corners";
+}
+
+TEST(SecondLook, HasLessConfidence) {
+    const Looked looked(two_houses());
+    ASSERT_EQ(looked.second.objects.size(), 1U);
+    const double plain = judge(looked.second.evidence[0], looked.quality.filled).confidence;
+    const double now = looked.second.objects[0].confidence;
+    EXPECT_NEAR(std::log(plain / (1 - plain)) - std::log(now / (1 - now)), 0.8, 1e-9);
+}
+
+TEST(SecondLook, WhatItFindsDoesNotTouchWhatWasFound) {
+    std::mt19937 random(3);
+    Town town(120, 120, {2.5, 2.5});
+    for (std::int32_t r = 4; r < 110; r += 12)
+        for (std::int32_t c = 4; c < 110; c += 12) {
+            const auto side = static_cast<std::int32_t>(4 + random() % 4);
+            const auto wing = static_cast<std::int32_t>(3 + random() % 5);
+            build_smooth(town, {r, c, r + side, c + side});
+            build_rough(town, {r, c + side, r + side, c + side + wing});
+        }
+    const Looked looked(town);
+    EXPECT_GT(looked.second.objects.size(), 10U);
+    const Mask first = mask_of(looked.first.regions, threads());
+    const Mask second = mask_of(looked.second.regions, threads());
+    for (std::int32_t r = 1; r < 119; ++r)
+        for (std::int32_t c = 1; c < 119; ++c)
+            for (const std::int32_t down : {-1, 0, 1})
+                for (const std::int32_t right : {-1, 0, 1})
+                    ASSERT_FALSE(second.at(r, c) == 1 && first.at(r + down, c + right) == 1)
+                        << r << ", " << c;
+    const JudgedObjects both = united(looked.first, looked.second, threads());
+    EXPECT_EQ(both.objects.size(), looked.first.objects.size() + looked.second.objects.size());
+}
+
+TEST(SecondLook, IsTheSameOnAnyNumberOfThreads) {
+    const Town town = two_houses();
+    Executor one(1);
+    Executor several(5);
+    const Looked alone(town, one);
+    const Looked shared(town, several);
+    EXPECT_EQ(drawing(mask_of(alone.second.regions, one)), drawing(mask_of(shared.second.regions, several)));
+    ASSERT_EQ(alone.second.objects.size(), shared.second.objects.size());
+    EXPECT_EQ(alone.second.objects[0].confidence, shared.second.objects[0].confidence);
+}
+
+TEST(SecondLook, IsForThinPointsAlone) {
+    EXPECT_FALSE(deserves_second_look(0));
+    EXPECT_FALSE(deserves_second_look(0.1));
+    EXPECT_TRUE(deserves_second_look(0.11));
+}
+
+/// Objects of a drawing with confidences, in scan order.
+JudgedObjects judged(const std::vector<std::string>& rows, const std::vector<double>& confidences) {
+    JudgedObjects result;
+    result.regions = connected_regions(drawn(rows), 1, 0, threads());
+    for (const double confidence : confidences) {
+        Evidence evidence;
+        evidence.smooth = confidence;
+        result.evidence.push_back(evidence);
+        result.objects.push_back({confidence, Doubt::rough, result.regions.cells[result.objects.size() + 1]});
+    }
+    return result;
+}
+
+TEST(United, IsInScanOrder) {
+    JudgedObjects one = judged({".##...", ".##...", "......", "..####"}, {0.9, 0.7});
+    one.left_out.small = {{2, 2}};
+    one.left_out.crowns = {{{1, 5}, 3}};
+    JudgedObjects other = judged({"....#.", "....#.", "#.....", "#....."}, {0.4, 0.6});
+    other.left_out.crowns = {{{0, 0}, 2}};
+    const JudgedObjects both = united(one, other, threads());
+    EXPECT_EQ(drawing(mask_of(both.regions, threads())),
+              (std::vector<std::string>{".##.#.", ".##.#.", "#.....", "#.####"}));
+    ASSERT_EQ(both.objects.size(), 4U);
+    const std::vector<double> confidences{0.9, 0.4, 0.6, 0.7};
+    const std::vector<std::int64_t> cells{4, 2, 2, 4};
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(both.objects[i].confidence, confidences[i]);
+        EXPECT_EQ(both.evidence[i].smooth, confidences[i]);
+        EXPECT_EQ(both.objects[i].cells, cells[i]);
+        EXPECT_EQ(both.regions.cells[i + 1], cells[i]);
+    }
+    EXPECT_EQ(both.left_out.small, one.left_out.small);
+    ASSERT_EQ(both.left_out.crowns.size(), 2U);
+    EXPECT_EQ(both.left_out.crowns[0].cells, 3);
+    EXPECT_EQ(both.left_out.crowns[1].cells, 2);
+}
+
+}  // namespace
+}  // namespace d2b
