@@ -35,17 +35,6 @@ std::vector<BandShape> shapes_of(const Window& window, std::int32_t rows_a_band)
     return shapes;
 }
 
-/// Adds some cells of a band to others. @param part rows and columns counted from the band's first
-template <typename T>
-void append(const T* band, std::int32_t cols, const Window& part, std::vector<double>& to) {
-    const bool whole_rows = part.cols == cols;
-    const std::int64_t length = whole_rows ? part.points() : part.cols;
-    for (std::int32_t row = part.row; row < (whole_rows ? part.row + 1 : part.end_row()); ++row) {
-        const T* const from = band + std::ptrdiff_t{row} * cols + part.col;
-        to.insert(to.end(), from, from + length);
-    }
-}
-
 /// The cells of a band of whole rows that lie in a window, as rows and columns of the band.
 /// @param first_col of the band
 Window within(const BandShape& band, std::int32_t first_col, const Window& window) {
@@ -54,19 +43,6 @@ Window within(const BandShape& band, std::int32_t first_col, const Window& windo
     if (rows <= 0 || window.cols <= 0)
         return {};
     return {first - band.first_row, window.col - first_col, rows, window.cols};
-}
-
-/// Nothing branches: several cells are done at once. @return whether nothing is lost
-bool narrowed(std::span<const double> values, float* narrow) {
-    int lost = 0;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const double z = values[i];
-        narrow[i] = static_cast<float>(z);
-        const bool same = static_cast<double>(narrow[i]) == z;
-        const bool known = z == z;
-        lost |= (same ? 0 : 1) & (known ? 1 : 0);
-    }
-    return lost == 0;
 }
 
 /// Spikes wait outside of their band until the rows beyond it have been seen.
@@ -97,11 +73,12 @@ class Withheld {
 }  // namespace
 
 ElevationReader::ElevationReader(DemSource& source, Context& context, const BandSize& size)
-    : source_(source), context_(context), points_a_band_(size.points), keep_bytes_(size.keep_bytes) {
+    : source_(source),
+      context_(context),
+      points_a_band_(size.points),
+      kept_(source.info().window, size.keep_bytes) {
     const Window& window = source.info().window;
-    const std::size_t points = static_cast<std::size_t>(window.rows) * static_cast<std::size_t>(window.cols);
     const std::int32_t rows = band_rows(source.info().block_rows, std::max(window.cols, 1), size.points);
-    keep_ = points <= keep_bytes_ / sizeof(float);
     ahead_ = static_cast<std::size_t>(
         std::clamp<std::int64_t>(points_ahead / (std::int64_t{rows} * std::max(window.cols, 1)), 3, 8));
     shapes_ = shapes_of(window, rows);
@@ -121,7 +98,7 @@ ElevationBand ElevationReader::get(const Window& part, std::vector<double>&& buf
     const StageClock clock(tally, Stage::read);
     const Window& window = source_.info().window;
     ElevationBand band{{part.row, part.rows, part.cols}, {}};
-    if (complete_) {
+    if (kept_.complete()) {
         band.elevations = std::move(buffer);
         band.elevations.clear();
         band.elevations.reserve(band.shape.size());
@@ -135,10 +112,8 @@ ElevationBand ElevationReader::get(const Window& part, std::vector<double>&& buf
         const std::int32_t first = std::max(part.row, kept.first_row);
         const std::int32_t end = std::min(part.end_row(), kept.first_row + kept.rows);
         const Window here{first - kept.first_row, part.col - window.col, end - first, part.cols};
-        if (complete_ && wide_[i].empty())
-            append(floats_.row(kept.first_row - window.row).data(), kept.cols, here, band.elevations);
-        else if (complete_)
-            append(wide_[i].data(), kept.cols, here, band.elevations);
+        if (kept_.complete())
+            kept_.append(i, kept, here, band.elevations);
         if (decided_)
             decided_->apply(i, kept.cols, {part.row - kept.first_row, here.col, part.rows, part.cols}, band);
     }
@@ -230,49 +205,14 @@ void ElevationReader::settle(const std::vector<Spike>& spikes, std::int32_t firs
     decided_->append(cells);
 }
 
-void ElevationReader::begin_keeping() {
-    const Window& window = source_.info().window;
-    kept_bytes_ = 0;
-    wide_.assign(shapes_.size(), {});
-    floats_ = {};
-    floats_ = MetreGrid::unset(window.rows, window.cols, *context_.threads);  // no memory until it is written
-}
-
-std::vector<double> ElevationReader::keep(std::size_t i, const ElevationBand& band) {
-    const std::int32_t first = shapes_[i].first_row - source_.info().window.row;
-    for (std::int32_t row = 0; row < band.shape.rows; ++row)
-        if (!narrowed(band.row(row), floats_.row(first + row).data()))
-            return band.elevations;
-    return {};
-}
-
-void ElevationReader::put(std::size_t i, std::vector<double>&& wide) {
-    if (!keep_)
-        return;
-    kept_bytes_ += wide.empty() ? shapes_[i].size() * sizeof(float) : wide.size() * sizeof(double);
-    wide_[i] = std::move(wide);
-    if (kept_bytes_ <= keep_bytes_)
-        return;
-    keep_ = false;  // other threads may still write floats
-    wide_ = {};
-}
-
-/// Of the floats, which are lent as they are.
+/// Of what is lent as it is.
 void ElevationReader::take_spikes_out() {
-    for (std::size_t i = 0; complete_ && i < shapes_.size(); ++i) {
-        if (!wide_[i].empty())
-            continue;
-        float* const first = floats_.row(shapes_[i].first_row - source_.info().window.row).data();
-        for (const std::size_t cell : decided_->invalid(i))
-            first[cell] = std::numeric_limits<float>::quiet_NaN();
-    }
+    for (std::size_t i = 0; kept_.complete() && i < shapes_.size(); ++i)
+        kept_.take_out(i, shapes_[i], decided_->invalid(i));
 }
 
 MetreGrid ElevationReader::lend(const Window& part) {
-    const auto narrow = [](const std::vector<double>& wide) { return wide.empty(); };
-    if (!complete_ || part != source_.info().window || !std::ranges::all_of(wide_, narrow))
-        return {};
-    return std::exchange(floats_, {});
+    return part == source_.info().window ? kept_.lend() : MetreGrid{};
 }
 
 void ElevationReader::for_each(const std::function<void(const ElevationBand&)>& use) {

@@ -14,6 +14,7 @@
 #include "dem2buildings/dem_source.hpp"
 #include "elevations/band_buffers.hpp"
 #include "elevations/band_cells.hpp"
+#include "elevations/kept_elevations.hpp"
 #include "elevations/sift.hpp"
 #include "elevations/statistics.hpp"
 
@@ -73,7 +74,7 @@ class ElevationReader {
     /// What is kept of a part of the window, where that is all of it and floats hold it; else nothing. Until
     /// it is given back as it was, nothing may be asked for. @pre the survey is done
     [[nodiscard]] MetreGrid lend(const Window& part);
-    void take_back(MetreGrid&& lent) { floats_ = std::move(lent); }
+    void take_back(MetreGrid&& lent) { kept_.take_back(std::move(lent)); }
 
   private:
     /// Also where something is thrown.
@@ -98,9 +99,9 @@ class ElevationReader {
         };
         std::vector<Tally> tallies(static_cast<std::size_t>(context_.threads->threads()));
         const Merger merger{tallies, context_.report};
-        const bool keeping = keep_ && !complete_;
+        const bool keeping = kept_.wanted();
         if (keeping)
-            begin_keeping();
+            kept_.begin(bands(), *context_.threads);
         context_.threads->in_order(
             bands(),
             [&](std::size_t i, std::size_t thread) {
@@ -109,20 +110,18 @@ class ElevationReader {
                 Prepared prepared = prepare(i, band, tallies[thread]);
                 std::vector<double> wide;
                 if (keeping)
-                    wide = keep(i, band);
+                    wide = kept_.keep(band);
                 return Made{std::move(band), std::move(wide), std::move(prepared)};
             },
             [&](std::size_t i, Made made) {
                 use(made.band, std::move(made.prepared));
                 if (keeping)
-                    put(i, std::move(made.wide));
+                    kept_.put(i, made.band.shape, std::move(made.wide));
                 buffers_.give(std::move(made.band.elevations));
             },
             ahead_);
         buffers_.clear();
-        complete_ = keep_;
-        if (!complete_)
-            floats_ = {};
+        kept_.end();
     }
     /// What is in the source. @param buffer for the elevations @throws InputError
     [[nodiscard]] ElevationBand read(const Window& part, std::vector<double>&& buffer);
@@ -135,24 +134,15 @@ class ElevationReader {
     /// @param spikes of the next band, all of whose neighbours have been seen @param first_row of that band
     void settle(const std::vector<Spike>& spikes, std::int32_t first_row, const Window& counted,
                 ElevationSurvey& survey);
-    void begin_keeping();
-    /// Keeps a band as floats where nothing is lost by it. @return what is to be kept else
-    [[nodiscard]] std::vector<double> keep(std::size_t i, const ElevationBand& band);
-    void put(std::size_t i, std::vector<double>&& wide);
     void take_spikes_out();
 
     DemSource& source_;
     Context& context_;
     std::int64_t points_a_band_;
-    std::size_t keep_bytes_;
-    std::size_t kept_bytes_ = 0;
-    bool keep_;
-    bool complete_ = false;  ///< all bands are kept
     std::size_t ahead_ = 1;  ///< bands a thread that are read ahead
     std::vector<BandShape> shapes_;
-    MetreGrid floats_;                       ///< of the window: kept bands, but for those that are wide
-    std::vector<std::vector<double>> wide_;  ///< by band: kept as they are; empty where floats hold them
-    BandBuffers buffers_;                    ///< of one pass
+    KeptElevations kept_;
+    BandBuffers buffers_;  ///< of one pass
     SiftRules rules_;
     std::optional<BandCells> decided_;  ///< spikes of the bands
 };
