@@ -8,6 +8,8 @@
 #include <span>
 #include <utility>
 
+#include "detect/odds.hpp"
+
 namespace d2b {
 namespace {
 
@@ -98,18 +100,11 @@ std::vector<Candidate> candidates_of(const Regions& regions, const CellSize& cel
     return result;
 }
 
-/// Finite, where rounding made certain what nearly is.
-double odds(double probability) {
-    constexpr double least_doubt = 1e-15;
-    return probability / std::max(1 - probability, least_doubt);
-}
-
 void correct(const Strips& witnesses, const Candidate& candidate, const SupposedShare& supposed,
              DetectedObject& object) {
     const double share = witnesses.share_around(candidate, (supposed.least + supposed.most) / 2);
     const double change = odds(share) / odds(std::clamp(share, supposed.least, supposed.most));
-    const double now = odds(candidate.confidence) * change;
-    object.confidence = now / (1 + now);
+    object.confidence = probability_of(odds(candidate.confidence) * change);
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "detect/odds.hpp"
+
 namespace d2b {
 namespace {
 
@@ -24,17 +26,13 @@ constexpr double small_step = 1e-7;
 constexpr double steepness = 1.4;
 const double offset = -std::log(usual_share / (1 - usual_share));
 
-double log_odds(double probability) {
-    return std::log(probability / (1 - probability));
-}
-
 /// The probability of a building where so many are.
 double posterior(double ratio, double share) {
     return ratio * share / (ratio * share + 1 - share);
 }
 
 double ratio_of(const DetectedObject& object) {
-    return std::exp(steepness * log_odds(object.confidence) + offset);
+    return std::exp(steepness * std::log(odds(object.confidence)) + offset);
 }
 
 std::int64_t above(double confidence, const std::vector<DetectedObject>& objects) {

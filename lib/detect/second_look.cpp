@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/row_bands.hpp"
+#include "detect/odds.hpp"
 #include "detect/place_prior.hpp"
 
 namespace d2b {
@@ -30,8 +31,7 @@ void leave_out(const Regions& regions, Mask& cells, Executor& threads) {
 }
 
 void doubt(DetectedObject& object) {
-    const double odds = object.confidence / (1 - object.confidence) * std::exp(-caution);
-    object.confidence = odds / (1 + odds);
+    object.confidence = probability_of(odds(object.confidence) * std::exp(-caution));
 }
 
 /// The run of a row that holds a column, null where none does.

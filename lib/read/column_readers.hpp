@@ -28,8 +28,8 @@ class ColumnReaders final : public SharedRaster {
         std::int32_t begin = 0;
         std::int32_t end = 0;
         std::mutex at_work{};
-        std::unique_ptr<RasterReader>
-            reader{};  ///< null until it is read, or where it cannot be opened again
+        /// Null until it is read, or where it cannot be opened again.
+        std::unique_ptr<RasterReader> reader{};
         std::vector<double> values{};
     };
     void read(Column& column, const Window& part, std::span<double> elevations);

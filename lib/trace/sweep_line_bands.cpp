@@ -1,6 +1,5 @@
 // A band of rows that is swept by itself, and how it comes to those above it.
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "trace/sweep_line.hpp"

@@ -35,9 +35,8 @@ class Tracer {
     [[nodiscard]] static LinkedBand link(const TraceFrame& frame, TraceMode mode,
                                          std::vector<TraceLine>&& lines, ContourSink& sink);
     /// The next band, in the place of trace() of its lines: the same contours are handed out.
-    /// @param first_name what the sink of this calls the first contour of those that lie in the band, which
-    /// it
-    ///                   has got before
+    /// @param first_name what the sink of this calls the first contour that lies in the band; it has got
+    /// those before
     void join(LinkedBand&& band, std::int64_t first_name);
 
   private:

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <algorithm>
+
+namespace d2b {
+
+/// Odds of a probability, finite also where that is 1.
+[[nodiscard]] inline double odds(double probability) {
+    constexpr double least_doubt = 1e-15;
+    return probability / std::max(1 - probability, least_doubt);
+}
+
+[[nodiscard]] inline double probability_of(double odds) {
+    return odds / (1 + odds);
+}
+
+}  // namespace d2b
