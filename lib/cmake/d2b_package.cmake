@@ -1,5 +1,6 @@
 # `cpack -G DEB` in the build folder: a package with what users run and, where it is built, one with the package for
-# Python and, where CGAL is found, one with dem2buildings_mesh, which has a license of its own; each with the libraries that it needs as dpkg-shlibdeps finds them.
+# Python and, where CGAL is found, one with dem2buildings_mesh, which has a license of its own; each with the libraries that it needs as dpkg-shlibdeps finds them,
+# and with Pango, which is loaded when something is drawn.
 set(CPACK_PACKAGE_NAME dem2buildings)
 set(CPACK_PACKAGE_VENDOR "dem2buildings")
 set(CPACK_PACKAGE_CONTACT "The authors of dem2buildings <none@example.org>")
@@ -18,6 +19,8 @@ set(CPACK_DEBIAN_TOOLS_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS proj-data)
+set(drawing "libpangocairo-1.0-0 (>= ${D2B_PANGO_VERSION})")
+set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "proj-data, ${drawing}")
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "qgis, gdal-bin, parallel, snakemake (<< 8)")
 if(D2B_BUILD_PYTHON)
   find_package(Python REQUIRED COMPONENTS Interpreter)
@@ -30,7 +33,7 @@ for GeoPandas, Shapely and all else that reads GeoJSON or WKB.")
   set(CPACK_DEBIAN_PYTHON_FILE_NAME DEB-DEFAULT)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
   # What is compiled suits one minor version of Python.
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "proj-data, python3-numpy, python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}), python3 (<< ${Python_VERSION_MAJOR}.${next_python})")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "proj-data, ${drawing}, python3-numpy, python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}), python3 (<< ${Python_VERSION_MAJOR}.${next_python})")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-geopandas, python3-matplotlib")
   if(BUILD_SHARED_LIBS)
     string(APPEND CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS ", dem2buildings (= ${PROJECT_VERSION})")

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <cairo.h>
 #include <memory>
 #include <string>
 
 #include "dem2buildings/error.hpp"
+#include "preview/cairo_calls.hpp"
 #include "preview/colour.hpp"
 
 /// Cairo's objects with their owners; for the sources of this folder alone.

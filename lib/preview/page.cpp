@@ -1,8 +1,6 @@
 #include "preview/page.hpp"
 
 #include <array>
-#include <cairo-pdf.h>
-#include <cairo-svg.h>
 #include <cctype>
 #include <map>
 #include <string_view>

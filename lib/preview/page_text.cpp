@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <memory>
-#include <pango/pangocairo.h>
+
+#include "preview/pango_calls.hpp"
 
 namespace d2b {
 namespace {
@@ -32,7 +33,7 @@ LayoutOwner make_layout(cairo_t* pen) {
 
 std::string valid_utf8(const std::string& text) {
     struct Closer {
-        void operator()(gchar* made) const { g_free(made); }
+        void operator()(gchar* made) const { (g_free)(made); }  // not the macro of newer versions
     };
     const std::unique_ptr<gchar, Closer> made(
         g_utf8_make_valid(text.data(), static_cast<gssize>(text.size())));
