@@ -75,6 +75,25 @@ void take_apart_by_counts(ElevationReader& reader, const BandTracing& tracing, c
         take_apart_as<std::uint16_t>(reader, tracing, work, use);
 }
 
+/// What the tracer takes is given back at the end.
+void trace_into(ContourStore& store, ElevationReader& reader, const BandTracing& tracing, Context& context) {
+    const Window& window = tracing.frame.window;
+    Tracer tracer(tracing.frame, tracing.mode, store);
+    take_apart_by_counts(
+        reader, tracing,
+        [&](std::vector<TraceLine>&& lines, Tally& tally) {
+            return trace_band(tracing.frame, tracing.mode, std::move(lines), store, tally);
+        },
+        [&](const ElevationBand& band, TracedBand traced) {
+            {
+                const StageClock clock(context.report, Stage::trace);
+                join_band(std::move(traced), tracer, store);
+            }
+            context.progress(static_cast<double>(band.shape.first_row + band.shape.rows - window.row) /
+                             window.rows);
+        });
+}
+
 }  // namespace
 
 void take_bands_apart(ElevationReader& reader, const BandTracing& tracing, const UseLines& use) {
@@ -111,20 +130,7 @@ std::unique_ptr<StoredContours> trace_contours(ElevationReader& reader, const Tr
                                                const TierImage& image, const RunPlan& plan,
                                                const SquareArea& area, double metres, Context& context) {
     ContourStore store = contour_store(frame, image.found, plan, area, metres, context);
-    Tracer tracer(frame, plan.trace, store);
-    take_apart_by_counts(
-        reader, {frame, image, plan.trace},
-        [&](std::vector<TraceLine>&& lines, Tally& tally) {
-            return trace_band(frame, plan.trace, std::move(lines), store, tally);
-        },
-        [&](const ElevationBand& band, TracedBand traced) {
-            {
-                const StageClock clock(context.report, Stage::trace);
-                join_band(std::move(traced), tracer, store);
-            }
-            context.progress(static_cast<double>(band.shape.first_row + band.shape.rows - frame.window.row) /
-                             frame.window.rows);
-        });
+    trace_into(store, reader, {frame, image, plan.trace}, context);
     const StageClock clock(context.report, Stage::filter);
     return store.finish();
 }

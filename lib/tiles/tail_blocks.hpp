@@ -17,6 +17,8 @@ class TailBlocks {
         std::uint64_t size = 0;
         std::uint64_t digest = 0;
     };
+    /// Makes room at once, where it is known how much there will be.
+    void reserve(std::size_t bytes) { bytes_.reserve(bytes); }
     /// Nothing where it is empty.
     void add(const ByteWriter& block);
     [[nodiscard]] const std::vector<Block>& blocks() const { return blocks_; }

@@ -9,7 +9,7 @@
 namespace d2b {
 namespace {
 
-void save(const ContourSum& sum, ByteWriter& writer) {
+void save_sum(const ContourSum& sum, ByteWriter& writer) {
     writer.put_varint(2 * static_cast<std::uint64_t>(sum.level) + (sum.above ? 1 : 0));
     writer.put_varint(static_cast<std::uint64_t>(sum.col));
     writer.put(sum.stats);
@@ -54,25 +54,34 @@ class Gaps {
 
 }  // namespace
 
-void save(const TileLine& line, ByteWriter& writer) {
-    writer.put(line.line);
-    writer.put_varint(line.squares.size());
+void PackedLine::set(const std::vector<TileLine::Squares>& squares,
+                     const std::vector<TileLine::Outside>& outside) {
+    cells_.put_varint(squares.size());
     Gaps gaps;
-    for (const TileLine::Squares& squares : line.squares) {
-        gaps.put(squares.begin, writer);
-        gaps.put(squares.end, writer);
-        writer.put_varint(static_cast<std::uint64_t>(squares.count));
+    for (const TileLine::Squares& stretch : squares) {
+        gaps.put(stretch.begin, cells_);
+        gaps.put(stretch.end, cells_);
+        cells_.put_varint(static_cast<std::uint64_t>(stretch.count));
     }
-    writer.put_varint(line.outside.size());
+    cells_.put_varint(outside.size());
     Gaps beside;
-    for (const TileLine::Outside& outside : line.outside) {
-        beside.put(outside.begin, writer);
-        put_elevations(outside.elevations, writer);
-        beside.pass(outside.elevations.size(), std::numeric_limits<std::int32_t>::max());
+    for (const TileLine::Outside& stretch : outside) {
+        beside.put(stretch.begin, cells_);
+        put_elevations(stretch.elevations, cells_);
+        beside.pass(stretch.elevations.size(), std::numeric_limits<std::int32_t>::max());
     }
-    writer.put_varint(line.sums.size());
-    for (const ContourSum& sum : line.sums)
-        save(sum, writer);
+}
+
+void PackedLine::add(const ContourSum& sum) {
+    ++sums_;
+    save_sum(sum, packed_sums_);
+}
+
+void PackedLine::save(ByteWriter& writer) const {
+    writer.put(line_);
+    writer.put_bytes(cells_.bytes());
+    writer.put_varint(sums_);
+    writer.put_bytes(packed_sums_.bytes());
 }
 
 TileLine load_tile_line(ByteReader& reader, const TraceFrame& frame) {

@@ -29,9 +29,32 @@ struct TileLine {
     std::vector<Outside> outside;  ///< likewise
     std::vector<ContourSum> sums;
 };
-void save(const TileLine& line, ByteWriter& writer);
 /// @param frame of the whole @throws BrokenRecord also where it speaks of more levels or columns
 [[nodiscard]] TileLine load_tile_line(ByteReader& reader, const TraceFrame& frame);
+
+/// Such a line as it is written: all that is known of a tile stays in memory until the tile ends.
+class PackedLine {
+  public:
+    explicit PackedLine(std::int32_t line) : line_(line) {}
+
+    [[nodiscard]] std::int32_t line() const { return line_; }
+    /// At most, that save() takes.
+    [[nodiscard]] std::size_t bytes() const {
+        constexpr std::size_t largest_varint = 10;
+        return sizeof(line_) + cells_.bytes().size() + largest_varint + packed_sums_.bytes().size();
+    }
+    /// Once.
+    void set(const std::vector<TileLine::Squares>& squares, const std::vector<TileLine::Outside>& outside);
+    void add(const ContourSum& sum);
+    /// As load_tile_line() takes it. @pre set()
+    void save(ByteWriter& writer) const;
+
+  private:
+    std::int32_t line_;
+    ByteWriter cells_;
+    std::uint64_t sums_ = 0;
+    ByteWriter packed_sums_;
+};
 
 /// What draw says of a tile where one label may fill the window, beside its lines.
 struct TracedTile {

@@ -62,7 +62,8 @@ class Cutter {
     [[nodiscard]] bool is_last() const { return band_.end_row() == frame_.window.row + frame_.window.rows; }
     [[nodiscard]] RunRow cut(std::span<const Count> counts, std::span<const Label> labels) const;
     [[nodiscard]] RunRow squares_above(std::int32_t row) const;
-    [[nodiscard]] TraceLine line_of_points(std::int32_t number, const Holders& above, RunRow squares) const;
+    [[nodiscard]] TraceLine line_of_points(std::int32_t number, const Holders& above, RunRow squares,
+                                           std::size_t shares) const;
     void add_share(TraceLine& line, const PointShare& share) const;
     [[nodiscard]] static std::vector<double> outside_of(const Row<Count>& row);
 
@@ -133,9 +134,12 @@ RunRow Cutter<Count>::squares_above(std::int32_t r) const {
 
 /// A point on the line is counted once, with the highest contour among the four squares around it (the first
 /// in scan order where several are as high): a point where two contours touch belongs to one of them.
+/// @param shares that there may be
 template <typename Count>
-TraceLine Cutter<Count>::line_of_points(std::int32_t number, const Holders& above, RunRow squares) const {
+TraceLine Cutter<Count>::line_of_points(std::int32_t number, const Holders& above, RunRow squares,
+                                        std::size_t shares) const {
     TraceLine line;
+    line.shares.reserve(shares);
     line.line = number;
     const Row<Count> points = row(number);
     line.elevations = points.elevations;
@@ -180,7 +184,8 @@ std::vector<TraceLine> Cutter<Count>::lines_of_points() const {
         above = holders_of(squares_above(first - 1), squares_a_row);
     for (std::int32_t r = first; r < band_.end_row(); ++r) {
         if (has(r - 1)) {
-            lines.push_back(line_of_points(r - 1, above, squares_above(r)));
+            const std::size_t shares = lines.empty() ? 0 : lines.back().shares.size();
+            lines.push_back(line_of_points(r - 1, above, squares_above(r), shares + shares / 8));
             above = holders_of(lines.back().squares, squares_a_row);
         } else {
             lines.emplace_back();  // the first row of points is the line above the first row of squares
@@ -188,7 +193,7 @@ std::vector<TraceLine> Cutter<Count>::lines_of_points() const {
         lines.back().outside = outside_of(row(r));
     }
     if (is_last())
-        lines.push_back(line_of_points(band_.end_row() - 1, above, cut({}, {})));
+        lines.push_back(line_of_points(band_.end_row() - 1, above, cut({}, {}), 0));
     return lines;
 }
 

@@ -100,8 +100,11 @@ void LayerWriter::add(const Feature& feature) {
         done = OGR_G_CreateFromWkb(bytes.data(), nullptr, &geometry, static_cast<int>(bytes.size())) ==
                    OGRERR_NONE &&
                OGR_F_SetGeometryDirectly(feature_.get(), geometry) == OGRERR_NONE;
+        wkb_.forget_large();  // a contour may fill the raster, and the driver makes copies of its own
     }
     done = done && OGR_L_CreateFeature(layer_, feature_.get()) == OGRERR_NONE;
+    if (has_geometry_)
+        OGR_F_SetGeometryDirectly(feature_.get(), nullptr);
     if (!done || !call.succeeded())
         call.fail("writing " + text_of(feature));
     call.pass_warnings();

@@ -122,4 +122,10 @@ std::span<const std::byte> MultiPolygonWkb::encode(const Feature& feature) {
     return bytes_;
 }
 
+void MultiPolygonWkb::forget_large() {
+    constexpr std::size_t large = std::size_t{1} << 20;
+    if (bytes_.capacity() > large)
+        bytes_ = {};
+}
+
 }  // namespace d2b

@@ -151,6 +151,14 @@ std::size_t read_traced(std::span<const std::byte> bytes) {
 
 }  // namespace
 
+void save(const TileLine& line, ByteWriter& writer) {
+    PackedLine packed(line.line);
+    packed.set(line.squares, line.outside);
+    for (const ContourSum& sum : line.sums)
+        packed.add(sum);
+    packed.save(writer);
+}
+
 FoundFacts no_facts() {
     return FoundFacts({on_land, spikes_m, 1, {}}, 2);
 }

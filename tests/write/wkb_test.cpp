@@ -1,6 +1,8 @@
 #include "dem2buildings/wkb.hpp"
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include <cpl_conv.h>
 #include <gtest/gtest.h>
@@ -83,6 +85,22 @@ TEST(MultiPolygonWkb, BufferIsUsedAgain) {
     // 9 bytes of a multipolygon, 9 of a polygon, 4 of a ring, 4 positions of 16.
     EXPECT_EQ(wkb.encode(small).size(), 9u + 9u + 4u + 4u * 16u);
     EXPECT_EQ(wkb.encode(two_parts()).size(), large);
+}
+
+TEST(MultiPolygonWkb, WhatIsForgottenIsMadeAnew) {
+    d2b::Feature ring;
+    ring.parts.emplace_back();
+    for (int i = 0; i < (1 << 17); ++i)  // 2 MiB
+        ring.parts.front().exterior.push_back({1.0 * i, 0.5 * i});
+    d2b::MultiPolygonWkb wkb(false);
+    const auto first = wkb.encode(ring);
+    const std::vector<std::byte> kept(first.begin(), first.end());
+    wkb.forget_large();
+    const auto second = wkb.encode(ring);
+    EXPECT_TRUE(std::ranges::equal(second, kept));
+    wkb.forget_large();
+    // 9 bytes of a multipolygon, twice 9 of a polygon, 4 rings of 4, 5 + 4 + 4 + 4 positions of 16.
+    EXPECT_EQ(wkb.encode(two_parts()).size(), 9u + 2u * 9u + 4u * 4u + 17u * 16u);
 }
 
 TEST(MultiPolygonWkb, RefusesWhatIsNoPolygon) {

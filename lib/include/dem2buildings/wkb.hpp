@@ -19,6 +19,8 @@ class MultiPolygonWkb {
 
     /// @return ISO WKB in the byte order of this machine; valid until the next call
     [[nodiscard]] std::span<const std::byte> encode(const Feature& feature);
+    /// Gives back the room of a polygon that was larger than most. What encode() gave is no longer valid.
+    void forget_large();
 
   private:
     void head(std::uint32_t flat_type, std::size_t count);

@@ -107,13 +107,12 @@ std::vector<TraceLine> TileRow::lines(std::size_t piece) const {
     return joined;
 }
 
-/// Traces what all tiles have taken apart.
-std::unique_ptr<StoredContours> trace_tiles(TileRun& run, const TraceFrame& frame) {
+/// Traces what all tiles have taken apart. What the tracer takes is given back at the end.
+void trace_into(ContourStore& store, TileRun& run, const TraceFrame& frame) {
     constexpr std::size_t ahead = 2;  // lines are as long as the window is wide
     Context& context = run.context();
-    const RunSetup& setup = run.setup();
-    ContourStore store = contour_store(frame, nullptr, setup.plan, setup.area, run.metres(), context);
-    Tracer tracer(frame, setup.plan.trace, store);
+    const TraceMode mode = run.setup().plan.trace;
+    Tracer tracer(frame, mode, store);
     std::vector<Tally> tallies(static_cast<std::size_t>(context.threads->threads()));
     for (std::int64_t first = 0; first < run.tiles().count(); first += run.tiles().cols()) {
         const TileRow row(run, first, frame, context.report);
@@ -122,7 +121,7 @@ std::unique_ptr<StoredContours> trace_tiles(TileRun& run, const TraceFrame& fram
                 row.pieces(),
                 [&](std::size_t piece, std::size_t thread) {
                     const StageClock clock(tallies[thread], Stage::trace);
-                    return trace_band(frame, setup.plan.trace, row.lines(piece), store, tallies[thread]);
+                    return trace_band(frame, mode, row.lines(piece), store, tallies[thread]);
                 },
                 [&](std::size_t, TracedBand&& band) {
                     const StageClock clock(context.report, Stage::trace);
@@ -136,6 +135,13 @@ std::unique_ptr<StoredContours> trace_tiles(TileRun& run, const TraceFrame& fram
     }
     for (const Tally& tally : tallies)
         context.report.merge(tally);
+}
+
+std::unique_ptr<StoredContours> trace_tiles(TileRun& run, const TraceFrame& frame) {
+    Context& context = run.context();
+    const RunSetup& setup = run.setup();
+    ContourStore store = contour_store(frame, nullptr, setup.plan, setup.area, run.metres(), context);
+    trace_into(store, run, frame);
     const StageClock clock(context.report, Stage::filter);
     return store.finish();
 }

@@ -29,10 +29,12 @@ TileLines::TileLines(const TraceFrame& frame, TraceMode mode, const Window& seen
 /// Contours end where the tile does; what their points add up to is what counts.
 std::int64_t TileLines::take(FinishedContour&& finished) {
     const ContourKey& key = finished.contour.key;
-    if (finished.contour.own.n > 0 || finished.sample.size() > 0)
-        sums_.push_back({key.first,
-                         {false, key.level, key.first.col - frame_.window.col, finished.contour.own,
-                          std::move(finished.sample)}});
+    if (finished.contour.own.n > 0 || finished.sample.size() > 0) {
+        const auto line = std::ranges::lower_bound(lines_, key.first.row, {}, &PackedLine::line);
+        // What begins in rows of the tile above goes on in the first line.
+        line->add({line->line() != key.first.row, key.level, key.first.col - frame_.window.col,
+                   finished.contour.own, std::move(finished.sample)});
+    }
     return taken_++;
 }
 
@@ -43,16 +45,14 @@ void TileLines::add(std::vector<TraceLine>&& lines) {
 
 void TileLines::add(TraceLine&& line) {
     const std::int32_t row = next_row_++;
-    const bool is_own = row >= own_.row;
     const std::int32_t to_window = seen_.col - frame_.window.col;
-    if (is_own) {
-        TileLine& kept = lines_.emplace_back();
-        kept.line = line.line;
-        kept.squares.reserve(line.squares.top_runs.size());
+    if (row >= own_.row) {
+        Waiting& waiting = waiting_.emplace_back(Waiting{row, lines_.size(), {}, std::move(line.outside)});
+        waiting.squares.reserve(line.squares.top_runs.size());
         for (const TopRun& squares : line.squares.top_runs)
-            kept.squares.push_back({squares.begin + to_window, squares.end + to_window, squares.level + 1});
-        if (!line.outside.empty())
-            beside_.push_back({row, lines_.size() - 1, std::move(line.outside)});
+            waiting.squares.push_back(
+                {squares.begin + to_window, squares.end + to_window, squares.level + 1});
+        lines_.emplace_back(line.line);
     } else {
         line.shares.clear();  // which the tile above has
     }
@@ -65,14 +65,21 @@ void TileLines::add(TraceLine&& line) {
     one.push_back(std::move(line));
     tracer_.trace(std::move(one));
     // Of points squares lie between two rows: those below a row come with the next one.
-    while (!beside_.empty() && beside_.front().row + border <= row) {
-        keep_beside(beside_.front(), beside_.front().row < own_.row + border);
-        beside_.pop_front();
+    while (!waiting_.empty() && waiting_.front().row + border <= row) {
+        keep(waiting_.front(), waiting_.front().row < own_.row + border);
+        waiting_.pop_front();
     }
 }
 
 /// @param all whatever squares are known to be around
-void TileLines::keep_beside(const Beside& beside, bool all) {
+void TileLines::keep(const Waiting& waiting, bool all) {
+    lines_[waiting.line].set(waiting.squares, beside(waiting.outside, all));
+}
+
+std::vector<TileLine::Outside> TileLines::beside(const std::vector<double>& outside, bool all) const {
+    std::vector<TileLine::Outside> kept;
+    if (outside.empty())
+        return kept;
     const auto first = static_cast<std::size_t>(own_.col - seen_.col);
     const auto cols = static_cast<std::size_t>(own_.cols);
     std::vector<bool> wanted(cols + first, all);
@@ -86,10 +93,9 @@ void TileLines::keep_beside(const Beside& beside, bool all) {
     for (const Runs& runs : footprints_)
         for (const Run& run : runs)
             want(run.begin - 1, run.end + border);
-    std::vector<TileLine::Outside>& kept = lines_[beside.line].outside;
     bool goes_on = false;
     for (std::size_t c = first; c < first + cols; ++c) {
-        const double z = beside.outside[c];
+        const double z = outside[c];
         const bool keeps = wanted[c] && z != nothing_outside;
         if (keeps && !goes_on)
             kept.push_back({static_cast<std::int32_t>(c) + seen_.col - frame_.window.col, {}});
@@ -97,28 +103,20 @@ void TileLines::keep_beside(const Beside& beside, bool all) {
             kept.back().elevations.push_back(z);
         goes_on = keeps;
     }
+    return kept;
 }
 
-std::vector<TileLine> TileLines::finish() {
-    for (const Beside& beside : beside_)
-        keep_beside(beside, true);
+std::vector<PackedLine> TileLines::finish() {
+    for (const Waiting& waiting : waiting_)
+        keep(waiting, true);
+    waiting_.clear();
     TraceLine end;  // where the window goes on, what the tile has seen of contours ends all the same
     end.line = next_row_;
     end.squares.levels.resize(static_cast<std::size_t>(frame_.levels));
     std::vector<TraceLine> last;
     last.push_back(std::move(end));
     tracer_.trace(std::move(last));
-    for (Sum& sum : sums_)
-        place(std::move(sum));
-    sums_.clear();
     return std::move(lines_);
-}
-
-void TileLines::place(Sum&& sum) {
-    const auto line = std::ranges::lower_bound(lines_, sum.first.row, {}, &TileLine::line);
-    // What begins in rows of the tile above goes on in the first line.
-    sum.sum.above = line->line != sum.first.row;
-    line->sums.push_back(std::move(sum.sum));
 }
 
 }  // namespace d2b

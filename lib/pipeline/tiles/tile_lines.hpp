@@ -18,35 +18,31 @@ class TileLines : private ContourSink {
     /// The next lines of what is seen, from the top.
     void add(std::vector<TraceLine>&& lines);
     /// After the last.
-    [[nodiscard]] std::vector<TileLine> finish();
+    [[nodiscard]] std::vector<PackedLine> finish();
 
   private:
-    struct Sum {
-        LatticePoint first;  ///< square of what the tile has seen of the contour
-        ContourSum sum;
-    };
-    /// A row of elevations beside contours that waits until the squares around it are known.
-    struct Beside {
+    /// A line that waits until the squares around what lies beside its contours are known.
+    struct Waiting {
         std::int32_t row = 0;
-        std::size_t line = 0;  ///< that it belongs to
+        std::size_t line = 0;  ///< place
+        std::vector<TileLine::Squares> squares;
         std::vector<double> outside;
     };
     using Runs = std::vector<Run>;
 
     std::int64_t take(FinishedContour&& finished) override;
     void add(TraceLine&& line);
-    void keep_beside(const Beside& beside, bool all);
-    void place(Sum&& sum);
+    void keep(const Waiting& waiting, bool all);
+    [[nodiscard]] std::vector<TileLine::Outside> beside(const std::vector<double>& outside, bool all) const;
 
     TraceFrame frame_;
     Window seen_;
     Window own_;
     Tracer tracer_;
     std::int32_t next_row_;  ///< of cells or points
-    std::deque<Beside> beside_;
+    std::deque<Waiting> waiting_;
     std::deque<Runs> footprints_;  ///< runs of level 1 in the newest rows of squares, the newest last
-    std::vector<TileLine> lines_;
-    std::vector<Sum> sums_;
+    std::vector<PackedLine> lines_;
     std::int64_t taken_ = 0;  ///< contours
 };
 

@@ -21,12 +21,16 @@ Window seen_by(const Window& own, TraceMode mode, const Window& whole) {
     return seen;
 }
 
-TailBlocks blocks_of(const std::vector<TileLine>& lines) {
+TailBlocks blocks_of(std::vector<PackedLine>&& lines) {
     TailBlocks blocks;
+    std::size_t bytes = 0;
+    for (const PackedLine& line : lines)
+        bytes += line.bytes();
+    blocks.reserve(bytes);
     for (std::size_t first = 0; first < lines.size(); first += TracedTile::lines_a_block) {
         ByteWriter block;
         for (std::size_t i = first; i < std::min(first + TracedTile::lines_a_block, lines.size()); ++i)
-            save(lines[i], block);
+            std::exchange(lines[i], PackedLine(0)).save(block);
         blocks.add(block);
     }
     return blocks;
@@ -56,9 +60,10 @@ void trace_tile(TileRun& run, std::int64_t tile) {
             lines.add(std::move(more));
             context.progress(static_cast<double>(band.first_row + band.rows - seen.row) / seen.rows);
         });
-    const std::vector<TileLine> all = lines.finish();
-    const TailBlocks blocks = blocks_of(all);
-    TracedTile drawn{{}, all.size(), blocks.blocks()};
+    std::vector<PackedLine> all = lines.finish();
+    const std::uint64_t count = all.size();
+    const TailBlocks blocks = blocks_of(std::move(all));
+    TracedTile drawn{{}, count, blocks.blocks()};
     drawn.tally.merge(context.report);
     ByteWriter writer;
     save(drawn, writer);
