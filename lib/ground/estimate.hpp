@@ -6,8 +6,8 @@
 namespace d2b::ground {
 
 /// estimate_ground with other rules than the defaults. @param width of the widest building, metres
-[[nodiscard]] Terrain estimate(const MetreGrid& surface, const CellSize& cell, double width,
-                               const Context& context, const GridPlace& place, const Rules& rules);
+[[nodiscard]] Terrain estimate(MetreGrid& surface, const CellSize& cell, double width, const Context& context,
+                               const GridPlace& place, const Rules& rules);
 
 /// ground_halo with other rules than the defaults.
 [[nodiscard]] double halo(const CellSize& cell, double width, const Rules& rules);

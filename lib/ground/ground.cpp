@@ -11,6 +11,7 @@
 #include "ground/outliers.hpp"
 #include "ground/provisional.hpp"
 #include "ground/refine.hpp"
+#include "ground/working_surface.hpp"
 
 namespace d2b {
 namespace ground {
@@ -24,19 +25,6 @@ AlignedGrid shape_at(const MetreGrid& surface, const CellSize& cell, const GridP
     shape.grid.rows = surface.rows;
     shape.grid.cols = surface.cols;
     return shape;
-}
-
-/// The lowest point of a pit's cells that is no outlier; `no_value` where there is none.
-float lowest_above(const Pit& pit, const AlignedGrid& blocks, const MetreGrid& surface,
-                   const GridPlace& place, Factor factor) {
-    const std::int32_t row = factor.down * (blocks.first_row + pit.row) - place.row;
-    const std::int32_t col = factor.across * (blocks.first_col + pit.col) - place.col;
-    float lowest = no_value;
-    for (std::int32_t i = std::max(row, 0); i < std::min(row + factor.down, surface.rows); ++i)
-        for (std::int32_t j = std::max(col, 0); j < std::min(col + factor.across, surface.cols); ++j)
-            if (const float z = surface.at(i, j); z >= pit.limit && z < lowest)
-                lowest = z;
-    return lowest;
 }
 
 /// Structuring elements of a series of openings: each reaches twice its radius, rounded to cells that grow up
@@ -64,24 +52,26 @@ double fill_halo(double distance, double cell, int relaxations) {
 
 }  // namespace
 
-Terrain estimate(const MetreGrid& surface, const CellSize& cell, double width, const Context& context,
+Terrain estimate(MetreGrid& surface, const CellSize& cell, double width, const Context& context,
                  const GridPlace& place, const Rules& rules) {
     if (surface.size() == 0)
         return {};
     Executor& threads = *context.threads;
     const Factor factor = factor_for(cell, rules.work_cell);
-    AlignedGrid lowest = lowest_of_blocks(shape_at(surface, cell, place), surface, factor, threads);
+    WorkingSurface working(surface, shape_at(surface, cell, place), place, factor, threads);
     const auto known = [](float value) { return value != no_value; };
-    if (std::none_of(lowest.grid.values.begin(), lowest.grid.values.end(), known))
+    if (std::ranges::none_of(working.lowest().grid.values, known)) {
+        working.give_back({});
         return {MetreGrid(surface.rows, surface.cols, std::numeric_limits<float>::quiet_NaN()),
                 Grid<std::uint8_t>(surface.rows, surface.cols)};
+    }
     context.progress(0.1);
-    const std::vector<Pit> pits = find_pits(lowest, rules, threads);
-    for (const Pit& pit : pits)
-        lowest.grid.at(pit.row, pit.col) = lowest_above(pit, lowest, surface, place, factor);
-    const AlignedGrid terrain = working_terrain(lowest, width, rules, threads);
+    const std::vector<Pit> pits = find_pits(working.lowest(), rules, threads);
+    working.take_out(pits);
+    AlignedGrid terrain = working_terrain(working.lowest(), width, rules, threads);
+    working.give_back(pits);
     context.progress(0.9);
-    return refine(surface, place, terrain, pits, factor, rules, std::move(lowest.grid), threads);
+    return refine(surface, place, std::move(terrain), pits, factor, rules, threads);
 }
 
 double halo(const CellSize& cell, double width, const Rules& rules) {
@@ -106,7 +96,7 @@ double ground_halo(const CellSize& cell, const GroundOptions& options) {
     return ground::halo(cell, options.max_building_width, {});
 }
 
-Terrain estimate_ground(const MetreGrid& surface, const CellSize& cell, const GroundOptions& options,
+Terrain estimate_ground(MetreGrid& surface, const CellSize& cell, const GroundOptions& options,
                         Context& context, const GridPlace& place) {
     return ground::estimate(surface, cell, options.max_building_width, context, place, {});
 }

@@ -12,7 +12,38 @@
 namespace d2b::ground {
 namespace {
 
-/// Terrain and tolerance between the rows and columns of the working grid.
+/// The pits of a row of the working grid.
+std::span<const Pit> pits_in(std::span<const Pit> pits, std::int32_t row) {
+    const auto first =
+        std::partition_point(pits.begin(), pits.end(), [&](const Pit& p) { return p.row < row; });
+    const auto last = std::partition_point(first, pits.end(), [&](const Pit& p) { return p.row == row; });
+    return {first, last};
+}
+
+/// Low outliers: what lies below the limits of pits.
+struct Outliers {
+    std::span<const Pit> pits;  ///< of the working grid
+    std::int32_t first_row;     ///< of that grid
+    std::int32_t first_col;
+    Factor factor;
+    GridPlace place;
+
+    /// @param below the working terrain of the row
+    void mark(std::int32_t row, std::span<const float> surface, std::span<const float> below,
+              std::span<float> terrain, std::span<std::uint8_t> flags) const {
+        for (const Pit& pit : pits_in(pits, block_of(place.row + row, factor.down) - first_row)) {
+            const std::int32_t col = factor.across * (first_col + pit.col) - place.col;  // may lie before it
+            const auto end = std::min(static_cast<std::size_t>(col + factor.across), surface.size());
+            for (auto j = static_cast<std::size_t>(std::max(col, 0)); j < end; ++j)
+                if (surface[j] < pit.limit) {
+                    terrain[j] = below[j];
+                    flags[j] = low_outlier;
+                }
+        }
+    }
+};
+
+/// Terrain and tolerance between the rows and columns of the working grid, or of some rows of it.
 class Refinement {
   public:
     Refinement(const MetreGrid& surface, const GridPlace& place, const AlignedGrid& working, Factor factor,
@@ -79,51 +110,46 @@ class Refinement {
     Between across_;
 };
 
-/// The pits of a row of the working grid.
-std::span<const Pit> pits_in(std::span<const Pit> pits, std::int32_t row) {
-    const auto first =
-        std::partition_point(pits.begin(), pits.end(), [&](const Pit& p) { return p.row < row; });
-    const auto last = std::partition_point(first, pits.end(), [&](const Pit& p) { return p.row == row; });
-    return {first, last};
-}
-
-/// @param col of the pit's first cell in the row; may lie before it
-void mark_outliers(const Pit& pit, std::int32_t col, std::int32_t cols, std::span<const float> surface,
-                   std::span<const float> below, std::span<float> terrain, std::span<std::uint8_t> flags) {
-    const auto end = std::min(static_cast<std::size_t>(col + cols), surface.size());
-    for (auto j = static_cast<std::size_t>(std::max(col, 0)); j < end; ++j)
-        if (surface[j] < pit.limit) {
-            terrain[j] = below[j];
-            flags[j] = low_outlier;
+/// @param refinement of a grid that has the rows around the band @param terrain any values
+void refine_band(const MetreGrid& surface, RowBand band, const Refinement& refinement,
+                 const Outliers& outliers, Terrain& terrain) {
+    Refinement::Rows rows = refinement.rows_for(band);
+    for (std::int32_t i = band.begin; i < band.end; ++i) {
+        refinement.fill(i, rows);
+        const auto from = surface.row(i);
+        const auto out = terrain.elevation.row(i);
+        const auto flags = terrain.flags.row(i);
+        for (std::size_t j = 0; j < out.size(); ++j) {
+            const bool bare = from[j] - rows.terrain[j] <= rows.tolerance[j];  // false where it is NaN
+            out[j] = bare ? from[j] : rows.terrain[j];
+            flags[j] = bare ? bare_ground : std::uint8_t{0};
         }
+        outliers.mark(i, from, rows.terrain, out, flags);
+    }
 }
 
 }  // namespace
 
-Terrain refine(const MetreGrid& surface, const GridPlace& place, const AlignedGrid& working,
-               const std::vector<Pit>& pits, Factor factor, const Rules& rules, MetreGrid room,
-               Executor& threads) {
-    const Refinement refinement(surface, place, working, factor, rules);
-    if (room.rows != surface.rows || room.cols != surface.cols)
-        room = MetreGrid::unset(surface.rows, surface.cols, threads);
-    Terrain terrain{std::move(room), Grid<std::uint8_t>::unset(surface.rows, surface.cols, threads)};
-    for_row_bands(threads, surface.rows, surface.cols, [&](RowBand band) {
-        Refinement::Rows rows = refinement.rows_for(band);
-        for (std::int32_t i = band.begin; i < band.end; ++i) {
-            refinement.fill(i, rows);
-            const auto from = surface.row(i);
-            const auto to = terrain.elevation.row(i);
-            const auto flags = terrain.flags.row(i);
-            for (std::size_t j = 0; j < to.size(); ++j) {
-                const bool bare = from[j] - rows.terrain[j] <= rows.tolerance[j];  // false where it is NaN
-                to[j] = bare ? from[j] : rows.terrain[j];
-                flags[j] = bare ? bare_ground : std::uint8_t{0};
-            }
-            const std::int32_t row = block_of(place.row + i, factor.down) - working.first_row;
-            for (const Pit& pit : pits_in(pits, row))
-                mark_outliers(pit, factor.across * (working.first_col + pit.col) - place.col, factor.across,
-                              from, rows.terrain, to, flags);
-        }
+Terrain refine(const MetreGrid& surface, const GridPlace& place, AlignedGrid working,
+               const std::vector<Pit>& pits, Factor factor, const Rules& rules, Executor& threads) {
+    const Outliers outliers{pits, working.first_row, working.first_col, factor, place};
+    Terrain terrain{{}, Grid<std::uint8_t>::unset(surface.rows, surface.cols, threads)};
+    if (factor.down != 1 || factor.across != 1) {
+        terrain.elevation = MetreGrid::unset(surface.rows, surface.cols, threads);
+        const Refinement refinement(surface, place, working, factor, rules);
+        for_row_bands(threads, surface.rows, surface.cols,
+                      [&](RowBand band) { refine_band(surface, band, refinement, outliers, terrain); });
+        return terrain;
+    }
+    terrain.elevation = std::move(working.grid);
+    // A band needs the row behind it, whose slope is that from the next.
+    for_band_copies(threads, terrain.elevation, 2, [&](BandCopy<float>& copy) {
+        AlignedGrid around = shape_of(working);
+        around.first_row += copy.first;
+        around.grid = std::move(copy.rows);
+        const Refinement refinement(surface, place, around, factor, rules);
+        refine_band(surface, copy.band, refinement, outliers, terrain);
+        copy.rows = std::move(around.grid);
     });
     return terrain;
 }

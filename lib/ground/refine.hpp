@@ -11,10 +11,10 @@ namespace d2b::ground {
 
 /// The terrain at every point of the surface: points near the working terrain are ground, elsewhere it lies
 /// where the working terrain does, and never above the surface.
-/// @param room a grid that is no longer needed: where it has the surface's size, its memory is the result's
+/// @param working its memory is the result's where its cells are those of the surface
 /// @param pits of the working grid, in scan order: points below their limits are low outliers
-[[nodiscard]] Terrain refine(const MetreGrid& surface, const GridPlace& place, const AlignedGrid& working,
-                             const std::vector<Pit>& pits, Factor factor, const Rules& rules, MetreGrid room,
+[[nodiscard]] Terrain refine(const MetreGrid& surface, const GridPlace& place, AlignedGrid working,
+                             const std::vector<Pit>& pits, Factor factor, const Rules& rules,
                              Executor& threads);
 
 }  // namespace d2b::ground

@@ -24,7 +24,7 @@ Executor& threads_of(const UnitSearch& search) {
 /// The terrain as it is given or estimated. Where that finds a cell to be far below the ground, the surface
 /// is not known.
 MetreGrid terrain_of(const UnitSearch& search, const Window& seen, SeenSurface& seen_surface) {
-    const MetreGrid& surface = seen_surface.elevations();
+    MetreGrid& surface = seen_surface.elevations();
     if (search.plan.ground == GroundMode::none)
         return MetreGrid(surface.rows, surface.cols, 0);
     if (search.plan.ground == GroundMode::given)

@@ -21,6 +21,8 @@ class SeenSurface {
     ~SeenSurface();
 
     [[nodiscard]] const MetreGrid& elevations() const { return elevations_; }
+    /// For who leaves them as they were.
+    [[nodiscard]] MetreGrid& elevations() { return elevations_; }
     /// Makes NaN of what has a flag. @param flags of the cells
     void take_out(const Grid<std::uint8_t>& flags, std::uint8_t flag, Executor& threads);
 

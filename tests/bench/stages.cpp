@@ -33,14 +33,14 @@ void read(State& state, PreparedRun& run) {
 }
 
 void ground(State& state, PreparedRun& run) {
-    const MetreGrid surface = run.surface();
+    MetreGrid surface = run.surface();
     for ([[maybe_unused]] auto _ : state)
         benchmark::DoNotOptimize(estimate_ground(surface, run.cell, run.decided.asked.ground, run.context));
     count_points(state, run);
 }
 
 void detect(State& state, PreparedRun& run) {
-    const MetreGrid surface = run.surface();
+    MetreGrid surface = run.surface();
     const Terrain terrain = estimate_ground(surface, run.cell, run.decided.asked.ground, run.context);
     const Scene scene{surface, terrain.elevation, run.cell};
     for ([[maybe_unused]] auto _ : state)

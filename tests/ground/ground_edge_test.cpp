@@ -63,7 +63,8 @@ TEST(GroundEdges, ALowOutlierIsFlaggedAndDragsNothingDown) {
 TEST(GroundEdges, TheCallerMayStop) {
     Context context;
     context.on_progress = [](double) { return false; };
-    EXPECT_THROW(static_cast<void>(estimate_ground(MetreGrid(5, 5, 1.0F), {1, 1}, {}, context)), Cancelled);
+    MetreGrid surface(5, 5, 1.0F);
+    EXPECT_THROW(static_cast<void>(estimate_ground(surface, {1, 1}, {}, context)), Cancelled);
 }
 
 /// A town on rolling ground: what it holds at a place depends on the place alone.

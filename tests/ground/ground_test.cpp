@@ -111,7 +111,7 @@ TEST(Ground, ARoofReachedByANarrowRampIsNone) {
 }
 
 TEST(Ground, ARoofReachedByAWideRampIsNone) {
-    const Scene city = hall_with_ramp(20);
+    Scene city = hall_with_ramp(20);
     expect_no_ground_on_the_hall(city.terrain());
     // It is its walls that tell: no share is more than one.
     ground::Rules rules;

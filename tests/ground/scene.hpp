@@ -35,7 +35,8 @@ struct Scene {
         Context context;
         GroundOptions options;
         options.max_building_width = width;
-        return estimate_ground(surface, cell, options, context, place);
+        MetreGrid used = surface;
+        return estimate_ground(used, cell, options, context, place);
     }
 };
 

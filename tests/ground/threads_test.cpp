@@ -50,7 +50,8 @@ bool same(const Grid<T>& a, const Grid<T>& b) {
 }
 
 TEST(GroundThreads, TheirNumberDoesNotShow) {
-    const MetreGrid surface = city(1500, 900);
+    const MetreGrid before = city(1500, 900);
+    MetreGrid surface = before;
     for (const double size : {1.0, 0.4}) {
         Context one;
         const Terrain expected = estimate_ground(surface, {size, size * 1.2}, {}, one, {13, -7});
@@ -60,6 +61,7 @@ TEST(GroundThreads, TheirNumberDoesNotShow) {
             const Terrain terrain = estimate_ground(surface, {size, size * 1.2}, {}, context, {13, -7});
             EXPECT_TRUE(same(terrain.elevation, expected.elevation)) << threads;
             EXPECT_TRUE(same(terrain.flags, expected.flags)) << threads;
+            EXPECT_TRUE(same(surface, before)) << threads;
         }
     }
 }
