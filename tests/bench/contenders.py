@@ -24,18 +24,22 @@ def python_with_gdal():
 class Bench:
     """Makes contenders and their inputs, each once, in a work folder."""
 
-    def __init__(self, programs, work, repeats, small, say):
+    def __init__(self, programs, work, repeats, small, say, real=None):
         self.programs = programs
         self.work = work
         self.repeats = repeats
         self.small = small
+        self.real = real or {}  # surveyed cities: a name, a raster
         self.say = say
         self.warmed = set()
         self.contenders = {}
         self.reports = {}  # by (preset, city): of a run that was not measured
 
     def city(self, size):
-        """A city of so many million points, or the small window of one."""
+        """A city of so many million points, the small window of one, or a surveyed city."""
+        if size in self.real:
+            self.warm(self.real[size])
+            return self.real[size]
         if size == SMALL:
             return self.small or self.make(self.work / "small.tif", [
                 "gdal_translate", "-q", "-srcwin", "400", "400", "242", "249", self.city(4), "{}"])
@@ -64,7 +68,8 @@ class Bench:
         """@param heavy: once, whatever the number of repeats; what is small has many
         @param out: where the result goes; a GeoPackage in the work folder"""
         if name not in self.contenders:
-            repeats = 1 if heavy else self.repeats * (5 if SMALL in name else 1)
+            is_small = SMALL in name or any(name.endswith(city) for city in self.real)
+            repeats = 1 if heavy else self.repeats * (5 if is_small else 1)
             out = out or self.work / (name.replace(" ", "_") + ".gpkg")
             self.contenders[name] = Contender(name, command, out, repeats)
         return self.contenders[name]
@@ -72,6 +77,11 @@ class Bench:
     def ours(self, preset, size):
         return self.add(f"{preset} {size}", [self.programs["dem2buildings"], "-json", *PRESETS[preset],
                                              self.city(size), "{out}"], heavy=size == 1000)
+
+    def ours_with(self, name, options, size):
+        """With more options, whose files are called as the result, and more."""
+        return self.add(f"default {size} {name}", [self.programs["dem2buildings"], "-json", *options, self.city(size),
+                                                   "{out}"], out=self.work / "extra.gpkg")
 
     def unwritten(self, preset, size, threads):
         """All stages, with the least of formats in memory in the place of a file: SQLite has one thread."""

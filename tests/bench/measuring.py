@@ -56,6 +56,8 @@ class Contender:
     def forget(self):
         """What is still to be written to the disk must not be written in another's time."""
         self.out.unlink(missing_ok=True)
+        for beside in self.out.parent.glob(self.out.name + ".*"):
+            beside.unlink()
 
     def median(self):
         return statistics.median(self.seconds)

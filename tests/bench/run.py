@@ -28,8 +28,11 @@ def arguments():
     parser.add_argument("--work", type=Path, help="folder for cities and results; default: <build>/bench")
     parser.add_argument("--huge", action="store_true", help="also 1,000 million points, once, for their memory")
     parser.add_argument("--small", type=Path, help="raster of the row `small`; default: a window of 242 x 249 cells")
+    parser.add_argument("--cities", type=Path, help="folder with a folder a surveyed city, whose elevations are dsm.tif")
     parser.add_argument("--trace", type=Path, help="instead of all this: a timeline of two threads, for chrome://tracing")
     given = parser.parse_args()
+    if given.cities and not given.cities.is_dir():
+        parser.error(f"there is no folder {given.cities}")
     if unknown := set(given.rows.split(",")) - set(ROWS):
         parser.error(f"no such row: {', '.join(sorted(unknown))}")
     return given
@@ -67,7 +70,8 @@ def main():
     work.mkdir(parents=True, exist_ok=True)
     # Relative names in the table are those of this folder.
     small = given.small.resolve() if given.small else None
-    bench = Bench(programs(given.build), work, given.repeats, small, say)
+    real = {dsm.parent.name: dsm.resolve() for dsm in sorted(given.cities.glob("*/dsm.tif"))} if given.cities else {}
+    bench = Bench(programs(given.build), work, given.repeats, small, say, real)
     if given.trace:
         trace(bench, given.trace)
         return

@@ -19,8 +19,10 @@ def row_line(row):
     beside = f"{row.beside_seconds():.3g}" if row.beside else ""
     processor = f"{processor_ratio(row):.2f}" if row.beside and not row.at_least else ""
     sign = ">=" if row.at_least else "<="
+    goal = "" if row.asked is None else f"{sign} {row.asked}"
+    met = {None: "", True: "yes", False: "**no**"}[row.met()]
     return [row.what, f"{row.ours.median():.3g}", beside, processor, f"{row.ours.peak():.0f}",
-            f"{row.figure(row):.2f}{row.unit}", f"{sign} {row.asked}", "yes" if row.met() else "**no**"]
+            f"{row.figure(row):.2f}{row.unit}", goal, met]
 
 
 def asked_table(rows):
