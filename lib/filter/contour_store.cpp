@@ -91,7 +91,7 @@ void ContourPile::reject(const StoredContours::Rejected& what) {
         piled_.rejected.push_back(what);
 }
 
-ContourStore::ContourStore(Settings settings, std::unique_ptr<Spool> spool, Context& context)
+ContourStore::ContourStore(StoreSettings settings, std::unique_ptr<Spool> spool, Context& context)
     : settings_(std::move(settings)), spool_(std::move(spool)), context_(context) {}
 
 /// Names are places.

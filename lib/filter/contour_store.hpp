@@ -100,8 +100,7 @@ class ContourPile : public ContourSink {
 /// The contours of a run, until the last has been taken.
 class ContourStore : public ContourSink {
   public:
-    using Settings = StoreSettings;
-    ContourStore(Settings settings, std::unique_ptr<Spool> spool, Context& context);
+    ContourStore(StoreSettings settings, std::unique_ptr<Spool> spool, Context& context);
 
     std::int64_t take(FinishedContour&& finished) override {
         return pile(all_, context_.report).take(std::move(finished));
@@ -122,7 +121,7 @@ class ContourStore : public ContourSink {
     void number_buildings();
     [[nodiscard]] std::vector<bool> fill();
 
-    Settings settings_;
+    StoreSettings settings_;
     std::shared_ptr<Spool> spool_;
     Context& context_;
     PiledContours all_;

@@ -2,13 +2,14 @@
 """Measures accuracy: on scenes whose truth is exact, and on real places where there are some.
 
     tests/accuracy/run.py [--build build] [--work FOLDER] [--seed N] [--cities FOLDER] [--plot FILE.png]
-                          [--learn] [--write docs/accuracy.md] [--least-iou X] [SCENE...]
+                          [--failures FILE.png] [--learn] [--write docs/accuracy.md] [--least-iou X] [SCENE...]
 
 Makes the scenes (all that are measured, or those that are named), finds buildings with the defaults, and prints
 tables: areas, objects, walls, places without buildings, and how often a confidence is right.
 --cities   a folder with a folder a place: dsm.tif, reference_buildings.gpkg, perhaps dtm.tif and NOTE.md
 --write    puts the tables into a page, between the lines `<!-- table NAME -->` and `<!-- end -->`
 --plot     draws how often a confidence is right (needs python3-matplotlib)
+--failures draws of each real place, and of the scenes with the lowest IoU, where most goes wrong (matplotlib as well)
 --learn    fits the weights of the judge to the real places and to scenes of another seed, and tries them on each
            place with that place left out; those for thin points to all places and scenes as thin scans show them
 --least-iou  fails where the mean IoU of the scenes is less
@@ -22,6 +23,7 @@ import sys
 import tempfile
 
 import confidence
+import failures
 import learning
 import tables
 import thinning
@@ -58,6 +60,7 @@ def measure(tools, place, work):
     find(tools, place, out)
     figures = score(tools, place, out)
     figures["name"] = place.title
+    figures["drawn"] = (place, out, figures["iou"])
     figures["cell"] = place.cell()
     figures["km2"] = place.km2()
     figures["built"] = figures["reference"]["features"] > 0
@@ -107,6 +110,13 @@ def measure_all(arguments, work):
             *(learn(arguments, work) if arguments.learn else ({}, [])))
 
 
+def drawn(real, made):
+    """What --failures shows: all real places, then as many scenes as fill the last row."""
+    worst = sorted((figures for figures in made if figures["built"]), key=lambda figures: figures["iou"])
+    scenes = worst[:max(1, -len(real) % failures.ACROSS)]
+    return [figures["drawn"] for figures in real + scenes]
+
+
 def main(words):
     parser = argparse.ArgumentParser(usage=__doc__)
     parser.add_argument("--build", default="build")
@@ -114,6 +124,7 @@ def main(words):
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--cities")
     parser.add_argument("--plot")
+    parser.add_argument("--failures")
     parser.add_argument("--learn", action="store_true")
     parser.add_argument("--write")
     parser.add_argument("--least-iou", type=float, default=0)
@@ -125,6 +136,8 @@ def main(words):
         if arguments.work:
             os.makedirs(arguments.work, exist_ok=True)
         made, real, more, tried = measure_all(arguments, arguments.work or scratch)
+        if arguments.failures:
+            failures.plot(arguments.failures, drawn(real, made))
     found = tables.all_tables(made, real) | more
     for name, lines in found.items():
         print(f"\n{name}\n", *lines, sep="\n")

@@ -7,15 +7,17 @@ import unittest
 try:
     import numpy as np
     import scipy.spatial  # noqa: F401
-    from osgeo import ogr
+    from osgeo import gdal, ogr
 except ImportError as error:
     raise SystemExit(f"a package is missing: {error}") from error
 
 import confidence
+import failures
 import learning
 import tables
 import thinning
 import walls
+from places import Place
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 
@@ -95,6 +97,39 @@ class Thinning(unittest.TestCase):
         self.assertAlmostEqual(heights.mean(), 10, delta=0.002)
 
 
+class Failures(unittest.TestCase):
+    def test_the_window_is_where_most_is_wrong(self):
+        wrong = np.zeros((20, 30), bool)
+        wrong[2, 3] = True
+        wrong[12:15, 20:22] = True
+        row, col = failures.worst_window(wrong, 3, 2)
+        self.assertEqual((row, col), (12, 20))
+        self.assertEqual(tuple(failures.worst_window(wrong, 20, 30)), (0, 0))
+
+    def test_what_is_missed_and_what_is_false_have_colours(self):
+        with tempfile.TemporaryDirectory() as folder:
+            place = Place("made", "Made", folder)
+            raster = gdal.GetDriverByName("GTiff").Create(place.dsm, 12, 10, 1, gdal.GDT_Float32)
+            raster.SetGeoTransform((0, 1, 0, 10, 0, -1))
+            raster.SetProjection("EPSG:32631")
+            raster.FlushCache()
+            out = os.path.join(folder, "out.gpkg")
+            for path, square in ((place.reference, box(1, 1, 5, 5)), (out, box(3, 1, 9, 5))):
+                dataset = ogr.GetDriverByName("GPKG").CreateDataSource(path)
+                layer = dataset.CreateLayer("buildings")
+                feature = ogr.Feature(layer.GetLayerDefn())
+                feature.SetGeometry(square)
+                layer.CreateFeature(feature)
+                del feature, layer, dataset  # which writes them
+            colours, share = failures.picture_of(place, out)
+            self.assertEqual(colours.shape, (20, 24, 3))
+            self.assertEqual(share, 1)
+            # The border of a part has the full colour; row 17 of half cells is the lowest of both squares.
+            for col, colour in ((2, failures.MISSED), (6, failures.SHARED), (17, failures.FALSE)):
+                np.testing.assert_array_equal(colours[17, col], colour)
+            self.assertEqual(len(set(colours[0, 0])), 1)  # grey
+
+
 class Tables(unittest.TestCase):
     def test_only_what_stands_between_the_lines_is_replaced(self):
         with tempfile.NamedTemporaryFile("w+", suffix=".md", encoding="utf-8") as page:
@@ -112,8 +147,12 @@ class Command(unittest.TestCase):
                               capture_output=True, text=True, check=False)
 
     def test_measures_a_scene(self):
-        done = self.run_it("--least-iou", "0.7", "--learn", "rows_lidar8", "hamlet_thinned", "fields_thin")
-        self.assertEqual(done.returncode, 0, done.stderr)
+        with tempfile.TemporaryDirectory() as folder:
+            picture = os.path.join(folder, "failures.png")
+            done = self.run_it("--least-iou", "0.7", "--learn", "--failures", picture, "rows_lidar8", "hamlet_thinned",
+                               "fields_thin")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertGreater(gdal.Open(picture).RasterXSize, 500)
         self.assertRegex(done.stdout, r"\| rows, lidar8 \| 0.5 m \| 0\.9\d\d \|")
         self.assertRegex(done.stdout, r"\| fields, thin \| 2 m \| 1.00 \| \d+ \|")
         # Each row of the town is a building, of which the farms' weights know.
