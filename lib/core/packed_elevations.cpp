@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace d2b {
 namespace {
@@ -10,15 +11,36 @@ bool is_float(double elevation) {
     return static_cast<double>(static_cast<float>(elevation)) == elevation || std::isnan(elevation);
 }
 
-template <typename Number>
-std::vector<double> take_all(ByteReader& reader, std::uint64_t count) {
-    if (count > reader.left() / sizeof(Number))
-        throw BrokenRecord("more is announced than there is");
-    std::vector<double> elevations(static_cast<std::size_t>(count));
-    for (double& elevation : elevations)
-        elevation = static_cast<double>(reader.take<Number>());
-    return elevations;
-}
+/// How many elevations follow, and what they are written as.
+class Announced {
+  public:
+    explicit Announced(ByteReader& reader) : reader_(reader), size_(reader.take_varint()) {
+        if (size_ / 2 > reader.left() / (is_narrow() ? sizeof(float) : sizeof(double)))
+            throw BrokenRecord("more is announced than there is");
+    }
+    [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(size_ / 2); }
+    void take(std::span<double> to) {
+        if (is_narrow())
+            take_as<float>(to);
+        else
+            take_as<double>(to);
+    }
+
+  private:
+    [[nodiscard]] bool is_narrow() const { return size_ % 2 == 1; }
+    template <typename Number>
+    void take_as(std::span<double> to) {
+        const std::span<const std::byte> bytes = reader_.take_bytes(to.size() * sizeof(Number));
+        for (std::size_t i = 0; i < to.size(); ++i) {
+            Number number{};
+            std::memcpy(&number, bytes.data() + i * sizeof(Number), sizeof(Number));
+            to[i] = static_cast<double>(number);
+        }
+    }
+
+    ByteReader& reader_;
+    std::uint64_t size_;
+};
 
 }  // namespace
 
@@ -32,8 +54,18 @@ void put_elevations(std::span<const double> elevations, ByteWriter& writer) {
 }
 
 std::vector<double> take_elevations(ByteReader& reader) {
-    const std::uint64_t size = reader.take_varint();
-    return size % 2 == 1 ? take_all<float>(reader, size / 2) : take_all<double>(reader, size / 2);
+    Announced announced(reader);
+    std::vector<double> elevations(announced.count());
+    announced.take(elevations);
+    return elevations;
+}
+
+std::size_t take_elevations(ByteReader& reader, std::span<double> to) {
+    Announced announced(reader);
+    if (announced.count() > to.size())
+        throw BrokenRecord("there are more elevations than columns");
+    announced.take(to.first(announced.count()));
+    return announced.count();
 }
 
 }  // namespace d2b

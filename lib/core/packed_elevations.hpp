@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -11,5 +12,8 @@ namespace d2b {
 void put_elevations(std::span<const double> elevations, ByteWriter& writer);
 /// @throws BrokenRecord
 [[nodiscard]] std::vector<double> take_elevations(ByteReader& reader);
+/// Takes them to the front of a place. @return how many there are @throws BrokenRecord also where they are
+/// more than it holds
+std::size_t take_elevations(ByteReader& reader, std::span<double> to);
 
 }  // namespace d2b

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/packed_elevations.hpp"
+#include "trace/arms.hpp"
 
 namespace d2b {
 namespace {
@@ -54,18 +55,17 @@ class Gaps {
 
 }  // namespace
 
-void PackedLine::set(const std::vector<TileLine::Squares>& squares,
-                     const std::vector<TileLine::Outside>& outside) {
+void PackedLine::set(const std::vector<TileSquares>& squares, const std::vector<TileOutside>& outside) {
     cells_.put_varint(squares.size());
     Gaps gaps;
-    for (const TileLine::Squares& stretch : squares) {
+    for (const TileSquares& stretch : squares) {
         gaps.put(stretch.begin, cells_);
         gaps.put(stretch.end, cells_);
         cells_.put_varint(static_cast<std::uint64_t>(stretch.count));
     }
     cells_.put_varint(outside.size());
     Gaps beside;
-    for (const TileLine::Outside& stretch : outside) {
+    for (const TileOutside& stretch : outside) {
         beside.put(stretch.begin, cells_);
         put_elevations(stretch.elevations, cells_);
         beside.pass(stretch.elevations.size(), std::numeric_limits<std::int32_t>::max());
@@ -82,31 +82,6 @@ void PackedLine::save(ByteWriter& writer) const {
     writer.put_bytes(cells_.bytes());
     writer.put_varint(sums_);
     writer.put_bytes(packed_sums_.bytes());
-}
-
-TileLine load_tile_line(ByteReader& reader, const TraceFrame& frame) {
-    const std::int32_t cols = frame.window.cols;
-    TileLine line;
-    line.line = reader.take<std::int32_t>();
-    Gaps squares;
-    for (std::uint64_t left = reader.take_varint(); left > 0; --left) {
-        TileLine::Squares& next = line.squares.emplace_back();
-        next.begin = squares.take(reader, cols);
-        next.end = squares.take(reader, cols);
-        next.count = reader.take_varint(frame.levels);
-        if (next.begin == next.end || next.count == 0)
-            throw BrokenRecord("squares belong to no level");
-    }
-    Gaps outside;
-    for (std::uint64_t left = reader.take_varint(); left > 0; --left) {
-        TileLine::Outside& next = line.outside.emplace_back();
-        next.begin = outside.take(reader, cols);
-        next.elevations = take_elevations(reader);
-        outside.pass(next.elevations.size(), cols);
-    }
-    for (std::uint64_t left = reader.take_varint(); left > 0; --left)
-        line.sums.push_back(load_sum(reader, frame));
-    return line;
 }
 
 void save(const TracedTile& tile, ByteWriter& writer) {
@@ -126,30 +101,46 @@ TracedTile load_traced_tile(ByteReader& reader) {
     return tile;
 }
 
-TraceLine join_lines(std::vector<TileLine>&& parts, const TraceFrame& frame) {
-    TraceLine joined;
-    joined.line = parts.front().line;
-    joined.squares.levels.resize(static_cast<std::size_t>(frame.levels));
-    joined.outside.resize(static_cast<std::size_t>(frame.window.cols),
-                          std::numeric_limits<double>::infinity());
-    RunCutter cutter(joined.squares);
-    std::int32_t end = 0;
-    for (TileLine& part : parts) {
-        if (part.line != joined.line)
-            throw BrokenRecord("its lines are not those of its neighbour");
-        for (const TileLine::Squares& squares : part.squares) {
-            const std::int32_t begin = std::max(squares.begin, end);  // what both know counts once
-            if (begin < squares.end)
-                cutter.add(begin, squares.end, squares.count, 1);
-            end = std::max(end, squares.end);
-        }
-        for (const TileLine::Outside& outside : part.outside)
-            std::ranges::copy(outside.elevations, joined.outside.begin() + outside.begin);
-        joined.sums.insert(joined.sums.end(), std::make_move_iterator(part.sums.begin()),
-                           std::make_move_iterator(part.sums.end()));
+LineJoiner::LineJoiner(const TraceFrame& frame, TraceLine& line)
+    : frame_(frame), line_(line), cutter_(line.squares) {
+    line_.squares.levels.resize(static_cast<std::size_t>(frame.levels));
+    line_.outside.resize(static_cast<std::size_t>(frame.window.cols), nothing_outside);
+}
+
+void LineJoiner::add(ByteReader& reader) {
+    const auto line = reader.take<std::int32_t>();
+    if (begun_ && line != line_.line)
+        throw BrokenRecord("its lines are not those of its neighbour");
+    begun_ = true;
+    line_.line = line;
+    add_squares(reader);
+    add_outside(reader);
+    for (std::uint64_t left = reader.take_varint(); left > 0; --left)
+        line_.sums.push_back(load_sum(reader, frame_));
+}
+
+void LineJoiner::add_squares(ByteReader& reader) {
+    Gaps gaps;
+    for (std::uint64_t left = reader.take_varint(); left > 0; --left) {
+        const std::int32_t first = gaps.take(reader, frame_.window.cols);
+        const std::int32_t end = gaps.take(reader, frame_.window.cols);
+        const std::int32_t count = reader.take_varint(frame_.levels);
+        if (first == end || count == 0)
+            throw BrokenRecord("squares belong to no level");
+        const std::int32_t begin = std::max(first, end_);  // what both know counts once
+        if (begin < end)
+            cutter_.add(begin, end, count, 1);
+        end_ = std::max(end_, end);
     }
-    cutter.finish();
-    return joined;
+}
+
+void LineJoiner::add_outside(ByteReader& reader) {
+    Gaps gaps;
+    for (std::uint64_t left = reader.take_varint(); left > 0; --left) {
+        const std::int32_t begin = gaps.take(reader, frame_.window.cols);
+        const auto beside = std::span(line_.outside).subspan(static_cast<std::size_t>(begin));
+        gaps.pass(take_elevations(reader, beside), frame_.window.cols);
+    }
 }
 
 }  // namespace d2b

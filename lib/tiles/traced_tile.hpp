@@ -10,29 +10,21 @@
 
 namespace d2b {
 
-/// A stop of the sweep line as far as a tile knows it. Columns count from the first of the whole window.
-struct TileLine {
-    /// Squares below the line that belong to the same levels.
-    struct Squares {
-        std::int32_t begin = 0;  ///< columns
-        std::int32_t end = 0;
-        std::int32_t count = 0;  ///< of levels
-    };
-    /// Part of TraceLine::outside, as far as outlines of level 1 may run beside it.
-    struct Outside {
-        std::int32_t begin = 0;  ///< column
-        std::vector<double> elevations;
-    };
-
-    std::int32_t line = TraceLine::none;
-    std::vector<Squares> squares;  ///< from left to right
-    std::vector<Outside> outside;  ///< likewise
-    std::vector<ContourSum> sums;
+/// Squares below a line that belong to the same levels. Columns count from the first of the whole window.
+struct TileSquares {
+    std::int32_t begin = 0;  ///< columns
+    std::int32_t end = 0;
+    std::int32_t count = 0;  ///< of levels
 };
-/// @param frame of the whole @throws BrokenRecord also where it speaks of more levels or columns
-[[nodiscard]] TileLine load_tile_line(ByteReader& reader, const TraceFrame& frame);
 
-/// Such a line as it is written: all that is known of a tile stays in memory until the tile ends.
+/// Part of TraceLine::outside, as far as outlines of level 1 may run beside it.
+struct TileOutside {
+    std::int32_t begin = 0;  ///< column, likewise
+    std::vector<double> elevations;
+};
+
+/// A stop of the sweep line as far as a tile knows it, as it is written: all that is known of a tile stays in
+/// memory until the tile ends.
 class PackedLine {
   public:
     explicit PackedLine(std::int32_t line) : line_(line) {}
@@ -43,10 +35,10 @@ class PackedLine {
         constexpr std::size_t largest_varint = 10;
         return sizeof(line_) + cells_.bytes().size() + largest_varint + packed_sums_.bytes().size();
     }
-    /// Once.
-    void set(const std::vector<TileLine::Squares>& squares, const std::vector<TileLine::Outside>& outside);
+    /// Once. @param squares, outside from left to right
+    void set(const std::vector<TileSquares>& squares, const std::vector<TileOutside>& outside);
     void add(const ContourSum& sum);
-    /// As load_tile_line() takes it. @pre set()
+    /// As LineJoiner takes it. @pre set()
     void save(ByteWriter& writer) const;
 
   private:
@@ -68,9 +60,27 @@ void save(const TracedTile& tile, ByteWriter& writer);
 /// @throws BrokenRecord
 [[nodiscard]] TracedTile load_traced_tile(ByteReader& reader);
 
-/// Puts lines side by side that tiles know parts of.
-/// @param parts from left to right; they may share a square @throws BrokenRecord where they are not of one
-/// line
-[[nodiscard]] TraceLine join_lines(std::vector<TileLine>&& parts, const TraceFrame& frame);
+/// Makes a line of the window of what tiles side by side know of it.
+class LineJoiner {
+  public:
+    /// @param frame of the whole, which must outlive this, as the line must
+    LineJoiner(const TraceFrame& frame, TraceLine& line);
+
+    /// The next tile to the right; it may share a square with the one before.
+    /// @throws BrokenRecord also where it is of another line, or speaks of more levels or columns
+    void add(ByteReader& reader);
+    /// After the last.
+    void finish() { cutter_.finish(); }
+
+  private:
+    void add_squares(ByteReader& reader);
+    void add_outside(ByteReader& reader);
+
+    const TraceFrame& frame_;
+    TraceLine& line_;
+    RunCutter cutter_;
+    std::int32_t end_ = 0;  ///< of the squares that are known
+    bool begun_ = false;    ///< a tile has been added
+};
 
 }  // namespace d2b

@@ -50,6 +50,16 @@ TEST(PackedElevations, TakeHalfTheRoomWhereNothingIsLost) {
         for (std::size_t i = 0; i < again.size(); ++i)
             EXPECT_TRUE(again[i] == elevations[i] || (std::isnan(again[i]) && std::isnan(elevations[i])));
         EXPECT_EQ(reader.left(), 0U);
+        std::vector<double> room(elevations.size() + 1, 7);
+        ByteReader into = read_again(writer);
+        EXPECT_EQ(take_elevations(into, room), elevations.size());
+        EXPECT_EQ(room.back(), 7);
+        EXPECT_TRUE(elevations.empty() || room.front() == elevations.front());
+        if (!elevations.empty()) {
+            ByteReader too_many = read_again(writer);
+            EXPECT_THROW((void)take_elevations(too_many, std::span(room).first(elevations.size() - 1)),
+                         BrokenRecord);
+        }
     }
     ByteWriter cut;
     cut.put_varint(2 * 5 + 1);

@@ -118,20 +118,16 @@ std::size_t read_contour(std::span<const std::byte> bytes) {
 std::size_t read_lines(std::span<const std::byte> bytes) {
     const TraceFrame frame = tile_frame();
     ByteReader reader({bytes.begin(), bytes.end()});
-    std::vector<TileLine> parts;
-    parts.push_back(load_tile_line(reader, frame));
-    parts.push_back(load_tile_line(reader, frame));
-    ByteWriter again;
-    for (const TileLine& part : parts) {
-        save(part, again);
-        for (const ContourSum& sum : part.sums)
-            demand(sum.level >= 0 && sum.level < frame.levels && sum.col < tile_window.cols,
-                   "a sum is of a level and a column");
-    }
-    ByteReader twice({again.bytes().begin(), again.bytes().end()});
-    for (const TileLine& part : parts)
-        demand(load_tile_line(twice, frame).squares.size() == part.squares.size(), "it is written as it was");
-    const TraceLine line = join_lines(std::move(parts), frame);
+    TraceLine line;
+    LineJoiner joiner(frame, line);
+    joiner.add(reader);
+    joiner.add(reader);
+    joiner.finish();
+    for (const ContourSum& sum : line.sums)
+        demand(sum.level >= 0 && sum.level < frame.levels && sum.col < tile_window.cols,
+               "a sum is of a level and a column");
+    demand(line.outside.size() == static_cast<std::size_t>(tile_window.cols),
+           "a line is as wide as the window");
     for (const std::vector<Run>& runs : line.squares.levels)
         for (std::size_t i = 0; i < runs.size(); ++i) {
             demand(runs[i].begin < runs[i].end && runs[i].end <= tile_window.cols,
@@ -150,14 +146,6 @@ std::size_t read_traced(std::span<const std::byte> bytes) {
 }
 
 }  // namespace
-
-void save(const TileLine& line, ByteWriter& writer) {
-    PackedLine packed(line.line);
-    packed.set(line.squares, line.outside);
-    for (const ContourSum& sum : line.sums)
-        packed.add(sum);
-    packed.save(writer);
-}
 
 FoundFacts no_facts() {
     return FoundFacts({on_land, spikes_m, 1, {}}, 2);

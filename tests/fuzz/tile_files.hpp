@@ -6,7 +6,6 @@
 
 #include "core/band.hpp"
 #include "tiles/found_tile.hpp"
-#include "tiles/traced_tile.hpp"
 
 namespace d2b::test {
 
@@ -17,9 +16,6 @@ constexpr std::uint8_t tile_files = 8;
 /// The window of the plan, which has three units, and of the one that a file speaks of.
 constexpr Window tile_window{10, 20, 8, 9};
 [[nodiscard]] FoundFacts no_facts();
-
-/// As a tile writes it.
-void save(const TileLine& line, ByteWriter& writer);
 
 /// Reads a file, but for the numbers that it begins with where any number will do. Ends the program where
 /// what is read speaks of something that is not there. @param file its kind, then its bytes

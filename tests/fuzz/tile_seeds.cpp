@@ -91,16 +91,17 @@ NumberedWhole numbered_whole() {
     return whole;
 }
 
-std::vector<TileLine> lines() {
-    TileLine left;
-    left.line = tile_window.row;
-    left.squares = {{0, 2, 2}, {2, 4, 3}};
-    left.outside = {{4, {1.5, 1.25}}};
-    left.sums = {{false, 1, 2, {}, {}}};
-    TileLine right;
-    right.line = tile_window.row;
-    right.squares = {{4, 7, 2}};
-    return {left, right};
+/// What two tiles side by side know of a line.
+ByteWriter lines() {
+    PackedLine left(tile_window.row);
+    left.set({{0, 2, 2}, {2, 4, 3}}, {{4, {1.5, 1.25}}});
+    left.add({false, 1, 2, {}, {}});
+    PackedLine right(tile_window.row);
+    right.set({{4, 7, 2}}, {});
+    ByteWriter both;
+    left.save(both);
+    right.save(both);
+    return both;
 }
 
 DrawnContour contour() {
@@ -141,10 +142,7 @@ void write_all(const fs::path& folder) {
           }));
     write(folder, "numbered", TileFile::numbered, after(numbered(), nothing));
     write(folder, "numbered_whole", TileFile::numbered_whole, after(numbered_whole(), nothing));
-    ByteWriter two;
-    for (const TileLine& line : lines())
-        save(line, two);
-    write(folder, "lines", TileFile::lines, two);
+    write(folder, "lines", TileFile::lines, lines());
     const TracedTile traced{{}, TracedTile::lines_a_block + 1, {{300, 17}, {20, 18}}};
     write(folder, "traced", TileFile::traced, after(traced, [](ByteWriter& writer) { writer.put(Tally()); }));
     write(folder, "contour", TileFile::contour, after(contour(), nothing));

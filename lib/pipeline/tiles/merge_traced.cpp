@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "core/stage_clock.hpp"
@@ -37,9 +38,11 @@ class TileRow {
         TracedTile head;
         std::vector<std::uint64_t> begins;  ///< of its blocks
     };
-    [[nodiscard]] std::vector<TileLine> lines_of(const Tile& tile, std::size_t piece) const;
-    /// Adds those of a block.
-    void load(const Tile& tile, std::size_t block, std::vector<TileLine>& lines) const;
+    /// Adds what the block of a tile knows to its lines.
+    void load(const Tile& tile, std::size_t block, std::span<LineJoiner> lines) const;
+    [[nodiscard]] std::size_t lines_before(std::size_t block) const {
+        return std::min<std::size_t>(block * TracedTile::lines_a_block, tiles_.front().head.lines);
+    }
 
     const TraceFrame& frame_;
     RecentFiles files_;
@@ -72,39 +75,32 @@ TileRow::TileRow(const TileRun& run, std::int64_t first, const TraceFrame& frame
     }
 }
 
-std::vector<TileLine> TileRow::lines_of(const Tile& tile, std::size_t piece) const {
-    std::vector<TileLine> lines;
-    const std::size_t first = piece * blocks_a_piece_;
-    for (std::size_t i = first; i < std::min(first + blocks_a_piece_, tile.head.blocks.size()); ++i)
-        load(tile, i, lines);
-    return lines;
-}
-
-void TileRow::load(const Tile& tile, std::size_t block, std::vector<TileLine>& lines) const {
+void TileRow::load(const Tile& tile, std::size_t block, std::span<LineJoiner> lines) const {
     ByteReader reader = read_block(tile.file, tile.begins[block], tile.head.blocks[block]);
-    const std::size_t first = block * TracedTile::lines_a_block;
-    const std::size_t count = std::min(TracedTile::lines_a_block, tile.head.lines - first);
     try {
-        for (std::size_t i = 0; i < count; ++i)
-            lines.push_back(load_tile_line(reader, frame_));
+        for (LineJoiner& line : lines)
+            line.add(reader);
     } catch (const BrokenRecord& broken) {
         throw InputError(tile.file.damaged(broken.what()));
     }
 }
 
 std::vector<TraceLine> TileRow::lines(std::size_t piece) const {
-    std::vector<std::vector<TileLine>> parts;  // by line
-    for (const Tile& tile : tiles_) {
-        std::vector<TileLine> lines = lines_of(tile, piece);
-        parts.resize(lines.size());
-        for (std::size_t i = 0; i < lines.size(); ++i)
-            parts[i].push_back(std::move(lines[i]));
-    }
-    std::vector<TraceLine> joined;
-    joined.reserve(parts.size());
-    for (std::vector<TileLine>& line : parts)
-        joined.push_back(join_lines(std::move(line), frame_));
-    return joined;
+    const std::size_t first = piece * blocks_a_piece_;
+    const std::size_t end = std::min(first + blocks_a_piece_, tiles_.front().head.blocks.size());
+    std::vector<TraceLine> lines(lines_before(end) - lines_before(first));
+    std::vector<LineJoiner> joiners;
+    joiners.reserve(lines.size());
+    for (TraceLine& line : lines)
+        joiners.emplace_back(frame_, line);
+    for (const Tile& tile : tiles_)
+        for (std::size_t block = first; block < end; ++block)
+            load(tile, block,
+                 std::span(joiners).subspan(lines_before(block) - lines_before(first),
+                                            lines_before(block + 1) - lines_before(block)));
+    for (LineJoiner& joiner : joiners)
+        joiner.finish();
+    return lines;
 }
 
 /// Traces what all tiles have taken apart. What the tracer takes is given back at the end.

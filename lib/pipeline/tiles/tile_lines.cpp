@@ -76,8 +76,8 @@ void TileLines::keep(const Waiting& waiting, bool all) {
     lines_[waiting.line].set(waiting.squares, beside(waiting.outside, all));
 }
 
-std::vector<TileLine::Outside> TileLines::beside(const std::vector<double>& outside, bool all) const {
-    std::vector<TileLine::Outside> kept;
+std::vector<TileOutside> TileLines::beside(const std::vector<double>& outside, bool all) const {
+    std::vector<TileOutside> kept;
     if (outside.empty())
         return kept;
     const auto first = static_cast<std::size_t>(own_.col - seen_.col);

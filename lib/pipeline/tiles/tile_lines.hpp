@@ -25,7 +25,7 @@ class TileLines : private ContourSink {
     struct Waiting {
         std::int32_t row = 0;
         std::size_t line = 0;  ///< place
-        std::vector<TileLine::Squares> squares;
+        std::vector<TileSquares> squares;
         std::vector<double> outside;
     };
     using Runs = std::vector<Run>;
@@ -33,7 +33,7 @@ class TileLines : private ContourSink {
     std::int64_t take(FinishedContour&& finished) override;
     void add(TraceLine&& line);
     void keep(const Waiting& waiting, bool all);
-    [[nodiscard]] std::vector<TileLine::Outside> beside(const std::vector<double>& outside, bool all) const;
+    [[nodiscard]] std::vector<TileOutside> beside(const std::vector<double>& outside, bool all) const;
 
     TraceFrame frame_;
     Window seen_;
