@@ -67,10 +67,13 @@ void FoundBuildings::add(double elevation, double confidence, Doubt doubt, std::
     footprints.push_back({elevation, confidence, doubt_name(doubt), parcel});
 }
 
+std::int64_t least_cells(const RunPlan& plan, const UnitGrid& units, const CellSize& cell) {
+    return units.count() > 1 ? cells_for(plan.building_m2, cell) : 1;
+}
+
 UnitMerger::Merged join_units(UnitMerger& merger, const RunPlan& plan, const UnitGrid& units,
                               const CellSize& cell, RunReport& report) {
-    // Slivers on the far side of a seam are no objects.
-    UnitMerger::Merged merged = merger.finish(units.count() > 1 ? cells_for(plan.building_m2, cell) : 1);
+    UnitMerger::Merged merged = merger.finish(least_cells(plan, units, cell));
     report.count(Reason::building_doubtful,
                  static_cast<std::int64_t>(merged.objects.size()) - merged.buildings);
     if (plan.asked.write.doubtful)

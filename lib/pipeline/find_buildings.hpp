@@ -37,6 +37,9 @@ inline constexpr double widths_around = 5;
 [[nodiscard]] UnitGrid unit_grid(const RunPlan& plan, const Window& window, const CellSize& cell,
                                  const UnitSize& size = {});
 
+/// What has fewer cells of units' own is no object of theirs: slivers on the far side of a seam.
+[[nodiscard]] std::int64_t least_cells(const RunPlan& plan, const UnitGrid& units, const CellSize& cell);
+
 /// What stands in a window, when all its units have been added: what is doubtful is counted, and left out
 /// where it is not to be written.
 [[nodiscard]] UnitMerger::Merged join_units(UnitMerger& merger, const RunPlan& plan, const UnitGrid& units,
