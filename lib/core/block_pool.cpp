@@ -47,15 +47,20 @@ void BlockPool::to_system(void* block, std::size_t bytes) noexcept {
 }
 
 void* BlockPool::take(std::size_t bytes) {
-    if (void* const block = take_idle(bytes))
-        return block;
-    clear();
-    return from_system(bytes);
-}
-
-void* BlockPool::take_idle(std::size_t bytes) {
     const std::size_t size = whole_pages(bytes);
     const std::lock_guard lock(mutex_);
+    void* block = take_idle(size);
+    if (block == nullptr) {
+        const std::size_t most = std::max(most_used_, used_bytes_ + size);
+        shrink_to(most - used_bytes_ - size);
+        block = from_system(bytes);
+        most_used_ = most;
+    }
+    used_bytes_ += size;
+    return block;
+}
+
+void* BlockPool::take_idle(std::size_t size) {
     const auto found =
         std::find_if(idle_.rbegin(), idle_.rend(), [&](const Idle& idle) { return idle.bytes == size; });
     if (found == idle_.rend())
@@ -68,23 +73,27 @@ void* BlockPool::take_idle(std::size_t bytes) {
 
 void BlockPool::give(void* block, std::size_t bytes) noexcept {
     const std::size_t size = whole_pages(bytes);
-    {
-        const std::lock_guard lock(mutex_);
-        if (idle_.size() < most_blocks && idle_bytes_ + size <= most_idle) {
-            idle_.push_back({block, size});
-            idle_bytes_ += size;
-            return;
-        }
-    }
-    to_system(block, bytes);
+    const std::lock_guard lock(mutex_);
+    used_bytes_ -= std::min(size, used_bytes_);  // a block may be of a grid that had no pool
+    if (idle_.size() == most_blocks || idle_bytes_ + size > most_used_ - used_bytes_)
+        return to_system(block, bytes);
+    idle_.push_back({block, size});
+    idle_bytes_ += size;
 }
 
 void BlockPool::clear() noexcept {
     const std::lock_guard lock(mutex_);
-    for (const Idle& idle : idle_)
-        to_system(idle.block, idle.bytes);
-    idle_.clear();
-    idle_bytes_ = 0;
+    shrink_to(0);
+    most_used_ = used_bytes_;
+}
+
+void BlockPool::shrink_to(std::size_t bytes) noexcept {
+    auto end = idle_.begin();
+    for (; idle_bytes_ > bytes; ++end) {
+        to_system(end->block, end->bytes);
+        idle_bytes_ -= end->bytes;
+    }
+    idle_.erase(idle_.begin(), end);
 }
 
 }  // namespace d2b

@@ -11,19 +11,18 @@
 namespace d2b {
 
 /// Large blocks of memory that grids gave back, for the next ones: the system clears each page that it gives,
-/// which takes as long as a pass over it. From any thread.
+/// which takes as long as a pass over it. What waits and what is in use are together no more than was in use
+/// at a time. From any thread.
 class BlockPool {
   public:
-    static constexpr std::size_t large = std::size_t{2} << 20;       ///< bytes; what is less is not kept
-    static constexpr std::size_t most_idle = std::size_t{64} << 20;  ///< bytes that wait at a time
+    static constexpr std::size_t large = std::size_t{2} << 20;  ///< bytes; what is less is not kept
 
     BlockPool() { idle_.reserve(most_blocks); }
     BlockPool(const BlockPool&) = delete;
     BlockPool& operator=(const BlockPool&) = delete;
     ~BlockPool() { clear(); }
 
-    /// A block of at least so many bytes with whatever was in it. Where none fits, those that wait go back to
-    /// the system first: they do not add to what is in use. @throws std::bad_alloc
+    /// A block of at least so many bytes with whatever was in it. @throws std::bad_alloc
     [[nodiscard]] void* take(std::size_t bytes);
     /// @param bytes that were asked for
     void give(void* block, std::size_t bytes) noexcept;
@@ -36,17 +35,22 @@ class BlockPool {
     static void to_system(void* block, std::size_t bytes) noexcept;
 
   private:
-    static constexpr std::size_t most_blocks = 16;
+    static constexpr std::size_t most_blocks = 64;
 
     struct Idle {
         void* block;
         std::size_t bytes;
     };
-    [[nodiscard]] void* take_idle(std::size_t bytes);
+    /// @param size in whole pages @return a block that waited; null where none fits
+    [[nodiscard]] void* take_idle(std::size_t size);
+    /// Gives those that wait longest back to the system, until no more than so many bytes do.
+    void shrink_to(std::size_t bytes) noexcept;
 
     std::mutex mutex_;
     std::vector<Idle> idle_;  ///< what was given last is last: it may still be in the cache
     std::size_t idle_bytes_ = 0;
+    std::size_t used_bytes_ = 0;
+    std::size_t most_used_ = 0;  ///< bytes at a time
 };
 
 /// The allocator of a grid's values: large blocks come from a pool, if it has one, and values that nobody

@@ -40,9 +40,9 @@ TEST(BlockPool, GivesBackWhatWaitsBeforeItAsksForMore) {
     pool.give(anew, 4 * megabyte);
 }
 
-TEST(BlockPool, KeepsNoMoreThanItsBound) {
+TEST(BlockPool, HoldsNoMoreThanWasInUseAtATime) {
     BlockPool pool;
-    const std::size_t bytes = BlockPool::most_idle / 2;
+    constexpr std::size_t bytes = 4 * megabyte;
     std::vector<void*> blocks;
     for (int i = 0; i < 3; ++i)
         blocks.push_back(pool.take(bytes));
@@ -50,14 +50,26 @@ TEST(BlockPool, KeepsNoMoreThanItsBound) {
         *static_cast<char*>(block) = 'x';
         pool.give(block, bytes);
     }
-    std::size_t kept = 0;
-    for (void*& block : blocks) {
+    void* const larger = pool.take(2 * bytes);  // in the place of two that wait
+    for (void*& block : blocks)
         block = pool.take(bytes);
-        kept += *static_cast<char*>(block) == 'x' ? 1 : 0;
-    }
-    EXPECT_EQ(kept, 2U);
+    EXPECT_EQ(*static_cast<char*>(blocks[0]), 'x');
+    EXPECT_EQ(*static_cast<char*>(blocks[1]), 0);
+    EXPECT_EQ(*static_cast<char*>(blocks[2]), 0);
     for (void* const block : blocks)
         pool.give(block, bytes);
+    pool.give(larger, 2 * bytes);
+}
+
+TEST(BlockPool, HoldsNothingOnceItIsCleared) {
+    BlockPool pool;
+    void* block = pool.take(4 * megabyte);
+    *static_cast<char*>(block) = 'x';
+    pool.give(block, 4 * megabyte);
+    pool.clear();
+    block = pool.take(4 * megabyte);
+    EXPECT_EQ(*static_cast<char*>(block), 0);
+    pool.give(block, 4 * megabyte);
 }
 
 TEST(BlockPool, SaysThatThereIsNoRoom) {
