@@ -12,8 +12,8 @@ bool measures_drawn(const RunPlan& plan) {
 }
 
 OutlineRules outline_rules(const RunPlan& plan, const Crs& target_crs, double cell_size_m) {
-    return {plan.walls, plan.wall_tolerance(cell_size_m), plan.asked.outline.simplify,
-            target_crs.kind() != Crs::Kind::none};
+    return {plan.walls, plan.wall_tolerance(cell_size_m), plan.asked.outline.wall_inset,
+            plan.asked.outline.simplify, target_crs.kind() != Crs::Kind::none};
 }
 
 }  // namespace

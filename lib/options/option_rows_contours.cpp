@@ -189,6 +189,16 @@ std::vector<OptionRow> contours() {
                  " m, and at least " + number_text(least_wall_tolerance_cells) + ".",
          .unit = "cells"}));
     rows.push_back(number_row(
+        "wall_inset", "<cells>", {.lowest = 0, .highest = 1},
+        [](auto& r) -> auto& { return r.options.outline.wall_inset; },
+        {.title = "Straight walls inward by",
+         .help = "Move straight walls inward, for rasters whose cells hold the highest of several points.",
+         .details =
+             "There a cell is a roof's as soon as one point on the roof falls into it, so outlines are "
+             "too wide: by about 1/2 - 1/(n+1) of a cell for n points a cell, and by the radius of a "
+             "pulse. Walls move as far as -regularize_tolerance lets them.",
+         .unit = "cells"}));
+    rows.push_back(number_row(
         "simplify", "<tolerance>", {.lowest = 0}, [](auto& r) -> auto& { return r.options.outline.simplify; },
         {.title = "Tolerance of simplified outlines",
          .help = "Simplify outlines; 0 keeps every corner.",

@@ -21,6 +21,10 @@ CellShape cell_shape(const Georeference& georeference, double x_stretch) {
     return {scale * shape.col, scale * shape.row};
 }
 
+WallOptions wall_options(const OutlineRules& rules, const Georeference& georeference, double x_stretch) {
+    return {rules.walls, rules.wall_tolerance, cell_shape(georeference, x_stretch), rules.wall_inset};
+}
+
 }  // namespace
 
 Drawing choose_drawing(const OutlineRules& rules, const Georeference& georeference) {
@@ -34,10 +38,9 @@ Drawing choose_drawing(const OutlineRules& rules, const Georeference& georeferen
 OutlineReach outline_reach(const ContourList& contours, const OutlineRules& rules,
                            const Georeference& georeference, double x_stretch, const StopRequest& stop) {
     // Where no walls are drawn outlines share the corners that others have on them.
-    const WallOptions walls =
-        choose_drawing(rules, georeference) == Drawing::regularized
-            ? WallOptions{rules.walls, rules.wall_tolerance, cell_shape(georeference, x_stretch)}
-            : WallOptions{Walls::off, 0, {{1, 0}, {0, 1}}};
+    const WallOptions walls = choose_drawing(rules, georeference) == Drawing::regularized
+                                  ? wall_options(rules, georeference, x_stretch)
+                                  : WallOptions{Walls::off, 0, {{1, 0}, {0, 1}}};
     OutlineReach reach{conflict_reach(walls), {}};
     for (ClusterPlan& cluster : wall_clusters(contours, walls, stop))
         reach.groups.push_back(std::move(cluster.numbers));
@@ -85,8 +88,8 @@ Outliner::Outliner(const ContourList& contours, Drawing drawing, const OutlineRu
         simplify(impl_->arcs->arcs, rules.simplify, georeference, context.threads->stop());
     }
     if (drawing == Drawing::regularized) {
-        const WallOptions walls{rules.walls, rules.wall_tolerance, cell_shape(georeference, x_stretch)};
-        impl_->walls.emplace(contours, walls, context.make_spool(), *context.threads);
+        impl_->walls.emplace(contours, wall_options(rules, georeference, x_stretch), context.make_spool(),
+                             *context.threads);
     }
 }
 

@@ -19,6 +19,7 @@ namespace d2b {
 struct OutlineRules {
     Walls walls = Walls::off;
     double wall_tolerance = 0;  ///< cells: no outline with walls leaves its trace by more
+    double wall_inset = 0;      ///< cells: walls move inward by it, as far as the tolerance lets them
     double simplify = 0;        ///< tolerance in units of the CRS; 0: every corner is kept
     bool reprojected = false;   ///< corners are moved afterwards
 };

@@ -83,7 +83,7 @@ void filter(State& state, PreparedRun& run) {
 
 void outline(State& state, PreparedRun& run) {
     Context context;
-    const OutlineRules rules{run.decided.walls, run.decided.wall_tolerance(0), 0, false};
+    const OutlineRules rules{run.decided.walls, run.decided.wall_tolerance(0), 0, 0, false};
     for ([[maybe_unused]] auto _ : state) {
         const Outliner outliner = make_outliner(*run.contours, rules, run.georeference, run.crs,
                                                 run.source->info().window, context);

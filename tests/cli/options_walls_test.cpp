@@ -19,6 +19,16 @@ RasterSpec round_house() {
     return spec;
 }
 
+/// A house of 30 by 20 m on level ground, cells of 0.5 m.
+RasterSpec square_house() {
+    RasterSpec spec = round_house();
+    for (int r = 0; r < 120; ++r)
+        for (int c = 0; c < 120; ++c)
+            spec.values[static_cast<std::size_t>(120 * r + c)] =
+                r >= 40 && r < 80 && c >= 30 && c < 90 ? 12 : 0;
+    return spec;
+}
+
 }  // namespace
 
 TEST_F(OptionEffect, regularize) {
@@ -80,6 +90,26 @@ TEST_F(OptionEffect, regularize_tolerance) {
     }
     run_warned(within(0.01), {"keeps the staircase of the cells"});  // no straight wall is that near to steps
     EXPECT_GT(buildings().records[0].vertices(), 100);
+}
+
+TEST_F(OptionEffect, wall_inset) {
+    preset_ = "buildings";
+    write(path("round.tif"), round_house());
+    write(path("square.tif"), square_house());
+    const auto found = [&](const char* file, const char* cells) {
+        run_well({"-q", "-overwrite", "-wall_inset", cells, "--", file, "out.gpkg"});
+        EXPECT_EQ(buildings().records.size(), 1U);
+        return buildings();
+    };
+    // A quarter of a metre on each side; detection has rounded the corners a little.
+    const double area = found("square.tif", "0").records.at(0).area();
+    EXPECT_NEAR(area, 30 * 20, 4);
+    const Layer inset = found("square.tif", "0.5");
+    EXPECT_NEAR(area - inset.records.at(0).area(), 30 * 20 - 29.5 * 19.5, 0.75);
+    EXPECT_GE(inset.records[0].number("moved_m"), 0.25);
+    EXPECT_EQ(inset.records[0].text("status"), "regularized");
+    const double radius = std::sqrt(found("round.tif", "0").records.at(0).area() / M_PI);
+    EXPECT_NEAR(std::sqrt(found("round.tif", "0.5").records.at(0).area() / M_PI), radius - 0.25, 0.01);
 }
 
 TEST_F(OptionEffect, arcs) {

@@ -46,6 +46,7 @@ const std::map<std::string, std::vector<Texts>>& values() {
         {"nf", {{"50"}}},
         {"min_area", {{"150"}}},
         {"regularize_tolerance", {{"0.8"}}},
+        {"wall_inset", {{"0.1"}}},
         {"simplify", {{"1.2"}}},
         {"flow_ready", {{"3"}}},
         {"min_gap", {{"30"}}},

@@ -70,6 +70,8 @@ TEST(OptionRules, sayWhichTwoAndWhatToDo) {
     for (const auto& [words, message] : std::vector<std::pair<Texts, std::string>>{
              {{"-arcs", "-regularize", "off"},
               "-arcs has no effect with -regularize off; round walls come from -regularize auto alone."},
+             {{"-wall_inset", "0.3", "-regularize", "off"},
+              "-wall_inset has no effect with -regularize off; it moves straight walls."},
              {{"-disjoint", "-layers", "buildings"},
               "-disjoint has no effect with -layers buildings; contours alone become bands, with -layers "
               "contours or both."},

@@ -115,5 +115,28 @@ TEST(ShiftWall, GoesToTheLeftOfTheWay) {
     }
 }
 
+class MoveInward : public testing::Test {
+  protected:
+    WallSamples samples_{{{0, 0}, {0, 4}}, false, north_up};
+    /// Where a wall along a row is after a move by 0.5: rows to the north.
+    [[nodiscard]] double moved(int higher, double limit) const {
+        std::vector<WallPiece> walls{{0, 4, 0, {{2, 0}, {-1, 0}}, {}, 0}};
+        move_inward(samples_, higher, 0.5, limit, walls);
+        return walls[0].line.through.y;
+    }
+};
+
+TEST_F(MoveInward, GoesTowardsWhatIsHigher) {
+    EXPECT_DOUBLE_EQ(moved(1, 1), 0.5);
+    EXPECT_DOUBLE_EQ(moved(-1, 1), -0.5);
+    EXPECT_DOUBLE_EQ(moved(0, 1), 0);
+}
+
+TEST_F(MoveInward, GoesAsFarAsTheLimitLetsIt) {
+    EXPECT_DOUBLE_EQ(moved(1, 0.4), 0.375);
+    EXPECT_DOUBLE_EQ(moved(1, 0.2), 0.125);
+    EXPECT_DOUBLE_EQ(moved(1, 0.1), 0);
+}
+
 }  // namespace
 }  // namespace d2b

@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -235,6 +236,42 @@ TEST(Walls, ACourtyardIsDrawnInside) {
     EXPECT_EQ(polygon.interiors[0].size(), 4U);
     EXPECT_NEAR(planar_area(polygon), 56 * 40 - 30 * 16, 20);
     EXPECT_EQ(Geos().invalidity({unit_grid.polygon(polygon)}), "");
+}
+
+/// Areas of the footprint, of its court and of the tower on it, with walls that are moved inward.
+std::array<double, 3> inset_areas(double inset) {
+    TraceGrid grid = paint(60, [](Place p) {
+        return in_box(p, {30, -30}, 0, 40, 30) && !in_box(p, {20, -30}, 0, 10, 10) ? 1 : 0;
+    });
+    for (std::int32_t row = 20; row < 40; ++row)
+        for (std::int32_t col = 32; col < 44; ++col)
+            grid.z[static_cast<std::size_t>(row) * 60 + static_cast<std::size_t>(col)] = 40;
+    OutlineRules rules = walls();
+    rules.wall_inset = inset;
+    const Drawn drawn(grid, rules, {10, 30});
+    EXPECT_EQ(test::nesting_fault(drawn.set, drawn.outliner), "");
+    const FinePolygon footprint = drawn.outliner.outline(1);
+    EXPECT_EQ(footprint.interiors.size(), 1U);
+    return {planar_area({footprint.exterior, {}}), std::abs(planar_area({footprint.interiors.at(0), {}})),
+            planar_area(drawn.outliner.outline(2))};
+}
+
+TEST(Walls, ThatAreMovedInwardMakeRoofsAndTowersSmallerAndCourtsLarger) {
+    // Lines along the cells' borders, and moved by a quarter of a cell on each side.
+    EXPECT_EQ(inset_areas(0), (std::array{40.0 * 30, 10.0 * 10, 12.0 * 20}));
+    EXPECT_EQ(inset_areas(0.25), (std::array{39.5 * 29.5, 10.5 * 10.5, 11.5 * 19.5}));
+}
+
+TEST(Walls, ThatAreMovedInwardLeaveWhatTouchesTogether) {
+    OutlineRules rules = walls();
+    rules.wall_inset = 0.25;
+    const Drawn drawn(
+        paint(60,
+              [](Place p) { return std::abs(p.y + 30) < 10 && p.x > 10 && p.x < 50 ? p.x < 30 ? 1 : 2 : 0; }),
+        rules);
+    // The party wall stays in the middle: each has 20 x 20 cells, less a quarter on its three other sides.
+    for (const std::size_t contour : {1U, 2U})
+        EXPECT_EQ(planar_area(drawn.outliner.outline(contour)), 19.75 * 19.5);
 }
 
 TEST(Walls, RightAnglesAreThoseOfTheGround) {

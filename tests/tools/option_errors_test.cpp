@@ -53,6 +53,8 @@ TEST(OptionErrors, numbers) {
           "-max_building_width must be a number above 0 and at most 100000, not '0'."},
          {{"-regularize_tolerance", "101"},
           "-regularize_tolerance must be a number above 0 and at most 100, not '101'."},
+         {{"-wall_inset", "-0.1"}, "-wall_inset must be a number from 0 to 1, not '-0.1'."},
+         {{"-wall_inset", "1.1"}, "-wall_inset must be a number from 0 to 1, not '1.1'."},
          {{"-zunit", "yard"},
           "-zunit must be m, ft, us-ft or a number above 0 (metres in one unit), not 'yard'."},
          {{"-zunit", "0"},

@@ -91,6 +91,7 @@ TEST(OptionTable, holdsTheseOptions) {
                                          "detail",
                                          "regularize",
                                          "regularize_tolerance",
+                                         "wall_inset",
                                          "arcs",
                                          "flow_ready",
                                          "min_gap",
@@ -404,6 +405,8 @@ TEST(Options, ofContours) {
     EXPECT_EQ(parse({"-regularize", "right"}).options.outline.walls, Walls::right);
     EXPECT_EQ(parse({"-regularize", "free"}).options.outline.walls, Walls::free);
     EXPECT_EQ(parse({"-regularize_tolerance", "0.75"}).options.outline.wall_tolerance, 0.75);
+    EXPECT_EQ(parse({}).options.outline.wall_inset, 0);
+    EXPECT_EQ(parse({"-wall_inset", "0.25"}).options.outline.wall_inset, 0.25);
     EXPECT_EQ(parse({"-flow_ready", "1.5"}).options.outline.narrowest_gap(), 1.5);
     EXPECT_EQ(parse({"-flow_ready", "1.5"}).options.outline.shortest_wall(), 1.5);
     EXPECT_EQ(parse({"-flow_ready", "1.5", "-min_gap", "0"}).options.outline.narrowest_gap(), 0);
@@ -585,6 +588,7 @@ TEST(Options, everyOptionChangesWhatItShows) {
                                            {"-detail", "1"},
                                            {"-regularize", "off"},
                                            {"-regularize_tolerance", "1"},
+                                           {"-wall_inset", "0.25"},
                                            {"-arcs"},
                                            {"-flow_ready", "1"},
                                            {"-min_gap", "1"},

@@ -94,6 +94,7 @@ enum class Walls { automatic, off, right, free };
 struct OutlineOptions {
     std::optional<Walls> walls;
     std::optional<double> wall_tolerance;  ///< cells: no outline leaves its trace by more
+    double wall_inset = 0;                 ///< cells: straight walls stand so far inward, see -wall_inset
     bool arcs = false;                     ///< recognised arcs are written as such
     double simplify = 0;                   ///< tolerance in units of the CRS; 0: every corner is kept
     bool disjoint = false;                 ///< bands that do not overlap

@@ -19,6 +19,7 @@ WallStyle style_for(const Chain& chain, const WallOptions& options) {
     const bool tier = chain.rank > WallGraph::highest_low_rank;
     return {.walls = options.walls,
             .tolerance = tier ? std::min(options.tolerance, tier_tolerance) : options.tolerance,
+            .inset = options.inset,
             .side = std::min(longest_side, options.shape.longer_side())};
 }
 

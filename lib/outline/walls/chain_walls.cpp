@@ -34,7 +34,10 @@ bool ChainWalls::plan(const std::vector<std::size_t>& points, const WallStyle& s
         return false;
     find_circular_arcs(samples_, style, *pieces, stop);
     settle_ends(samples_, *pieces);
-    separate_cells(samples_, higher_, style.tolerance - wall_clearance, *pieces);
+    const double limit = style.tolerance - wall_clearance;
+    separate_cells(samples_, higher_, limit, *pieces);
+    if (style.inset > 0)
+        move_inward(samples_, higher_, style.inset, limit, *pieces);
     pieces_ = std::move(*pieces);
     shifts_.assign(pieces_.size(), {});
     return true;

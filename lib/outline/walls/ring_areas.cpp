@@ -20,11 +20,12 @@ double in_cells(Int128 twice) {
 }  // namespace
 
 RingAreas::RingAreas(const WallCluster& cluster, const WallGraph& graph, const SegmentGrid::Arcs& arcs,
-                     WallDrawing& drawing, const StopRequest& stop)
+                     WallDrawing& drawing, double inset, const StopRequest& stop)
     : cluster_(cluster),
       graph_(graph),
       arcs_(arcs),
       drawing_(drawing),
+      inset_(inset),
       stop_(stop),
       areas_(arcs.size()),
       gathered_(graph.chains.size()),
@@ -89,9 +90,11 @@ void RingAreas::check(const std::vector<bool>& in_conflict) {
         ring.waits = false;
         const auto before = static_cast<double>(ring.traced);
         const double after = in_cells(twice_area(*ring.uses));
-        if (std::abs(after - before) >
+        // Courts grow where walls move inward: their areas are negative.
+        const double kept = std::clamp(after, before - inset_ * ring.length, before);
+        if (std::abs(after - kept) >
             std::max(largest_area_change * std::abs(before), largest_shift * ring.length)) {
-            correct(ring, before - after);
+            correct(ring, kept - after);
             let_wait(r);
         }
     }

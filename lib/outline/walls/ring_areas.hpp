@@ -25,9 +25,11 @@ class RingAreas {
         double missing = 0;  // area, when walls were moved last
         double asked = 0;    // of them
     };
-    /// @param arcs as they are drawn @param stop must outlive this, as the others
+    /// @param arcs as they are drawn
+    /// @param inset cells by which walls were moved inward: areas may be less by as much
+    /// @param stop must outlive this, as the others
     RingAreas(const WallCluster& cluster, const WallGraph& graph, const SegmentGrid::Arcs& arcs,
-              WallDrawing& drawing, const StopRequest& stop);
+              WallDrawing& drawing, double inset, const StopRequest& stop);
 
     /// Takes notice of an arc that is drawn anew.
     void changed(std::uint32_t arc);
@@ -56,6 +58,7 @@ class RingAreas {
     const WallGraph& graph_;
     const SegmentGrid::Arcs& arcs_;
     WallDrawing& drawing_;
+    double inset_;
     const StopRequest& stop_;
     std::vector<Int128> areas_;              // of an arc and the origin, twice, in fine squares
     std::vector<Ring> rings_;                // exterior and interiors of one contour after the other

@@ -17,4 +17,17 @@ void shift_wall(WallPiece& piece, const WallSamples& samples, double cells) {
     piece.line.through = piece.line.through + sign * cells * samples.left_of(piece.line.along);
 }
 
+void move_inward(const WallSamples& samples, int higher, double cells, double limit,
+                 std::vector<WallPiece>& pieces) {
+    for (WallPiece& piece : pieces)
+        for (int quarters = 4; quarters > 0; --quarters) {
+            WallPiece moved = piece;
+            shift_wall(moved, samples, higher * quarters * cells / 4);
+            if (!piece.circle && !samples.near(piece.first, piece.last, moved.line, limit))
+                continue;
+            piece = moved;
+            break;
+        }
+}
+
 }  // namespace d2b

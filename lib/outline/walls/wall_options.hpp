@@ -10,6 +10,7 @@ struct WallOptions {
     Walls walls = Walls::automatic;
     double tolerance = 0;  ///< cells
     CellShape shape;
+    double inset = 0;  ///< cells: walls move inward by it
 };
 
 }  // namespace d2b

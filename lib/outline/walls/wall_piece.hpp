@@ -31,6 +31,7 @@ struct WallStyle {
     Walls walls = Walls::automatic;
     double tolerance = 0;  ///< cells
     double price = 1;      ///< of a wall: less gives more walls that lie closer
+    double inset = 0;      ///< cells: walls move towards what is higher by it
     double side = 1;       ///< of a cell, the longer one
 
     /// Cells: how far from a straight wall the corners of its staircase may lie, which is half a diagonal and

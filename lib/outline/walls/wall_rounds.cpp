@@ -47,7 +47,7 @@ WallRounds::WallRounds(const WallCluster& cluster, const WallOptions& options, c
       steps_(arcs_.size()),
       deviations_(arcs_.size()),
       in_conflict_(graph_.parts),
-      areas_(cluster, graph_, arcs_, drawing_, stop),
+      areas_(cluster, graph_, arcs_, drawing_, options.inset, stop),
       check_(graph_, arcs_, options.tolerance, stop) {}
 
 void WallRounds::settle() {
