@@ -9,6 +9,7 @@
 #include "detect/place_prior.hpp"
 #include "detect/roof_strictness.hpp"
 #include "detect/second_look.hpp"
+#include "detect/several_limits.hpp"
 #include "detect/split.hpp"
 
 namespace d2b {
@@ -37,6 +38,8 @@ JudgedObjects judged_as_the_data_say(const Scene& scene, const DetectOptions& op
                                : judged_objects(scene, cells, smallest_m2, quality, threads);
     judged.left_out.low =
         low_roofs(scene, cells.flags, options.min_height, cells_for(smallest_m2, scene.cell), threads);
+    if (deserves_several_limits(quality.filled))
+        judged = chosen_at_several_limits(scene, cells, smallest_m2, quality, std::move(judged), threads);
     std::optional<JudgedObjects> second;
     if (deserves_second_look(quality.filled))
         second = second_look(scene, cells, smallest_m2, quality, judged.regions, threads);

@@ -8,41 +8,20 @@
 
 #include <gtest/gtest.h>
 
-#include "detect_case.hpp"
+#include "looks_case.hpp"
 #include "support/test_threads.hpp"
 
 namespace d2b {
 namespace {
 
+using test::build_rough;
+using test::build_smooth;
 using test::drawing;
-using test::drawn;
+using test::judged;
+using test::smallest_m2;
 using test::threads;
 using test::Town;
-
-constexpr double smallest_m2 = 30;
-constexpr test::Block smooth_house{4, 4, 10, 10};
-constexpr test::Block rough_house{15, 20, 21, 26};
-
-/// Odd rows and odd columns are 0.3 m higher each, so that all bend by 0.6 m, and every other cell of the
-/// diagonals by more. Of points as thin as Looked has them that is too much for a first look (0.51 m) and
-/// little enough for a second (0.82 m).
-void build_rough(Town& town, const test::Block& block) {
-    town.build([&](std::int32_t r, std::int32_t c) {
-        const bool in = r >= block.top && r < block.bottom && c >= block.left && c < block.right;
-        return in ? 106 + 0.3F * static_cast<float>(r % 2 + c % 2) : test::unknown;
-    });
-}
-
-void build_smooth(Town& town, const test::Block& block) {
-    town.block(block.top, block.left, block.bottom, block.right, 106);
-}
-
-Town two_houses() {
-    Town town(30, 40, {2.5, 2.5});
-    build_smooth(town, smooth_house);
-    build_rough(town, rough_house);
-    return town;
-}
+using test::two_houses;
 
 /// What two looks find where a quarter of the cells was filled.
 struct Looked {
@@ -117,19 +96,6 @@ TEST(SecondLook, IsForThinPointsAlone) {
     EXPECT_FALSE(deserves_second_look(0));
     EXPECT_FALSE(deserves_second_look(0.1));
     EXPECT_TRUE(deserves_second_look(0.11));
-}
-
-/// Objects of a drawing with confidences, in scan order.
-JudgedObjects judged(const std::vector<std::string>& rows, const std::vector<double>& confidences) {
-    JudgedObjects result;
-    result.regions = connected_regions(drawn(rows), 1, 0, threads());
-    for (const double confidence : confidences) {
-        Evidence evidence;
-        evidence.smooth = confidence;
-        result.evidence.push_back(evidence);
-        result.objects.push_back({confidence, Doubt::rough, result.regions.cells[result.objects.size() + 1]});
-    }
-    return result;
 }
 
 TEST(United, IsInScanOrder) {

@@ -1,0 +1,47 @@
+#include "detect/several_limits.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "detect/best_of_looks.hpp"
+#include "detect/odds.hpp"
+
+namespace d2b {
+namespace {
+
+// Found on La Rochelle, on fine places as thin scans show them, and on scenes, see docs/accuracy.md.
+constexpr double least_filled_for_several = 0.06;
+constexpr std::array<double, 4> factors{0.5, 0.7, 1, 1.4};
+constexpr std::size_t usual_place = 2;
+constexpr double caution_at_wider = 1.1;  // off the log-odds
+
+JudgedObjects found_at(double factor, const Scene& scene, SceneCells& cells, double smallest_m2,
+                       SurfaceQuality quality, Executor& threads) {
+    quality.strictness *= factor;
+    quality.allowance *= factor;
+    JudgedObjects judged = judged_objects(scene, cells, smallest_m2, quality, threads);
+    if (factor > 1)
+        for (DetectedObject& object : judged.objects)
+            object.confidence = probability_of(odds(object.confidence) * std::exp(-caution_at_wider));
+    return judged;
+}
+
+}  // namespace
+
+bool deserves_several_limits(double filled) {
+    return filled > least_filled_for_several;
+}
+
+JudgedObjects chosen_at_several_limits(const Scene& scene, SceneCells& cells, double smallest_m2,
+                                       const SurfaceQuality& quality, JudgedObjects usual,
+                                       Executor& threads) {
+    std::array<JudgedObjects, factors.size()> looks;
+    for (std::size_t i = 0; i < factors.size(); ++i)
+        looks[i] = i == usual_place ? std::move(usual)
+                                    : found_at(factors[i], scene, cells, smallest_m2, quality, threads);
+    return best_of_looks(looks, usual_place, threads);
+}
+
+}  // namespace d2b

@@ -1,0 +1,56 @@
+#include "detect/several_limits.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "looks_case.hpp"
+#include "support/test_threads.hpp"
+
+namespace d2b {
+namespace {
+
+using test::smallest_m2;
+using test::threads;
+using test::Town;
+using test::two_houses;
+
+struct Chosen {
+    explicit Chosen(const Town& town, Executor& by = threads()) {
+        const Scene scene = town.scene();
+        SceneCells cells = scene_cells(scene, {}, by);
+        quality.filled = 0.25;
+        usual = judged_objects(scene, cells, smallest_m2, quality, by);
+        best = chosen_at_several_limits(scene, cells, smallest_m2, quality, usual, by);
+    }
+
+    SurfaceQuality quality;
+    JudgedObjects usual;
+    JudgedObjects best;
+};
+
+TEST(SeveralLimits, FindARoughHouseWithLessConfidence) {
+    const Chosen chosen(two_houses());
+    ASSERT_EQ(chosen.usual.objects.size(), 1U);
+    ASSERT_EQ(chosen.best.objects.size(), 2U);
+    EXPECT_EQ(mask_of(chosen.best.regions, threads()).at(18, 23), 1);
+    const double plain = judge(chosen.best.evidence[1], chosen.quality.filled).confidence;
+    const double now = chosen.best.objects[1].confidence;
+    EXPECT_NEAR(std::log(plain / (1 - plain)) - std::log(now / (1 - now)), 1.1, 1e-9);
+}
+
+TEST(SeveralLimits, LeaveASmoothHouseAsItIs) {
+    const Chosen chosen(two_houses());
+    ASSERT_EQ(chosen.best.objects.size(), 2U);
+    EXPECT_EQ(chosen.best.objects[0].cells, chosen.usual.objects[0].cells);
+    EXPECT_NEAR(chosen.best.objects[0].confidence, chosen.usual.objects[0].confidence, 0.01);
+}
+
+TEST(SeveralLimits, AreForThinPointsAlone) {
+    EXPECT_FALSE(deserves_several_limits(0));
+    EXPECT_FALSE(deserves_several_limits(0.06));
+    EXPECT_TRUE(deserves_several_limits(0.061));
+}
+
+}  // namespace
+}  // namespace d2b
