@@ -38,9 +38,10 @@ JudgedObjects chosen_at_several_limits(const Scene& scene, SceneCells& cells, do
                                        const SurfaceQuality& quality, JudgedObjects usual,
                                        Executor& threads) {
     std::array<JudgedObjects, factors.size()> looks;
+    looks[usual_place] = std::move(usual);
     for (std::size_t i = 0; i < factors.size(); ++i)
-        looks[i] = i == usual_place ? std::move(usual)
-                                    : found_at(factors[i], scene, cells, smallest_m2, quality, threads);
+        if (i != usual_place)
+            looks[i] = found_at(factors[i], scene, cells, smallest_m2, quality, threads);
     return best_of_looks(looks, usual_place, threads);
 }
 
