@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <fstream>
 
 #include "cli/cli_test_case.hpp"
 
@@ -40,6 +41,33 @@ TEST_F(TilesOverHttp, givesTheBytesOfOneRun) {
     EXPECT_EQ(result.out, "");
     EXPECT_TRUE(result.err.ends_with(" ranges of bytes\n")) << result.err;
     EXPECT_GT(std::stoi(result.err), 0) << result.err;  // the first and the only line
+    EXPECT_TRUE(read_bytes(path("tiles.gpkg")) == read_bytes(path("one.gpkg")));
+}
+
+/// A window that is just too large to be looked at whole: it has four units, at whose corner the town lies.
+/// All else of it is no data, and levels of the thesis need no ground: that keeps this to a few seconds.
+TEST_F(TilesOverHttp, givesTheBytesOfOneRunInFourUnits) {
+    std::ofstream(path("served/wide.vrt"))
+        << R"(<VRTDataset rasterXSize="8200" rasterYSize="8200"><SRS>EPSG:25833</SRS>
+<GeoTransform>387400,1,0,5824600,0,-1</GeoTransform>
+<VRTRasterBand dataType="Float32" band="1"><NoDataValue>-9999</NoDataValue>
+<SimpleSource><SourceFilename relativeToVRT="1">town.tif</SourceFilename>
+<SrcRect xOff="0" yOff="0" xSize="1000" ySize="1000"/>
+<DstRect xOff="3600" yOff="3600" xSize="1000" ySize="1000"/></SimpleSource>
+</VRTRasterBand></VRTDataset>)";
+    const ToolResult result = serve(
+        "$one -q -preset thesis $url/wide.vrt one.gpkg\n"
+        "$tiles plan -q -preset thesis $url/wide.vrt tiles.gpkg work\n"
+        "$tiles find work 3\n"
+        "$tiles find work 0 1 2\n"
+        "if $tiles find work 4 2> refusal; then exit 1; fi\n"  // there are four
+        "$tiles join work\n"
+        "$tiles draw work 2 3\n"
+        "$tiles draw work 0 1\n"
+        "$tiles merge -q work\n");
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(result.out, "");
+    EXPECT_TRUE(result.err.ends_with(" ranges of bytes\n")) << result.err;
     EXPECT_TRUE(read_bytes(path("tiles.gpkg")) == read_bytes(path("one.gpkg")));
 }
 
