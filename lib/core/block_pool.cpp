@@ -48,16 +48,21 @@ void BlockPool::to_system(void* block, std::size_t bytes) noexcept {
 
 void* BlockPool::take(std::size_t bytes) {
     const std::size_t size = whole_pages(bytes);
-    const std::lock_guard lock(mutex_);
-    void* block = take_idle(size);
-    if (block == nullptr) {
-        const std::size_t most = std::max(most_used_, used_bytes_ + size);
-        shrink_to(most - used_bytes_ - size);
-        block = from_system(bytes);
-        most_used_ = most;
+    {
+        std::unique_lock lock(mutex_);
+        used_bytes_ += size;
+        if (void* const block = take_idle(size))
+            return block;
+        most_used_ = std::max(most_used_, used_bytes_);
+        shrink_to(most_used_ - used_bytes_, lock);
     }
-    used_bytes_ += size;
-    return block;
+    try {
+        return from_system(bytes);
+    } catch (const std::bad_alloc&) {
+        const std::lock_guard lock(mutex_);
+        used_bytes_ -= size;
+        throw;
+    }
 }
 
 void* BlockPool::take_idle(std::size_t size) {
@@ -73,27 +78,33 @@ void* BlockPool::take_idle(std::size_t size) {
 
 void BlockPool::give(void* block, std::size_t bytes) noexcept {
     const std::size_t size = whole_pages(bytes);
-    const std::lock_guard lock(mutex_);
-    used_bytes_ -= std::min(size, used_bytes_);  // a block may be of a grid that had no pool
-    if (idle_.size() == most_blocks || idle_bytes_ + size > most_used_ - used_bytes_)
-        return to_system(block, bytes);
-    idle_.push_back({block, size});
-    idle_bytes_ += size;
+    {
+        const std::lock_guard lock(mutex_);
+        used_bytes_ -= size;
+        if (idle_.size() < most_blocks && idle_bytes_ + size <= most_used_ - used_bytes_) {
+            idle_.push_back({block, size});
+            idle_bytes_ += size;
+            return;
+        }
+    }
+    to_system(block, bytes);
 }
 
 void BlockPool::clear() noexcept {
-    const std::lock_guard lock(mutex_);
-    shrink_to(0);
+    std::unique_lock lock(mutex_);
+    shrink_to(0, lock);
     most_used_ = used_bytes_;
 }
 
-void BlockPool::shrink_to(std::size_t bytes) noexcept {
-    auto end = idle_.begin();
-    for (; idle_bytes_ > bytes; ++end) {
-        to_system(end->block, end->bytes);
-        idle_bytes_ -= end->bytes;
+void BlockPool::shrink_to(std::size_t bytes, std::unique_lock<std::mutex>& lock) noexcept {
+    while (idle_bytes_ > bytes) {
+        const Idle longest = idle_.front();
+        idle_.erase(idle_.begin());
+        idle_bytes_ -= longest.bytes;
+        lock.unlock();  // the system takes its time for large blocks
+        to_system(longest.block, longest.bytes);
+        lock.lock();
     }
-    idle_.erase(idle_.begin(), end);
 }
 
 }  // namespace d2b

@@ -44,7 +44,7 @@ class BlockPool {
     /// @param size in whole pages @return a block that waited; null where none fits
     [[nodiscard]] void* take_idle(std::size_t size);
     /// Gives those that wait longest back to the system, until no more than so many bytes do.
-    void shrink_to(std::size_t bytes) noexcept;
+    void shrink_to(std::size_t bytes, std::unique_lock<std::mutex>& lock) noexcept;
 
     std::mutex mutex_;
     std::vector<Idle> idle_;  ///< what was given last is last: it may still be in the cache

@@ -53,7 +53,7 @@ void ElevationSample::make_histogram(const ElevationRange& range) {
     histogram_.assign(ElevationRange::bins, 0);
     for (const double value : values_)
         count(value, range);
-    values_ = {};
+    values_ = std::vector<double>();  // {} would keep the room
 }
 
 void ElevationSample::count(double elevation, const ElevationRange& range) {

@@ -61,7 +61,7 @@ void KeptElevations::put(std::size_t i, const BandShape& band, std::vector<doubl
     if (bytes_ <= most_bytes_)
         return;
     fits_ = false;  // other threads may still write floats
-    wide_ = {};
+    wide_ = std::vector<std::vector<double>>();  // {} would keep the room
 }
 
 void KeptElevations::end() {

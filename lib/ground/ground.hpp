@@ -30,7 +30,7 @@ struct GridPlace {
 /// Estimates the terrain from the surface alone: what stands on it up to `max_building_width` wide is taken
 /// off and the gap filled from around. The method and its sources are in docs/method.md.
 /// @param surface metres, NaN where a point is not valid; its memory is used, and it is as it was afterwards
-/// @throws Cancelled which leaves nothing of the surface
+/// @throws Cancelled; an exception leaves nothing of the surface
 [[nodiscard]] Terrain estimate_ground(MetreGrid& surface, const CellSize& cell, const GroundOptions& options,
                                       Context& context, const GridPlace& place = {});
 

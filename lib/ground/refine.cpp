@@ -43,16 +43,20 @@ struct Outliers {
     }
 };
 
-/// Terrain and tolerance between the rows and columns of the working grid, or of some rows of it.
+/// Terrain and tolerance between the rows and columns of the working grid, for a band of the surface's rows.
 class Refinement {
   public:
-    Refinement(const MetreGrid& surface, const GridPlace& place, const AlignedGrid& working, Factor factor,
-               const Rules& rules)
-        : working_(working),
+    /// @param working some rows of it are enough: those around the band
+    /// @param across of the surface's columns
+    Refinement(RowBand band, const GridPlace& place, const AlignedGrid& working, Factor factor,
+               const Rules& rules, const Between& across)
+        : first_(band.begin),
+          working_(working),
           factor_(factor),
           rules_(rules),
-          down_(place.row, surface.rows, working.first_row, working.grid.rows, factor.down),
-          across_(place.col, surface.cols, working.first_col, working.grid.cols, factor.across) {}
+          down_(place.row + band.begin, band.end - band.begin, working.first_row, working.grid.rows,
+                factor.down),
+          across_(across) {}
 
     /// Room for rows of the surface, and for one of the working grid.
     struct Rows {
@@ -61,12 +65,13 @@ class Refinement {
         std::int32_t first_row = 0;  ///< ... from this one on
     };
 
-    [[nodiscard]] Rows rows_for(RowBand band) const {
+    [[nodiscard]] Rows rows() const {
         const auto cols = static_cast<std::size_t>(working_.grid.cols);
         Rows rows;
         rows.between.resize(cols);
-        rows.first_row = down_[band.begin].near;
-        rows.tolerances = MetreGrid(down_[band.end - 1].next - rows.first_row + 1, working_.grid.cols);
+        rows.first_row = down_[0].near;
+        rows.tolerances = MetreGrid(
+            down_[static_cast<std::int32_t>(down_.size()) - 1].next - rows.first_row + 1, working_.grid.cols);
         for (std::int32_t i = 0; i < rows.tolerances.rows; ++i) {
             const auto out = rows.tolerances.row(i);
             slopes_of_row(working_.grid, rows.first_row + i, working_.cell, out);
@@ -78,7 +83,7 @@ class Refinement {
     }
 
     void fill(std::int32_t row, Rows& rows) const {
-        const Between::Place& place = down_[row];
+        const Between::Place& place = down_[row - first_];
         between(working_.grid.row(place.near), working_.grid.row(place.next), place.share, rows.between,
                 rows.terrain);
         between(rows.tolerances.row(place.near - rows.first_row),
@@ -103,17 +108,18 @@ class Refinement {
         }
     }
 
+    std::int32_t first_;  ///< row of the surface
     const AlignedGrid& working_;
     Factor factor_;
     const Rules& rules_;
     Between down_;
-    Between across_;
+    const Between& across_;
 };
 
-/// @param refinement of a grid that has the rows around the band @param terrain any values
+/// @param refinement of the band @param terrain any values
 void refine_band(const MetreGrid& surface, RowBand band, const Refinement& refinement,
                  const Outliers& outliers, Terrain& terrain) {
-    Refinement::Rows rows = refinement.rows_for(band);
+    Refinement::Rows rows = refinement.rows();
     for (std::int32_t i = band.begin; i < band.end; ++i) {
         refinement.fill(i, rows);
         const auto from = surface.row(i);
@@ -133,12 +139,14 @@ void refine_band(const MetreGrid& surface, RowBand band, const Refinement& refin
 Terrain refine(const MetreGrid& surface, const GridPlace& place, AlignedGrid working,
                const std::vector<Pit>& pits, Factor factor, const Rules& rules, Executor& threads) {
     const Outliers outliers{pits, working.first_row, working.first_col, factor, place};
+    const Between across(place.col, surface.cols, working.first_col, working.grid.cols, factor.across);
     Terrain terrain{{}, Grid<std::uint8_t>::unset(surface.rows, surface.cols, threads)};
     if (factor.down != 1 || factor.across != 1) {
         terrain.elevation = MetreGrid::unset(surface.rows, surface.cols, threads);
-        const Refinement refinement(surface, place, working, factor, rules);
-        for_row_bands(threads, surface.rows, surface.cols,
-                      [&](RowBand band) { refine_band(surface, band, refinement, outliers, terrain); });
+        for_row_bands(threads, surface.rows, surface.cols, [&](RowBand band) {
+            refine_band(surface, band, Refinement(band, place, working, factor, rules, across), outliers,
+                        terrain);
+        });
         return terrain;
     }
     terrain.elevation = std::move(working.grid);
@@ -147,8 +155,8 @@ Terrain refine(const MetreGrid& surface, const GridPlace& place, AlignedGrid wor
         AlignedGrid around = shape_of(working);
         around.first_row += copy.first;
         around.grid = std::move(copy.rows);
-        const Refinement refinement(surface, place, around, factor, rules);
-        refine_band(surface, copy.band, refinement, outliers, terrain);
+        refine_band(surface, copy.band, Refinement(copy.band, place, around, factor, rules, across), outliers,
+                    terrain);
         copy.rows = std::move(around.grid);
     });
     return terrain;

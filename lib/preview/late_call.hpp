@@ -19,8 +19,8 @@ struct FixedText {
     std::array<char, size> bytes{};
 };
 
-/// Cairo and Pango bring thirty libraries along, which take a fifth of the time that any program needs to
-/// start; few runs draw. So they are not linked, but loaded by the first call. Pango's library for Cairo
+/// Cairo and Pango bring many libraries along, for which every program would wait when it starts; few runs
+/// draw. So they are not linked, but loaded by the first call. Pango's library for Cairo
 /// needs all others that are called here, so that it finds their functions, too.
 template <FixedText name, class Function>
 class LateCall;

@@ -44,7 +44,7 @@ void FileSpool::flush() {
         file_ = std::make_unique<TemporaryFile>(folder_, "The finished part of the result", FileName::none);
     file_->append(memory_);
     if (memory_.capacity() > 2 * bytes_a_write)
-        memory_ = {};
+        memory_ = std::vector<std::byte>();  // {} would keep the room
     memory_.clear();
 }
 

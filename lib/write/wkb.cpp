@@ -125,7 +125,7 @@ std::span<const std::byte> MultiPolygonWkb::encode(const Feature& feature) {
 void MultiPolygonWkb::forget_large() {
     constexpr std::size_t large = std::size_t{1} << 20;
     if (bytes_.capacity() > large)
-        bytes_ = {};
+        bytes_ = std::vector<std::byte>();  // {} would keep the room
 }
 
 }  // namespace d2b

@@ -43,7 +43,7 @@ def shaded(z, cell):
     known = np.isfinite(z)
     filled = np.where(known, z, np.median(z[known]))
     down, across = np.gradient(filled, cell)
-    light = (1 - across * -0.5 - down * -0.5) / np.sqrt(1 + across**2 + down**2) / 1.5
+    light = (1 + (across + down) / 2) / np.sqrt(1 + across**2 + down**2) / 1.5
     return np.where(known, np.clip(0.25 + 0.65 * light, 0, 1), 1)
 
 

@@ -113,7 +113,7 @@ def measure_all(arguments, work):
 def drawn(real, made):
     """What --failures shows: all real places, then as many scenes as fill the last row."""
     worst = sorted((figures for figures in made if figures["built"]), key=lambda figures: figures["iou"])
-    scenes = worst[:max(1, -len(real) % failures.ACROSS)]
+    scenes = worst[:-len(real) % failures.ACROSS or failures.ACROSS]
     return [figures["drawn"] for figures in real + scenes]
 
 
@@ -136,7 +136,7 @@ def main(words):
         if arguments.work:
             os.makedirs(arguments.work, exist_ok=True)
         made, real, more, tried = measure_all(arguments, arguments.work or scratch)
-        if arguments.failures:
+        if arguments.failures and drawn(real, made):
             failures.plot(arguments.failures, drawn(real, made))
     found = tables.all_tables(made, real) | more
     for name, lines in found.items():

@@ -5,6 +5,7 @@ import tempfile
 import unittest
 
 try:
+    import matplotlib  # noqa: F401
     import numpy as np
     import scipy.spatial  # noqa: F401
     from osgeo import gdal, ogr

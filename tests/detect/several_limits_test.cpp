@@ -1,6 +1,7 @@
 #include "detect/several_limits.hpp"
 
 #include <cmath>
+#include <cstddef>
 
 #include <gtest/gtest.h>
 
@@ -44,6 +45,18 @@ TEST(SeveralLimits, LeaveASmoothHouseAsItIs) {
     ASSERT_EQ(chosen.best.objects.size(), 2U);
     EXPECT_EQ(chosen.best.objects[0].cells, chosen.usual.objects[0].cells);
     EXPECT_NEAR(chosen.best.objects[0].confidence, chosen.usual.objects[0].confidence, 0.01);
+}
+
+TEST(SeveralLimits, AreTheSameOnAnyNumberOfThreads) {
+    Executor one(1);
+    Executor several(5);
+    const Chosen alone(two_houses(), one);
+    const Chosen shared(two_houses(), several);
+    EXPECT_EQ(test::drawing(mask_of(alone.best.regions, one)),
+              test::drawing(mask_of(shared.best.regions, several)));
+    ASSERT_EQ(alone.best.objects.size(), shared.best.objects.size());
+    for (std::size_t i = 0; i < alone.best.objects.size(); ++i)
+        EXPECT_EQ(alone.best.objects[i].confidence, shared.best.objects[i].confidence);
 }
 
 TEST(SeveralLimits, AreForThinPointsAlone) {

@@ -61,7 +61,7 @@ WallCase wall_case(unsigned seed) {
     WallCase c;
     c.rules.walls = std::array{Walls::automatic, Walls::free, Walls::right, Walls::automatic}[seed % 4];
     c.rules.wall_tolerance = std::array{1.5, 1.0, 2.0}[seed % 3];
-    c.rules.wall_inset = seed % 8 == 6 ? 0.4 : 0;
+    c.rules.wall_inset = std::array{0.4, 0.0, 1.0, 0.0, 0.1, 0.0, 0.0}[seed % 7];
     if (seed % 5 == 0) {
         test::RandomGridCase noise = test::random_grid(seed, 26);
         c.grid = noise.grid;

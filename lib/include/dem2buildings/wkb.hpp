@@ -21,6 +21,8 @@ class MultiPolygonWkb {
     [[nodiscard]] std::span<const std::byte> encode(const Feature& feature);
     /// Gives back the room of a polygon that was larger than most. What encode() gave is no longer valid.
     void forget_large();
+    /// Bytes that are kept for the next polygon.
+    [[nodiscard]] std::size_t room() const { return bytes_.capacity(); }
 
   private:
     void head(std::uint32_t flat_type, std::size_t count);

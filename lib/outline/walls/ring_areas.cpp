@@ -9,6 +9,7 @@ namespace d2b {
 namespace {
 
 constexpr double largest_area_change = 0.02;
+constexpr double most_inset = 0.4;      // share of an area that walls which move inward may take
 constexpr double largest_shift = 0.07;  // cells by which a ring's border is off on the average
 constexpr double least_gain =
     0.1;  // share of an area asked for that moving walls has brought: else it is in vain
@@ -91,7 +92,10 @@ void RingAreas::check(const std::vector<bool>& in_conflict) {
         const auto before = static_cast<double>(ring.traced);
         const double after = in_cells(twice_area(*ring.uses));
         // Courts grow where walls move inward: their areas are negative.
-        const double kept = std::clamp(after, before - inset_ * ring.length, before);
+        // What is narrow keeps most of its own.
+        const double room = inset_ * ring.length;
+        const double least = before > 0 ? before - std::min(room, most_inset * before) : before - room;
+        const double kept = std::clamp(after, least, before);
         if (std::abs(after - kept) >
             std::max(largest_area_change * std::abs(before), largest_shift * ring.length)) {
             correct(ring, kept - after);

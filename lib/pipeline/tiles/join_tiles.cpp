@@ -163,8 +163,8 @@ void Join::place_objects() {
         if (seen.cells > owner.cells)
             owner = seen;
     }
-    merged_.objects = {};
-    seen_ = {};
+    merged_.objects = std::vector<SeenObject>();  // {} would keep the room
+    seen_ = std::vector<SeamObject>();
     const auto tile = [&](const PlacedObject& object) {
         return run_.tiles().tile_of(owners[object.joined].unit);
     };
@@ -173,7 +173,7 @@ void Join::place_objects() {
 }
 
 std::vector<PlacedObject> Join::objects_of(std::int64_t tile) {
-    const auto [begin, end] = std::ranges::equal_range(drawn_by_, tile);
+    const auto [begin, end] = std::equal_range(drawn_by_.begin(), drawn_by_.end(), tile);
     std::vector<PlacedObject> objects(crossing_.begin() + (begin - drawn_by_.begin()),
                                       crossing_.begin() + (end - drawn_by_.begin()));
     for (const PlacedUnit& placed : run_.tiles().units_of(tile))

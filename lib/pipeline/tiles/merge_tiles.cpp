@@ -67,7 +67,7 @@ DrawnTiles::DrawnTiles(const TileRun& run, Context& context) : elevations(contex
     for (const LeftContour& contour : left_)
         shelf.add(contour.head, contour.stored);
     left = shelf.finish();
-    left_ = {};
+    left_ = std::vector<LeftContour>();  // {} would keep the room
 }
 
 void DrawnTiles::take(DrawnTile&& tile) {

@@ -39,7 +39,7 @@ class TileRow {
         std::vector<std::uint64_t> begins;  ///< of its blocks
     };
     /// Adds what the block of a tile knows to its lines.
-    void load(const Tile& tile, std::size_t block, std::span<LineJoiner> lines) const;
+    static void load(const Tile& tile, std::size_t block, std::span<LineJoiner> lines);
     [[nodiscard]] std::size_t lines_before(std::size_t block) const {
         return std::min<std::size_t>(block * TracedTile::lines_a_block, tiles_.front().head.lines);
     }
@@ -75,7 +75,7 @@ TileRow::TileRow(const TileRun& run, std::int64_t first, const TraceFrame& frame
     }
 }
 
-void TileRow::load(const Tile& tile, std::size_t block, std::span<LineJoiner> lines) const {
+void TileRow::load(const Tile& tile, std::size_t block, std::span<LineJoiner> lines) {
     ByteReader reader = read_block(tile.file, tile.begins[block], tile.head.blocks[block]);
     try {
         for (LineJoiner& line : lines)
