@@ -60,7 +60,7 @@ void KeptElevations::put(std::size_t i, const BandShape& band, std::vector<doubl
     wide_[i] = std::move(wide);
     if (bytes_ <= most_bytes_)
         return;
-    fits_ = false;  // other threads may still write floats
+    fits_ = false;                               // other threads may still write floats
     wide_ = std::vector<std::vector<double>>();  // {} would keep the room
 }
 
