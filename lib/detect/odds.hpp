@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 namespace d2b {
 
@@ -12,6 +13,11 @@ namespace d2b {
 
 [[nodiscard]] inline double probability_of(double odds) {
     return odds / (1 + odds);
+}
+
+/// A probability whose log-odds are less by so much.
+[[nodiscard]] inline double less_sure(double probability, double log_odds) {
+    return probability_of(odds(probability) * std::exp(-log_odds));
 }
 
 }  // namespace d2b

@@ -1,7 +1,6 @@
 #include "detect/second_look.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -30,10 +29,6 @@ void leave_out(const Regions& regions, Mask& cells, Executor& threads) {
     });
 }
 
-void doubt(DetectedObject& object) {
-    object.confidence = probability_of(odds(object.confidence) * std::exp(-caution));
-}
-
 /// The run of a row that holds a column, null where none does.
 const RegionRun* run_at(std::span<const RegionRun> row, std::int32_t col) {
     const auto run =
@@ -55,7 +50,7 @@ JudgedObjects second_look(const Scene& scene, SceneCells& cells, double smallest
     judged.left_out.small.clear();
     for (DetectedObject& object : judged.objects)
         if (is_candidate(object))
-            doubt(object);
+            object.confidence = less_sure(object.confidence, caution);
     return judged;
 }
 

@@ -1,7 +1,6 @@
 #include "detect/several_limits.hpp"
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -24,7 +23,7 @@ JudgedObjects found_at(double factor, const Scene& scene, SceneCells& cells, dou
     JudgedObjects judged = judged_objects(scene, cells, smallest_m2, quality, threads);
     if (factor > 1)
         for (DetectedObject& object : judged.objects)
-            object.confidence = probability_of(odds(object.confidence) * std::exp(-caution_at_wider));
+            object.confidence = less_sure(object.confidence, caution_at_wider);
     return judged;
 }
 

@@ -1,7 +1,9 @@
 """Pictures of where most goes wrong: the window of a place in which result and reference differ by the largest area."""
 import numpy as np
-from osgeo import gdal, ogr
+from osgeo import gdal
 from scipy import ndimage
+
+from places import burn, polygons
 
 FINE = 2  # parts of a cell, each way
 SIDE_M = 250  # of the window
@@ -9,25 +11,14 @@ ACROSS = 3  # pictures
 MISSED, FALSE, SHARED = (0.84, 0.15, 0.16), (1.0, 0.6, 0.0), (0.12, 0.47, 0.71)
 
 
-def burnt(polygons, raster):
+def burnt(parts, raster):
     """Where polygons are, on cells a part of the raster's: booleans."""
     x0, dx, _, y0, _, dy = raster.GetGeoTransform()
     grid = gdal.GetDriverByName("MEM").Create("", raster.RasterXSize * FINE, raster.RasterYSize * FINE)
     grid.SetGeoTransform((x0, dx / FINE, 0, y0, 0, dy / FINE))
-    shapes = gdal.GetDriverByName("Memory").Create("", 0, 0, 0, gdal.GDT_Unknown)
     grid.SetProjection(raster.GetProjection())
-    layer = shapes.CreateLayer("shapes", raster.GetSpatialRef())
-    for polygon in polygons:
-        feature = ogr.Feature(layer.GetLayerDefn())
-        feature.SetGeometry(polygon)
-        layer.CreateFeature(feature)
-    gdal.RasterizeLayer(grid, [1], layer, burn_values=[1])
+    burn(grid, parts, 1)
     return grid.ReadAsArray() > 0
-
-
-def buildings_of(out):
-    dataset = gdal.OpenEx(out, gdal.OF_VECTOR)
-    return [feature.GetGeometryRef().Clone() for feature in dataset.GetLayerByName("buildings")]
 
 
 def worst_window(wrong, rows, cols):
@@ -55,7 +46,7 @@ def picture_of(place, out):
     if band.GetNoDataValue() is not None:
         z[z == band.GetNoDataValue()] = np.nan
     cell = place.cell()[1]
-    true, found = burnt(place.blocks(), raster), burnt(buildings_of(out), raster)
+    true, found = burnt(place.blocks(), raster), burnt(polygons(out, ("buildings",)), raster)
     area = place.area_of_interest()
     counts = burnt([area], raster) if area is not None else np.ones_like(true)
     wrong = (true ^ found) & counts

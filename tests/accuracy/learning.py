@@ -5,8 +5,9 @@ import os
 import subprocess
 
 import numpy as np
-from osgeo import gdal, ogr
+from osgeo import gdal
 
+from places import burn
 from tables import table, text
 
 NAMES = ("smooth", "ln step", "ln tilt", "ln segment", "right angles", "constant")
@@ -35,13 +36,7 @@ def mask_of(place, path):
     area = place.area_of_interest()
     raster.GetRasterBand(1).Fill(0 if area is None else 255)
     for value, parts in ((0, [] if area is None else [area]), (1, place.blocks())):
-        memory = ogr.GetDriverByName("Memory").CreateDataSource("m")
-        layer = memory.CreateLayer("l", surface.GetSpatialRef())
-        for part in parts:
-            feature = ogr.Feature(layer.GetLayerDefn())
-            feature.SetGeometry(part)
-            layer.CreateFeature(feature)
-        gdal.RasterizeLayer(raster, [1], layer, burn_values=[value])
+        burn(raster, parts, value)
 
 
 def objects_of(build, place, work):

@@ -74,6 +74,17 @@ def polygons(path, names):
     return kept
 
 
+def burn(raster, parts, value):
+    """Gives a value to the cells of a raster whose middles lie in polygons of its CRS."""
+    memory = ogr.GetDriverByName("Memory").CreateDataSource("m")
+    layer = memory.CreateLayer("l", raster.GetSpatialRef())
+    for part in parts:
+        feature = ogr.Feature(layer.GetLayerDefn())
+        feature.SetGeometry(part)
+        layer.CreateFeature(feature)
+    gdal.RasterizeLayer(raster, [1], layer, burn_values=[value])
+
+
 def united(parts):
     """What polygons cover, in polygons without shared walls."""
     many = ogr.Geometry(ogr.wkbMultiPolygon)

@@ -136,8 +136,9 @@ def main(words):
         if arguments.work:
             os.makedirs(arguments.work, exist_ok=True)
         made, real, more, tried = measure_all(arguments, arguments.work or scratch)
-        if arguments.failures and drawn(real, made):
-            failures.plot(arguments.failures, drawn(real, made))
+        shown = drawn(real, made) if arguments.failures else []
+        if shown:
+            failures.plot(arguments.failures, shown)
     found = tables.all_tables(made, real) | more
     for name, lines in found.items():
         print(f"\n{name}\n", *lines, sep="\n")

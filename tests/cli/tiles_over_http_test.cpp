@@ -25,6 +25,14 @@ class TilesOverHttp : public CliTest {
         return run_tool(
             {python, D2B_SAMPLES "/../tests/cli/serve.py", "served", "/bin/sh", "-c", begin + lines}, setup);
     }
+    /// Of steps beside a run of all at once, when all has been read over the network.
+    void expect_one_run(const ToolResult& result) {
+        EXPECT_EQ(result.status, 0) << result.err;
+        EXPECT_EQ(result.out, "");
+        EXPECT_TRUE(result.err.ends_with(" ranges of bytes\n")) << result.err;
+        EXPECT_GT(std::stoi(result.err), 0) << result.err;  // the first and the only line
+        EXPECT_TRUE(read_bytes(path("tiles.gpkg")) == read_bytes(path("one.gpkg")));
+    }
 
     static constexpr const char* python = "/usr/bin/python3";
 };
@@ -37,11 +45,7 @@ TEST_F(TilesOverHttp, givesTheBytesOfOneRun) {
         "$tiles join work\n"
         "$tiles draw work 0\n"
         "$tiles merge -q work\n");
-    EXPECT_EQ(result.status, 0) << result.err;
-    EXPECT_EQ(result.out, "");
-    EXPECT_TRUE(result.err.ends_with(" ranges of bytes\n")) << result.err;
-    EXPECT_GT(std::stoi(result.err), 0) << result.err;  // the first and the only line
-    EXPECT_TRUE(read_bytes(path("tiles.gpkg")) == read_bytes(path("one.gpkg")));
+    expect_one_run(result);
 }
 
 /// A window that is just too large to be looked at whole: it has four units, at whose corner the town lies.
@@ -65,10 +69,7 @@ TEST_F(TilesOverHttp, givesTheBytesOfOneRunInFourUnits) {
         "$tiles draw work 2 3\n"
         "$tiles draw work 0 1\n"
         "$tiles merge -q work\n");
-    EXPECT_EQ(result.status, 0) << result.err;
-    EXPECT_EQ(result.out, "");
-    EXPECT_TRUE(result.err.ends_with(" ranges of bytes\n")) << result.err;
-    EXPECT_TRUE(read_bytes(path("tiles.gpkg")) == read_bytes(path("one.gpkg")));
+    expect_one_run(result);
 }
 
 TEST_F(TilesOverHttp, refusesASourceThatHasChanged) {
