@@ -63,7 +63,8 @@ void FeatureWriter::number(GivenNumbers& numbers, DrawnContour& drawn) {
     drawn.record.building_id =
         drawn.building_place < 0 ? 0 : numbers.buildings[static_cast<std::size_t>(drawn.building_place)];
     drawn.building_record.id = drawn.record.building_id;
-    drawn.record.parent_id = drawn.parent < 0 ? 0 : numbers.written[static_cast<std::size_t>(drawn.parent)];
+    drawn.record.parent_id =
+        drawn.parent < 0 ? 0 : numbers.written[static_cast<std::size_t>(drawn.parent - numbers.before)];
 }
 
 void FeatureWriter::count(const DrawnContour& drawn) {

@@ -21,6 +21,7 @@ namespace d2b {
 struct GivenNumbers {
     std::vector<std::int64_t> written;    ///< what stands on a contour that is not written stands on this
     std::vector<std::int64_t> buildings;  ///< by their places in the list
+    std::int64_t before = 0;              ///< contours of the list that `written` begins behind
 };
 
 /// Hands what is drawn to the layers that were asked for. Contours come in the order of their keys, from one

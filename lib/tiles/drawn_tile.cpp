@@ -87,35 +87,58 @@ DrawnTile load_drawn_tile(ByteReader& reader) {
 }
 
 void DrawnBlocks::add(const DrawnContour& drawn) {
-    save(drawn, block_);
-    if (block_.bytes().size() >= usual_bytes)
+    if (block_.bytes().empty())
+        first_ = drawn.key;
+    else if (block_.bytes().size() >= usual_bytes || drawn.key.level != first_.level) {
         finish();
+        first_ = drawn.key;
+    }
+    save(drawn, block_);
+}
+
+void DrawnBlocks::finish() {
+    if (block_.bytes().empty())
+        return;
+    tail_.add(std::exchange(block_, {}));
+    blocks_.push_back({tail_.blocks().back(), first_});
 }
 
 std::optional<ContourKey> DrawnStream::key() {
-    if (!next_)
+    if (next_)
+        return next_->key;
+    if (block_) {
         load_next();
-    if (!next_)
-        return {};
-    return next_->key;
+        return next_->key;
+    }
+    if (next_block_ < blocks_.size())
+        return blocks_[next_block_].first;
+    return {};
 }
 
 DrawnContour DrawnStream::take() {
+    if (!block_)
+        load_block();
+    if (!next_)
+        load_next();
     DrawnContour drawn = std::move(*next_);
     next_.reset();
+    if (block_->left() == 0)
+        block_.reset();
     return drawn;
 }
 
+void DrawnStream::load_block() {
+    const DrawnBlock& block = blocks_[next_block_++];
+    block_.emplace(read_block(file_, begin_, block.bytes));
+    begin_ += block.bytes.size;
+    load_next();
+    if (next_->key != block.first)
+        throw InputError(file_.damaged("a block begins with another contour than is announced"));
+}
+
 void DrawnStream::load_next() {
-    if ((!block_ || block_->left() == 0) && next_block_ < blocks_.size()) {
-        const TailBlocks::Block block = blocks_[next_block_++];
-        block_.emplace(read_block(file_, begin_, block));
-        begin_ += block.size;
-    }
-    if (!block_ || block_->left() == 0)
-        return;
     try {
-        next_ = load_drawn_contour(*block_);
+        next_ = std::make_unique<DrawnContour>(load_drawn_contour(*block_));
     } catch (const BrokenRecord& broken) {
         throw InputError(file_.damaged(broken.what()));
     }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -51,42 +52,54 @@ void save(const DrawnTile& tile, ByteWriter& writer);
 /// @throws BrokenRecord
 [[nodiscard]] DrawnTile load_drawn_tile(ByteReader& reader);
 
-/// The contours that a tile has drawn, in blocks that are read one at a time.
+/// Contours of one level, some of those that a tile has drawn.
+struct DrawnBlock {
+    TailBlocks::Block bytes;
+    ContourKey first;  ///< of its contours
+};
+
+/// The contours that a tile has drawn, in blocks that are read one at a time. Since a block is of one level,
+/// merge holds those of the tiles that its front runs through alone: contours come level by level, and row by
+/// row.
 class DrawnBlocks {
   public:
     /// In the order of their keys.
     void add(const DrawnContour& drawn);
     /// Ends the last block.
-    void finish() { all_.add(std::exchange(block_, {})); }
-    [[nodiscard]] const TailBlocks& all() const { return all_; }
+    void finish();
+    [[nodiscard]] const std::vector<DrawnBlock>& blocks() const { return blocks_; }
+    /// Of all blocks.
+    [[nodiscard]] std::span<const std::byte> bytes() const { return tail_.bytes(); }
 
   private:
-    /// merge holds a block of each tile.
-    static constexpr std::size_t usual_bytes = std::size_t{1} << 15;
+    static constexpr std::size_t usual_bytes = std::size_t{1} << 17;
     ByteWriter block_;
-    TailBlocks all_;
+    ContourKey first_;
+    TailBlocks tail_;
+    std::vector<DrawnBlock> blocks_;
 };
 
 /// Gives the drawn contours of a file back, one after the other.
 class DrawnStream {
   public:
-    DrawnStream(SealedFile file, std::vector<TailBlocks::Block> blocks)
+    DrawnStream(SealedFile file, std::vector<DrawnBlock> blocks)
         : file_(std::move(file)), blocks_(std::move(blocks)) {}
 
-    /// The key of the next contour; nothing where there is none. @throws InputError
+    /// The key of the next contour; nothing where there is none. No block is read for it. @throws InputError
     [[nodiscard]] std::optional<ContourKey> key();
     /// @pre key() @throws InputError
     [[nodiscard]] DrawnContour take();
 
   private:
     void load_next();
+    void load_block();
 
     SealedFile file_;
-    std::vector<TailBlocks::Block> blocks_;
+    std::vector<DrawnBlock> blocks_;
     std::size_t next_block_ = 0;
-    std::uint64_t begin_ = 0;  ///< of that block
-    std::optional<ByteReader> block_;
-    std::optional<DrawnContour> next_;
+    std::uint64_t begin_ = 0;          ///< of that block
+    std::optional<ByteReader> block_;  ///< that contours are taken of, while there are some in it
+    std::unique_ptr<DrawnContour> next_;
     std::optional<ContourKey> last_;
 };
 

@@ -15,7 +15,7 @@ NumberedTile load_numbered_tile(ByteReader& reader) {
     NumberedTile tile;
     tile.numbers.written = reader.take_list<std::int64_t>();
     tile.numbers.buildings = reader.take_list<std::int64_t>();
-    tile.left = reader.take_list<TailBlocks::Block>();
+    tile.left = reader.take_list<DrawnBlock>();
     return tile;
 }
 

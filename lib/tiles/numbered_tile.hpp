@@ -15,7 +15,7 @@ namespace d2b {
 /// drawn follow in the tail of the file, with their numbers.
 struct NumberedTile {
     GivenNumbers numbers;  ///< of the contours that draw has drawn
-    std::vector<TailBlocks::Block> left;
+    std::vector<DrawnBlock> left;
 };
 void save(const NumberedTile& tile, ByteWriter& writer);
 /// @throws BrokenRecord

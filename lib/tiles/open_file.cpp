@@ -20,6 +20,10 @@ std::uint64_t OpenFile::size() const {
     return ::fstat(file_, &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
 }
 
+void OpenFile::expect_no_order() const {
+    (void)::posix_fadvise(file_, 0, 0, POSIX_FADV_RANDOM);  // advice: nothing is lost where it is not taken
+}
+
 bool OpenFile::read(std::uint64_t begin, std::span<std::byte> bytes) const {
     while (!bytes.empty()) {
         const ssize_t n = ::pread(file_, bytes.data(), bytes.size(), static_cast<off_t>(begin));

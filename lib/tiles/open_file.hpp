@@ -18,6 +18,8 @@ class OpenFile {
 
     [[nodiscard]] bool is_open() const { return file_ >= 0; }
     [[nodiscard]] std::uint64_t size() const;
+    /// Nothing is read ahead of what is asked for.
+    void expect_no_order() const;
     /// From any thread. @return whether all of it was there
     [[nodiscard]] bool read(std::uint64_t begin, std::span<std::byte> bytes) const;
     /// @return whether there was room, else errno says why

@@ -13,6 +13,8 @@ std::shared_ptr<const OpenFile> RecentFiles::open(const std::filesystem::path& p
     auto file = std::make_shared<const OpenFile>(path, O_RDONLY);
     if (!file->is_open())
         return file;
+    if (ahead_ == ReadAhead::none)
+        file->expect_no_order();
     if (files_.size() >= most_) {
         places_.erase(files_.back().path);
         files_.pop_back();

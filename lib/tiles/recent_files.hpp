@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <list>
 #include <memory>
@@ -16,8 +17,12 @@ namespace d2b {
 /// lets a process have. From any thread.
 class RecentFiles {
   public:
+    /// What the system reads beside what it is asked for.
+    enum class ReadAhead : std::uint8_t { usual, none };
+
     /// @param most that stay open
-    explicit RecentFiles(std::size_t most = 256) : most_(most) {}
+    explicit RecentFiles(ReadAhead ahead = ReadAhead::usual, std::size_t most = 256)
+        : ahead_(ahead), most_(most) {}
 
     /// To be read. Where it could not be opened errno says why.
     [[nodiscard]] std::shared_ptr<const OpenFile> open(const std::filesystem::path& path);
@@ -27,6 +32,7 @@ class RecentFiles {
         std::string path;
         std::shared_ptr<const OpenFile> file;
     };
+    ReadAhead ahead_;
     std::size_t most_;
     std::mutex mutex_;
     std::list<Recent> files_;  ///< the one that was read last comes first

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/byte_record.hpp"
@@ -20,7 +21,7 @@ struct TileSquares {
 /// Part of TraceLine::outside, as far as outlines of level 1 may run beside it.
 struct TileOutside {
     std::int32_t begin = 0;  ///< column, likewise
-    std::vector<double> elevations;
+    std::span<const double> elevations;
 };
 
 /// A stop of the sweep line as far as a tile knows it, as it is written: all that is known of a tile stays in

@@ -96,9 +96,9 @@ void make_drawn(const TileRun& run, std::int64_t tile, std::int32_t houses, Seal
     blocks.finish();
     ByteWriter writer;
     save(drawn, writer);
-    writer.put_list(blocks.all().blocks());
+    writer.put_list(blocks.blocks());
     files.write(run.file(TileStep::draw, tile), run.seal(TileStep::draw, tile), writer.bytes(),
-                blocks.all().bytes());
+                blocks.bytes());
 }
 
 void make(const std::string& work, std::int32_t contours, const std::string& what) {

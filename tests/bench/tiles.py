@@ -43,11 +43,11 @@ def run(command):
     return Cost(usage.ru_utime + usage.ru_stime, time.monotonic() - begin, usage.ru_maxrss * 1024)
 
 
-def run_all(commands):
-    """Two at a time."""
+def run_all(command, tiles, job):
+    """Two processes at a time, with so many tiles each."""
     begin = time.monotonic()
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
-        costs = list(pool.map(run, commands))
+        costs = list(pool.map(run, [[*command, *range(first, min(first + job, tiles))] for first in range(0, tiles, job)]))
     return Cost(sum(cost.core for cost in costs), time.monotonic() - begin, max(cost.memory for cost in costs))
 
 
@@ -80,7 +80,7 @@ def bytes_in(folder):
     return sum(file.stat().st_size for file in folder.rglob("*") if file.is_file())
 
 
-def measure(build, work, options, side, mosaic, whole):
+def measure(build, work, options, side, job, mosaic, whole):
     """The steps on tiles of so many units a side: cost by step, bytes between steps, tiles."""
     tool = build / "tools/dem2buildings_tiles"
     folder, result = work / "steps", work / "tiles.gpkg"
@@ -88,15 +88,15 @@ def measure(build, work, options, side, mosaic, whole):
     result.unlink(missing_ok=True)
     costs = {"plan": run([tool, "plan", "-q", *options, "-tile", side, mosaic, result, folder])}
     tiles = json.loads((folder / "plan.json").read_text())["tiles"]
-    costs["find"] = run_all([[tool, "find", "-threads", 1, folder, tile] for tile in range(tiles)])
+    costs["find"] = run_all([tool, "find", "-threads", 1, folder], tiles, job)
     costs["join"] = run([tool, "join", "-threads", 1, folder])
-    costs["draw"] = run_all([[tool, "draw", "-threads", 1, folder, tile] for tile in range(tiles)])
+    costs["draw"] = run_all([tool, "draw", "-threads", 1, folder], tiles, job)
     costs["merge"] = run([tool, "merge", "-q", "-threads", 2, folder])  # nothing else is at work then
     if not filecmp.cmp(whole, result, shallow=False):
         sys.exit(f"-tile {side} gives other bytes than the plain run")
     start = run([tool, "--version"]).core
     between = {step: bytes_in(folder / step) for step in ("find", "join", "draw")}
-    return costs, between, tiles, start * (2 * tiles + 3)
+    return costs, between, tiles, start * (2 * -(-tiles // job) + 3)
 
 
 def show(name, plain, costs, between, tiles, start):
@@ -117,6 +117,7 @@ def main():
     parser.add_argument("--million", type=int, default=100, help="points; default: %(default)s")
     parser.add_argument("--cell", type=float, default=1, help="m; default: %(default)s")
     parser.add_argument("--tile", default="1", help="units a side, with commas between; default: %(default)s")
+    parser.add_argument("--job", type=int, default=1, help="tiles of a process; default: %(default)s")
     parser.add_argument("--preset", default="buildings", help="with commas between; default: %(default)s")
     parser.add_argument("--work", type=Path, help="folder for all files; default: <build>/bench/tiles<million>_<cell>")
     given = parser.parse_args()
@@ -131,7 +132,7 @@ def main():
         whole.unlink(missing_ok=True)
         plain = run([build / "tools/dem2buildings", "-q", "-threads", 2, *options, mosaic, whole])
         for side in given.tile.split(","):
-            show(f"{preset}, -tile {side}", plain, *measure(build, work, options, side, mosaic, whole))
+            show(f"{preset}, -tile {side}", plain, *measure(build, work, options, side, given.job, mosaic, whole))
         print(f"\n{given.million} million points of {given.cell:g} m: {bytes_in(work) / 1e6:.0f} MB in all, of which "
               f"{whole.stat().st_size / 1e6:.0f} MB are the result and "
               f"{sum(file.stat().st_size for file in work.glob('part_*.tif')) / 1e6:.0f} MB the source", flush=True)

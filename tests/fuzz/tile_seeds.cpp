@@ -1,6 +1,7 @@
 // Seeds of tiles_fuzz: what the steps of a run in tiles write, of little.
 //   tile_seeds <folder>           writes them
 //   tile_seeds --check <folder>   fails where one is not read to its end: the format has changed since
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -75,7 +76,7 @@ DrawnTile drawn() {
 }
 
 NumberedTile numbered() {
-    return {{{1, 2, 2, 4}, {1, 2}}, {{300, 17}}};
+    return {{{1, 2, 2, 4}, {1, 2}, 0}, {{{300, 17}, {1, {3, 4}}}}};
 }
 
 NumberedWhole numbered_whole() {
@@ -93,8 +94,9 @@ NumberedWhole numbered_whole() {
 
 /// What two tiles side by side know of a line.
 ByteWriter lines() {
+    constexpr std::array beside{1.5, 1.25};
     PackedLine left(tile_window.row);
-    left.set({{0, 2, 2}, {2, 4, 3}}, {{4, {1.5, 1.25}}});
+    left.set({{0, 2, 2}, {2, 4, 3}}, {{4, beside}});
     left.add({false, 1, 2, {}, {}});
     PackedLine right(tile_window.row);
     right.set({{4, 7, 2}}, {});

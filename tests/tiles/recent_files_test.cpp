@@ -33,7 +33,7 @@ class RecentFilesTest : public testing::Test {
     }
 
     fs::path folder_;
-    RecentFiles files_{2};
+    RecentFiles files_{RecentFiles::ReadAhead::none, 2};
 };
 
 TEST_F(RecentFilesTest, StayOpenUntilTooManyOthersWereRead) {

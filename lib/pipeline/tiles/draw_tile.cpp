@@ -212,8 +212,8 @@ void draw_tile(TileRun& run, std::int64_t tile) {
         drawn = TileDrawing(run, joined).draw(blocks);
     ByteWriter writer;
     save(drawn, writer);
-    writer.put_list(blocks.all().blocks());
-    write_sealed(path, seal, writer.bytes(), blocks.all().bytes());
+    writer.put_list(blocks.blocks());
+    write_sealed(path, seal, writer.bytes(), blocks.bytes());
 }
 
 }  // namespace d2b

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <optional>
 #include <queue>
-#include <tuple>
 #include <utility>
 
 #include "features/feature_writer.hpp"
@@ -11,6 +10,7 @@
 #include "pipeline/report_run.hpp"
 #include "pipeline/tiles/left_elevations.hpp"
 #include "pipeline/tiles/part_numbers.hpp"
+#include "pipeline/tiles/tile_numbers.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
 #include "pipeline/tiles/trace_tile.hpp"
 #include "pipeline/tiles/traced_frame.hpp"
@@ -41,7 +41,8 @@ class DrawnTiles {
     void take(DrawnTile&& tile);
     void number_left(double metres);
 
-    RecentFiles files_;  ///< of the streams
+    // Tiles are read by turns: what the system would read ahead is gone when it is asked for.
+    RecentFiles files_{RecentFiles::ReadAhead::none};  ///< of the streams
 
     std::vector<LeftBuilding> left_buildings_;  ///< of one tile after the other
     std::vector<std::int64_t> left_by_;         ///< the tile of each
@@ -52,14 +53,13 @@ DrawnTiles::DrawnTiles(const TileRun& run, Context& context) : elevations(contex
     for (std::int64_t i = 0; i < run.tiles().count(); ++i) {
         context.check_stop();
         SealedFile file(run.file(TileStep::draw, i), run.seal(TileStep::draw, i), &files_);
-        std::vector<TailBlocks::Block> blocks;
+        std::vector<DrawnBlock> blocks;
         DrawnTile tile = load_body(file, [&](ByteReader& reader) {
             DrawnTile loaded = load_drawn_tile(reader);
-            blocks = reader.take_list<TailBlocks::Block>();
+            blocks = reader.take_list<DrawnBlock>();
             return loaded;
         });
         streams.emplace_back(std::move(file), std::move(blocks));
-        std::ignore = streams.back().key();  // which reads the first block, as long as the file is open
         take(std::move(tile));
     }
     number_left(run.metres());
@@ -115,46 +115,49 @@ void DrawnTiles::number_left(double metres) {
 class Sequence {
   public:
     /// @param parts null where features go into one dataset
-    Sequence(std::vector<DrawnStream>& streams, FeatureWriter& writer, PartNumbers* parts)
-        : streams_(streams), writer_(writer), parts_(parts), numbers_(streams.size()) {
+    /// @param spool for numbers that wait
+    Sequence(std::vector<DrawnStream>& streams, FeatureWriter& writer, PartNumbers* parts,
+             std::unique_ptr<Spool> spool)
+        : streams_(streams), writer_(writer), parts_(parts), numbers_(std::move(spool), streams.size()) {
         for (std::size_t i = 0; i < streams.size(); ++i)
-            push(i);
+            if (const auto key = streams[i].key())
+                next_.emplace(*key, i);
     }
     /// Writes what comes before a key; without one all that is left.
     void write_before(const std::optional<ContourKey>& end) {
         while (!next_.empty() && (!end || next_.top().first < *end)) {
-            const std::size_t i = next_.top().second;
+            const auto [key, i] = next_.top();
             next_.pop();
             if (parts_ != nullptr)
                 parts_->set_tile(static_cast<std::int64_t>(i));
-            writer_.add(numbers_[i], 0, streams_[i].take());
-            push(i);
+            writer_.add(numbers_.of(i), 0, streams_[i].take());
+            const auto after = streams_[i].key();
+            if (after)
+                next_.emplace(*after, i);
+            if (!after || after->level != key.level)
+                numbers_.put_aside(i);
         }
     }
     /// Of what each tile has drawn.
-    [[nodiscard]] std::vector<GivenNumbers>& numbers() { return numbers_; }
+    [[nodiscard]] TileNumbers& numbers() { return numbers_; }
 
   private:
     using Next = std::pair<ContourKey, std::size_t>;
-    void push(std::size_t i) {
-        if (const auto key = streams_[i].key())
-            next_.emplace(*key, i);
-    }
     std::vector<DrawnStream>& streams_;
     FeatureWriter& writer_;
     PartNumbers* parts_;
-    std::vector<GivenNumbers> numbers_;  ///< by stream
+    TileNumbers numbers_;
     std::priority_queue<Next, std::vector<Next>, std::greater<>> next_;
 };
 
 /// @param parts the sink, where tiles write features into files of their own, else null
 /// @return the numbers of what each tile has drawn
-std::vector<GivenNumbers> write_all(const FeatureInput& input, const RecordMaker& records, DrawnTiles& drawn,
-                                    FeatureSink& sink, PartNumbers* parts, Context& context) {
+TileNumbers write_all(const FeatureInput& input, const RecordMaker& records, DrawnTiles& drawn,
+                      FeatureSink& sink, PartNumbers* parts, Context& context) {
     constexpr std::size_t piece = 64;  // contours that a thread draws at a time
     FeatureWriter writer(input, records, sink, context);
     writer.begin();
-    Sequence sequence(drawn.streams, writer, parts);
+    Sequence sequence(drawn.streams, writer, parts, context.make_spool());
     GivenNumbers numbers;
     const std::size_t count = input.contours.size();
     context.threads->in_order(
@@ -229,7 +232,7 @@ void merge_drawn(TileRun& run, FeatureSink& features, PartNumbers* parts) {
                           error.merge(drawn.error);
                           return error;
                       });
-    std::vector<GivenNumbers> numbers = write_all(input, records, drawn, features, parts, context);
+    const TileNumbers numbers = write_all(input, records, drawn, features, parts, context);
     finish_sinks({features}, context);
     if (parts != nullptr)
         parts->write(run, numbers, drawn.levels);

@@ -20,10 +20,10 @@ void PartNumbers::keep(const DrawnContour& drawn) {
     kept_[tile_].push_back(append(*spool_, writer));
 }
 
-void PartNumbers::write(const TileRun& run, std::vector<GivenNumbers>& numbers, int levels) {
+void PartNumbers::write(const TileRun& run, const TileNumbers& numbers, int levels) {
     SealedFiles files(run.folder(TileStep::merge));
     for (std::int64_t i = 0; i < run.tiles().count(); ++i) {
-        NumberedTile tile{std::move(numbers[static_cast<std::size_t>(i)]), {}};
+        NumberedTile tile{numbers.all(static_cast<std::size_t>(i)), {}};
         DrawnBlocks blocks;
         if (const auto kept = kept_.find(i); kept != kept_.end())
             for (const SpoolEntry& entry : kept->second) {
@@ -31,11 +31,11 @@ void PartNumbers::write(const TileRun& run, std::vector<GivenNumbers>& numbers, 
                 blocks.add(load_drawn_contour(reader));
             }
         blocks.finish();
-        tile.left = blocks.all().blocks();
+        tile.left = blocks.blocks();
         ByteWriter writer;
         save(tile, writer);
         files.write(run.file(TileStep::merge, i), run.seal(TileStep::merge, i), writer.bytes(),
-                    blocks.all().bytes());
+                    blocks.bytes());
     }
     files.finish();
     whole_.levels = levels;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dem2buildings/spool.hpp"
+#include "pipeline/tiles/tile_numbers.hpp"
 #include "pipeline/tiles/tile_run.hpp"
 #include "tiles/numbered_tile.hpp"
 
@@ -27,7 +28,7 @@ class PartNumbers final : public FeatureSink {
     void keep(const DrawnContour& drawn);
     /// Writes what tiles must know, and last what all must. @param numbers of what each tile has drawn
     /// @throws OutputError
-    void write(const TileRun& run, std::vector<GivenNumbers>& numbers, int levels);
+    void write(const TileRun& run, const TileNumbers& numbers, int levels);
 
   private:
     std::unique_ptr<Spool> spool_;

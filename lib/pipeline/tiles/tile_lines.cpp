@@ -17,6 +17,24 @@ TraceFrame frame_of(const TraceFrame& whole, const Window& seen) {
     return frame;
 }
 
+/// Stretches of columns that are wanted, as far as anything lies outside there.
+/// @param wanted a byte a column, which is changed @param first column
+std::vector<TileOutside> stretches(std::span<std::uint8_t> wanted, std::span<const double> outside,
+                                   std::int32_t first) {
+    for (std::size_t c = 0; c < wanted.size(); ++c)
+        wanted[c] = outside[c] != nothing_outside ? wanted[c] : std::uint8_t{0};
+    std::vector<TileOutside> found;
+    for (auto end = wanted.begin();;) {
+        const auto begin = std::find(end, wanted.end(), 1);
+        if (begin == wanted.end())
+            return found;
+        end = std::find(begin, wanted.end(), 0);
+        found.push_back({first + static_cast<std::int32_t>(begin - wanted.begin()),
+                         outside.subspan(static_cast<std::size_t>(begin - wanted.begin()),
+                                         static_cast<std::size_t>(end - begin))});
+    }
+}
+
 }  // namespace
 
 TileLines::TileLines(const TraceFrame& frame, TraceMode mode, const Window& seen, const Window& own)
@@ -76,16 +94,15 @@ void TileLines::keep(const Waiting& waiting, bool all) {
     lines_[waiting.line].set(waiting.squares, beside(waiting.outside, all));
 }
 
-std::vector<TileOutside> TileLines::beside(const std::vector<double>& outside, bool all) const {
-    std::vector<TileOutside> kept;
+std::vector<TileOutside> TileLines::beside(std::span<const double> outside, bool all) {
     if (outside.empty())
-        return kept;
+        return {};
     const auto first = static_cast<std::size_t>(own_.col - seen_.col);
     const auto cols = static_cast<std::size_t>(own_.cols);
-    std::vector<bool> wanted(cols + first, all);
+    wanted_.assign(first + cols, all ? 1 : 0);
     const auto want = [&](std::int32_t begin, std::int32_t end) {
-        std::fill(wanted.begin() + std::clamp<std::ptrdiff_t>(begin, 0, std::ssize(wanted)),
-                  wanted.begin() + std::clamp<std::ptrdiff_t>(end, 0, std::ssize(wanted)), true);
+        std::fill(wanted_.begin() + std::clamp<std::ptrdiff_t>(begin, 0, std::ssize(wanted_)),
+                  wanted_.begin() + std::clamp<std::ptrdiff_t>(end, 0, std::ssize(wanted_)), 1);
     };
     const auto begin = static_cast<std::int32_t>(first);
     want(begin, begin + border);
@@ -93,17 +110,8 @@ std::vector<TileOutside> TileLines::beside(const std::vector<double>& outside, b
     for (const Runs& runs : footprints_)
         for (const Run& run : runs)
             want(run.begin - 1, run.end + border);
-    bool goes_on = false;
-    for (std::size_t c = first; c < first + cols; ++c) {
-        const double z = outside[c];
-        const bool keeps = wanted[c] && z != nothing_outside;
-        if (keeps && !goes_on)
-            kept.push_back({static_cast<std::int32_t>(c) + seen_.col - frame_.window.col, {}});
-        if (keeps)
-            kept.back().elevations.push_back(z);
-        goes_on = keeps;
-    }
-    return kept;
+    return stretches(std::span(wanted_).subspan(first), outside.subspan(first, cols),
+                     own_.col - frame_.window.col);
 }
 
 std::vector<PackedLine> TileLines::finish() {

@@ -33,7 +33,7 @@ class TileLines : private ContourSink {
     std::int64_t take(FinishedContour&& finished) override;
     void add(TraceLine&& line);
     void keep(const Waiting& waiting, bool all);
-    [[nodiscard]] std::vector<TileOutside> beside(const std::vector<double>& outside, bool all) const;
+    [[nodiscard]] std::vector<TileOutside> beside(std::span<const double> outside, bool all);
 
     TraceFrame frame_;
     Window seen_;
@@ -43,7 +43,8 @@ class TileLines : private ContourSink {
     std::deque<Waiting> waiting_;
     std::deque<Runs> footprints_;  ///< runs of level 1 in the newest rows of squares, the newest last
     std::vector<PackedLine> lines_;
-    std::int64_t taken_ = 0;  ///< contours
+    std::vector<std::uint8_t> wanted_;  ///< what is kept of what lies outside, a byte a column that is seen
+    std::int64_t taken_ = 0;            ///< contours
 };
 
 }  // namespace d2b

@@ -20,9 +20,9 @@ NumberedWhole load_whole(const TileRun& run) {
 /// What a tile has drawn, in the order of keys.
 DrawnStream drawn_stream(const TileRun& run, std::int64_t tile) {
     SealedFile file(run.file(TileStep::draw, tile), run.seal(TileStep::draw, tile));
-    std::vector<TailBlocks::Block> blocks = load_body(file, [](ByteReader& reader) {
+    std::vector<DrawnBlock> blocks = load_body(file, [](ByteReader& reader) {
         (void)load_drawn_tile(reader);
-        return reader.take_list<TailBlocks::Block>();
+        return reader.take_list<DrawnBlock>();
     });
     return {std::move(file), std::move(blocks)};
 }
