@@ -1,68 +1,74 @@
 #include "core/block_pool.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <iterator>
-#include <limits>
-#include <sys/mman.h>
 
 namespace d2b {
-namespace {
-
-constexpr std::size_t large_page = std::size_t{2} << 20;
-// A multiple of what any system calls a page. Not a large one: what a block has beyond these is small pages.
-constexpr std::size_t page = std::size_t{64} << 10;
-
-std::size_t whole_pages(std::size_t bytes) {
-    if (bytes > std::numeric_limits<std::size_t>::max() - 2 * large_page)
-        throw std::bad_alloc();
-    return (bytes + page - 1) / page * page;
-}
-
-}  // namespace
-
-void* BlockPool::from_system(std::size_t bytes) {
-    const std::size_t size = whole_pages(bytes);
-    // A large page more, of which what lies before the block and behind it goes back.
-    void* const memory =
-        mmap(nullptr, size + large_page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    if (memory == MAP_FAILED)
-        throw std::bad_alloc();
-    auto* const begin = static_cast<std::byte*>(memory);
-    const std::size_t before =
-        (large_page - reinterpret_cast<std::uintptr_t>(memory) % large_page) % large_page;
-    if (before > 0)
-        munmap(begin, before);
-    if (before < large_page)
-        munmap(begin + before + size, large_page - before);
-#ifdef MADV_HUGEPAGE
-    static_cast<void>(
-        madvise(begin + before, size, MADV_HUGEPAGE));  // a wish: what comes back is of no interest
-#endif
-    return begin + before;
-}
-
-void BlockPool::to_system(void* block, std::size_t bytes) noexcept {
-    munmap(block, whole_pages(bytes));
-}
 
 void* BlockPool::take(std::size_t bytes) {
-    const std::size_t size = whole_pages(bytes);
+    const std::size_t size = LargePages::whole(bytes);
+    std::vector<Idle> parts;
     {
         std::unique_lock lock(mutex_);
+        void* const block = take_idle(size);
+        if (block == nullptr)
+            parts = take_parts(size);
         used_bytes_ += size;
-        if (void* const block = take_idle(size))
+        if (block != nullptr)
             return block;
         most_used_ = std::max(most_used_, used_bytes_);
         shrink_to(most_used_ - used_bytes_, lock);
     }
     try {
-        return from_system(bytes);
+        return put_together(size, parts);
     } catch (const std::bad_alloc&) {
         const std::lock_guard lock(mutex_);
         used_bytes_ -= size;
         throw;
     }
+}
+
+std::vector<BlockPool::Idle> BlockPool::take_parts(std::size_t size) {
+    std::vector<Idle> parts;
+    parts.reserve(idle_.size());
+    for (std::size_t room = LargePages::in(size); room > 0 && !idle_.empty();) {
+        Idle& longest = idle_.front();
+        const std::size_t pages = std::min(LargePages::in(longest.bytes), room);
+        room -= pages;
+        const bool cut = longest.bytes - pages >= large;
+        parts.push_back({longest.block, cut ? pages : longest.bytes});
+        idle_bytes_ -= parts.back().bytes;
+        if (cut)
+            longest = {static_cast<std::byte*>(longest.block) + pages, longest.bytes - pages};
+        else
+            idle_.erase(idle_.begin());
+    }
+    return parts;
+}
+
+void* BlockPool::put_together(std::size_t size, const std::vector<Idle>& parts) {
+    std::byte* block = nullptr;
+    try {
+        block = static_cast<std::byte*>(LargePages::map(size));
+    } catch (const std::bad_alloc&) {  // no room for it beside those that wait
+        for (const Idle& part : parts)
+            LargePages::unmap(part.block, part.bytes);
+        return LargePages::map(size);
+    }
+    bool whole = true;
+    std::byte* next = block;
+    for (const Idle& part : parts) {
+        const std::size_t room = LargePages::in(size) - static_cast<std::size_t>(next - block);
+        const std::size_t pages = whole ? std::min(LargePages::in(part.bytes), room) : 0;
+        whole = whole && LargePages::move(part.block, next, pages);
+        next += pages;
+        if (part.bytes > pages)
+            LargePages::unmap(static_cast<std::byte*>(part.block) + pages, part.bytes - pages);
+    }
+    if (whole)
+        return block;
+    LargePages::unmap(block, size);
+    throw std::bad_alloc();
 }
 
 void* BlockPool::take_idle(std::size_t size) {
@@ -77,7 +83,7 @@ void* BlockPool::take_idle(std::size_t size) {
 }
 
 void BlockPool::give(void* block, std::size_t bytes) noexcept {
-    const std::size_t size = whole_pages(bytes);
+    const std::size_t size = LargePages::whole(bytes);
     {
         const std::lock_guard lock(mutex_);
         used_bytes_ -= size;
@@ -87,7 +93,7 @@ void BlockPool::give(void* block, std::size_t bytes) noexcept {
             return;
         }
     }
-    to_system(block, bytes);
+    LargePages::unmap(block, bytes);
 }
 
 void BlockPool::clear() noexcept {
@@ -102,7 +108,7 @@ void BlockPool::shrink_to(std::size_t bytes, std::unique_lock<std::mutex>& lock)
         idle_.erase(idle_.begin());
         idle_bytes_ -= longest.bytes;
         lock.unlock();  // the system takes its time for large blocks
-        to_system(longest.block, longest.bytes);
+        LargePages::unmap(longest.block, longest.bytes);
         lock.lock();
     }
 }

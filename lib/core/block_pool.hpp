@@ -8,14 +8,17 @@
 #include <utility>
 #include <vector>
 
+#include "core/large_pages.hpp"
+
 namespace d2b {
 
 /// Large blocks of memory that grids gave back, for the next ones: the system clears each page that it gives,
-/// which takes as long as a pass over it. What waits and what is in use are together no more than was in use
-/// at a time. From any thread.
+/// which takes as long as a pass over it. Where none has the size that is asked for, the pages of those that
+/// wait become a block of that size. What waits and what is in use are together no more than was in use at a
+/// time. From any thread.
 class BlockPool {
   public:
-    static constexpr std::size_t large = std::size_t{2} << 20;  ///< bytes; what is less is not kept
+    static constexpr std::size_t large = LargePages::size;  ///< bytes; what is less is not kept
 
     BlockPool() { idle_.reserve(most_blocks); }
     BlockPool(const BlockPool&) = delete;
@@ -29,11 +32,6 @@ class BlockPool {
     /// Gives all that waits back to the system.
     void clear() noexcept;
 
-    /// The same without a pool. Blocks of both kinds are alike. Where the system can it gives large pages:
-    /// 100 MB are then touched in 50 steps instead of 25,000, which otherwise take longer than most passes.
-    [[nodiscard]] static void* from_system(std::size_t bytes);
-    static void to_system(void* block, std::size_t bytes) noexcept;
-
   private:
     static constexpr std::size_t most_blocks = 64;
 
@@ -43,6 +41,10 @@ class BlockPool {
     };
     /// @param size in whole pages @return a block that waited; null where none fits
     [[nodiscard]] void* take_idle(std::size_t size);
+    /// Those that wait longest, as many as have the large pages of so many bytes; the last may be cut.
+    [[nodiscard]] std::vector<Idle> take_parts(std::size_t size);
+    /// A block that begins with the pages of others, which are gone then.
+    [[nodiscard]] static void* put_together(std::size_t size, const std::vector<Idle>& parts);
     /// Gives those that wait longest back to the system, until no more than so many bytes do.
     void shrink_to(std::size_t bytes, std::unique_lock<std::mutex>& lock) noexcept;
 
@@ -73,7 +75,7 @@ class CellMemory {
         if (count < BlockPool::large / sizeof(T))
             return std::allocator<T>().allocate(count);
         const std::size_t bytes = count * sizeof(T);
-        return static_cast<T*>(pool_ ? pool_->take(bytes) : BlockPool::from_system(bytes));
+        return static_cast<T*>(pool_ ? pool_->take(bytes) : LargePages::map(bytes));
     }
     void deallocate(T* values, std::size_t count) noexcept {
         if (count < BlockPool::large / sizeof(T))
@@ -81,7 +83,7 @@ class CellMemory {
         else if (pool_)
             pool_->give(values, count * sizeof(T));
         else
-            BlockPool::to_system(values, count * sizeof(T));
+            LargePages::unmap(values, count * sizeof(T));
     }
     template <typename U>
     void construct(U* value) noexcept {

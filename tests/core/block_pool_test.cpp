@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -38,6 +39,51 @@ TEST(BlockPool, GivesBackWhatWaitsBeforeItAsksForMore) {
     EXPECT_EQ(*static_cast<char*>(anew), 0);  // the system's pages are cleared
     pool.give(larger, 8 * megabyte);
     pool.give(anew, 4 * megabyte);
+}
+
+TEST(BlockPool, PutsWhatWaitsTogether) {
+    BlockPool pool;
+    constexpr std::size_t page = LargePages::size;
+    constexpr std::size_t beyond = megabyte / 2;  // no large page
+    const std::vector<std::size_t> sizes{3 * page + beyond, 2 * page, 4 * page};
+    std::vector<char*> blocks;
+    for (const std::size_t size : sizes)
+        blocks.push_back(static_cast<char*>(pool.take(size)));
+    char mark = 'a';
+    for (std::size_t k = 0; k < blocks.size(); ++k) {
+        for (std::size_t at = 0; at < sizes[k]; at += page)
+            blocks[k][at] = mark++;
+        pool.give(blocks[k], sizes[k]);
+    }
+    // a b c (d) | e f | g h i j: the large pages of those that wait longest, of the last as many as it needs
+    auto* const block = static_cast<char*>(pool.take(7 * page + beyond));
+    std::string held;
+    for (std::size_t at = 0; at <= 7 * page; at += page)
+        held += block[at] == 0 ? '.' : block[at];
+    EXPECT_EQ(held, "abcefgh.");
+    auto* const rest = static_cast<char*>(pool.take(2 * page));
+    EXPECT_EQ(rest[0], 'i');
+    EXPECT_EQ(rest[page], 'j');
+    pool.give(block, 7 * page + beyond);
+    pool.give(rest, 2 * page);
+}
+
+TEST(BlockPool, PutsWhatIsPutTogetherTogetherAgain) {
+    BlockPool pool;
+    constexpr std::size_t page = LargePages::size;
+    const std::vector<char*> blocks{static_cast<char*>(pool.take(page)),
+                                    static_cast<char*>(pool.take(2 * page))};
+    blocks[0][0] = 'x';
+    blocks[1][page] = 'y';
+    pool.give(blocks[0], page);
+    pool.give(blocks[1], 2 * page);
+    pool.give(pool.take(3 * page), 3 * page);
+    auto* const larger = static_cast<char*>(pool.take(4 * page));
+    EXPECT_EQ(larger[0], 'x');
+    EXPECT_EQ(larger[2 * page], 'y');
+    EXPECT_EQ(larger[3 * page], 0);
+    larger[4 * page - 1] = 'z';
+    pool.give(larger, 4 * page);
 }
 
 TEST(BlockPool, HoldsNoMoreThanWasInUseAtATime) {
