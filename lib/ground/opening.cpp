@@ -128,6 +128,22 @@ void open_by(Element element, const Grid<T>& surface, Radius radius, Radius outs
     });
 }
 
+template <typename T>
+void close_by_rectangle(const Grid<T>& surface, Radius radius, Workspace<T>& workspace, Grid<T>& closed) {
+    constexpr T none = no_value_of<T>;
+    constexpr T below = static_cast<T>(-none);
+    Grid<T>& scratch = workspace.first;
+    fit(scratch, surface);
+    fit(closed, surface);
+    for (std::size_t k = 0; k < surface.size(); ++k)
+        closed.values[k] = surface.values[k] == none ? below : surface.values[k];
+    line_pass(closed, scratch, Line::row, Extremum::highest, radius.across);
+    line_pass(scratch, closed, Line::column, Extremum::highest, radius.down);
+    turn_around(closed, below, none);
+    line_pass(closed, scratch, Line::row, Extremum::lowest, radius.across);
+    line_pass(scratch, closed, Line::column, Extremum::lowest, radius.down);
+}
+
 }  // namespace
 
 D2B_FOR_EACH_PROCESSOR void open(Element element, const Grid<float>& surface, Radius radius, Radius outside,
@@ -141,17 +157,15 @@ D2B_FOR_EACH_PROCESSOR void open(Element element, const Grid<std::int16_t>& surf
     open_by(element, surface, radius, outside, workspace, opened);
 }
 
-void closed_by_rectangle(const MetreGrid& surface, Radius radius, Workspace<float>& workspace,
-                         MetreGrid& closed) {
-    MetreGrid& scratch = workspace.first;
-    closed = surface;
-    fit(scratch, surface);
-    turn_around(closed, no_value, -no_value);
-    line_pass(closed, scratch, Line::row, Extremum::highest, radius.across);
-    line_pass(scratch, closed, Line::column, Extremum::highest, radius.down);
-    turn_around(closed, -no_value, no_value);
-    line_pass(closed, scratch, Line::row, Extremum::lowest, radius.across);
-    line_pass(scratch, closed, Line::column, Extremum::lowest, radius.down);
+D2B_FOR_EACH_PROCESSOR void closed_by_rectangle(const MetreGrid& surface, Radius radius,
+                                                Workspace<float>& workspace, MetreGrid& closed) {
+    close_by_rectangle(surface, radius, workspace, closed);
+}
+
+D2B_FOR_EACH_PROCESSOR void closed_by_rectangle(const Grid<std::int16_t>& surface, Radius radius,
+                                                Workspace<std::int16_t>& workspace,
+                                                Grid<std::int16_t>& closed) {
+    close_by_rectangle(surface, radius, workspace, closed);
 }
 
 }  // namespace d2b::ground

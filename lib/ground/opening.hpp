@@ -42,5 +42,7 @@ void open(Element element, const Grid<std::int16_t>& surface, Radius radius, Rad
 /// @param closed another grid than `surface`
 void closed_by_rectangle(const MetreGrid& surface, Radius radius, Workspace<float>& workspace,
                          MetreGrid& closed);
+void closed_by_rectangle(const Grid<std::int16_t>& surface, Radius radius, Workspace<std::int16_t>& workspace,
+                         Grid<std::int16_t>& closed);
 
 }  // namespace d2b::ground

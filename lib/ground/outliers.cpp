@@ -4,9 +4,11 @@
 #include <cmath>
 #include <tuple>
 
+#include "core/processors.hpp"
 #include "ground/line_pass.hpp"
 #include "ground/opening.hpp"
 #include "ground/tiles.hpp"
+#include "ground/whole_steps.hpp"
 
 namespace d2b::ground {
 namespace {
@@ -22,6 +24,7 @@ struct Part {
     MetreGrid closed;
     MetreGrid around;
     Workspace<float> workspace;
+    WholeSteps whole;  ///< its `next` is closed
 };
 
 struct Search {
@@ -36,18 +39,39 @@ struct Search {
     [[nodiscard]] bool below(float z, float other) const { return other != no_value && z < other - depth; }
 };
 
+/// Whether a cell may lie deep below the closed surface; most tiles have none.
+/// @param deep how much lower it is at least
+template <typename T, typename Deep>
+bool may_have_pits(const Grid<T>& surface, const Grid<T>& closed, Deep deep) {
+    int any = 0;
+    for (std::size_t k = 0; k < surface.size(); ++k) {
+        const T above = closed.values[k];
+        any |= (above != no_value_of<T> ? 1 : 0) & (deep(surface.values[k], above) ? 1 : 0);
+    }
+    return any != 0;
+}
+
+/// In whole steps, where these say that there is none.
+D2B_FOR_EACH_PROCESSOR bool surely_has_no_pits(const MetreGrid& lowest, const Tile& place,
+                                               const Search& search, WholeSteps& whole) {
+    if (!whole.take(lowest, place))
+        return false;
+    closed_by_rectangle(whole.surface, search.closed, whole.workspace, whole.next);
+    const int within = whole.surely_within(search.depth);
+    return !may_have_pits(whole.surface, whole.next,
+                          [within](std::int16_t z, std::int16_t above) { return above - z > within; });
+}
+
 std::vector<Pit> pits_of(const MetreGrid& lowest, const Tile& tile, const Search& search, Part& part) {
     const Tile place = widened(tile, search.reach(), lowest);
+    if (surely_has_no_pits(lowest, place, search, part.whole))
+        return {};
     copy_tile(lowest, place, part.surface);
     closed_by_rectangle(part.surface, search.closed, part.workspace, part.closed);
-    // Below all around is below what is here: most tiles have no such cell.
-    int any = 0;
+    // Below all around is below what is here.
     const float depth = search.depth;
-    for (std::size_t k = 0; k < part.surface.size(); ++k) {
-        const float closed = part.closed.values[k];
-        any |= (closed != no_value ? 1 : 0) & (part.surface.values[k] < closed - depth ? 1 : 0);
-    }
-    if (any == 0)
+    if (!may_have_pits(part.surface, part.closed,
+                       [depth](float z, float above) { return z < above - depth; }))
         return {};
     MetreGrid& along = part.workspace.first;
     part.around = part.closed;

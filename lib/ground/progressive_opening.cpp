@@ -77,22 +77,12 @@ D2B_FOR_EACH_PROCESSOR void set_limits_of_steps(OpenedPart& part, float rise) {
 
 void open_whole_steps(OpenedPart& part, std::span<const Step> steps, Element element) {
     WholeSteps& values = part.whole;
-    values.workspace.gaps = part.workspace.gaps;
+    values.workspace.gaps = values.gaps;
     for (const Step& step : steps) {
         open(element, values.surface, step.radius, step.outside, values.workspace, values.next);
         set_limits_of_steps(part, step.rise);
         std::swap(values.surface, values.next);
     }
-    for (std::int32_t i = part.tile.row - part.place.row; i < part.tile.row - part.place.row + part.tile.rows;
-         ++i)
-        values.in_metres(values.surface.row(i), part.surface.row(i).data());
-}
-
-D2B_FOR_EACH_PROCESSOR bool has_gaps(const MetreGrid& grid) {
-    int gaps = 0;
-    for (const float value : grid.values)
-        gaps |= value == no_value ? 1 : 0;
-    return gaps != 0;
 }
 
 void lower_row(std::span<const float> by, std::span<float> limits) {
@@ -109,7 +99,7 @@ std::span<const Step> first_steps(std::span<const Step> steps) {
 }
 
 /// Opens a grid by all elements of a series. @return what is left; nothing where there are no elements
-/// @param beside is empty once it was done
+/// @param limits set where there are elements @param beside is empty once it was done
 MetreGrid open_whole(const MetreGrid& surface, std::span<const Step> steps, Element element,
                      MetreGrid& limits, Executor& threads, std::function<void()>& beside) {
     const std::vector<Tile> tiles = tiles_of(surface.rows, surface.cols, tile_side);
@@ -117,7 +107,8 @@ MetreGrid open_whole(const MetreGrid& surface, std::span<const Step> steps, Elem
     MetreGrid into;
     while (!steps.empty()) {
         const std::span<const Step> now = first_steps(steps);
-        const MetreGrid& from = left.size() == 0 ? surface : left;
+        const bool begins = left.size() == 0;
+        const MetreGrid& from = begins ? surface : left;
         if (into.size() == 0)
             into = MetreGrid::unset(surface.rows, surface.cols, threads);
         const std::function<void()> first = std::exchange(beside, {});
@@ -128,11 +119,14 @@ MetreGrid open_whole(const MetreGrid& surface, std::span<const Step> steps, Elem
             const Tile& tile = tiles[t - before];
             open_part(from, tile, now, element, part);
             for (std::int32_t i = 0; i < tile.rows; ++i) {
-                const auto opened = part.row(part.surface, i);
-                std::copy(opened.begin(), opened.end(), into.row(tile.row + i).begin() + tile.col);
-                lower_row(
-                    part.limits.row(i),
-                    limits.row(tile.row + i).subspan(static_cast<std::size_t>(tile.col), opened.size()));
+                part.write_row(i, into.row(tile.row + i).data() + tile.col);
+                const auto lowered = part.limits.row(i);
+                const auto here =
+                    limits.row(tile.row + i).subspan(static_cast<std::size_t>(tile.col), lowered.size());
+                if (begins)
+                    std::ranges::copy(lowered, here.begin());
+                else
+                    lower_row(lowered, here);
             }
         });
         std::swap(left, into);
@@ -184,17 +178,25 @@ OpeningSteps opening_steps(const StructuringElements& elements, const CellSize& 
     return series;
 }
 
+void OpenedPart::write_row(std::int32_t i, float* out) const {
+    if (in_steps)
+        whole.in_metres(row(whole.surface, i), out);
+    else
+        std::ranges::copy(row(surface, i), out);
+}
+
 void open_part(const MetreGrid& surface, const Tile& tile, std::span<const Step> steps, Element element,
                OpenedPart& part) {
     part.tile = tile;
     part.place = widened(tile, reach_of(steps), surface);
-    copy_tile(surface, part.place, part.surface);
-    part.workspace.gaps = has_gaps(part.surface);
     part.limits.rows = tile.rows;
     part.limits.cols = tile.cols;
     part.limits.values.assign(part.limits.index(tile.rows, 0), no_value);
-    if (part.whole.take(part.surface))
+    part.in_steps = part.whole.take(surface, part.place);
+    if (part.in_steps)
         return open_whole_steps(part, steps, element);
+    copy_tile(surface, part.place, part.surface);
+    part.workspace.gaps = part.whole.gaps;
     for (const Step& step : steps) {
         open(element, part.surface, step.radius, step.outside, part.workspace, part.next);
         set_limits(part, step.rise);
@@ -213,7 +215,8 @@ MetreGrid limits_on_blocks(const AlignedGrid& surface, const StructuringElements
         const CellSize& size = levels.back().cell;
         here.last_radius = std::min(elements.last_radius, widest_in_cells * smaller_side(size));
         const OpeningSteps series = opening_steps(here, size);
-        limits.emplace_back(cells->rows, cells->cols, no_value, threads);
+        limits.push_back(series.steps.empty() ? MetreGrid(cells->rows, cells->cols, no_value, threads)
+                                              : MetreGrid::unset(cells->rows, cells->cols, threads));
         MetreGrid left = open_whole(*cells, series.steps, element, limits.back(), threads, beside);
         here.radius = series.next_radius;
         if (here.radius > elements.last_radius * 1.0001)

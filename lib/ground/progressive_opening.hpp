@@ -38,20 +38,23 @@ struct OpeningSteps {
 /// A part of a grid without objects up to some width, and the height above which a cell was part of one;
 /// `no_value` where it was of none. Kept from one part to the next, so that memory is asked for once.
 struct OpenedPart {
-    Tile tile;          ///< the part that was asked for
-    Tile place;         ///< and what its elements see around it
+    Tile tile;              ///< the part that was asked for
+    Tile place;             ///< and what its elements see around it
+    MetreGrid limits;       ///< of `tile`
+    bool in_steps = false;  ///< `whole` has the surface, else `surface`
+    WholeSteps whole;
     MetreGrid surface;  ///< of `place`, but right in `tile` alone
-    MetreGrid limits;   ///< of `tile`
     MetreGrid next;
     Workspace<float> workspace;
-    WholeSteps whole;  ///< in the place of `next` where all elevations are whole steps
 
-    /// The surface in a row of the part. @param grid `surface` or `next` @param i from the tile's first row
+    /// A row of the part of `surface`, or of another grid of `place`. @param i from the tile's first row
     template <typename T>
     [[nodiscard]] std::span<const T> row(const Grid<T>& grid, std::int32_t i) const {
         return grid.row(tile.row - place.row + i)
             .subspan(static_cast<std::size_t>(tile.col - place.col), static_cast<std::size_t>(tile.cols));
     }
+    /// What is left of the surface, in metres. @param i from the tile's first row @param out of as many cells
+    void write_row(std::int32_t i, float* out) const;
 };
 
 /// Progressive opening (SMRF): each element opens what the one before has left.

@@ -48,13 +48,16 @@ SmallOpened open_small(const AlignedGrid& surface, Factor factor, const Structur
     threads.for_each_in_room<OpenedPart>(tiles.size(), [&](std::size_t t, OpenedPart& part) {
         const Tile cells = cells_of(tiles[t], surface, result.blocks, factor);
         open_part(surface.grid, cells, series.steps, Element::rectangle, part);
+        std::vector<float> opened(static_cast<std::size_t>(cells.cols));
         for (std::int32_t i = 0; i < cells.rows; ++i) {
-            const auto opened = part.row(part.surface, i);
+            part.write_row(i, opened.data());
             const auto limits = part.limits.row(i);
             const float* z = surface.grid.row(cells.row + i).data() + cells.col;
             float* out = result.surface.row(cells.row + i).data() + cells.col;
-            for (std::size_t j = 0; j < opened.size(); ++j)
-                out[j] = z[j] <= limits[j] ? opened[j] : above_all_limits;
+            for (std::size_t j = 0; j < opened.size(); ++j) {
+                const float left = opened[j];  // read in any case, so that nothing branches
+                out[j] = z[j] <= limits[j] ? left : above_all_limits;
+            }
             const std::int32_t row =
                 block_of(surface.first_row + cells.row + i, factor.down) - result.blocks.first_row;
             lower_blocks(opened, surface.first_col + cells.col, factor.across,
@@ -147,10 +150,12 @@ AlignedGrid without_objects(const AlignedGrid& surface, double width, const Rule
         for (std::int32_t i = band.begin; i < band.end; ++i) {
             const std::int32_t row = block_of(surface.first_row + i, factor.down) - blocks.first_row;
             spread_blocks(limits.row(row), surface.first_col, factor.across, limit);
-            const auto z = surface.grid.row(i);
+            const auto cells = surface.grid.row(i);
             const auto out = ground.grid.row(i);
-            for (std::size_t j = 0; j < out.size(); ++j)
-                out[j] = out[j] <= limit[j] ? z[j] : no_value;
+            for (std::size_t j = 0; j < out.size(); ++j) {
+                const float z = cells[j];  // read in any case, so that nothing branches
+                out[j] = out[j] <= limit[j] ? z : no_value;
+            }
         }
     });
     return ground;

@@ -12,25 +12,30 @@ namespace d2b::ground {
 namespace {
 
 constexpr std::int32_t most = 32766;
+constexpr std::int32_t near = 1 << 14;           // steps: a bit, so that no comparison is needed
+constexpr std::int32_t farthest_step = 1638400;  // a float this far from 0 still has a tenth of a step
 constexpr std::int16_t none = no_value_of<std::int16_t>;
 
 /// The lowest and highest elevation; the other way round where there is none.
 struct Range {
     float lowest = no_value;
     float highest = -no_value;
+    bool gaps = false;
 };
 
 /// In lanes, which processors do at once.
-D2B_FOR_EACH_PROCESSOR Range range_of(std::span<const float> metres) {
+D2B_FOR_EACH_PROCESSOR void widen(Range& range, std::span<const float> metres) {
     constexpr std::size_t lanes = 16;
     std::array<float, lanes> lowest{};
     std::array<float, lanes> highest{};
-    lowest.fill(no_value);
-    highest.fill(-no_value);
+    std::array<std::int32_t, lanes> gaps{};
+    lowest.fill(range.lowest);
+    highest.fill(range.highest);
     const auto look = [&](float z, std::size_t lane) {
         const float known = z == no_value ? -no_value : z;
         lowest[lane] = z < lowest[lane] ? z : lowest[lane];
         highest[lane] = known > highest[lane] ? known : highest[lane];
+        gaps[lane] |= z == no_value ? 1 : 0;
     };
     std::size_t i = 0;
     for (; i + lanes <= metres.size(); i += lanes)
@@ -38,51 +43,95 @@ D2B_FOR_EACH_PROCESSOR Range range_of(std::span<const float> metres) {
             look(metres[i + lane], lane);
     for (; i < metres.size(); ++i)
         look(metres[i], 0);
-    return {std::ranges::min(lowest), std::ranges::max(highest)};
+    const bool any = std::ranges::any_of(gaps, [](std::int32_t gap) { return gap != 0; });
+    range = {std::ranges::min(lowest), std::ranges::max(highest), range.gaps || any};
 }
 
-/// Rounded to a float once: mostly what a file has that was written with so many digits.
-float metres_of(std::int32_t steps, double step) {
-    return static_cast<float>(steps * step);
+constexpr auto no_value_bits = std::bit_cast<std::int32_t>(no_value);
+
+/// By bits, as compilers make a branch of a condition, and then do one cell at a time.
+constexpr std::int32_t all_bits_if(bool holds) {
+    return -static_cast<std::int32_t>(holds);
 }
 
-/// @return whether all of them are whole steps, bit by bit: -0 is none
-D2B_FOR_EACH_PROCESSOR bool take_row(std::span<const float> metres, std::int32_t base, std::int32_t in_metre,
-                                     std::int16_t* values) {
-    // Added and taken off again it rounds to a whole number: it leaves no digits behind the point.
-    constexpr double rounder = 6755399441055744.0;  // 1.5 * 2^52
-    const double step = 1.0 / in_metre;
-    const double in_each = in_metre;
-    std::int32_t broken = 0;
+/// The float next to it: mostly what a file has that was written with so many digits.
+float metres_of(std::int32_t steps, float in_metre) {
+    return static_cast<float>(steps) / in_metre;
+}
+
+/// What a row has that no steps can hold.
+struct Lacks {
+    std::int32_t broken = 0;  ///< not 0 where one of them is no whole number of steps, bit by bit: -0 is none
+    std::int32_t far = 0;     ///< not 0 where one is farther than `near` from the base
+    std::int32_t gaps = 0;
+};
+
+D2B_FOR_EACH_PROCESSOR void take_row(std::span<const float> metres, std::int32_t base, std::int32_t in_metre,
+                                     std::int16_t* values, Lacks& lacks) {
+    // Added and taken off again it rounds to a whole number: it leaves no digits behind the point. Of whole
+    // steps as far from 0 as they may be, floats are within a fifth of one.
+    constexpr float rounder = 12582912.0F;  // 1.5 * 2^23
+    const auto in_each = static_cast<float>(in_metre);
+    Lacks here = lacks;
     for (std::size_t j = 0; j < metres.size(); ++j) {
-        const float z = metres[j];
-        const float here = z == no_value ? 0.0F : z;
-        const double whole = (static_cast<double>(here) * in_each + rounder) - rounder;
+        const auto bits = std::bit_cast<std::int32_t>(metres[j]);
+        const std::int32_t known = all_bits_if(bits != no_value_bits);
+        const float whole = (std::bit_cast<float>(bits & known) * in_each + rounder) - rounder;
         const auto steps = static_cast<std::int32_t>(whole);
-        broken |= std::bit_cast<std::int32_t>(metres_of(steps, step)) ^ std::bit_cast<std::int32_t>(here);
-        values[j] = static_cast<std::int16_t>(z == no_value ? none : steps - base);
+        const std::int32_t from_base = (steps - base) & known;
+        here.broken |= std::bit_cast<std::int32_t>(metres_of(steps, in_each)) ^ (bits & known);
+        here.far |= (from_base + near) & ~(2 * near - 1);
+        here.gaps |= ~known;
+        values[j] = static_cast<std::int16_t>(from_base | (none & ~known));
     }
-    return broken == 0;
+    lacks = here;
+}
+
+/// Some cells of a row. @param i from the place's first row
+std::span<const float> row_of(const MetreGrid& grid, const Tile& place, std::int32_t i) {
+    return grid.row(place.row + i)
+        .subspan(static_cast<std::size_t>(place.col), static_cast<std::size_t>(place.cols));
 }
 
 }  // namespace
 
-bool WholeSteps::take(const MetreGrid& metres) {
-    const Range range = range_of(metres.values);
+/// In one pass, where they are whole centimetres near that of one of them: nearly everywhere.
+bool WholeSteps::take_near(float metre, const MetreGrid& metres, const Tile& place) {
+    in_metre = 100;
+    const double steps = std::round(static_cast<double>(metre) * in_metre);
+    if (!(std::abs(steps) < farthest_step - near))
+        return false;
+    base = static_cast<std::int32_t>(steps);
+    Lacks lacks;
+    for (std::int32_t i = 0; i < place.rows; ++i) {
+        take_row(row_of(metres, place, i), base, in_metre, surface.row(i).data(), lacks);
+        if ((lacks.broken | lacks.far) != 0)
+            return false;
+    }
+    gaps = lacks.gaps != 0;
+    return true;
+}
+
+bool WholeSteps::take(const MetreGrid& metres, const Tile& place) {
+    surface.rows = place.rows;
+    surface.cols = place.cols;
+    surface.values.resize(surface.index(place.rows, 0));
+    if (take_near(metres.at(place.row + place.rows / 2, place.col + place.cols / 2), metres, place))
+        return true;
+    Range range;
+    for (std::int32_t i = 0; i < place.rows; ++i)
+        widen(range, row_of(metres, place, i));
+    gaps = range.gaps;
     const auto lowest = static_cast<double>(std::min(range.lowest, range.highest));
     const auto highest = static_cast<double>(std::max(range.lowest, range.highest));
-    surface.rows = metres.rows;
-    surface.cols = metres.cols;
-    surface.values.resize(metres.size());
     const auto take_all = [&] {
-        for (std::int32_t i = 0; i < metres.rows; ++i)
-            if (!take_row(metres.row(i), base, in_metre, surface.row(i).data()))
-                return false;
-        return true;
+        Lacks lacks;
+        for (std::int32_t i = 0; i < place.rows && lacks.broken == 0; ++i)
+            take_row(row_of(metres, place, i), base, in_metre, surface.row(i).data(), lacks);
+        return lacks.broken == 0;
     };
     for (const std::int32_t steps : {100, 1000}) {
-        // A float this far from 0 still has a tenth of a step.
-        const double farthest = 1638400.0 / steps;
+        const double farthest = static_cast<double>(farthest_step) / steps;
         if (!(lowest > -farthest && highest < farthest && (highest - lowest) * steps < 2 * (most - 1)))
             return false;
         in_metre = steps;
@@ -94,10 +143,11 @@ bool WholeSteps::take(const MetreGrid& metres) {
 }
 
 D2B_FOR_EACH_PROCESSOR void WholeSteps::in_metres(std::span<const std::int16_t> values, float* metres) const {
-    const double step = 1.0 / in_metre;
+    const auto in_each = static_cast<float>(in_metre);
     for (std::size_t j = 0; j < values.size(); ++j) {
-        const float z = metres_of(base + values[j], step);
-        metres[j] = values[j] == none ? no_value : z;
+        const auto z = std::bit_cast<std::int32_t>(metres_of(base + values[j], in_each));
+        const std::int32_t known = all_bits_if(values[j] != none);
+        metres[j] = std::bit_cast<float>((z & known) | (no_value_bits & ~known));
     }
 }
 

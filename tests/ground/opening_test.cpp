@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ground/line_pass.hpp"
 #include "ground/random_surface.hpp"
 
 namespace d2b::ground {
@@ -117,6 +118,32 @@ TEST(Closing, FillsWhatIsNarrowerThanItsWindow) {
             grid.at(i, j) = 0;
     closed_by_rectangle(grid, {1, 1}, workspace, closed);
     EXPECT_EQ(closed.at(4, 4), 0);
+}
+
+TEST(Opening, ClosesWholeNumbersAsItClosesFloats) {
+    Workspace<float> workspace;
+    Workspace<std::int16_t> narrow;
+    for (unsigned seed = 0; seed < 40; ++seed) {
+        const MetreGrid grid = test::random_surface(seed, static_cast<std::int32_t>(1 + seed % 13),
+                                                    static_cast<std::int32_t>(1 + seed % 19), 3);
+        Grid<std::int16_t> whole(grid.rows, grid.cols);
+        std::ranges::transform(grid.values, whole.values.begin(), [](float z) {
+            return z == no_value ? no_value_of<std::int16_t>
+                                 : static_cast<std::int16_t>(std::lround(100 * z));
+        });
+        MetreGrid hundredfold = grid;
+        for (float& z : hundredfold.values)
+            z = z == no_value ? no_value : std::round(100 * z);
+        const Radius radius{static_cast<std::int32_t>(1 + seed % 4), static_cast<std::int32_t>(1 + seed % 3)};
+        MetreGrid closed;
+        Grid<std::int16_t> closed_whole;
+        closed_by_rectangle(hundredfold, radius, workspace, closed);
+        closed_by_rectangle(whole, radius, narrow, closed_whole);
+        for (std::size_t k = 0; k < closed.size(); ++k) {
+            const std::int16_t z = closed_whole.values[k];
+            ASSERT_EQ(z == no_value_of<std::int16_t> ? no_value : static_cast<float>(z), closed.values[k]);
+        }
+    }
 }
 
 }  // namespace

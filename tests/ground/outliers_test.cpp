@@ -72,6 +72,26 @@ TEST(Outliers, AreFoundInAllTilesInScanOrder) {
     EXPECT_EQ(found, pits_by_definition(surface.grid));
 }
 
+/// Where elevations are whole centimetres tiles are first looked at in these; else as floats.
+TEST(Outliers, AreFoundWhereTheyAreJustDeepEnough) {
+    std::mt19937 random(11);
+    for (const float beside : {0.0F, 0.0003F})
+        for (const bool deep : {true, false}) {
+            AlignedGrid surface;
+            surface.grid = MetreGrid(60, 60);
+            for (float& z : surface.grid.values) {
+                const int low = deep ? 1496 + static_cast<int>(random() % 5) : 1501;
+                const int steps = random() % 300 == 0 ? low : 2000 + static_cast<int>(random() % 3);
+                z = static_cast<float>(steps / 100.0) + beside;
+            }
+            std::vector<std::pair<std::int32_t, std::int32_t>> found;
+            for (const Pit& pit : find_pits(surface, {}, test::threads()))
+                found.emplace_back(pit.row, pit.col);
+            EXPECT_EQ(found, pits_by_definition(surface.grid)) << beside << " " << deep;
+            EXPECT_EQ(found.empty(), !deep) << beside;
+        }
+}
+
 TEST(Outliers, AShallowPitIsNone) {
     AlignedGrid surface = flat(30);
     surface.grid.at(20, 20) = 26;

@@ -1,5 +1,6 @@
 #include "ground/whole_steps.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -24,6 +25,10 @@ float written(int steps, int in_metre) {
     return static_cast<float>(static_cast<double>(steps) / in_metre);
 }
 
+bool take(WholeSteps& steps, const MetreGrid& grid) {
+    return steps.take(grid, {0, 0, grid.rows, grid.cols});
+}
+
 std::vector<float> back(const WholeSteps& steps) {
     std::vector<float> metres(steps.surface.size());
     steps.in_metres(steps.surface.values, metres.data());
@@ -38,7 +43,7 @@ TEST(WholeSteps, AreTheElevationsBitByBit) {
             for (int i = 0; i < 20000; ++i)
                 metres.push_back(written(lowest * in_metre + static_cast<int>(random() % 60000), in_metre));
             WholeSteps steps;
-            ASSERT_TRUE(steps.take(row_of(metres))) << in_metre << " " << lowest;
+            ASSERT_TRUE(take(steps, row_of(metres))) << in_metre << " " << lowest;
             EXPECT_EQ(steps.in_metre, in_metre);
             const std::vector<float> again = back(steps);
             for (std::size_t i = 0; i < metres.size(); ++i)
@@ -51,16 +56,58 @@ TEST(WholeSteps, AreTheElevationsBitByBit) {
 
 TEST(WholeSteps, AreNotTakenOfWhatHasNone) {
     WholeSteps steps;
-    EXPECT_TRUE(steps.take(row_of({1, 2.5F, 656})));
-    EXPECT_FALSE(steps.take(row_of({1, 2.5F, 657}))) << "more than 16 bits of centimetres";
-    EXPECT_TRUE(steps.take(row_of({1, 2.503F, 66})));
-    EXPECT_FALSE(steps.take(row_of({1, 2.503F, 67}))) << "more than 16 bits of millimetres";
-    EXPECT_FALSE(steps.take(row_of({1, 2.5031F, 3})));
-    EXPECT_FALSE(steps.take(row_of({1, std::nextafter(2.5F, 3.0F), 3})));
-    EXPECT_FALSE(steps.take(row_of({1, -0.0F})));
-    EXPECT_FALSE(steps.take(row_of({20000, 20001}))) << "a float has not its centimetres";
-    EXPECT_FALSE(steps.take(row_of({no_value, no_value})));
-    EXPECT_FALSE(steps.take(row_of({1, std::numeric_limits<float>::infinity()})));
+    EXPECT_TRUE(take(steps, row_of({1, 2.5F, 656})));
+    EXPECT_FALSE(take(steps, row_of({1, 2.5F, 657}))) << "more than 16 bits of centimetres";
+    EXPECT_TRUE(take(steps, row_of({1, 2.503F, 66})));
+    EXPECT_FALSE(take(steps, row_of({1, 2.503F, 67}))) << "more than 16 bits of millimetres";
+    EXPECT_FALSE(take(steps, row_of({1, 2.5031F, 3})));
+    EXPECT_FALSE(take(steps, row_of({1, std::nextafter(2.5F, 3.0F), 3})));
+    EXPECT_FALSE(take(steps, row_of({1, -0.0F})));
+    EXPECT_FALSE(take(steps, row_of({20000, 20001}))) << "a float has not its centimetres";
+    EXPECT_FALSE(take(steps, row_of({no_value, no_value})));
+    EXPECT_FALSE(take(steps, row_of({1, std::numeric_limits<float>::infinity()})));
+}
+
+/// Divided as floats they are what a division of doubles gives that is rounded once more: none of them lies
+/// half-way between two floats, or nearly.
+TEST(WholeSteps, AreDividedAsDoublesAre) {
+    constexpr int most = 1638400;
+    constexpr int piece = 32000;
+    for (const int in_metre : {100, 1000})
+        for (int first = -most; first < most; first += piece) {
+            std::vector<float> metres;
+            for (int n = first; n < std::min(first + piece, most); ++n)
+                if (n > -most)
+                    metres.push_back(written(n, in_metre));
+            WholeSteps steps;
+            ASSERT_TRUE(take(steps, row_of(metres))) << in_metre << " " << first;
+            const std::vector<float> again = back(steps);
+            for (std::size_t i = 0; i < metres.size(); ++i)
+                ASSERT_EQ(std::bit_cast<std::uint32_t>(again[i]), std::bit_cast<std::uint32_t>(metres[i]))
+                    << metres[i];
+        }
+}
+
+TEST(WholeSteps, AreThoseOfAPartOfAGrid) {
+    MetreGrid grid(5, 40, 3.14159F);  // no whole step
+    for (std::int32_t i = 1; i < 4; ++i)
+        for (std::int32_t j = 10; j < 37; ++j)
+            grid.at(i, j) = written(100 * i + j, 100);
+    WholeSteps steps;
+    ASSERT_TRUE(steps.take(grid, {1, 10, 3, 27}));
+    EXPECT_FALSE(steps.gaps);
+    EXPECT_EQ(steps.surface.rows, 3);
+    EXPECT_EQ(steps.surface.cols, 27);
+    const std::vector<float> again = back(steps);
+    for (std::size_t k = 0; k < again.size(); ++k)
+        EXPECT_EQ(again[k],
+                  grid.at(static_cast<std::int32_t>(1 + k / 27), static_cast<std::int32_t>(10 + k % 27)));
+    EXPECT_FALSE(steps.take(grid, {1, 9, 3, 27}));
+    grid.at(3, 36) = no_value;
+    ASSERT_TRUE(steps.take(grid, {1, 10, 3, 27}));
+    EXPECT_TRUE(steps.gaps);
+    ASSERT_TRUE(steps.take(grid, {1, 10, 3, 26}));
+    EXPECT_FALSE(steps.gaps);
 }
 
 TEST(WholeSteps, KnowWhatIsSurelyWithinARise) {
