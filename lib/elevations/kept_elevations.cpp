@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/processors.hpp"
+
 namespace d2b {
 namespace {
 
@@ -19,7 +21,7 @@ void append_part(const T* band, std::int32_t cols, const Window& part, std::vect
 }
 
 /// Nothing branches: several cells are done at once. @return whether nothing is lost
-bool narrowed(std::span<const double> values, float* narrow) {
+D2B_FOR_EACH_PROCESSOR bool narrowed(std::span<const double> values, float* narrow) {
     int lost = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {
         const double z = values[i];

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "elevations/row_extremes.hpp"
+
 namespace d2b {
 
 void ElevationStatistics::add(const ElevationBand& band) {
@@ -14,10 +16,12 @@ void ElevationStatistics::add(const ElevationBand& band, const Window& part) {
         const auto cells =
             band.row(row).subspan(static_cast<std::size_t>(part.col), static_cast<std::size_t>(part.cols));
         moments.add_known(cells);
-        for (const double z : cells) {
-            minimum = z < minimum ? z : minimum;  // never NaN
-            maximum = z > maximum ? z : maximum;
-        }
+        const RowExtremes of = extremes_of_row(cells);
+        // The first of those that are as low: 0 or -0.
+        if (of.lowest < minimum)
+            minimum = *std::ranges::find(cells, of.lowest);
+        if (of.highest > maximum)
+            maximum = *std::ranges::find(cells, of.highest);
     }
 }
 

@@ -9,6 +9,7 @@
 #include <cpl_conv.h>
 
 #include "core/number_text.hpp"
+#include "core/processors.hpp"
 #include "dem2buildings/error.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/source_advice.hpp"
@@ -51,6 +52,22 @@ std::optional<double> masked_value(GDALRasterBandH band) {
         !(std::abs(nodata) <= static_cast<double>(std::numeric_limits<float>::max())))
         return {};
     return type == GDT_Float32 ? as_single(nodata) : nodata;
+}
+
+/// NoData, and what is no number, to NaN. @return how many are near NoData, but not equal to it
+D2B_FOR_EACH_PROCESSOR std::size_t take_nodata_out(std::span<double> values, double nodata) {
+    constexpr double near = 1e-5;  // relative; GDAL takes some 1e-6 for equal
+    constexpr double largest = std::numeric_limits<double>::max();
+    constexpr double invalid = std::numeric_limits<double>::quiet_NaN();
+    const double distance = std::abs(nodata) * near;
+    std::size_t unclear = 0;
+    for (double& value : values) {
+        const double z = value;
+        const bool other = z != nodata;
+        unclear += (std::abs(z - nodata) <= distance ? 1U : 0U) & (other ? 1U : 0U);
+        value = (other ? 1 : 0) & (std::abs(z) <= largest ? 1 : 0) ? z : invalid;
+    }
+    return unclear;
 }
 
 }  // namespace
@@ -119,44 +136,33 @@ void BandReader::forget_blocks() const {
 
 void BandReader::read_part(const Window& part, std::span<double> elevations, Warnings& warnings) {
     load(band_, GDT_Float64, part, elevations.data(), warnings);
-    const bool asks_mask = masked_ && !is_told_by_value(elevations);
+    // What is NoData is masked, and what is far from it is not: in between GDAL decides, which reads all
+    // values once more for it.
+    const bool told = masked_ && mask_nodata_ && take_nodata_out(elevations, *mask_nodata_) == 0;
+    const bool asks_mask = masked_ && !told;
     if (asks_mask) {
         mask_.resize(elevations.size());
         load(GDALGetMaskBand(band_), GDT_Byte, part, mask_.data(), warnings);
     }
-    make_elevations(elevations, asks_mask);
+    if (!told || is_scaled())
+        make_elevations(elevations, asks_mask);
     if (counted_)
         take_out(part, elevations);
-}
-
-/// What is NoData is masked, and what is far from it is not: in between GDAL decides, which reads all values
-/// once more for it.
-bool BandReader::is_told_by_value(std::span<const double> values) const {
-    if (!mask_nodata_)
-        return false;
-    constexpr double near = 1e-5;  // relative; GDAL takes some 1e-6 for equal
-    const double nodata = *mask_nodata_;
-    const double distance = std::abs(nodata) * near;
-    std::size_t unclear = 0;
-    for (const double value : values)
-        unclear += std::abs(value - nodata) <= distance && value != nodata ? 1U : 0U;
-    return unclear == 0;
 }
 
 /// @param masked the mask says which of them are valid
 void BandReader::make_elevations(std::span<double> values, bool masked) const {
     constexpr double invalid = std::numeric_limits<double>::quiet_NaN();
-    const bool scaled = scale_ != 1 || offset_ != 0;
-    const std::optional<double> nodata = masked_ && !masked ? mask_nodata_ : nodata_;
+    const bool scaled = is_scaled();
     if (!masked && !scaled) {
-        const double none = nodata.value_or(invalid);  // which nothing equals
+        const double none = nodata_.value_or(invalid);  // which nothing equals
         for (double& value : values)
             value = value != none && std::isfinite(value) ? value : invalid;
         return;
     }
     for (std::size_t i = 0; i < values.size(); ++i) {
         double& value = values[i];
-        if ((masked && mask_[i] == 0) || (nodata && value == *nodata))
+        if ((masked && mask_[i] == 0) || (nodata_ && value == *nodata_))
             value = invalid;
         else if (scaled)
             value = value * scale_ + offset_;

@@ -55,7 +55,7 @@ class BandReader {
   private:
     void take_out(const Window& part, std::span<double> elevations);
     void count(double value);
-    [[nodiscard]] bool is_told_by_value(std::span<const double> values) const;
+    [[nodiscard]] bool is_scaled() const { return scale_ != 1 || offset_ != 0; }
     void make_elevations(std::span<double> values, bool masked) const;
     void load(GDALRasterBandH band, GDALDataType type, const Window& part, void* values,
               Warnings& warnings) const;
