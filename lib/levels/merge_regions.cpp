@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "core/disjoint_sets.hpp"
@@ -84,12 +85,16 @@ Image first_image(const BuildingCells& cells, const RegionOptions& options, cons
 }
 
 /// Each region joins its cheapest neighbour, as long as that costs no more than the price.
-void merge_up_to(RegionGraph& graph, double price, const StopRequest& stop) {
+/// @param roots in ascending order; those that have joined another are taken out: most do so early
+void merge_up_to(RegionGraph& graph, double price, std::vector<std::uint32_t>& roots,
+                 const StopRequest& stop) {
     for (bool merged = true; merged;) {
         merged = false;
-        for (std::uint32_t region = 0; region < graph.size(); ++region) {
+        std::size_t kept = 0;
+        for (const std::uint32_t region : roots) {
             if (!graph.is_root(region))
                 continue;
+            roots[kept++] = region;
             stop.check();
             const RegionGraph::Neighbour neighbour = graph.cheapest(region);
             if (neighbour.region == RegionGraph::none || neighbour.cost > price)
@@ -97,6 +102,7 @@ void merge_up_to(RegionGraph& graph, double price, const StopRequest& stop) {
             graph.merge(region, neighbour.region);
             merged = true;
         }
+        roots.resize(kept);
     }
 }
 
@@ -163,8 +169,10 @@ TierRegions numbered(Image& image) {
 
 TierRegions merge_regions(const BuildingCells& cells, const RegionOptions& options, const StopRequest& stop) {
     Image image = first_image(cells, options, stop);
+    std::vector<std::uint32_t> roots(image.graph.size());
+    std::iota(roots.begin(), roots.end(), 0U);
     for (const double share : shares_of_price)
-        merge_up_to(image.graph, share * options.price, stop);
+        merge_up_to(image.graph, share * options.price, roots, stop);
     merge_narrow(cells, image, options.least_width, stop);
     return numbered(image);
 }

@@ -1,7 +1,12 @@
 #include "levels/quantise.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <span>
+
+#include "core/processors.hpp"
 
 namespace d2b {
 namespace {
@@ -20,6 +25,37 @@ Count exceeded(double z, const std::vector<double>& thresholds) {
     return static_cast<Count>(count);
 }
 
+constexpr std::size_t piece = 256;  // cells, which stay in the nearest cache from one threshold to the next
+
+/// For each of some cells how many thresholds it exceeds, and one more; 0 where it is not valid.
+D2B_FOR_EACH_PROCESSOR void count_exceeded(std::span<const double> elevations,
+                                           std::span<const double> thresholds,
+                                           std::array<std::int64_t, piece>& counts) {
+    for (std::size_t i = 0; i < elevations.size(); ++i)
+        counts[i] = elevations[i] == elevations[i] ? 1 : 0;
+    for (const double t : thresholds)
+        for (std::size_t i = 0; i < elevations.size(); ++i)
+            counts[i] += elevations[i] > t ? 1 : 0;
+}
+
+/// Cells of one label.
+template <typename Count>
+void quantise_run(std::span<const double> elevations, Label label, const LevelPlan& plan, Count* counts) {
+    const std::vector<double>& thresholds = plan.thresholds[label];
+    if (thresholds.size() > few) {
+        std::ranges::transform(elevations, counts, [&](double z) { return quantise<Count>(z, label, plan); });
+        return;
+    }
+    const std::int64_t least = plan.footprints && label != 0 ? 2 : 0;
+    std::array<std::int64_t, piece> exceed{};
+    for (std::size_t first = 0; first < elevations.size(); first += piece) {
+        const auto some = elevations.subspan(first, std::min(piece, elevations.size() - first));
+        count_exceeded(some, thresholds, exceed);
+        for (std::size_t i = 0; i < some.size(); ++i)
+            counts[first + i] = static_cast<Count>(std::max(least, exceed[i]));
+    }
+}
+
 }  // namespace
 
 template <typename Count>
@@ -32,9 +68,14 @@ Count quantise(double z, Label label, const LevelPlan& plan) {
 template <typename Count>
 LevelBand<Count> quantise(const ElevationBand& elevations, const LabelBand& labels, const LevelPlan& plan) {
     LevelBand<Count> result{elevations.shape, std::vector<Count>(elevations.shape.size())};
-    for (std::size_t i = 0; i < result.counts.size(); ++i) {
-        const Label label = labels.labels.empty() ? 1 : labels.labels[i];
-        result.counts[i] = quantise<Count>(elevations.elevations[i], label, plan);
+    const std::span<const double> all(elevations.elevations);
+    for (std::size_t begin = 0; begin < all.size();) {
+        const Label label = labels.labels.empty() ? 1 : labels.labels[begin];
+        std::size_t end = labels.labels.empty() ? all.size() : begin + 1;
+        while (end < all.size() && labels.labels[end] == label)
+            ++end;
+        quantise_run(all.subspan(begin, end - begin), label, plan, result.counts.data() + begin);
+        begin = end;
     }
     return result;
 }

@@ -41,7 +41,7 @@ class RegionGraph {
 
     [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(regions_.size()); }
     [[nodiscard]] std::uint32_t root(std::uint32_t region) { return sets_.find(region); }
-    [[nodiscard]] bool is_root(std::uint32_t region) { return root(region) == region; }
+    [[nodiscard]] bool is_root(std::uint32_t region) const { return sets_.stands(region); }
     [[nodiscard]] const Region& of(std::uint32_t root) const { return regions_[root]; }
 
     struct Neighbour {

@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -163,6 +165,42 @@ TEST(Quantise, EachLabelHasItsThresholds) {
     EXPECT_EQ(quantise<std::uint8_t>(band, {{0, 1, 3}, {0, 1, 2}}, plan).counts,
               (std::vector<std::uint8_t>{1, 1, 4}));
     EXPECT_EQ(plan.level_count(), 4);
+}
+
+/// Runs of cells with the same label are looked at several at a time, those of many thresholds one by one.
+TEST(Quantise, CountsByTheDefinition) {
+    std::mt19937 random(5);
+    LevelPlan plan{0, {{}, {}, {}, {}}};
+    for (int k = 0; k < 9; ++k)
+        plan.thresholds[1].push_back(10 * k + 5);
+    for (int k = 0; k < 40; ++k)
+        plan.thresholds[2].push_back(2 * k + 1);
+    plan.thresholds[3] = {50};
+    ElevationBand band{{0, 4, 700}, {}};
+    LabelBand labels{band.shape, {}};
+    while (band.elevations.size() < band.shape.size()) {
+        const auto label = static_cast<Label>(random() % 4);
+        for (auto n = random() % 600; n > 0 && band.elevations.size() < band.shape.size(); --n) {
+            band.elevations.push_back(random() % 9 == 0 ? nan : static_cast<double>(random() % 1000) / 10);
+            labels.labels.push_back(label);
+        }
+    }
+    for (const bool footprints : {false, true}) {
+        plan.footprints = footprints;
+        const auto counts = quantise<std::uint8_t>(band, labels, plan).counts;
+        for (std::size_t i = 0; i < counts.size(); ++i) {
+            const double z = band.elevations[i];
+            const Label label = labels.labels[i];
+            auto expected = std::isnan(z) ? 0
+                                          : 1 + std::ranges::count_if(plan.thresholds[label],
+                                                                      [z](double t) { return z > t; });
+            if (footprints && label != 0 && expected < 2)
+                expected = 2;
+            ASSERT_EQ(counts[i], expected) << z << " " << label;
+            ASSERT_EQ(quantise<std::uint8_t>(z, label, plan), expected) << z << " " << label;
+        }
+        plan.thresholds[1].swap(plan.thresholds[2]);
+    }
 }
 
 }  // namespace
