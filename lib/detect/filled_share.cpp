@@ -1,11 +1,14 @@
 #include "detect/filled_share.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include "core/row_bands.hpp"
 #include "detect/bin_counts.hpp"
+#include "detect/mask_runs.hpp"
 #include "detect/smoothness.hpp"
 
 namespace d2b {
@@ -23,21 +26,29 @@ struct RoughCells {
     const Mask& elevated;
     const Grid<std::uint8_t>& flags;
 
-    [[nodiscard]] bool holds(std::size_t i) const {
-        return elevated.values[i] != 0 && (flags.values[i] & smooth_enough) == 0;
+    /// @param row of as many cells and one more
+    void find(std::int32_t r, std::span<std::uint8_t> row) const {
+        const std::uint8_t* const high = elevated.row(r).data();
+        const std::uint8_t* const flag = flags.row(r).data();
+        std::uint8_t* const out = row.data();
+        constexpr int bit = std::countr_zero(std::uint8_t{smooth_enough});
+        for (std::size_t c = 0; c + 1 < row.size(); ++c)
+            out[c] = static_cast<std::uint8_t>(high[c] & ((flag[c] >> bit & 1) ^ 1));
+        row.back() = 0;
     }
-    /// A row's pairs with the next cell, and with the cell below.
-    void add_row(std::int32_t r, HeightDifferences& differences) const {
+    void add_band(RowBand band, HeightDifferences& differences) const {
         const auto cols = static_cast<std::size_t>(surface.cols);
-        const std::size_t first = surface.index(r, 0);
-        const bool has_below = r + 1 < surface.rows;
-        for (std::size_t i = first; i < first + cols; ++i) {
-            if (!holds(i))
-                continue;
-            if (i + 1 < first + cols && holds(i + 1))
-                add_difference(std::abs(surface.values[i] - surface.values[i + 1]), differences);
-            if (has_below && holds(i + cols))
-                add_difference(std::abs(surface.values[i] - surface.values[i + cols]), differences);
+        std::vector<std::uint8_t> here(cols + 1);
+        std::vector<std::uint8_t> below(cols + 1);
+        find(band.begin, here);
+        for (std::int32_t r = band.begin; r < band.end; ++r) {
+            const std::int32_t next = std::min(r + 1, surface.rows - 1);
+            if (next > r)
+                find(next, below);
+            else
+                std::fill(below.begin(), below.end(), std::uint8_t{0});
+            add_differences(surface.row(r), surface.row(next).data(), here, below, differences);
+            here.swap(below);
         }
     }
 };
@@ -50,6 +61,21 @@ void add_difference(float difference, HeightDifferences& differences) {
         differences.add(difference < bin_m * (bins - 1)
                             ? static_cast<std::size_t>(static_cast<double>(difference / bin_m) + half)
                             : bins);
+}
+
+void add_differences(std::span<const float> heights, const float* heights_below,
+                     std::span<const std::uint8_t> here, std::span<const std::uint8_t> below,
+                     HeightDifferences& differences) {
+    const float* const z = heights.data();
+    const auto cells = static_cast<std::int32_t>(heights.size());
+    for_mask_runs(here, 1, [&](std::int32_t begin, std::int32_t end) {
+        for (std::int32_t c = begin; c < std::min(end, cells); ++c) {
+            if (c + 1 < end)
+                add_difference(std::abs(z[c] - z[c + 1]), differences);
+            if (below[static_cast<std::size_t>(c)] != 0)
+                add_difference(std::abs(z[c] - heights_below[c]), differences);
+        }
+    });
 }
 
 double filled_share(const HeightDifferences& differences) {
@@ -66,10 +92,7 @@ double filled_share(const HeightDifferences& differences) {
 double filled_share(const MetreGrid& surface, const Mask& elevated, const Grid<std::uint8_t>& flags,
                     Executor& threads) {
     const RoughCells rough{surface, elevated, flags};
-    const auto add_band = [&](RowBand band, HeightDifferences& some) {
-        for (std::int32_t r = band.begin; r < band.end; ++r)
-            rough.add_row(r, some);
-    };
+    const auto add_band = [&](RowBand band, HeightDifferences& some) { rough.add_band(band, some); };
     return filled_share(sum_of_row_bands(threads, surface.rows, surface.cols, HeightDifferences(), add_band));
 }
 

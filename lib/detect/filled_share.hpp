@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "detect/bin_counts.hpp"
 #include "detect/scene.hpp"
@@ -11,6 +12,12 @@ namespace d2b {
 using HeightDifferences = BinCounts<1000>;
 /// @param difference metres, not negative; NaN does not count
 void add_difference(float difference, HeightDifferences& differences);
+/// Those of cells of a mask to the next one in the row and to the one below, where these are of it as well.
+/// @param heights of so many cells of a row, and of the cell behind them if the mask has it
+/// @param here, below the mask of these cells and of one more behind them
+void add_differences(std::span<const float> heights, const float* heights_below,
+                     std::span<const std::uint8_t> here, std::span<const std::uint8_t> below,
+                     HeightDifferences& differences);
 
 /// The share of the cells that no pulse met and that were given the height of a neighbour, as surveys do:
 /// what tells how thin the points are. It is seen where the surface is rough, on crowns and clutter: there

@@ -92,15 +92,9 @@ void SamplingOfRows::find_rough(std::int32_t r, std::vector<std::uint8_t>& rough
 void SamplingOfRows::add_pairs(std::int32_t r, const std::vector<std::uint8_t>& here,
                                const std::vector<std::uint8_t>& below) {
     const MetreGrid& z = scene_.surface;
-    for (std::size_t i = 0; i + 1 < here.size(); ++i) {
-        if (here[i] == 0)
-            continue;
-        const std::int32_t c = own_.col + static_cast<std::int32_t>(i);
-        if (here[i + 1] != 0)
-            add_difference(std::abs(z.at(r, c) - z.at(r, c + 1)), sampling_.rough);
-        if (below[i] != 0)
-            add_difference(std::abs(z.at(r, c) - z.at(r + 1, c)), sampling_.rough);
-    }
+    const auto own =
+        z.row(r).subspan(static_cast<std::size_t>(own_.col), static_cast<std::size_t>(own_.cols));
+    add_differences(own, z.row(std::min(r + 1, z.rows - 1)).data() + own_.col, here, below, sampling_.rough);
 }
 
 /// @param r, c a cell of a building @param down, right to the neighbour outside

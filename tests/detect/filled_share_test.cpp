@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <span>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -86,6 +88,33 @@ TEST(FilledShare, NeedsThreeHundredPairs) {
     surface = MetreGrid(13, 13, 3.0F);  // 312
     EXPECT_EQ(share_of(surface), 1.0) << "1.6 times all of them";
     EXPECT_EQ(share_of(MetreGrid()), 0.0);
+}
+
+TEST(FilledShare, CountsEachPairOfAMaskOnce) {
+    std::mt19937 random(3);  // NOLINT: the same masks in every run
+    for (const std::size_t cells : {1U, 2U, 63U, 64U, 65U, 130U}) {
+        std::vector<float> here(cells + 1);
+        std::vector<float> below(cells + 1);
+        std::vector<std::uint8_t> mask(cells + 1);
+        std::vector<std::uint8_t> mask_below(cells + 1);
+        for (std::size_t c = 0; c <= cells; ++c) {
+            here[c] = static_cast<float>(random() % 8);
+            below[c] = static_cast<float>(random() % 8);
+            mask[c] = random() % 4 == 0 ? 0 : 1;
+            mask_below[c] = random() % 2 == 0 ? 0 : 1;
+        }
+        HeightDifferences expected;
+        for (std::size_t c = 0; c < cells; ++c) {
+            if (mask[c] == 1 && mask[c + 1] == 1)
+                add_difference(std::abs(here[c] - here[c + 1]), expected);
+            if (mask[c] == 1 && mask_below[c] == 1)
+                add_difference(std::abs(here[c] - below[c]), expected);
+        }
+        HeightDifferences found;
+        add_differences(std::span(here).first(cells), below.data(), mask, mask_below, found);
+        EXPECT_EQ(found.all, expected.all) << cells;
+        EXPECT_EQ(found.counts, expected.counts) << cells;
+    }
 }
 
 }  // namespace
