@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/grid.hpp"
@@ -51,7 +52,6 @@ class DownPass {
                        Pick::template neutral<T>);
         prefix_.assign(static_cast<std::size_t>(cols_), Pick::template neutral<T>);
         other_ = prefix_;
-        source_ = prefix_;
         for (std::int32_t top = 0; top < from_.rows; top += length) {
             fill_suffixes(top);
             std::fill(prefix_.begin(), prefix_.end(), Pick::template neutral<T>);
@@ -85,25 +85,26 @@ class DownPass {
             std::fill(out + end, out + cols_, Pick::template neutral<T>);
             return;
         }
-        const T* source = padded_row(row);
+        // Beside the grid all is neutral, which changes no line.
+        const std::int32_t grid_begin = std::clamp(-first_, begin, end);
+        const std::int32_t grid_end = std::clamp(from_.cols - first_, grid_begin, end);
+        const std::span<const T> source = from_.row(row);
+        const T* cells = source.data();
         const Pick pick;
-        for (std::int32_t j = begin; j < end; ++j)
-            out[j] = pick(source[j], old[j + step]);
-        std::copy(source, source + begin, out);
-        std::copy(source + end, source + cols_, out + end);
+        std::copy(old + begin + step, old + grid_begin + step, out + begin);
+        for (std::int32_t j = grid_begin; j < grid_end; ++j)
+            out[j] = pick(cells[first_ + j], old[j + step]);
+        std::copy(old + grid_end + step, old + end + step, out + grid_end);
+        for (std::int32_t j = 0; j < begin; ++j)
+            out[j] = of_row(source, j);
+        for (std::int32_t j = end; j < cols_; ++j)
+            out[j] = of_row(source, j);
     }
 
-    /// The strip's part of a row with its margins, neutral outside the grid.
-    const T* padded_row(std::int32_t row) {
-        const T* whole = from_.row(row).data();
-        const std::int32_t begin = std::max(first_, 0);
-        const std::int32_t end = std::min(first_ + cols_, from_.cols);
-        if (begin == first_ && end == first_ + cols_)
-            return whole + first_;
-        std::fill(source_.begin(), source_.begin() + (begin - first_), Pick::template neutral<T>);
-        std::copy(whole + begin, whole + end, source_.begin() + (begin - first_));
-        std::fill(source_.begin() + (end - first_), source_.end(), Pick::template neutral<T>);
-        return source_.data();
+    /// The value of a row in one of the strip's columns, neutral outside the grid.
+    T of_row(std::span<const T> source, std::int32_t j) const {
+        return first_ + j >= 0 && first_ + j < from_.cols ? source[static_cast<std::size_t>(first_ + j)]
+                                                          : Pick::template neutral<T>;
     }
 
     void write(std::int32_t row, std::int32_t k, std::int32_t first, std::int32_t last) {
@@ -123,7 +124,7 @@ class DownPass {
     std::int32_t margin_ = 0;
     std::int32_t first_ = 0;  ///< column of the strip's first, margin included
     std::int32_t cols_ = 0;
-    std::vector<T> suffix_, prefix_, other_, source_;
+    std::vector<T> suffix_, prefix_, other_;
 };
 
 }  // namespace d2b::ground

@@ -1,13 +1,14 @@
 #include "ground/fill.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <span>
 #include <utility>
 
 #include "core/processors.hpp"
 #include "core/row_bands.hpp"
+#include "ground/chosen.hpp"
+#include "ground/level_above.hpp"
 #include "ground/line_pass.hpp"
 
 namespace d2b::ground {
@@ -73,46 +74,6 @@ void add_level(const AlignedGrid& fine, std::size_t level, Pyramid& pyramid, Exe
     pyramid.coarser.push_back(blocks_of(fine, twice, 0.0F, threads));
 }
 
-/// The level above between the centres of its cells.
-class FromAbove {
-  public:
-    FromAbove(const AlignedGrid& fine, const AlignedGrid& coarse)
-        : coarse_(coarse.grid),
-          down_(fine.first_row, fine.grid.rows, coarse.first_row, coarse.grid.rows, 2),
-          across_(fine.first_col, fine.grid.cols, coarse.first_col, coarse.grid.cols, 2) {}
-
-    /// Fills the gaps of a row. @param room for a row of the level above
-    void fill_row(std::int32_t row, std::span<const std::uint8_t> gap, std::vector<float>& room,
-                  std::span<float> cells) const {
-        const auto near = coarse_.row(down_[row].near);
-        const auto next = coarse_.row(down_[row].next);
-        room.resize(near.size());
-        for (std::size_t k = 0; k < room.size(); ++k)
-            room[k] = near[k] + down_[row].share * (next[k] - near[k]);
-        for (std::size_t j = 0; j < cells.size(); ++j) {
-            if (gap[j] == 0)
-                continue;
-            const Between::Place& place = across_[static_cast<std::int32_t>(j)];
-            const float a = room[static_cast<std::size_t>(place.near)];
-            const float b = room[static_cast<std::size_t>(place.next)];
-            cells[j] = a + place.share * (b - a);
-        }
-    }
-
-  private:
-    const MetreGrid& coarse_;
-    Between down_;
-    Between across_;
-};
-
-/// The first value where `first` is 1, the second where it is 0. By bits, as compilers make a branch of a
-/// condition.
-float chosen(std::uint8_t first, float a, float b) {
-    const std::uint32_t mask = 0U - first;
-    return std::bit_cast<float>((std::bit_cast<std::uint32_t>(a) & mask) |
-                                (std::bit_cast<std::uint32_t>(b) & ~mask));
-}
-
 /// Old values of two rows.
 struct TwoRows {
     std::vector<float> above;
@@ -151,11 +112,12 @@ D2B_FOR_EACH_PROCESSOR void smooth(MetreGrid& grid, const Gaps& gaps, std::int32
 /// Fills the gaps of a level from the one above.
 void fill_level(AlignedGrid& fine, const Gaps& gaps, const AlignedGrid& coarse, int relaxations,
                 Executor& threads) {
-    const FromAbove above(fine, coarse);
+    const LevelAbove above(fine, coarse);
     for_band_copies(threads, fine.grid, relaxations, [&](BandCopy<float>& band) {
-        TwoRows rows;
+        LevelAbove::Room room;
         for (std::int32_t i = 0; i < band.rows.rows; ++i)
-            above.fill_row(band.first + i, gaps.row(band.first + i), rows.here, band.rows.row(i));
+            above.fill_row(band.first + i, gaps.row(band.first + i), room, band.rows.row(i));
+        TwoRows rows;
         for (int k = 0; k < relaxations; ++k)
             smooth(band.rows, gaps, band.first, rows);
         band.write_band(fine.grid);
