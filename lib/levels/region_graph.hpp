@@ -69,8 +69,8 @@ class RegionGraph {
     /// Makes one border of all those with the same neighbour.
     void gather(std::uint32_t root);
 
-    /// Borders of a region: most have few, which need no memory of their own.
-    using Borders = boost::container::small_vector<Border, 6>;
+    /// Borders of a region: most have few, which need no memory of their own. A plane has six on the average.
+    using Borders = boost::container::small_vector<Border, 10>;
 
     double own_border_;
     std::vector<Region> regions_;

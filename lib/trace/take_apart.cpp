@@ -76,8 +76,10 @@ class Cutter {
 template <typename Count>
 std::vector<double> Cutter<Count>::outside_of(const Row<Count>& row) {
     std::vector<double> outside(row.elevations.size());
-    for (std::size_t c = 0; c < outside.size(); ++c)
-        outside[c] = row.counts[c] == 1 ? row.elevations[c] : nothing_outside;
+    for (std::size_t c = 0; c < outside.size(); ++c) {
+        const double z = row.elevations[c];  // read in any case, so that nothing branches
+        outside[c] = row.counts[c] == 1 ? z : nothing_outside;
+    }
     return outside;
 }
 
