@@ -93,12 +93,13 @@ double halo(const CellSize& cell, double width, const Rules& rules) {
 }  // namespace ground
 
 double ground_halo(const CellSize& cell, const GroundOptions& options) {
-    return ground::halo(cell, options.max_building_width, {});
+    return ground::halo(cell, options.max_building_width, ground::rules_for(cell));
 }
 
 Terrain estimate_ground(MetreGrid& surface, const CellSize& cell, const GroundOptions& options,
                         Context& context, const GridPlace& place) {
-    return ground::estimate(surface, cell, options.max_building_width, context, place, {});
+    return ground::estimate(surface, cell, options.max_building_width, context, place,
+                            ground::rules_for(cell));
 }
 
 }  // namespace d2b

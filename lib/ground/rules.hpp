@@ -1,9 +1,11 @@
 #pragma once
 
+#include "core/grid.hpp"
+
 namespace d2b::ground {
 
 /// What the estimate goes by, in metres and metres a metre. One set for all places: none of these is an
-/// option.
+/// option. Those here are for cells of up to a metre, see rules_for().
 struct Rules {
     double work_cell = 1;     ///< cells of the grid on which small objects are looked for, about
     double pit_depth = 5;     ///< a low outlier lies as far below the lowest ground around it
@@ -36,5 +38,10 @@ struct Rules {
     int rounds = 1;                 ///< of this test
     int relaxations = 3;            ///< of smoothing a level when gaps are filled
 };
+
+/// The rules for a surface whose cells have a size. A coarse cell holds one height, as a rule that of its
+/// highest point, so alleys between houses are not seen: roofs and the crowns between them lie side by side,
+/// and reach the ground, the street and the border of the raster in smaller steps than one house alone.
+[[nodiscard]] Rules rules_for(const CellSize& cell);
 
 }  // namespace d2b::ground

@@ -6,7 +6,8 @@
 
 Makes the scenes (all that are measured, or those that are named), finds buildings with the defaults, and prints
 tables: areas, objects, walls, places without buildings, and how often a confidence is right.
---cities   a folder with a folder a place: dsm.tif, reference_buildings.gpkg, perhaps dtm.tif and NOTE.md
+--cities   a folder with a folder a place: dsm.tif, reference_buildings.gpkg, perhaps dtm.tif and NOTE.md; those of fine
+           cells are measured as scans of 2 and 2.5 m cells show them as well
 --write    puts the tables into a page, between the lines `<!-- table NAME -->` and `<!-- end -->`
 --plot     draws how often a confidence is right (needs python3-matplotlib)
 --failures draws of each real place, and of the scenes with the lowest IoU, where most goes wrong (matplotlib as well)
@@ -102,11 +103,14 @@ def learn(arguments, work):
 
 
 def measure_all(arguments, work):
-    """The figures of scenes and of real places, and what learn() gives."""
+    """The figures of scenes, of real places, and of these as scans of coarse cells show them, and what learn() gives."""
     tools = os.path.join(arguments.build, "tools")
     made = make_scenes(arguments.build, work, arguments.seed, arguments.scenes)
     real = cities(arguments.cities) if arguments.cities else []
-    return ([measure(tools, place, work) for place in made], [measure(tools, place, work) for place in real],
+    with tempfile.TemporaryDirectory(dir=work) as folder:
+        copies = thinning.thinned_places(real, folder, [*thinning.DENSE, *thinning.SCANS])
+        coarse = [measure(tools, place, folder) for place in copies]
+    return ([measure(tools, place, work) for place in made], [measure(tools, place, work) for place in real], coarse,
             *(learn(arguments, work) if arguments.learn else ({}, [])))
 
 
@@ -135,11 +139,11 @@ def main(words):
     with tempfile.TemporaryDirectory() as scratch:
         if arguments.work:
             os.makedirs(arguments.work, exist_ok=True)
-        made, real, more, tried = measure_all(arguments, arguments.work or scratch)
+        made, real, coarse, more, tried = measure_all(arguments, arguments.work or scratch)
         shown = drawn(real, made) if arguments.failures else []
         if shown:
             failures.plot(arguments.failures, shown)
-    found = tables.all_tables(made, real) | more
+    found = tables.all_tables(made, real, coarse) | more
     for name, lines in found.items():
         print(f"\n{name}\n", *lines, sep="\n")
     if arguments.plot:

@@ -52,7 +52,17 @@ def confidence_table(measured):
     return table(head, rows)
 
 
-def all_tables(made, real):
+def coarse_table(measured):
+    """Means over the places that a scan shows."""
+    scans = dict.fromkeys(f["name"].split(", ")[-1] for f in measured)
+    rows = []
+    for scan in scans:
+        some = [f for f in measured if f["name"].endswith(", " + scan)]
+        rows.append([scan, f"{some[0]['cell'][1]:.2g} m", *(text(mean([get(f) for f in some])) for _, get in COLUMNS[:5])])
+    return table(["scan", "cells", *(name for name, _ in COLUMNS[:5])], rows)
+
+
+def all_tables(made, real, coarse=()):
     """Lines by the name of the table."""
     found = {"scenes": figures_table([f for f in made if f["built"]])} if any(f["built"] for f in made) else {}
     if any(not f["built"] for f in made):
@@ -62,6 +72,8 @@ def all_tables(made, real):
     if real:
         found["places"] = figures_table(real)
         found["places_confidence"] = confidence_table(real)
+    if coarse:
+        found["coarse"] = coarse_table(coarse)
     return found
 
 

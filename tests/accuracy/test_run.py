@@ -56,6 +56,17 @@ class Walls(unittest.TestCase):
         self.assertEqual(len(walls.signed_distances([box(50, 50, 60, 60)], [box(0, 0, 10, 10)], 1)), 0)
 
 
+class Coarse(unittest.TestCase):
+    def test_the_table_has_a_row_a_scan_with_the_means_of_its_places(self):
+        def place(name, iou):
+            return {"name": name, "cell": (2, 2), "iou": iou, "iou_ground": None, "object_completeness": 1.0,
+                    "object_correctness": 0.5, "outline_rms_m": None}
+
+        lines = tables.coarse_table([place("Here, thin", 0.5), place("There, thin", 0.75), place("Here, coarse", 0.25)])
+        self.assertEqual(lines[2:], ["| thin | 2 m | 0.625 | - | 1.000 | 0.500 | - |",
+                                     "| coarse | 2 m | 0.250 | - | 1.000 | 0.500 | - |"])
+
+
 class Confidence(unittest.TestCase):
     def test_shares_are_those_of_their_bins(self):
         bins = list(confidence.by_bin(np.array([[0.1, 0], [0.9, 1], [0.85, 0], [1.0, 1], [0.95, 1]])))

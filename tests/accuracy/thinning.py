@@ -1,4 +1,4 @@
-"""Real places as a scan with few pulses would show them."""
+"""Real places as scans on coarse cells would show them, with few pulses or many."""
 import os
 import shutil
 import zlib
@@ -13,6 +13,7 @@ NOISE = 0.03  # metres
 REACH = 1.5  # cells: a cell that no pulse met gets the height of the nearest that one met, if it is as near
 NO_DATA = -9999
 SCANS = {"thin": (2.0, 0.6), "thinned": (2.5, 0.3)}  # cells in metres, pulses a square metre
+DENSE = {"coarse": (2.0, 4.0), "coarser": (2.5, 2.0)}  # the same, where no cell is without a pulse
 
 
 def pulses(z, count, random):
@@ -57,8 +58,8 @@ def write(path, z, raster, larger):
 
 
 def thinned(place, scan, folder):
-    """The place as one of SCANS shows it, in a folder of its own."""
-    side, density = SCANS[scan]
+    """The place as one of SCANS or DENSE shows it, in a folder of its own."""
+    side, density = (SCANS | DENSE)[scan]
     cell = place.cell()[1]
     raster, z = surface_of(place)
     larger = side / cell
@@ -69,9 +70,20 @@ def thinned(place, scan, folder):
     os.makedirs(made.folder)
     write(made.dsm, highest(rows / larger, cols / larger, heights, shape), raster, larger)
     shutil.copy(place.reference, made.reference)
+    if os.path.exists(place.dtm):
+        write_means(place.dtm, made)
     return made
 
 
-def thinned_places(places, folder):
-    """Both scans of each place of finer cells than theirs."""
-    return [thinned(place, scan, folder) for place in places if place.cell()[1] <= 1 for scan in SCANS]
+def write_means(terrain, made):
+    """The terrain of a place on the cells of a copy of it."""
+    grid = gdal.Open(made.dsm)
+    west, across, _, north, _, down = grid.GetGeoTransform()
+    bounds = (west, north + down * grid.RasterYSize, west + across * grid.RasterXSize, north)
+    gdal.Warp(made.dtm, terrain, outputBounds=bounds, width=grid.RasterXSize, height=grid.RasterYSize,
+              resampleAlg="average", dstNodata=NO_DATA)
+
+
+def thinned_places(places, folder, scans=tuple(SCANS)):
+    """Some scans of each place of finer cells than theirs."""
+    return [thinned(place, scan, folder) for place in places if place.cell()[1] <= 1 for scan in scans]
