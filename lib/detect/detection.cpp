@@ -38,7 +38,7 @@ JudgedObjects judged_as_the_data_say(const Scene& scene, const DetectOptions& op
                                : judged_objects(scene, cells, smallest_m2, quality, threads);
     judged.left_out.low =
         low_roofs(scene, cells.flags, options.min_height, cells_for(smallest_m2, scene.cell), threads);
-    if (deserves_several_limits(quality.filled))
+    if (deserves_several_limits(scene.side(), quality.filled))
         judged = chosen_at_several_limits(scene, cells, smallest_m2, quality, std::move(judged), threads);
     std::optional<JudgedObjects> second;
     if (deserves_second_look(quality.filled))

@@ -12,6 +12,7 @@ namespace {
 
 // Found on La Rochelle, on fine places as thin scans show them, and on scenes, see docs/accuracy.md.
 constexpr double least_filled_for_several = 0.06;
+constexpr double least_side_for_several_m = 1.9;  // cells of 2 m of the map may be a little smaller
 constexpr std::array<double, 4> factors{0.5, 0.7, 1, 1.4};
 constexpr std::size_t usual_place = 2;
 constexpr double caution_at_wider = 1.1;  // off the log-odds
@@ -29,8 +30,8 @@ JudgedObjects found_at(double factor, const Scene& scene, SceneCells& cells, dou
 
 }  // namespace
 
-bool deserves_several_limits(double filled) {
-    return filled > least_filled_for_several;
+bool deserves_several_limits(double side, double filled) {
+    return filled > least_filled_for_several || side > least_side_for_several_m;
 }
 
 JudgedObjects chosen_at_several_limits(const Scene& scene, SceneCells& cells, double smallest_m2,

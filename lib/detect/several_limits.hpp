@@ -4,9 +4,10 @@
 
 namespace d2b {
 
-/// Whether so few points fell into the cells that no one limit of smoothness suits all houses.
-/// @param filled see SurfaceQuality
-[[nodiscard]] bool deserves_several_limits(double filled);
+/// Whether so few points fell into the cells, or cells are so coarse, that no one limit of smoothness suits
+/// all houses. A coarse cell has its highest point, which may lie anywhere in it.
+/// @param side of the cells, metres @param filled see SurfaceQuality
+[[nodiscard]] bool deserves_several_limits(double side, double filled);
 
 /// Looks for objects at stricter and wider limits of smoothness as well: 0.5, 0.7 and 1.4 times the usual
 /// ones, and takes the best of them, see best_of_looks(). At stricter limits crowns fall off a house, at

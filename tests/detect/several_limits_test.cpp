@@ -59,10 +59,29 @@ TEST(SeveralLimits, AreTheSameOnAnyNumberOfThreads) {
         EXPECT_EQ(alone.best.objects[i].confidence, shared.best.objects[i].confidence);
 }
 
-TEST(SeveralLimits, AreForThinPointsAlone) {
-    EXPECT_FALSE(deserves_several_limits(0));
-    EXPECT_FALSE(deserves_several_limits(0.06));
-    EXPECT_TRUE(deserves_several_limits(0.061));
+TEST(SeveralLimits, AreForThinPointsAndCoarseCells) {
+    EXPECT_FALSE(deserves_several_limits(0.5, 0));
+    EXPECT_FALSE(deserves_several_limits(1.5, 0.06));
+    EXPECT_TRUE(deserves_several_limits(0.5, 0.061));
+    EXPECT_TRUE(deserves_several_limits(1.999, 0));
+}
+
+TEST(SeveralLimits, FindARoughHouseOnCoarseCellsThatNoneIsWithoutAPoint) {
+    // Rows and columns bend by so much, and every other diagonal by more. Up to 0.30 m is smooth enough for
+    // the usual look, up to 0.42 m for the widest.
+    const auto found = [](double bend) {
+        Town town(30, 40, {2.5, 2.5});
+        town.build([&](std::int32_t r, std::int32_t c) {
+            const bool in = r >= 10 && r < 16 && c >= 14 && c < 20;
+            return in ? 106 + static_cast<float>(bend / 2) * static_cast<float>(r % 2 + c % 2)
+                      : test::unknown;
+        });
+        Context context;
+        return detect_buildings(town.scene(), {}, smallest_m2, context).buildings;
+    };
+    EXPECT_EQ(found(0.1), 1);
+    EXPECT_EQ(found(0.36), 1);
+    EXPECT_EQ(found(0.6), 0);
 }
 
 }  // namespace
