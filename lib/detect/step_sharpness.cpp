@@ -23,7 +23,7 @@ struct Falls {
     }
 };
 
-bool on_border(const Mask& cells, std::int32_t r, std::int32_t c) {
+bool has_free_side(const Mask& cells, std::int32_t r, std::int32_t c) {
     return cells.at(r - 1, c) == 0 || cells.at(r + 1, c) == 0 || cells.at(r, c - 1) == 0 ||
            cells.at(r, c + 1) == 0;
 }
@@ -44,7 +44,7 @@ double step_sharpness(const MetreGrid& surface, const Mask& objects, Executor& t
     const auto add_band = [&](RowBand band, Falls& falls) {
         for (std::int32_t r = std::max(band.begin, 1); r < std::min(band.end, objects.rows - 1); ++r)
             for (std::int32_t c = 1; c + 1 < objects.cols; ++c)
-                if (objects.at(r, c) != 0 && on_border(objects, r, c) && !std::isnan(surface.at(r, c))) {
+                if (objects.at(r, c) != 0 && has_free_side(objects, r, c) && !std::isnan(surface.at(r, c))) {
                     falls.within_near += fall(surface, r, c, near);
                     falls.within_far += fall(surface, r, c, far);
                 }

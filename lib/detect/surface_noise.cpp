@@ -11,9 +11,9 @@
 namespace d2b {
 namespace {
 
-constexpr std::size_t bins = 2000;
-constexpr float bin_m = 0.001F;
-constexpr std::int64_t fewest = 1000;
+constexpr std::size_t bend_bins = 2000;
+constexpr float bend_bin_m = 0.001F;
+constexpr std::int64_t fewest_bends = 1000;
 // Of the second differences, sorted by size, those from the first of these shares to the second. Gardens,
 // kerbs and cars on open ground are among the larger ones, and on coarse cells they are the most.
 constexpr double lower_share = 0.1;
@@ -24,27 +24,27 @@ constexpr double upper_share = 0.2;
 // f(0.25335)) / (0.2 - 0.1).
 const double mean_of_unit_noise = 0.18925 * std::sqrt(6.0);
 
-using Bends = BinCounts<bins>;
+using Bends = BinCounts<bend_bins>;
 
 void add_row(std::span<const float> z, std::span<const std::uint8_t> high, Bends& bends) {
     for (std::size_t c = 1; c + 1 < z.size(); ++c) {
         const float bend = std::abs(z[c - 1] + z[c + 1] - 2 * z[c]);
         if (high[c - 1] + high[c] + high[c + 1] != 0 || std::isnan(bend))
             continue;
-        bends.add(bend < bin_m * bins ? static_cast<std::size_t>(bend / bin_m) : bins);
+        bends.add(bend < bend_bin_m * bend_bins ? static_cast<std::size_t>(bend / bend_bin_m) : bend_bins);
     }
 }
 
 /// The sum of the smallest so many values, metres. Within a bin they are taken as evenly spread.
 double sum_of_smallest(const Bends& bends, double many) {
     double sum = 0;
-    for (std::size_t bin = 0; many > 0 && bin <= bins; ++bin) {
+    for (std::size_t bin = 0; many > 0 && bin <= bend_bins; ++bin) {
         const auto here = static_cast<double>(bends.counts[bin]);
         const double taken = std::min(many, here);
         sum += taken * (static_cast<double>(bin) + (taken > 0 ? taken / here / 2 : 0));
         many -= taken;
     }
-    return sum * static_cast<double>(bin_m);
+    return sum * static_cast<double>(bend_bin_m);
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ double surface_noise(const MetreGrid& surface, const Mask& elevated, Executor& t
     const Bends sum = sum_of_row_bands(threads, surface.rows, surface.cols, Bends(), add_band);
     const auto all = static_cast<double>(sum.all);
     // The first bin holds what is repeated or rounded.
-    if (sum.all < fewest || static_cast<double>(sum.counts[0]) >= upper_share * all)
+    if (sum.all < fewest_bends || static_cast<double>(sum.counts[0]) >= upper_share * all)
         return 0;
     const double between = sum_of_smallest(sum, upper_share * all) - sum_of_smallest(sum, lower_share * all);
     return between / ((upper_share - lower_share) * all) / mean_of_unit_noise;

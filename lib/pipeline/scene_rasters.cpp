@@ -8,14 +8,15 @@
 namespace d2b {
 namespace {
 
-constexpr std::int32_t rows_at_once = 256;
+constexpr std::int32_t rows_given_at_once = 256;
 
 /// The unit's own cells, value(i) for each: i is its index in a grid of what the unit sees.
 template <typename Value>
 void write_values(RasterSink& sink, const Unit& unit, const Value& value) {
     std::vector<float> values;
-    for (std::int32_t row = unit.own.row; row < unit.own.end_row(); row += rows_at_once) {
-        const Window part{row, unit.own.col, std::min(rows_at_once, unit.own.end_row() - row), unit.own.cols};
+    for (std::int32_t row = unit.own.row; row < unit.own.end_row(); row += rows_given_at_once) {
+        const Window part{row, unit.own.col, std::min(rows_given_at_once, unit.own.end_row() - row),
+                          unit.own.cols};
         values.clear();
         for (std::int32_t r = part.row; r < part.end_row(); ++r) {
             const auto first = static_cast<std::size_t>(std::int64_t{r - unit.seen.row} * unit.seen.cols +

@@ -27,7 +27,7 @@ namespace {
 constexpr double same_place = 0.001;
 
 /// Columns or rows of a raster.
-struct Axis {
+struct RasterAxis {
     double first = 0;  ///< coordinate of its edge
     double step = 0;   ///< to the next cell
     double cells = 0;
@@ -36,7 +36,7 @@ struct Axis {
 /// A raster of the list, closed again.
 struct Listed {
     std::string name;
-    std::array<Axis, 2> axes;
+    std::array<RasterAxis, 2> axes;
     GDALDataType type = GDT_Unknown;
     std::optional<double> nodata;
     std::string unit;
@@ -88,8 +88,8 @@ void require_one_grid(const Listed& first, const Listed& other) {
     if (!same_crs(first, other))
         refuse(other.name, "it has another coordinate reference system" + where, warp);
     for (std::size_t i = 0; i < first.axes.size(); ++i) {
-        const Axis& a = first.axes[i];
-        const Axis& b = other.axes[i];
+        const RasterAxis& a = first.axes[i];
+        const RasterAxis& b = other.axes[i];
         if (std::abs(b.step / a.step - 1) * b.cells > same_place)
             refuse(other.name, "it has cells of another size" + where, warp);
         const double offset = (b.first - a.first) / a.step;
@@ -134,7 +134,7 @@ bool may_fill(const std::vector<Listed>& rasters) {
     for (const Listed& raster : rasters) {
         cells += raster.axes[0].cells * raster.axes[1].cells;
         for (std::size_t i = 0; i < least.size(); ++i) {
-            const Axis& origin = rasters.front().axes[i];
+            const RasterAxis& origin = rasters.front().axes[i];
             const double offset = std::round((raster.axes[i].first - origin.first) / origin.step);
             least[i] = std::min(least[i], offset);
             most[i] = std::max(most[i], offset + raster.axes[i].cells);
@@ -166,7 +166,7 @@ bool may_copy(const std::vector<Listed>& rasters, double nodata) {
     for (const Listed& raster : rasters) {
         CellBox& box = boxes.emplace_back();
         for (std::size_t i = 0; i < box.size(); ++i) {
-            const Axis& origin = rasters.front().axes[i];
+            const RasterAxis& origin = rasters.front().axes[i];
             const double first = std::round((raster.axes[i].first - origin.first) / origin.step);
             box[i] = {first, first + raster.axes[i].cells};
         }
@@ -174,7 +174,7 @@ bool may_copy(const std::vector<Listed>& rasters, double nodata) {
     return are_apart(std::move(boxes));
 }
 
-struct OptionsRelease {
+struct MosaicOptionsRelease {
     void operator()(GDALBuildVRTOptions* options) const { GDALBuildVRTOptionsFree(options); }
 };
 
@@ -198,7 +198,7 @@ void build_mosaic(const std::string& path, const std::vector<std::string>& raste
         }
     }
     const GdalMessages messages;
-    const std::unique_ptr<GDALBuildVRTOptions, OptionsRelease> options(
+    const std::unique_ptr<GDALBuildVRTOptions, MosaicOptionsRelease> options(
         GDALBuildVRTOptionsNew(words.List(), nullptr));
     const StringList names(rasters);
     int wrong = FALSE;

@@ -20,10 +20,10 @@ namespace {
 constexpr double most_source_cells = 1 << 22;  // of the raster, that a part may need
 constexpr double tolerance = 1e-3;             // of a cell of the DEM, of positions
 
-struct OptionsRelease {
+struct WarpOptionsRelease {
     void operator()(GDALWarpOptions* options) const { GDALDestroyWarpOptions(options); }
 };
-using OptionsOwner = std::unique_ptr<GDALWarpOptions, OptionsRelease>;
+using OptionsOwner = std::unique_ptr<GDALWarpOptions, WarpOptionsRelease>;
 
 /// Half the width of the bilinear kernel in cells of the raster. Whole numbers keep a sloping plane as it is.
 double reach(double cell) {

@@ -16,7 +16,7 @@
 namespace d2b {
 namespace {
 
-std::string element(const std::string& name, const std::string& text) {
+std::string element_if_any(const std::string& name, const std::string& text) {
     return text.empty() ? "" : "  <" + name + ">" + xml_text(text) + "</" + name + ">\n";
 }
 
@@ -60,12 +60,12 @@ std::string head_text(const std::string& first, std::int32_t rows, std::int32_t 
     std::string text = "<VRTDataset rasterXSize=\"" + std::to_string(cols) + "\" rasterYSize=\"" +
                        std::to_string(rows) + "\">\n" + crs_text(dataset.get());
     if (std::array<double, 6> place{}; GDALGetGeoTransform(dataset.get(), place.data()) == CE_None)
-        text += element("GeoTransform", numbers_text(place, ", "));
+        text += element_if_any("GeoTransform", numbers_text(place, ", "));
     const GDALRasterBandH band = GDALGetRasterBand(dataset.get(), 1);
     return text + metadata_text(dataset.get()) + "  <VRTRasterBand dataType=\"Float32\" band=\"1\">\n" +
-           element("Description", GDALGetDescription(band)) +
-           element("NoDataValue", number_text(static_cast<double>(GeoTiffFile::nodata))) +
-           element("UnitType", GDALGetRasterUnitType(band));
+           element_if_any("Description", GDALGetDescription(band)) +
+           element_if_any("NoDataValue", number_text(static_cast<double>(GeoTiffFile::nodata))) +
+           element_if_any("UnitType", GDALGetRasterUnitType(band));
 }
 
 std::string window_text(const char* name, std::int32_t row, std::int32_t col, const Window& size) {

@@ -6,7 +6,7 @@
 namespace d2b {
 namespace {
 
-constexpr std::size_t margin = 2;  // steps beside what is too far from the trace
+constexpr std::size_t steps_beside = 2;  // steps beside what is too far from the trace
 
 class Composer {
   public:
@@ -99,11 +99,11 @@ bool follow_where_far(const WallSamples& samples, const CellShape& shape, Lattic
     bool changed = false;
     // Where a chain ends, it goes to where its owner lets it, whatever its own trace says.
     const auto at_end = [&](std::size_t step) {
-        return !samples.closed() && (step <= margin || step + margin >= samples.steps());
+        return !samples.closed() && (step <= steps_beside || step + steps_beside >= samples.steps());
     };
     for_distances(samples, shape, origin, drawn, samples.closed(), [&](std::size_t step, double square) {
         if (square > limit * limit && !at_end(step))
-            changed = form.raise(step, step + 1, margin, Form::middles) || changed;
+            changed = form.raise(step, step + 1, steps_beside, Form::middles) || changed;
     });
     return changed;
 }

@@ -7,7 +7,7 @@
 namespace d2b {
 namespace {
 
-constexpr std::int32_t rows_at_once = 256;
+constexpr std::int32_t rows_read_at_once = 256;
 
 }  // namespace
 
@@ -53,8 +53,8 @@ std::span<const LabelRun> TileLabels::row(std::int32_t row) const {
 
 LabelRows TileLabels::own(Context& context) const {
     LabelRows rows(context.make_spool(), window_);
-    for (std::int32_t first = window_.row; first < window_.end_row(); first += rows_at_once) {
-        const Window part{first, window_.col, std::min(rows_at_once, window_.end_row() - first),
+    for (std::int32_t first = window_.row; first < window_.end_row(); first += rows_read_at_once) {
+        const Window part{first, window_.col, std::min(rows_read_at_once, window_.end_row() - first),
                           window_.cols};
         Grid<Label> labels(part.rows, part.cols);
         for (std::int32_t r = part.row; r < part.end_row(); ++r)
