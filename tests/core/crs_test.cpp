@@ -134,7 +134,7 @@ TEST(Crs, RefusesWhatIsNoCrs) {
     const std::string advice =
         "; give a code such as EPSG:25832 or EPSG:25832+7837, WKT, PROJJSON or a PROJ string.";
     const auto message = [](const std::string& text) {
-        return message_of<OptionError>([&] { Crs crs(text); });
+        return message_of<OptionError>([&, text = text] { Crs crs(text); });
     };
     EXPECT_EQ(message("EPSG:99999"),
               "'EPSG:99999' is not a coordinate reference system (PROJ: crs not found)" + advice);
@@ -161,7 +161,7 @@ TEST(Crs, SuggestsTheCodeThatIsMeant) {
                                      {"epsg4326", "EPSG:4326"},
                                      {"EPSG 4326", "EPSG:4326"}}) {
         EXPECT_EQ(code_meant_by(text), code);
-        EXPECT_EQ(message_of<OptionError>([&] { Crs crs(text); }),
+        EXPECT_EQ(message_of<OptionError>([&, text = text] { Crs crs(text); }),
                   std::string("'") + text + "' is not a coordinate reference system; write " + code +
                       " if that is meant.");
     }

@@ -130,14 +130,16 @@ TEST(Moments, AgreeWithTwoPassesInLongDouble) {
     std::mt19937 random(3);
     std::vector<double> values;
     for (int i = 0; i < 1000; ++i)
-        values.push_back(static_cast<float>(random() % 100000) * 0.01F);
+        values.push_back(static_cast<double>(static_cast<float>(random() % 100000) * 0.01F));
     long double sum = 0;
     for (const double value : values)
-        sum += value;
+        sum += static_cast<long double>(value);
     const long double mean = sum / 1000;
     long double squares = 0;
-    for (const double value : values)
-        squares += (value - mean) * (value - mean);
+    for (const double value : values) {
+        const long double off = static_cast<long double>(value) - mean;
+        squares += off * off;
+    }
     EXPECT_DOUBLE_EQ(moments_of(values).mean(), static_cast<double>(mean));
     EXPECT_DOUBLE_EQ(moments_of(values).standard_deviation(), static_cast<double>(std::sqrt(squares / 999)));
 }

@@ -33,7 +33,7 @@ std::vector<std::pair<int, int>> cells_of(const std::vector<RowSpan>& spans) {
         for (std::int32_t col = span.begin; col < span.end; ++col)
             cells.emplace_back(span.row, col);
     std::ranges::sort(cells);
-    cells.erase(std::ranges::unique(cells).begin(), cells.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
     return cells;
 }
 

@@ -9,7 +9,7 @@ namespace d2b::test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double largest_single = std::numeric_limits<float>::max();
+constexpr double largest_single = static_cast<double>(std::numeric_limits<float>::max());
 
 class ReadValidity : public ReadTest {};
 

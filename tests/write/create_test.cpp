@@ -7,8 +7,6 @@ namespace d2b::test {
 
 namespace {
 
-using Names = std::vector<std::string>;
-
 class CreateTest : public WriteTest {};
 
 TEST_F(CreateTest, GeoPackageHoldsWhatWasAdded) {

@@ -11,7 +11,6 @@ namespace d2b::test {
 
 namespace {
 
-using Names = std::vector<std::string>;
 namespace fs = std::filesystem;
 
 class FailureTest : public WriteTest {

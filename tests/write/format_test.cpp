@@ -14,8 +14,6 @@ WriteOptions named(const std::string& destination, const std::string& format = "
     return options;
 }
 
-using Names = std::vector<std::string>;
-
 class FormatTest : public WriteTest {};
 
 TEST_F(FormatTest, ExtensionTellsTheFormat) {

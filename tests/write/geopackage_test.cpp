@@ -14,8 +14,6 @@ namespace d2b::test {
 
 namespace {
 
-using Names = std::vector<std::string>;
-
 /// What the tables of a GeoPackage say, as text.
 std::string describe(const std::string& path) {
     std::string text;

@@ -19,7 +19,6 @@ namespace d2b::test {
 
 namespace {
 
-using Names = std::vector<std::string>;
 namespace fs = std::filesystem;
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();

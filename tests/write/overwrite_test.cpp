@@ -5,7 +5,6 @@ namespace d2b::test {
 
 namespace {
 
-using Names = std::vector<std::string>;
 namespace fs = std::filesystem;
 
 class OverwriteTest : public WriteTest {
@@ -102,7 +101,7 @@ TEST_F(OverwriteTest, WhatIsNoDatasetOfTheFormatStays) {
              {"a.gpkg", "GPKG"}, {"a.geojson", "GeoJSON"}, {"a.shp", "ESRI Shapefile"}}) {
         put(name, "thesis");
         EXPECT_EQ(
-            thrown<OptionError>([&] { write(over(name), 1); }),
+            thrown<OptionError>([&, name = name] { write(over(name), 1); }),
             quote + path(name) + "\" exists and is not a dataset of format " + format + "; remove it first.");
         EXPECT_EQ(bytes(name), "thesis");
     }

@@ -26,7 +26,6 @@ namespace d2b::test {
 namespace {
 
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
-using Names = std::vector<std::string>;
 
 /// Takes numbers as their description has them.
 class Unpacked {

@@ -12,8 +12,6 @@ namespace d2b::test {
 
 namespace {
 
-using Names = std::vector<std::string>;
-
 class PictureTest : public WriteTest {
   protected:
     [[nodiscard]] RasterTarget picture(const std::string& name, bool overwrite = false) const {

@@ -10,7 +10,6 @@ namespace d2b::test {
 
 namespace {
 
-using Names = std::vector<std::string>;
 namespace fs = std::filesystem;
 
 class StagingTest : public WriteTest {

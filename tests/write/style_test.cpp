@@ -10,8 +10,6 @@ namespace d2b::test {
 
 namespace {
 
-using Names = std::vector<std::string>;
-
 class StyleTest : public WriteTest {
   protected:
     [[nodiscard]] WriteOptions over(const std::string& name) const {

@@ -2,15 +2,12 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include "dem2buildings/surfaces.hpp"
 #include "write/raster_target.hpp"
 #include "write/write_fixture.hpp"
 
 namespace d2b::test {
-
-using Names = std::vector<std::string>;
 
 /// Of sinks of surfaces: a folder, and parts to write.
 class SurfaceSinkCase : public WriteTest {

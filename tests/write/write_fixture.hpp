@@ -22,6 +22,7 @@ struct CloseDataset {
     void operator()(void* dataset) const { GDALClose(dataset); }
 };
 using Dataset = std::unique_ptr<void, CloseDataset>;
+using Names = std::vector<std::string>;
 
 inline const std::string quote = "\"";
 
