@@ -4,7 +4,6 @@
 #include <cmath>
 #include <tuple>
 
-#include "core/processors.hpp"
 #include "ground/line_pass.hpp"
 #include "ground/opening.hpp"
 #include "ground/tiles.hpp"
@@ -20,11 +19,10 @@ Radius at_least_a_cell(double metres, const CellSize& cell) {
 
 /// Room for a tile and what lies around it.
 struct Part {
+    WholeSteps whole;  ///< in the place of the others where all elevations are whole steps
     MetreGrid surface;
-    MetreGrid closed;
-    MetreGrid around;
+    MetreGrid next;
     Workspace<float> workspace;
-    WholeSteps whole;  ///< its `next` is closed
 };
 
 struct Search {
@@ -39,8 +37,7 @@ struct Search {
     [[nodiscard]] bool below(float z, float other) const { return other != no_value && z < other - depth; }
 };
 
-/// Whether a cell may lie deep below the closed surface; most tiles have none.
-/// @param deep how much lower it is at least
+/// Whether a cell may lie deep below the closed surface. @param deep whether one value does so to another
 template <typename T, typename Deep>
 bool may_have_pits(const Grid<T>& surface, const Grid<T>& closed, Deep deep) {
     int any = 0;
@@ -51,39 +48,47 @@ bool may_have_pits(const Grid<T>& surface, const Grid<T>& closed, Deep deep) {
     return any != 0;
 }
 
-/// In whole steps, where these say that there is none.
-D2B_FOR_EACH_PROCESSOR bool surely_has_no_pits(const MetreGrid& lowest, const Tile& place,
-                                               const Search& search, WholeSteps& whole) {
-    if (!whole.take(lowest, place))
+/// The lowest around each cell of the closed surface. @return false: no cell has a pit, and none was looked
+/// for
+template <typename T, typename Deep>
+bool find_around(const Grid<T>& surface, const Search& search, Workspace<T>& workspace, Grid<T>& around,
+                 Deep deep) {
+    closed_by_rectangle(surface, search.closed, workspace, around);
+    if (!may_have_pits(surface, around, deep))  // below all around is below what is here
         return false;
-    closed_by_rectangle(whole.surface, search.closed, whole.workspace, whole.next);
-    const int within = whole.surely_within(search.depth);
-    return !may_have_pits(whole.surface, whole.next,
-                          [within](std::int16_t z, std::int16_t above) { return above - z > within; });
+    line_pass(around, workspace.first, Line::row, Extremum::lowest, search.around.across);
+    line_pass(workspace.first, around, Line::column, Extremum::lowest, search.around.down);
+    return true;
 }
 
 std::vector<Pit> pits_of(const MetreGrid& lowest, const Tile& tile, const Search& search, Part& part) {
     const Tile place = widened(tile, search.reach(), lowest);
-    if (surely_has_no_pits(lowest, place, search, part.whole))
-        return {};
-    copy_tile(lowest, place, part.surface);
-    closed_by_rectangle(part.surface, search.closed, part.workspace, part.closed);
-    // Below all around is below what is here.
-    const float depth = search.depth;
-    if (!may_have_pits(part.surface, part.closed,
-                       [depth](float z, float above) { return z < above - depth; }))
-        return {};
-    MetreGrid& along = part.workspace.first;
-    part.around = part.closed;
-    line_pass(part.closed, along, Line::row, Extremum::lowest, search.around.across);
-    line_pass(along, part.around, Line::column, Extremum::lowest, search.around.down);
+    WholeSteps& whole = part.whole;
+    const bool in_steps = whole.take(lowest, place);
+    bool any = false;
+    if (in_steps) {
+        const int within = whole.surely_within(search.depth);
+        any = find_around(whole.surface, search, whole.workspace, whole.next,
+                          [within](std::int16_t z, std::int16_t above) { return above - z > within; });
+    } else {
+        copy_tile(lowest, place, part.surface);
+        any = find_around(part.surface, search, part.workspace, part.next,
+                          [&](float z, float above) { return z < above - search.depth; });
+    }
     std::vector<Pit> pits;
-    for (std::int32_t i = tile.row; i < tile.row + tile.rows; ++i)
-        for (std::int32_t j = tile.col; j < tile.col + tile.cols; ++j) {
-            const float around = part.around.at(i - place.row, j - place.col);
-            if (search.below(lowest.at(i, j), around))
-                pits.push_back({i, j, around - search.depth});
+    std::vector<float> around(static_cast<std::size_t>(tile.cols));
+    for (std::int32_t i = tile.row; any && i < tile.row + tile.rows; ++i) {
+        const auto first = static_cast<std::size_t>(tile.col - place.col);
+        if (in_steps)
+            whole.in_metres(whole.next.row(i - place.row).subspan(first, around.size()), around.data());
+        else
+            std::ranges::copy(part.next.row(i - place.row).subspan(first, around.size()), around.begin());
+        for (std::int32_t j = 0; j < tile.cols; ++j) {
+            const float beside = around[static_cast<std::size_t>(j)];
+            if (search.below(lowest.at(i, tile.col + j), beside))
+                pits.push_back({i, tile.col + j, beside - search.depth});
         }
+    }
     return pits;
 }
 

@@ -72,7 +72,7 @@ TEST(Outliers, AreFoundInAllTilesInScanOrder) {
     EXPECT_EQ(found, pits_by_definition(surface.grid));
 }
 
-/// Where elevations are whole centimetres tiles are first looked at in these; else as floats.
+/// Whole centimetres are compared as such, others as floats.
 TEST(Outliers, AreFoundWhereTheyAreJustDeepEnough) {
     std::mt19937 random(11);
     for (const float beside : {0.0F, 0.0003F})
