@@ -2,9 +2,16 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <fstream>
 #include <limits>
+#include <new>
 #include <string>
 #include <vector>
+
+#ifdef __linux__
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
 
 #include <gtest/gtest.h>
 
@@ -106,6 +113,40 @@ TEST(BlockPool, HoldsNoMoreThanWasInUseAtATime) {
         pool.give(block, bytes);
     pool.give(larger, 2 * bytes);
 }
+
+#if !D2B_SANITIZED && defined(__linux__)
+/// So many bytes of addresses beside those that are taken, as long as it lives.
+class FewAddresses {
+  public:
+    explicit FewAddresses(std::size_t bytes) {
+        std::size_t pages = 0;
+        std::ifstream("/proc/self/statm") >> pages;
+        getrlimit(RLIMIT_AS, &before_);
+        const rlimit few{pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) + bytes, before_.rlim_max};
+        setrlimit(RLIMIT_AS, &few);
+    }
+    FewAddresses(const FewAddresses&) = delete;
+    FewAddresses& operator=(const FewAddresses&) = delete;
+    ~FewAddresses() { setrlimit(RLIMIT_AS, &before_); }
+
+  private:
+    rlimit before_{};
+};
+
+TEST(BlockPool, GivesBackFirstWhereThereIsNoRoomBeside) {
+    BlockPool pool;
+    pool.give(pool.take(64 * megabyte), 64 * megabyte);
+    void* block = nullptr;
+    {
+        const FewAddresses few(20 * megabyte);
+        EXPECT_THROW((void)LargePages::map(48 * megabyte), std::bad_alloc);
+        block = pool.take(48 * megabyte);
+        EXPECT_EQ(*static_cast<char*>(block), 0);
+        EXPECT_THROW((void)pool.take(256 * megabyte), std::bad_alloc);
+    }
+    pool.give(block, 48 * megabyte);
+}
+#endif
 
 TEST(BlockPool, HoldsNothingOnceItIsCleared) {
     BlockPool pool;
