@@ -55,25 +55,37 @@ struct Cut {
     WallLine wall;
 };
 
-std::optional<Cut> cut_of(const PartSeam& part, const Evidence& evidence, const Mask& objects,
-                          const CellSize& cell, int eaves) {
+/// Of a crown at a corner: a line for each of the two walls.
+std::vector<Cut> corner_cuts(const PartSeam& part, const Mask& objects, const CellSize& cell, int eaves) {
+    const std::optional<CornerSeam> corner = part.corner(cell);
+    if (!corner)
+        return {};
+    const std::optional<WallLine> one =
+        wall_away_from(corner->other.middle, corner->one, objects, cell, eaves);
+    const std::optional<WallLine> other =
+        wall_away_from(corner->one.middle, corner->other, objects, cell, eaves);
+    if (!one || !other)
+        return {};
+    return {{corner->one, *one}, {corner->other, *other}};
+}
+
+/// The lines at which a part is cut off; none where it stays.
+std::vector<Cut> cuts_of(const PartSeam& part, const Evidence& evidence, const Mask& objects,
+                         const CellSize& cell, int eaves) {
     if (part.free_share() <= sticks_out || roof_likeness(evidence) >= surely_no_crown)
-        return std::nullopt;
+        return {};
     const std::optional<SeamLine> seam = part.straight_line(cell);
-    if (!seam)
-        return std::nullopt;
-    const std::optional<WallLine> wall = wall_beyond(*seam, objects, cell, eaves);
-    return wall ? std::optional(Cut{*seam, *wall}) : std::nullopt;
+    const std::optional<WallLine> wall = seam ? wall_beyond(*seam, objects, cell, eaves) : std::nullopt;
+    return wall ? std::vector<Cut>{{*seam, *wall}} : corner_cuts(part, objects, cell, eaves);
 }
 
 /// Regions are numbered in the order of their first cells.
-std::vector<CutCrown> clear(const Regions& parts, const std::vector<std::optional<Cut>>& cuts,
-                            Mask& objects) {
+std::vector<CutCrown> clear(const Regions& parts, const std::vector<std::vector<Cut>>& cuts, Mask& objects) {
     std::vector<CutCrown> crowns;
     Label seen = 0;
     for (std::int32_t r = 0; r < parts.rows; ++r)
         for (const RegionRun& run : parts.row(r)) {
-            if (!cuts[run.label - 1])
+            if (cuts[run.label - 1].empty())
                 continue;
             std::fill(objects.row(r).begin() + run.begin, objects.row(r).begin() + run.end, std::uint8_t{0});
             if (run.label > seen) {
@@ -117,14 +129,14 @@ std::vector<CutCrown> take_crowns_off(const Scene& scene, const SmoothSegments& 
     parts.regions = parts_beside(near_roofs, parts.cells, cells_for(least_crown_m2, scene.cell), threads);
     const std::vector<PartSeam> seams = seams_of(parts, near_roofs, scene.cell, threads);
     const std::vector<Evidence> evidence = collect_evidence(scene, parts, segments, flags, threads);
-    std::vector<std::optional<Cut>> cuts(seams.size());
+    std::vector<std::vector<Cut>> cuts(seams.size());
     threads.for_each(seams.size(), [&](std::size_t i) {
-        cuts[i] = cut_of(seams[i], evidence[i], parts.cells, scene.cell, eaves);
+        cuts[i] = cuts_of(seams[i], evidence[i], parts.cells, scene.cell, eaves);
     });
     std::vector<CutCrown> crowns = clear(parts.regions, cuts, parts.cells);
-    for (const std::optional<Cut>& cut : cuts)
-        if (cut)
-            clear_outside(cut->seam, cut->wall, roofs, scene.cell, parts.cells);
+    for (const std::vector<Cut>& lines : cuts)
+        for (const Cut& cut : lines)
+            clear_outside(cut.seam, cut.wall, roofs, scene.cell, parts.cells);
     if (!crowns.empty())
         gather(parts.cells, least_cells, judged, threads);
     return crowns;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -7,6 +8,12 @@
 #include "detect/wall_line.hpp"
 
 namespace d2b {
+
+/// Two straight pieces of a seam around a corner.
+struct CornerSeam {
+    SeamLine one;
+    SeamLine other;
+};
 
 /// The border of a part of an object: with the rest of the object, the seam, and with what is no object.
 class PartSeam {
@@ -19,10 +26,19 @@ class PartSeam {
     [[nodiscard]] double free_share() const;
     /// The line that fits the seam best, if it is straight.
     [[nodiscard]] std::optional<SeamLine> straight_line(const CellSize& cell) const;
+    /// The two lines that fit the seam best, if both are straight and meet at an angle, as the walls at the
+    /// corner of a roof do.
+    [[nodiscard]] std::optional<CornerSeam> corner(const CellSize& cell) const;
 
   private:
-    std::vector<MetrePlace> middles_;  // of the seam's edges
-    MetrePlace to_rest_;               // sum of the ways over them
+    struct Edge {
+        MetrePlace middle;
+        MetrePlace to_rest;  // the way over it
+    };
+    [[nodiscard]] std::optional<SeamLine> fitted_line(double most_squared) const;
+    [[nodiscard]] PartSeam half(const std::vector<std::uint8_t>& is_second, std::uint8_t which) const;
+
+    std::vector<Edge> edges_;  // of the seam
     std::int64_t free_ = 0;
 };
 

@@ -66,13 +66,17 @@ std::optional<Stretch> wall_after(double end, int way, double wall, double side,
     return Stretch{sum.along / hits, sum.inward / hits};
 }
 
+double length_looked_at(const SeamLine& seam, double side) {
+    return std::max(
+        {shortest_wall_m, shortest_wall * side, std::min((seam.last - seam.first) / 2, longest_wall_m)});
+}
+
 }  // namespace
 
 std::optional<WallLine> wall_beyond(const SeamLine& seam, const Mask& objects, const CellSize& cell,
                                     int eaves) {
     const double side = std::sqrt(cell.area());
-    const double wall = std::max(
-        {shortest_wall_m, shortest_wall * side, std::min((seam.last - seam.first) / 2, longest_wall_m)});
+    const double wall = length_looked_at(seam, side);
     const Beside beside(seam, cell, objects);
     const std::optional<Stretch> after = wall_after(seam.last, 1, wall, side, eaves, beside);
     if (!after)
@@ -83,6 +87,18 @@ std::optional<WallLine> wall_beyond(const SeamLine& seam, const Mask& objects, c
     const double slope = (after->inward - before->inward) / (after->along - before->along);
     return WallLine{before->inward + slope * (seam.first - before->along),
                     before->inward + slope * (seam.last - before->along)};
+}
+
+std::optional<WallLine> wall_away_from(const MetrePlace& corner, const SeamLine& seam, const Mask& objects,
+                                       const CellSize& cell, int eaves) {
+    const double side = std::sqrt(cell.area());
+    const double at_corner =
+        (corner.x - seam.middle.x) * seam.along.x + (corner.y - seam.middle.y) * seam.along.y;
+    const bool is_last = at_corner < (seam.first + seam.last) / 2;
+    const std::optional<Stretch> wall =
+        wall_after(is_last ? seam.last : seam.first, is_last ? 1 : -1, length_looked_at(seam, side), side,
+                   eaves, Beside(seam, cell, objects));
+    return wall ? std::optional(WallLine{wall->inward, wall->inward}) : std::nullopt;
 }
 
 void clear_outside(const SeamLine& seam, const WallLine& wall, const Mask& roofs, const CellSize& cell,

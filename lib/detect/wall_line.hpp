@@ -34,6 +34,10 @@ struct WallLine {
 [[nodiscard]] std::optional<WallLine> wall_beyond(const SeamLine& seam, const Mask& objects,
                                                   const CellSize& cell, int eaves);
 
+/// The same beyond one end alone: that farther from a place, such as the corner where another wall meets it.
+[[nodiscard]] std::optional<WallLine> wall_away_from(const MetrePlace& corner, const SeamLine& seam,
+                                                     const Mask& objects, const CellSize& cell, int eaves);
+
 /// Clears cells that lie between a seam and its wall. @param roofs cells that stay
 void clear_outside(const SeamLine& seam, const WallLine& wall, const Mask& roofs, const CellSize& cell,
                    Mask& objects);

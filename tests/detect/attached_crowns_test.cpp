@@ -119,12 +119,22 @@ TEST(AttachedCrowns, AreCutOffASlantedWallWithinACell) {
         }
 }
 
-TEST(AttachedCrowns, NothingIsCutThroughTheCornerOfARoof) {
+TEST(AttachedCrowns, AreCutOffAtBothWallsOfACorner) {
     Leaning place(50, 80);
     place.roof(Block{10, 10, 30, 60});
     place.crown(31, 61, 6.5);
-    EXPECT_EQ(drawing(place.cut()), drawing(raised(place.town)));
-    EXPECT_TRUE(place.crowns.empty());
+    EXPECT_LE(cells_beside_roofs(place, place.cut()), 2 * leaves_like_a_roof);
+    EXPECT_EQ(place.crowns.size(), 1U);
+}
+
+TEST(AttachedCrowns, NothingIsCutWhereNoWallGoesOnFromTheCorner) {
+    Leaning place(50, 80);
+    place.roof(Block{10, 10, 30, 60});
+    place.crown(31, 61, 6.5);
+    place.roof(Block{30, 44, 40, 54}, 105);  // a wing in the way of one of the two
+    const Mask before = raised(place.town);
+    const Mask cut = place.cut();
+    EXPECT_EQ(cut.at(32, 63), before.at(32, 63));
 }
 
 TEST(AttachedCrowns, ATreeBetweenTwoBuildingsStays) {
