@@ -89,12 +89,12 @@ std::optional<WallLine> wall_beyond(const SeamLine& seam, const Mask& objects, c
                     before->inward + slope * (seam.last - before->along)};
 }
 
-std::optional<WallLine> wall_away_from(const MetrePlace& corner, const SeamLine& seam, const Mask& objects,
+std::optional<WallLine> wall_away_from(const MetrePlace& meeting, const SeamLine& seam, const Mask& objects,
                                        const CellSize& cell, int eaves) {
     const double side = std::sqrt(cell.area());
-    const double at_corner =
-        (corner.x - seam.middle.x) * seam.along.x + (corner.y - seam.middle.y) * seam.along.y;
-    const bool is_last = at_corner < (seam.first + seam.last) / 2;
+    const double at_meeting =
+        (meeting.x - seam.middle.x) * seam.along.x + (meeting.y - seam.middle.y) * seam.along.y;
+    const bool is_last = at_meeting < (seam.first + seam.last) / 2;
     const std::optional<Stretch> wall =
         wall_after(is_last ? seam.last : seam.first, is_last ? 1 : -1, length_looked_at(seam, side), side,
                    eaves, Beside(seam, cell, objects));

@@ -34,8 +34,8 @@ struct WallLine {
 [[nodiscard]] std::optional<WallLine> wall_beyond(const SeamLine& seam, const Mask& objects,
                                                   const CellSize& cell, int eaves);
 
-/// The same beyond one end alone: that farther from a place, such as the corner where another wall meets it.
-[[nodiscard]] std::optional<WallLine> wall_away_from(const MetrePlace& corner, const SeamLine& seam,
+/// The same beyond one end alone: that farther from a place, such as where another wall meets this one.
+[[nodiscard]] std::optional<WallLine> wall_away_from(const MetrePlace& meeting, const SeamLine& seam,
                                                      const Mask& objects, const CellSize& cell, int eaves);
 
 /// Clears cells that lie between a seam and its wall. @param roofs cells that stay
