@@ -12,7 +12,7 @@ constexpr std::size_t fewest_edges = 4;  // of a piece at a corner
 constexpr double sharpest = 0.8;         // cosine between two walls that meet
 constexpr int rounds_of_halving = 8;
 
-double along(const SeamLine& line, const MetrePlace& place) {
+double distance_along(const SeamLine& line, const MetrePlace& place) {
     return (place.x - line.middle.x) * line.along.x + (place.y - line.middle.y) * line.along.y;
 }
 
@@ -68,7 +68,7 @@ std::optional<SeamLine> PartSeam::fitted_line(double most_squared) const {
     if (line.inward.x * to_rest.x + line.inward.y * to_rest.y < 0)
         line.inward = {line.along.y, -line.along.x};
     for (const auto& [p, way] : edges_) {
-        const double t = along(line, p);
+        const double t = distance_along(line, p);
         line.first = std::min(line.first, t);
         line.last = std::max(line.last, t);
     }
@@ -92,7 +92,7 @@ std::optional<CornerSeam> PartSeam::corner(const CellSize& cell) const {
     // anew.
     std::vector<std::uint8_t> is_second(edges_.size());
     for (std::size_t i = 0; i < edges_.size(); ++i)
-        is_second[i] = along(*whole, edges_[i].middle) > 0 ? 1 : 0;
+        is_second[i] = distance_along(*whole, edges_[i].middle) > 0 ? 1 : 0;
     for (int round = 0; round < rounds_of_halving; ++round) {
         const std::optional<SeamLine> one = half(is_second, 0).fitted_line(any);
         const std::optional<SeamLine> other = half(is_second, 1).fitted_line(any);

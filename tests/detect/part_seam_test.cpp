@@ -19,21 +19,23 @@ PartSeam around_a_corner(std::int32_t below, std::int32_t beside) {
     return seam;
 }
 
+bool is_near(const MetrePlace& one, const MetrePlace& other) {
+    return std::hypot(one.x - other.x, one.y - other.y) < 1e-9;
+}
+
 TEST(PartSeam, HasTwoLinesAroundACorner) {
     const PartSeam seam = around_a_corner(8, 6);
     EXPECT_FALSE(seam.straight_line(half_metre).has_value());
-    const std::optional<CornerSeam> corner = seam.corner(half_metre);
-    ASSERT_TRUE(corner.has_value());
-    const bool turned = std::abs(corner->one.along.y) > 0.5;
-    const SeamLine& below = turned ? corner->other : corner->one;
-    const SeamLine& beside = turned ? corner->one : corner->other;
-    EXPECT_NEAR(below.middle.x, 26 * 0.5, 1e-9);  // of columns 22 to 29
-    EXPECT_NEAR(below.middle.y, 20 * 0.5, 1e-9);
-    EXPECT_NEAR(below.inward.y, -1, 1e-9);
+    const CornerSeam corner = seam.corner(half_metre).value();
+    const bool turned = std::abs(corner.one.along.y) > 0.5;
+    const SeamLine& below = turned ? corner.other : corner.one;
+    const SeamLine& beside = turned ? corner.one : corner.other;
+    // Of columns 22 to 29, and of rows 14 to 19.
+    EXPECT_TRUE(is_near(below.middle, {26 * 0.5, 20 * 0.5}));
+    EXPECT_TRUE(is_near(below.inward, {0, -1}));
     EXPECT_NEAR(below.last - below.first, 7 * 0.5, 1e-9);
-    EXPECT_NEAR(beside.middle.x, 30 * 0.5, 1e-9);
-    EXPECT_NEAR(beside.middle.y, 17 * 0.5, 1e-9);  // of rows 14 to 19
-    EXPECT_NEAR(beside.inward.x, -1, 1e-9);
+    EXPECT_TRUE(is_near(beside.middle, {30 * 0.5, 17 * 0.5}));
+    EXPECT_TRUE(is_near(beside.inward, {-1, 0}));
 }
 
 TEST(PartSeam, AShortPieceIsNoWall) {

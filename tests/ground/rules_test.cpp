@@ -1,5 +1,7 @@
 #include "ground/rules.hpp"
 
+#include <array>
+
 #include <gtest/gtest.h>
 
 #include "ground/estimate.hpp"
@@ -14,28 +16,25 @@ Terrain estimated(const test::Scene& scene, const Rules& rules) {
     return estimate(surface, scene.cell, GroundOptions{}.max_building_width, context, {}, rules);
 }
 
+/// Those that depend on the cell.
+std::array<double, 5> of_cells(const Rules& rules) {
+    return {rules.border_reach, rules.small_slope, rules.large_rise, rules.wall_share, rules.plateau_share};
+}
+
 TEST(GroundRules, CellsOfAMetreHaveTheUsualOnes) {
-    for (const double side : {0.1, 0.5, 1.0, 1.2}) {
-        const Rules rules = rules_for({side, side});
-        EXPECT_EQ(rules.border_reach, Rules().border_reach) << side;
-        EXPECT_EQ(rules.small_slope, Rules().small_slope) << side;
-        EXPECT_EQ(rules.large_rise, Rules().large_rise) << side;
-        EXPECT_EQ(rules.wall_share, Rules().wall_share) << side;
-        EXPECT_EQ(rules.plateau_share, Rules().plateau_share) << side;
-    }
+    for (const double side : {0.1, 0.5, 1.0, 1.2})
+        EXPECT_EQ(of_cells(rules_for({side, side})), of_cells({})) << side;
 }
 
 TEST(GroundRules, ChangeEvenlyUpToCellsOfTwoMetres) {
-    const Rules fine;
-    const Rules coarse = rules_for({2, 2});
-    const Rules between = rules_for({1.6, 1.6});
-    EXPECT_NEAR(between.border_reach, (fine.border_reach + coarse.border_reach) / 2, 1e-12);
-    EXPECT_NEAR(between.small_slope, (fine.small_slope + coarse.small_slope) / 2, 1e-12);
-    EXPECT_NEAR(between.large_rise, (fine.large_rise + coarse.large_rise) / 2, 1e-12);
-    EXPECT_NEAR(between.wall_share, (fine.wall_share + coarse.wall_share) / 2, 1e-12);
-    EXPECT_EQ(rules_for({5, 5}).border_reach, coarse.border_reach);
-    // Of cells that are not square, that of a square of the same area.
-    EXPECT_EQ(rules_for({1, 4}).border_reach, coarse.border_reach);
+    const std::array<double, 5> fine = of_cells({});
+    const std::array<double, 5> coarse = of_cells(rules_for({2, 2}));
+    const std::array<double, 5> between = of_cells(rules_for({1.6, 1.6}));
+    for (std::size_t k = 0; k < fine.size(); ++k)
+        EXPECT_NEAR(between[k], (fine[k] + coarse[k]) / 2, 1e-12) << k;
+    EXPECT_EQ(of_cells(rules_for({5, 5})), coarse);
+    // Of cells that are not square, those of a square of the same area.
+    EXPECT_EQ(of_cells(rules_for({1, 4})), coarse);
 }
 
 TEST(GroundRules, ARowOfHousesThatTheBorderCutsIsNoGroundOnCoarseCells) {
