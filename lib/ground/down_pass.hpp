@@ -102,9 +102,10 @@ class DownPass {
     }
 
     /// The value of a row in one of the strip's columns, neutral outside the grid.
-    T of_row(std::span<const T> source, std::int32_t j) const {
-        return first_ + j >= 0 && first_ + j < from_.cols ? source[static_cast<std::size_t>(first_ + j)]
-                                                          : Pick::template neutral<T>;
+    [[nodiscard]] T of_row(std::span<const T> source, std::int32_t j) const {
+        const std::int32_t col = first_ + j;
+        return col >= 0 && col < from_.cols ? source[static_cast<std::size_t>(col)]
+                                            : Pick::template neutral<T>;
     }
 
     void write(std::int32_t row, std::int32_t k, std::int32_t first, std::int32_t last) {
