@@ -209,7 +209,7 @@ TEST(Parcels, CutTheSameInTilesAsInOneRun) {
         whole.report = run_in_units(options, sources, {whole.sink}, {}, units);
         EXPECT_GT(whole.report.buildings, 40);
         for (const std::int32_t side : {1, 2}) {
-            WorkFolder folder;
+            TemporaryFolder folder;
             Result tiles;
             StepsInTiles(sources, options, {folder.path(), 7, side, units})
                 .run({side, side == 2, false, 2}, tiles);

@@ -26,7 +26,7 @@ using test::refusal;
 using test::Result;
 using test::some_plan;
 using test::StepsInTiles;
-using test::WorkFolder;
+using test::TemporaryFolder;
 
 constexpr UnitSize many_units{0, 64};
 
@@ -71,7 +71,7 @@ void name_rasters(Options& options, const fs::path& folder, const std::string& e
 
 /// @param window of the town, which is placed already
 void compare_rasters(MemorySource& dem, Options options) {
-    const WorkFolder folder;
+    const TemporaryFolder folder;
     options.ground.max_building_width = 20;  // units see 100 cells around
     name_rasters(options, folder.path(), ".tif");
     {
@@ -132,7 +132,7 @@ class RastersOfATown : public testing::Test {
 
     MemorySource dem_;
     Options options_;
-    WorkFolder folder_;
+    TemporaryFolder folder_;
 };
 
 TEST_F(RastersOfATown, AreMadeAgainWhereTheyAreGone) {

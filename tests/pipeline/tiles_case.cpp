@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <iterator>
 #include <string>
 
@@ -78,16 +77,6 @@ void expect_same(const RunReport& a, const RunReport& b) {
 }
 
 }  // namespace
-
-WorkFolder::WorkFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "d2b-tiles-XXXXXX").string();
-    path_ = ::mkdtemp(name.data());
-}
-
-WorkFolder::~WorkFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-}
 
 std::int64_t StepsInTiles::count() {
     PlannedSink sink(layers_);
@@ -180,7 +169,7 @@ void expect_same(const Result& a, const Result& b) {
 void expect_same_in_tiles(const Sources& sources, const Options& options, const UnitSize& units,
                           const TileOrder& order, Result& whole) {
     whole.report = run_in_units(options, sources, {whole.sink}, {}, units);
-    const WorkFolder folder;
+    const TemporaryFolder folder;
     Result tiles;
     StepsInTiles steps(sources, options, {folder.path(), some_plan, 1, units});
     steps.run(order, tiles);

@@ -7,21 +7,9 @@
 #include "dem2buildings/error.hpp"
 #include "pipeline/pipeline_case.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace d2b::test {
-
-/// A folder that is gone with this.
-class WorkFolder {
-  public:
-    WorkFolder();
-    WorkFolder(const WorkFolder&) = delete;
-    WorkFolder& operator=(const WorkFolder&) = delete;
-    ~WorkFolder();
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-  private:
-    std::filesystem::path path_;
-};
 
 inline constexpr std::uint64_t some_plan = 0x1234;
 

@@ -26,8 +26,8 @@ using test::refusal;
 using test::Result;
 using test::some_plan;
 using test::StepsInTiles;
+using test::TemporaryFolder;
 using test::TileOrder;
-using test::WorkFolder;
 
 Options options_of(unsigned seed) {
     Options options;
@@ -120,7 +120,7 @@ TEST(Tiles, OfBlocksThatSeamsCut) {
         whole.report = run_in_units(options, {dem}, {whole.sink}, {}, units);
         EXPECT_GE(whole.report.buildings, 7);
         for (const std::int32_t side : {1, 2, 5}) {
-            WorkFolder folder;
+            TemporaryFolder folder;
             Result tiles;
             StepsInTiles steps({dem}, options, {folder.path(), some_plan, side, units});
             steps.run({side, false, false, 2}, tiles);
@@ -142,7 +142,7 @@ TEST(Tiles, OfAClusterOverTwelveUnits) {
     test::place_in_utm(dem, 1);
     Options options = options_for_blocks();
     options.detect.split_height = 2;
-    const WorkFolder folder;
+    const TemporaryFolder folder;
     Result whole;
     whole.report = run_in_units(options, {dem}, {whole.sink}, {}, {0, 100});
     EXPECT_GE(whole.report.buildings, 60);
@@ -188,7 +188,7 @@ TEST(Tiles, OfContoursOrBuildingsAlone) {
         options.write.layers = layers;
         Result whole;
         whole.report = run_in_units(options, {dem}, {whole.sink}, {}, units);
-        WorkFolder folder;
+        TemporaryFolder folder;
         Result tiles;
         StepsInTiles({dem}, options, {folder.path(), some_plan, 1, units}, layers).run({}, tiles);
         EXPECT_GT(whole.sink.features.at(0).size(), 5U);
@@ -204,7 +204,7 @@ TEST(Tiles, OfOneColumnAndOfNothing) {
         test::place_in_utm(dem, 1);
         Result whole;
         whole.report = run_in_units(options_for_blocks(), {dem}, {whole.sink}, {}, {0, 64});
-        WorkFolder folder;
+        TemporaryFolder folder;
         Result tiles;
         StepsInTiles({dem}, options_for_blocks(), {folder.path(), some_plan, 1, {0, 64}}).run({}, tiles);
         EXPECT_EQ(whole.report.buildings, 0);
@@ -299,7 +299,7 @@ TEST(Tiles, OfATerrainThatIsPartlyNone) {
     ASSERT_FALSE(whole.report.warnings.empty());
     EXPECT_EQ(whole.report.warnings.front(), "60 cells are no ground.");
     DoubtfulTerrain terrain(sound);
-    const WorkFolder folder;
+    const TemporaryFolder folder;
     Result tiles;
     StepsInTiles({dem, &terrain}, options, {folder.path(), some_plan, 1, units}).run({}, tiles);
     expect_same(tiles, whole);
@@ -325,7 +325,7 @@ class TilesOfATown : public testing::Test {
     }
 
     MemorySource dem_;
-    WorkFolder folder_;
+    TemporaryFolder folder_;
 };
 
 TEST_F(TilesOfATown, AreNotDoneAgain) {

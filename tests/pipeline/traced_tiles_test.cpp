@@ -19,7 +19,7 @@ using test::random_town;
 using test::Result;
 using test::some_plan;
 using test::StepsInTiles;
-using test::WorkFolder;
+using test::TemporaryFolder;
 
 Options thesis(TraceMode trace, int lod) {
     Options options;
@@ -99,7 +99,7 @@ TEST(TracedTiles, OfRotatedGridsDegreesAndWindows) {
 TEST(TracedTiles, RefuseLinesThatAreDamaged) {
     MemorySource dem = random_town(5, {150, 170, 20, true, true});
     test::place_in_utm(dem, 1);
-    const WorkFolder folder;
+    const TemporaryFolder folder;
     Result result;
     StepsInTiles steps({dem}, thesis(TraceMode::points, 4), {folder.path(), some_plan, 1, {0, 80}});
     steps.run({1}, result);

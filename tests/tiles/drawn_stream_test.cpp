@@ -1,8 +1,6 @@
-#include <cstdlib>
-#include <system_error>
-
 #include <gtest/gtest.h>
 
+#include "support/temporary_folder.hpp"
 #include "tiles/drawn_tile.hpp"
 #include "tiles/recent_files.hpp"
 
@@ -21,17 +19,9 @@ DrawnContour contour(std::int32_t level, std::int32_t row, std::size_t vertices 
 
 class DrawnStreamTest : public testing::Test {
   protected:
-    DrawnStreamTest() {
-        std::string name = (fs::temp_directory_path() / "d2b-drawn-XXXXXX").string();
-        folder_ = ::mkdtemp(name.data());
-    }
-    ~DrawnStreamTest() override {
-        std::error_code ignored;
-        fs::remove_all(folder_, ignored);
-    }
     [[nodiscard]] SealedFile write(const DrawnBlocks& drawn) const {
-        write_sealed(folder_ / "0", seal_, {}, drawn.bytes());
-        return {folder_ / "0", seal_};
+        write_sealed(folder_.path() / "0", seal_, {}, drawn.bytes());
+        return {folder_.path() / "0", seal_};
     }
     static std::string error_of(DrawnStream& stream) {
         try {
@@ -43,7 +33,7 @@ class DrawnStreamTest : public testing::Test {
         return "none";
     }
 
-    fs::path folder_;
+    test::TemporaryFolder folder_;
     Seal seal_{TileStep::draw, 5, 0};
 };
 
@@ -87,10 +77,10 @@ TEST_F(DrawnStreamTest, ReadsNoBlockForItsKey) {
     drawn.add(contour(1, 5));
     drawn.finish();
     DrawnStream stream(write(drawn), drawn.blocks());
-    fs::remove(folder_ / "0");
+    fs::remove(folder_.path() / "0");
     EXPECT_EQ(stream.key(), (ContourKey{1, {5, 7}}));
     EXPECT_EQ(error_of(stream),
-              "'" + (folder_ / "0").string() +
+              "'" + (folder_.path() / "0").string() +
                   "' is damaged: it cannot be read any more; delete it and run 'draw' of tile 0 "
                   "again.");
 }

@@ -1,38 +1,30 @@
 #include "tiles/recent_files.hpp"
 
 #include <array>
-#include <cstdlib>
 #include <fstream>
-#include <system_error>
 
 #include <gtest/gtest.h>
+
+#include "support/temporary_folder.hpp"
 
 namespace d2b {
 namespace {
 
-namespace fs = std::filesystem;
-
 class RecentFilesTest : public testing::Test {
   protected:
     RecentFilesTest() {
-        std::string name = (fs::temp_directory_path() / "d2b-recent-XXXXXX").string();
-        folder_ = ::mkdtemp(name.data());
         for (const char* one : {"a", "b", "c"})
-            std::ofstream(folder_ / one) << one;
-    }
-    ~RecentFilesTest() override {
-        std::error_code ignored;
-        fs::remove_all(folder_, ignored);
+            std::ofstream(folder_.path() / one) << one;
     }
     [[nodiscard]] std::shared_ptr<const OpenFile> open(const char* name) {
-        return files_.open(folder_ / name);
+        return files_.open(folder_.path() / name);
     }
     static char letter(const OpenFile& file) {
         std::array<std::byte, 1> bytes{};
         return file.read(0, bytes) ? static_cast<char>(bytes[0]) : '?';
     }
 
-    fs::path folder_;
+    test::TemporaryFolder folder_;
     RecentFiles files_{RecentFiles::ReadAhead::none, 2};
 };
 
@@ -56,7 +48,7 @@ TEST_F(RecentFilesTest, StayOpenForThoseWhoHaveThem) {
 
 TEST_F(RecentFilesTest, AreLookedForAgainWhereThereWasNone) {
     EXPECT_FALSE(open("d")->is_open());
-    std::ofstream(folder_ / "d") << "d";
+    std::ofstream(folder_.path() / "d") << "d";
     EXPECT_EQ(letter(*open("d")), 'd');
 }
 

@@ -1,11 +1,11 @@
 #include "tiles/sealed_file.hpp"
 
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
 
 #include <gtest/gtest.h>
 
+#include "support/temporary_folder.hpp"
 #include "tiles/recent_files.hpp"
 
 namespace d2b {
@@ -23,15 +23,8 @@ std::vector<std::byte> bytes_from(const std::string& text) {
 class TileFiles : public testing::Test {
   protected:
     TileFiles() {
-        std::string name = (fs::temp_directory_path() / "d2b-sealed-XXXXXX").string();
-        folder_ = ::mkdtemp(name.data());
-        path_ = folder_ / "7";
         write_sealed(path_, seal, bytes_from("the body"), bytes_from("and the tail"));
         whole_ = content();
-    }
-    ~TileFiles() override {
-        std::error_code ignored;
-        fs::remove_all(folder_, ignored);
     }
     [[nodiscard]] std::string content() const {
         std::ifstream file(path_, std::ios::binary);
@@ -48,8 +41,8 @@ class TileFiles : public testing::Test {
         return "";
     }
 
-    fs::path folder_;
-    fs::path path_;
+    test::TemporaryFolder folder_;
+    fs::path path_ = folder_.path() / "7";
     std::string whole_;
 };
 

@@ -1,5 +1,4 @@
 #include <csignal>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <sys/resource.h>
@@ -9,51 +8,45 @@
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/spool.hpp"
 #include "support/spool_checks.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace d2b {
 namespace {
 
-/// A folder that is gone after the test.
 class SpoolFolder : public testing::Test {
   protected:
-    void SetUp() override {
-        std::string name = (std::filesystem::temp_directory_path() / "spool_test_XXXXXX").string();
-        ASSERT_NE(mkdtemp(name.data()), nullptr);
-        folder_ = name;
-    }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
-    [[nodiscard]] bool is_empty() const { return std::filesystem::is_empty(folder_); }
-    std::filesystem::path folder_;
+    [[nodiscard]] bool is_empty() const { return std::filesystem::is_empty(folder_.path()); }
+    test::TemporaryFolder folder_;
 };
 
 TEST_F(SpoolFolder, GivesBackWhatIsInMemory) {
-    FileSpool spool(folder_.string(), std::size_t{1} << 30);
+    FileSpool spool(folder_.path().string(), std::size_t{1} << 30);
     test::expect_gives_back(spool, 5'000'000);
 }
 
 TEST_F(SpoolFolder, GivesBackWhatIsInTheFile) {
-    FileSpool spool(folder_.string(), 0);
+    FileSpool spool(folder_.path().string(), 0);
     test::expect_gives_back(spool, 5'000'000);
 }
 
 TEST_F(SpoolFolder, GivesBackWhatIsPartlyInTheFile) {
-    FileSpool spool(folder_.string(), 6'000'000);
+    FileSpool spool(folder_.path().string(), 6'000'000);
     test::expect_gives_back(spool, 5'000'000);
 }
 
 TEST_F(SpoolFolder, IsThereForSeveralThreads) {
-    FileSpool spool(folder_.string(), 100'000);
+    FileSpool spool(folder_.path().string(), 100'000);
     test::expect_serves_threads(spool);
 }
 
 TEST_F(SpoolFolder, ItsFileHasNoName) {
-    FileSpool spool(folder_.string(), 0);
+    FileSpool spool(folder_.path().string(), 0);
     spool.append(test::some_bytes(10'000'000, 1));
     EXPECT_TRUE(is_empty());
 }
 
 TEST_F(SpoolFolder, WithoutAFolderItSaysWhatToDo) {
-    FileSpool spool((folder_ / "missing").string(), 100);
+    FileSpool spool((folder_.path() / "missing").string(), 100);
     EXPECT_EQ(spool.append(test::some_bytes(100, 1)), 0U);  // needs no file yet
     try {
         spool.append(test::some_bytes(100, 1));
@@ -61,7 +54,7 @@ TEST_F(SpoolFolder, WithoutAFolderItSaysWhatToDo) {
     } catch (const OutputError& error) {
         EXPECT_EQ(std::string(error.what()),
                   "The finished part of the result cannot be kept in a temporary file in '" +
-                      (folder_ / "missing").string() +
+                      (folder_.path() / "missing").string() +
                       "': No such file or directory; set CPL_TMPDIR to a folder with room.");
     }
 }
@@ -72,7 +65,7 @@ TEST_F(SpoolFolder, WithoutRoomItSaysWhatToDo) {
     const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
     const rlimit small{1'000'000, before.rlim_max};
     ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
-    FileSpool spool(folder_.string(), 0);
+    FileSpool spool(folder_.path().string(), 0);
     std::string message;
     try {
         spool.append(test::some_bytes(5'000'000, 1));
