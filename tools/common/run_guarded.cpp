@@ -10,8 +10,21 @@
 
 #include "common/exit_codes.hpp"
 #include "dem2buildings/error.hpp"
+#include "read/gdal_command_line.hpp"
 
 namespace d2b {
+namespace {
+
+int run(const std::vector<std::string>& arguments, const Tool& tool) {
+    if (arguments.empty()) {
+        std::cerr << tool.short_usage();
+        return exit_code::wrong_usage;
+    }
+    const auto left = apply_gdal_switches(arguments);
+    return left ? tool.run(*left) : exit_code::done;
+}
+
+}  // namespace
 
 void print_line(const char* kind, std::string text) {
     std::ranges::replace_if(
@@ -23,13 +36,12 @@ void refuse_lost_output() {
     throw OutputError("Cannot write to stdout; check whether the disk is full or the reader has gone.");
 }
 
-int run_guarded(const std::vector<std::string>& arguments, const std::string& memory_advice,
-                const std::function<int(const std::vector<std::string>&)>& run) {
+int run_guarded(int argc, char* argv[], const Tool& tool) {
     // At a limit of the size of files writing then fails, with a message, and cleans up.
     static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
-    const std::string no_memory = "There is not enough memory; " + memory_advice + ".";
+    const std::string no_memory = "There is not enough memory; " + tool.memory_advice + ".";
     try {
-        const int status = run(arguments);
+        const int status = run({argv + std::min(argc, 1), argv + argc}, tool);
         // What cannot be written, a report say, must not look as if it had been.
         // The second condition holds where GDAL could not write to /vsistdout/, of which it says nothing.
         if (!std::cout.flush() || std::ferror(stdout) != 0)

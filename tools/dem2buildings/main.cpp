@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -19,7 +18,6 @@
 #include "dem2buildings/spool.hpp"
 #include "dem2buildings/sweep.hpp"
 #include "dem2buildings/version.hpp"
-#include "read/gdal_command_line.hpp"
 #include "read/start_gdal.hpp"
 
 namespace d2b {
@@ -63,15 +61,8 @@ void process(const Request& request) {
     own_stdout.finish();
 }
 
-int run_tool(const std::vector<std::string>& arguments) {
-    if (arguments.empty()) {
-        std::cerr << short_usage();
-        return exit_code::wrong_usage;
-    }
-    const auto left = apply_gdal_switches(arguments);
-    if (!left)
-        return exit_code::done;
-    const Request request = parse_command_line(*left);
+int run_tool(const std::vector<std::string>& words) {
+    const Request request = parse_command_line(words);
     if (request.tool.help)
         std::cout << full_help();
     else if (request.tool.version)
@@ -93,7 +84,8 @@ int run_tool(const std::vector<std::string>& arguments) {
 }  // namespace d2b
 
 int main(int argc, char* argv[]) {
-    return d2b::run_guarded({argv + std::min(argc, 1), argv + argc},
-                            "use a part of the input (-srcwin, -projwin or -te) or fewer -threads",
-                            d2b::run_tool);
+    return d2b::run_guarded(
+        argc, argv,
+        {d2b::short_usage, "use a part of the input (-srcwin, -projwin or -te) or fewer -threads",
+         d2b::run_tool});
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CGAL/version.h>
-#include <algorithm>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -36,15 +35,8 @@ void make_mesh(const MeshCommand& command) {
     own_stdout.finish();
 }
 
-int run_tool(const std::vector<std::string>& arguments) {
-    if (arguments.empty()) {
-        std::cerr << mesh_short_usage();
-        return exit_code::wrong_usage;
-    }
-    const auto left = apply_gdal_switches(arguments);
-    if (!left)
-        return exit_code::done;
-    const MeshCommand command = parse_mesh_command_line(*left);
+int run_tool(const std::vector<std::string>& words) {
+    const MeshCommand command = parse_mesh_command_line(words);
     if (command.help)
         std::cout << mesh_help();
     else if (command.version)
@@ -63,6 +55,6 @@ int run_tool(const std::vector<std::string>& arguments) {
 }  // namespace d2b::mesh
 
 int main(int argc, char* argv[]) {
-    return d2b::run_guarded({argv + std::min(argc, 1), argv + argc}, "mesh a smaller part of the city",
-                            d2b::mesh::run_tool);
+    return d2b::run_guarded(
+        argc, argv, {d2b::mesh::mesh_short_usage, "mesh a smaller part of the city", d2b::mesh::run_tool});
 }

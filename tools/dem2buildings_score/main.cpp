@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -34,15 +33,8 @@ void measure(const ScoreCommand& request) {
     own_stdout.finish();
 }
 
-int run_tool(const std::vector<std::string>& arguments) {
-    if (arguments.empty()) {
-        std::cerr << score_short_usage();
-        return exit_code::wrong_usage;
-    }
-    const auto left = apply_gdal_switches(arguments);
-    if (!left)
-        return exit_code::done;
-    const ScoreCommand request = parse_score_command_line(*left);
+int run_tool(const std::vector<std::string>& words) {
+    const ScoreCommand request = parse_score_command_line(words);
     if (request.help)
         std::cout << score_help();
     else if (request.version)
@@ -59,6 +51,7 @@ int run_tool(const std::vector<std::string>& arguments) {
 }  // namespace d2b
 
 int main(int argc, char* argv[]) {
-    return d2b::run_guarded({argv + std::min(argc, 1), argv + argc},
-                            "clip the footprints and the reference to a part of the city", d2b::run_tool);
+    return d2b::run_guarded(argc, argv,
+                            {d2b::score_short_usage,
+                             "clip the footprints and the reference to a part of the city", d2b::run_tool});
 }

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -15,7 +14,6 @@
 #include "dem2buildings_tiles/command_line.hpp"
 #include "dem2buildings_tiles/help.hpp"
 #include "dem2buildings_tiles/steps.hpp"
-#include "read/gdal_command_line.hpp"
 #include "read/start_gdal.hpp"
 
 namespace d2b {
@@ -33,15 +31,8 @@ void process(const TileCommand& command) {
     own_stdout.finish();
 }
 
-int run_tool(const std::vector<std::string>& arguments) {
-    if (arguments.empty()) {
-        std::cerr << tiles_short_usage();
-        return exit_code::wrong_usage;
-    }
-    const auto left = apply_gdal_switches(arguments);
-    if (!left)
-        return exit_code::done;
-    const TileCommand command = parse_tile_command_line(*left);
+int run_tool(const std::vector<std::string>& words) {
+    const TileCommand command = parse_tile_command_line(words);
     if (command.text == "help")
         std::cout << tiles_help();
     else if (command.text == "version")
@@ -59,6 +50,6 @@ int run_tool(const std::vector<std::string>& arguments) {
 }  // namespace d2b
 
 int main(int argc, char* argv[]) {
-    return d2b::run_guarded({argv + std::min(argc, 1), argv + argc},
-                            "plan smaller tiles, or use fewer -threads", d2b::run_tool);
+    return d2b::run_guarded(
+        argc, argv, {d2b::tiles_short_usage, "plan smaller tiles, or use fewer -threads", d2b::run_tool});
 }
