@@ -36,7 +36,7 @@ void refuse_lost_output() {
     throw OutputError("Cannot write to stdout; check whether the disk is full or the reader has gone.");
 }
 
-int run_guarded(int argc, char* argv[], const Tool& tool) {
+int run_guarded(int argc, const char* const* argv, const Tool& tool) {
     // At a limit of the size of files writing then fails, with a message, and cleans up.
     static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
     const std::string no_memory = "There is not enough memory; " + tool.memory_advice + ".";

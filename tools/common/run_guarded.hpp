@@ -22,6 +22,6 @@ struct Tool {
 
 /// Runs a tool with every exception as a line on stderr and an exit status; what cannot be written to stdout
 /// is an error, too. @return the exit status, of exit_codes.hpp
-[[nodiscard]] int run_guarded(int argc, char* argv[], const Tool& tool);
+[[nodiscard]] int run_guarded(int argc, const char* const* argv, const Tool& tool);
 
 }  // namespace d2b
