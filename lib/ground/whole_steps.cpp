@@ -12,8 +12,9 @@ namespace d2b::ground {
 namespace {
 
 constexpr std::int32_t most = 32766;
-constexpr std::uint32_t near = 1U << 14U;        // steps: a bit, so that no comparison is needed
+constexpr std::int32_t near = 1 << 14;           // steps: a bit, so that no comparison is needed
 constexpr std::int32_t farthest_step = 1638400;  // a float this far from 0 still has a tenth of a step
+constexpr float beyond = 1 << 30;  // steps: what is farther, of whatever a float holds, is taken for it
 constexpr std::int16_t none = no_value_of<std::int16_t>;
 
 /// The lowest and highest elevation; the other way round where there is none.
@@ -62,7 +63,7 @@ float metres_of(std::int32_t steps, float in_metre) {
 /// What a row has that no steps can hold.
 struct Lacks {
     std::int32_t broken = 0;  ///< not 0 where one of them is no whole number of steps, bit by bit: -0 is none
-    std::uint32_t far = 0;    ///< not 0 where one is farther than `near` from the base
+    std::int32_t far = 0;     ///< not 0 where one is farther than `near` from the base
     std::int32_t gaps = 0;
 };
 
@@ -77,15 +78,13 @@ D2B_FOR_EACH_PROCESSOR void take_row(std::span<const float> metres, std::int32_t
         const auto bits = std::bit_cast<std::int32_t>(metres[j]);
         const std::int32_t known = all_bits_if(bits != no_value_bits);
         const float whole = (std::bit_cast<float>(bits & known) * in_each + rounder) - rounder;
-        const auto steps = static_cast<std::int32_t>(whole);
-        // Unsigned: what is too far for 32 bits comes round, and is far all the same.
-        const std::uint32_t from_base =
-            (static_cast<std::uint32_t>(steps) - static_cast<std::uint32_t>(base)) &
-            static_cast<std::uint32_t>(known);
+        const float above = whole > -beyond ? whole : -beyond;
+        const auto steps = static_cast<std::int32_t>(above < beyond ? above : beyond);
+        const std::int32_t from_base = (steps - base) & known;
         here.broken |= std::bit_cast<std::int32_t>(metres_of(steps, in_each)) ^ (bits & known);
         here.far |= (from_base + near) & ~(2 * near - 1);
         here.gaps |= ~known;
-        values[j] = static_cast<std::int16_t>(static_cast<std::int32_t>(from_base) | (none & ~known));
+        values[j] = static_cast<std::int16_t>(from_base | (none & ~known));
     }
     lacks = here;
 }
@@ -102,7 +101,7 @@ std::span<const float> row_of(const MetreGrid& grid, const Tile& place, std::int
 bool WholeSteps::take_near(float metre, const MetreGrid& metres, const Tile& place) {
     in_metre = 100;
     const double steps = std::round(static_cast<double>(metre) * in_metre);
-    if (!(std::abs(steps) < farthest_step - static_cast<double>(near)))
+    if (!(std::abs(steps) < farthest_step - near))
         return false;
     base = static_cast<std::int32_t>(steps);
     Lacks lacks;

@@ -66,6 +66,10 @@ TEST(WholeSteps, AreNotTakenOfWhatHasNone) {
     EXPECT_FALSE(take(steps, row_of({20000, 20001}))) << "a float has not its centimetres";
     EXPECT_FALSE(take(steps, row_of({no_value, no_value})));
     EXPECT_FALSE(take(steps, row_of({1, std::numeric_limits<float>::infinity()})));
+    for (const float far : {3e7F, 1e30F, std::numeric_limits<float>::infinity()}) {
+        EXPECT_FALSE(take(steps, row_of({far, 1, 3}))) << "no whole number of 32 bits beside one that is";
+        EXPECT_FALSE(take(steps, row_of({-far, 1, 3})));
+    }
 }
 
 /// Divided as floats they are what a division of doubles gives that is rounded once more: none of them lies
