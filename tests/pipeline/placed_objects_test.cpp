@@ -1,0 +1,71 @@
+#include "pipeline/tiles/placed_objects.hpp"
+
+#include <gtest/gtest.h>
+
+namespace d2b {
+namespace {
+
+using Labels = std::vector<Label>;
+
+/// Two units side by side, each a tile, of 100 rows. Unit 0 has a building at the seam (label 2) and one
+/// that lies alone (1); unit 1 sees the first as well (1), owns more of it, and has another alone (2).
+class TwoTiles : public testing::Test {
+  protected:
+    TwoTiles() {
+        UnitEdges right;
+        right.left = {Labels{0, 1, 1}, Labels{0, 1, 1}};
+        UnitEdges left;
+        left.right = {Labels{0, 2, 2}, Labels{0, 2, 2}};
+        // The later unit comes first, as it does where tiles have several rows of units.
+        put(1, {seen(60), seen(40)}, {{0, 100, 10, 6}, {50, 150, 5, 8}}, right);
+        put(0, {seen(25), seen(30)}, {{80, 10, 5, 5}, {0, 94, 10, 6}}, left);
+        seams.compare_known();
+        UnitMerger::Merged merged = seams.merger().finish(1);
+        placed.place(seams.take(), std::move(merged));
+    }
+    static SeenObject seen(std::int64_t own_cells) {
+        return {{0.9, Doubt::rough, own_cells}, true, 7, own_cells};
+    }
+    void put(std::int64_t unit, std::vector<SeenObject> objects, std::vector<Window> boxes, UnitEdges edges) {
+        FoundUnit found{std::move(objects), std::move(boxes), {}, std::move(edges)};
+        std::int64_t doubtful_ones = 0;
+        const UnitObjects divided = divide_objects(found, {}, doubtful_ones);
+        lone.put(unit, divided);
+        seams.put(unit, std::move(found), divided);
+        seams.compare_known();
+    }
+
+    UnitGrid units{Window{0, 0, 100, 200}, CellSize{1, 1}, 64, UnitSize{0, 100}};
+    TileGrid tiles{units, 1};
+    LoneObjects lone{std::make_unique<MemorySpool>(), 2};
+    SeamObjects seams{2, 2};
+    PlacedObjects placed{tiles, lone, seams};
+};
+
+TEST_F(TwoTiles, TheTileWithMostOfItDrawsWhatLiesAtTheSeam) {
+    ASSERT_EQ(tiles.count(), 2);
+    const std::vector<PlacedObject> left = placed.of(0);
+    ASSERT_EQ(left.size(), 1U);
+    EXPECT_EQ(left[0].seen.own_cells, 25);
+    EXPECT_EQ(left[0].joined, PlacedObject::none);
+
+    // In the order of the units that saw them first, with all cells and a box around both parts.
+    const std::vector<PlacedObject> right = placed.of(1);
+    ASSERT_EQ(right.size(), 2U);
+    EXPECT_EQ(right[0].unit, 0);
+    EXPECT_EQ(right[0].label, 2U);
+    EXPECT_EQ(right[0].seen.own_cells, 90);
+    EXPECT_EQ(right[0].box, (Window{0, 94, 10, 12}));
+    EXPECT_EQ(right[1].unit, 1);
+    EXPECT_EQ(right[1].label, 2U);
+}
+
+TEST_F(TwoTiles, WhatAnotherTileDrawsIsOneMoreThanTheBuildings) {
+    EXPECT_EQ(placed.labels_for(0, placed.of(0)).number, (Labels{0, 1, 2}));
+    EXPECT_EQ(placed.labels_for(1, placed.of(0)).number, (Labels{0, 2, 2}));
+    EXPECT_EQ(placed.labels_for(0, placed.of(1)).number, (Labels{0, 3, 1}));
+    EXPECT_EQ(placed.labels_for(1, placed.of(1)).number, (Labels{0, 1, 2}));
+}
+
+}  // namespace
+}  // namespace d2b
