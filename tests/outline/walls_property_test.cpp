@@ -159,6 +159,8 @@ TEST_P(RandomWalls, ComeOutTheSameWhereverTheWindowIs) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomWalls, testing::Range(0U, 90U));
+/// Nodes that had to go back twice, and whose arcs did not change meanwhile.
+INSTANTIATE_TEST_SUITE_P(StubbornSeeds, RandomWalls, testing::Values(1063U, 1123U, 1317U, 2112U, 2967U));
 
 }  // namespace
 }  // namespace d2b

@@ -1,6 +1,7 @@
 #include "outline/walls/wall_rounds.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace d2b {
@@ -79,10 +80,12 @@ void WallRounds::collect(std::vector<std::uint32_t>& changed) {
 }
 
 /// A node that has gone so far that an arc on which it stands leaves its trace goes back; else the arc does.
+/// What follows its trace closer may bring nothing to an arc, which then is not among those that change.
 void WallRounds::check_deviations(const std::vector<std::uint32_t>& changed) {
-    for (const std::uint32_t arc : changed) {
-        if (deviations_[arc] <= options_.tolerance)
-            continue;
+    std::vector<std::uint32_t> far;
+    std::ranges::set_union(changed, far_, std::back_inserter(far));
+    std::erase_if(far, [&](std::uint32_t arc) { return deviations_[arc] <= options_.tolerance; });
+    for (const std::uint32_t arc : far) {
         bool any = false;
         for (const std::uint32_t node : graph_.ends[arc])
             if (drawing_.displaced(node) > options_.tolerance / 2)
@@ -92,6 +95,7 @@ void WallRounds::check_deviations(const std::vector<std::uint32_t>& changed) {
             follow_nodes(arc);
         in_conflict_[graph_.part_of[graph_.chain_of[arc]]] = true;
     }
+    far_ = std::move(far);
 }
 
 bool WallRounds::follow_closer(const Place& place) {

@@ -51,6 +51,7 @@ class WallRounds {
     SegmentGrid::Arcs arcs_;
     std::vector<std::vector<std::uint32_t>> steps_;  // of an arc's vertices in its chain
     std::vector<double> deviations_;                 // of an arc
+    std::vector<std::uint32_t> far_;                 // arcs that were too far from their traces, ascending
     std::vector<bool> in_conflict_;                  // parts, this round
     DrawnChain drawn_;
     RingAreas areas_;
