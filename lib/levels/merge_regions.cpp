@@ -109,15 +109,22 @@ void merge_up_to(RegionGraph& graph, double price, std::vector<std::uint32_t>& r
 /// For each region whether it holds a square of so many cells' width.
 std::vector<bool> wide_regions(const BuildingCells& cells, Image& image, int width, const StopRequest& stop) {
     std::vector<bool> wide(image.graph.size());
-    std::vector<std::int32_t> side(cells.elevations.size(), 1);  // of the largest square that ends at a cell
+    /// The largest square that ends at a cell within its region.
+    struct Corner {
+        std::uint32_t region = RegionGraph::none;
+        std::int32_t side = 1;
+    };
+    std::vector<Corner> corners(cells.elevations.size());
     CellNeighbours(cells, stop)
         .for_each([&](std::uint32_t cell, std::uint32_t left, std::uint32_t up, std::uint32_t up_left) {
             const std::uint32_t region = image.region(cell);
             const auto within = [&](std::uint32_t other) {
-                return other != CellNeighbours::none && image.region(other) == region ? side[other] : 0;
+                return other != CellNeighbours::none && corners[other].region == region ? corners[other].side
+                                                                                        : 0;
             };
-            side[cell] = 1 + std::min({within(left), within(up), within(up_left)});
-            if (side[cell] >= width)
+            const std::int32_t side = 1 + std::min({within(left), within(up), within(up_left)});
+            corners[cell] = {region, side};
+            if (side >= width)
                 wide[region] = true;
         });
     return wide;

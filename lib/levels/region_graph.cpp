@@ -1,6 +1,7 @@
 #include "levels/region_graph.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace d2b {
@@ -30,22 +31,24 @@ void RegionGraph::add_border(std::uint32_t a, std::uint32_t b, std::uint32_t len
 
 void RegionGraph::gather(std::uint32_t root_of) {
     Borders& borders = borders_[root_of];
-    std::size_t kept = 0;
-    for (const Border& border : borders) {
-        const std::uint32_t other = root(border.region);
+    Border* const all = borders.data();
+    const std::size_t count = borders.size();
+    std::uint32_t kept = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::uint32_t length = all[k].length;
+        const std::uint32_t other = root(all[k].region);
         if (other == root_of)
             continue;
-        if (place_[other] == none) {
-            place_[other] = static_cast<std::uint32_t>(kept);
-            borders[kept++] = {other, border.length};
+        const std::uint32_t place = place_[other];
+        if (place == none) {
+            place_[other] = kept;
+            all[kept++] = {other, length};
         } else {
-            borders[place_[other]].length += border.length;
+            all[place].length += length;
         }
     }
-    borders.erase(borders.begin() + static_cast<std::ptrdiff_t>(kept), borders.end());
-    given_[root_of] = static_cast<std::uint32_t>(kept);
-    for (const Border& border : borders)
-        place_[border.region] = none;
+    borders.resize(kept);
+    given_[root_of] = kept;
 }
 
 bool RegionGraph::still_holds(std::uint32_t root_of) const {
@@ -61,12 +64,15 @@ RegionGraph::Neighbour RegionGraph::cheapest(std::uint32_t root_of) {
     if (still_holds(root_of))
         return cheapest_[root_of].neighbour;
     gather(root_of);
-    Neighbour best;
+    Neighbour best{none, std::numeric_limits<double>::infinity()};
     const Region here = regions_[root_of];
+    const double own = own_border_;
     for (const Border& border : borders_[root_of]) {
-        const double cost = added_error(here, regions_[border.region]) / (border.length + own_border_);
-        if (best.region == none || cost < best.cost || (cost == best.cost && border.region < best.region))
-            best = {border.region, cost};
+        place_[border.region] = none;
+        const double cost = added_error(here, regions_[border.region]) / (border.length + own);
+        const bool better = (cost < best.cost) | ((cost == best.cost) & (border.region < best.region));
+        best.cost = better ? cost : best.cost;
+        best.region = better ? border.region : best.region;
     }
     cheapest_[root_of] = {best, merges_};
     return best;

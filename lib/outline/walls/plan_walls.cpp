@@ -32,6 +32,7 @@ class Planner {
         std::uint8_t before = 0;  // the cheapest family to stand before a wall of this one
     };
     using States = std::array<State, families>;
+    using Costs = std::array<double, families>;
 
     void turn_to(double direction) {
         const double c = std::cos(direction);
@@ -55,7 +56,10 @@ class Planner {
     }
     [[nodiscard]] double misfit(std::size_t first, std::size_t last, const Line& line, double squares) const;
     void find_before(std::size_t point);
+    void begin_at(std::size_t point);
     void extend(std::size_t from, std::size_t to, const WallSamples::Sums& sums, double least);
+    void extend(std::size_t from, std::size_t to, std::size_t family, const WallSamples::Sums& sums,
+                double least);
     [[nodiscard]] std::vector<WallPiece> trace_back(const std::vector<std::size_t>& points) const;
 
     const WallSamples& samples_;
@@ -64,6 +68,7 @@ class Planner {
     std::array<Vec, WallPiece::free> directions_{};
     const std::vector<std::size_t>* points_ = nullptr;
     std::vector<States> states_;
+    std::vector<Costs> spent_;  // by point: of a wall of a family from it on, as far as it lies on its line
 };
 
 /// Neighbours are not parallel.
@@ -86,24 +91,41 @@ double Planner::misfit(std::size_t first, std::size_t last, const Line& line, do
     return straight ? style_.misfit(squares, static_cast<double>(last - first)) : squares / variance;
 }
 
+/// What walls that begin at a point cost with all before them, but for how far they lie from their lines.
+void Planner::begin_at(std::size_t point) {
+    for (std::size_t f = 0; f < families; ++f) {
+        const double before = point == 0 ? 0 : states_[point][states_[point][f].before].cost;
+        spent_[point][f] = allowed(f) ? before + style_.price * prices[f] : infinite;
+    }
+}
+
 /// @param least squares from the best line of any direction
 void Planner::extend(std::size_t from, std::size_t to, const WallSamples::Sums& sums, double least) {
-    for (std::size_t f = 0; f < families; ++f) {
-        if (!allowed(f))
-            continue;
-        const std::uint8_t before = states_[from][f].before;
-        const double spent = (from == 0 ? 0 : states_[from][before].cost) + style_.price * prices[f];
-        if (!(spent + style_.misfit(least, sums.n) < states_[to][f].cost))
-            continue;
-        const double squares = f < WallPiece::free ? sums.squares(directions_[f]) : least;
-        if (!(spent + style_.misfit(squares, sums.n) < states_[to][f].cost))
-            continue;
-        const double cost = spent + misfit((*points_)[from], (*points_)[to], line(f, sums), squares);
-        if (!(cost < states_[to][f].cost))
-            continue;
-        const double limit = style_.tolerance - wall_clearance;
-        if (samples_.near((*points_)[from], (*points_)[to], line(f, sums), limit))
-            states_[to][f] = {cost, static_cast<std::uint32_t>(from), before, 0};
+    const double misfit = style_.misfit(least, sums.n);
+    const Costs& spent = spent_[from];
+    const States& reached = states_[to];
+    for (std::size_t f = 0; f < families; ++f)
+        if (spent[f] + misfit < reached[f].cost)  // mostly it is not
+            extend(from, to, f, sums, least);
+}
+
+void Planner::extend(std::size_t from, std::size_t to, std::size_t family, const WallSamples::Sums& sums,
+                     double least) {
+    State& reached = states_[to][family];
+    const double spent = spent_[from][family];
+    const double squares = family < WallPiece::free ? sums.squares(directions_[family]) : least;
+    if (!(spent + style_.misfit(squares, sums.n) < reached.cost))
+        return;
+    const Line along = line(family, sums);
+    const double cost = spent + misfit((*points_)[from], (*points_)[to], along, squares);
+    if (!(cost < reached.cost))
+        return;
+    const double limit = style_.tolerance - wall_clearance;
+    if (samples_.near((*points_)[from], (*points_)[to], along, limit)) {
+        reached.cost = cost;
+        reached.from = static_cast<std::uint32_t>(from);
+        reached.family = states_[from][family].before;
+        reached.before = 0;
     }
 }
 
@@ -138,6 +160,8 @@ std::optional<std::vector<WallPiece>> Planner::plan(const std::vector<std::size_
     turn_to(direction);
     points_ = &points;
     states_.assign(points.size(), {});
+    spent_.resize(points.size());
+    begin_at(0);
     for (std::size_t to = 1; to < points.size(); ++to) {
         stop_.check();
         for (std::size_t from = to; from-- > 0 && to - from <= window;) {
@@ -151,6 +175,7 @@ std::optional<std::vector<WallPiece>> Planner::plan(const std::vector<std::size_
             extend(from, to, sums, least);
         }
         find_before(to);
+        begin_at(to);
     }
     const States& last = states_.back();
     if (std::ranges::all_of(last, [](const State& state) { return state.cost == infinite; }))
