@@ -8,6 +8,7 @@
 
 #include "core/grid.hpp"
 #include "ground/line_pass.hpp"
+#include "ground/rows.hpp"
 
 namespace d2b::ground {
 
@@ -28,43 +29,55 @@ struct Higher {
     }
 };
 
-/// Van Herk's and Gil and Werman's algorithm on whole rows: lines run down, `shift` columns a row. Columns
-/// are taken in strips whose rows stay in the cache.
+/// Van Herk's and Gil and Werman's algorithm on whole rows: lines run down, `shift` columns a row. Blocks as
+/// long as a line are worked on from the first row to the last.
 template <typename Pick, typename T>
 class DownPass {
   public:
-    DownPass(const Grid<T>& from, Grid<T>& into, std::int32_t radius, std::int32_t shift)
+    DownPass(Rows<const T> from, Rows<T> into, std::int32_t radius, std::int32_t shift)
         : from_(from), into_(into), radius_(radius), shift_(shift) {}
 
+    /// Columns are taken in strips whose rows stay in the cache.
     void run() {
         constexpr std::int32_t strip = 2048;
-        for (std::int32_t first = 0; first < from_.cols; first += strip)
-            run_strip(first, std::min(first + strip, from_.cols));
-    }
-
-  private:
-    void run_strip(std::int32_t first, std::int32_t last) {
-        margin_ = shift_ == 0 ? 0 : radius_;
-        first_ = first - margin_;
-        cols_ = last - first + 2 * margin_;
-        const std::int32_t length = 2 * radius_ + 1;
-        suffix_.assign(static_cast<std::size_t>(length) * static_cast<std::size_t>(cols_),
-                       Pick::template neutral<T>);
-        prefix_.assign(static_cast<std::size_t>(cols_), Pick::template neutral<T>);
-        other_ = prefix_;
-        for (std::int32_t top = 0; top < from_.rows; top += length) {
-            fill_suffixes(top);
-            std::fill(prefix_.begin(), prefix_.end(), Pick::template neutral<T>);
-            for (std::int32_t k = 0; k < length && top + k < from_.rows; ++k) {
-                if (k > 0) {
-                    extend(prefix_.data(), other_.data(), top + radius_ + k, -shift_);
-                    prefix_.swap(other_);
-                }
-                write(top + k, k, first, last);
-            }
+        for (std::int32_t first = 0; first < from_.cols; first += strip) {
+            begin(first, std::min(first + strip, from_.cols));
+            for (std::int32_t top = 0; top < from_.rows; top += length())
+                block(top, {});
         }
     }
 
+    [[nodiscard]] std::int32_t length() const { return 2 * radius_ + 1; }
+
+    /// Some columns, before their first block.
+    void begin(std::int32_t first, std::int32_t last) {
+        margin_ = shift_ == 0 ? 0 : radius_;
+        first_ = first - margin_;
+        last_ = last;
+        cols_ = last - first + 2 * margin_;
+        suffix_.assign(static_cast<std::size_t>(length()) * static_cast<std::size_t>(cols_),
+                       Pick::template neutral<T>);
+        prefix_.assign(static_cast<std::size_t>(cols_), Pick::template neutral<T>);
+        other_ = prefix_;
+    }
+
+    /// The rows from `top` on. It reads `radius` rows more on both sides.
+    /// @param after called with the columns of each row
+    void block(std::int32_t top, const AfterRow<T>& after) {
+        fill_suffixes(top);
+        std::fill(prefix_.begin(), prefix_.end(), Pick::template neutral<T>);
+        for (std::int32_t k = 0; k < length() && top + k < from_.rows; ++k) {
+            if (k > 0) {
+                extend(prefix_.data(), other_.data(), top + radius_ + k, -shift_);
+                prefix_.swap(other_);
+            }
+            const std::span<T> row = write(top + k, k);
+            if (after)
+                after(row);
+        }
+    }
+
+  private:
     T* suffix(std::int32_t k) { return suffix_.data() + static_cast<std::ptrdiff_t>(k) * cols_; }
 
     /// suffix k: lines from row top - radius + k to the block's last row, top + radius.
@@ -88,42 +101,43 @@ class DownPass {
         // Beside the grid all is neutral, which changes no line.
         const std::int32_t grid_begin = std::clamp(-first_, begin, end);
         const std::int32_t grid_end = std::clamp(from_.cols - first_, grid_begin, end);
-        const std::span<const T> source = from_.row(row);
-        const T* cells = source.data();
+        const T* cells = from_.row(row);
         const Pick pick;
         std::copy(old + begin + step, old + grid_begin + step, out + begin);
         for (std::int32_t j = grid_begin; j < grid_end; ++j)
             out[j] = pick(cells[first_ + j], old[j + step]);
         std::copy(old + grid_end + step, old + end + step, out + grid_end);
         for (std::int32_t j = 0; j < begin; ++j)
-            out[j] = of_row(source, j);
+            out[j] = of_row(cells, j);
         for (std::int32_t j = end; j < cols_; ++j)
-            out[j] = of_row(source, j);
+            out[j] = of_row(cells, j);
     }
 
     /// The value of a row in one of the strip's columns, neutral outside the grid.
-    [[nodiscard]] T of_row(std::span<const T> source, std::int32_t j) const {
+    [[nodiscard]] T of_row(const T* cells, std::int32_t j) const {
         const std::int32_t col = first_ + j;
-        return col >= 0 && col < from_.cols ? source[static_cast<std::size_t>(col)]
-                                            : Pick::template neutral<T>;
+        return col >= 0 && col < from_.cols ? cells[col] : Pick::template neutral<T>;
     }
 
-    void write(std::int32_t row, std::int32_t k, std::int32_t first, std::int32_t last) {
+    std::span<T> write(std::int32_t row, std::int32_t k) {
         const std::int32_t aside = shift_ * radius_;
+        const std::int32_t count = cols_ - 2 * margin_;
         const T* behind = suffix(k) + (margin_ - aside);
         const T* ahead = prefix_.data() + (margin_ + aside);
-        T* out = into_.row(row).data() + first;
+        T* out = into_.row(row) + (last_ - count);
         const Pick pick;
-        for (std::int32_t j = 0; j < last - first; ++j)
+        for (std::int32_t j = 0; j < count; ++j)
             out[j] = pick(behind[j], ahead[j]);
+        return {out, static_cast<std::size_t>(count)};
     }
 
-    const Grid<T>& from_;
-    Grid<T>& into_;
+    Rows<const T> from_;
+    Rows<T> into_;
     std::int32_t radius_;
     std::int32_t shift_;
     std::int32_t margin_ = 0;
     std::int32_t first_ = 0;  ///< column of the strip's first, margin included
+    std::int32_t last_ = 0;   ///< column behind the strip, without a margin
     std::int32_t cols_ = 0;
     std::vector<T> suffix_, prefix_, other_;
 };

@@ -40,6 +40,19 @@ D2B_FOR_EACH_PROCESSOR void line_pass(const Grid<std::int16_t>& from, Grid<std::
     either_pass(from, into, line, which, radius);
 }
 
+D2B_FOR_EACH_PROCESSOR void double_pass(const Grid<float>& from, Grid<float>& into, Line line, Extremum first,
+                                        std::int32_t radius, const AfterRow<float>& between,
+                                        const AfterRow<float>& after) {
+    either_double_pass(from, into, line, first, radius, between, after);
+}
+
+D2B_FOR_EACH_PROCESSOR void double_pass(const Grid<std::int16_t>& from, Grid<std::int16_t>& into, Line line,
+                                        Extremum first, std::int32_t radius,
+                                        const AfterRow<std::int16_t>& between,
+                                        const AfterRow<std::int16_t>& after) {
+    either_double_pass(from, into, line, first, radius, between, after);
+}
+
 MetreGrid lowest_around(const MetreGrid& grid, Executor& threads) {
     MetreGrid around = MetreGrid::unset(grid.rows, grid.cols, threads);
     for_row_bands(threads, grid.rows, grid.cols, [&](RowBand band) {

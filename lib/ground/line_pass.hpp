@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <span>
 
 #include "core/executor.hpp"
 #include "core/grid.hpp"
@@ -28,6 +30,19 @@ inline constexpr std::int16_t no_value_of<std::int16_t> = 32767;
 void line_pass(const Grid<float>& from, Grid<float>& into, Line line, Extremum which, std::int32_t radius);
 void line_pass(const Grid<std::int16_t>& from, Grid<std::int16_t>& into, Line line, Extremum which,
                std::int32_t radius);
+
+/// What happens to a row that has just been written, while the processor's nearest cache holds it.
+template <typename T>
+using AfterRow = std::function<void(std::span<T>)>;
+
+/// Two passes as one, so that a grid goes through the caches once: what one extremum finds along lines, and
+/// then the other one in that, of which only some rows are there at a time. Not for lines along rows.
+/// @param between called with each row of the first pass @param after called with each row of `into`
+void double_pass(const Grid<float>& from, Grid<float>& into, Line line, Extremum first, std::int32_t radius,
+                 const AfterRow<float>& between, const AfterRow<float>& after);
+void double_pass(const Grid<std::int16_t>& from, Grid<std::int16_t>& into, Line line, Extremum first,
+                 std::int32_t radius, const AfterRow<std::int16_t>& between,
+                 const AfterRow<std::int16_t>& after);
 
 /// The lowest of each cell and its eight neighbours.
 [[nodiscard]] MetreGrid lowest_around(const MetreGrid& grid, Executor& threads);

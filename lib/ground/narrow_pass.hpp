@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "core/grid.hpp"
+#include "ground/rows.hpp"
 
 namespace d2b::ground {
 
@@ -15,36 +15,32 @@ inline constexpr std::int32_t widest_narrow = 3;
 template <typename Pick, std::int32_t radius, typename T>
 class NarrowPass {
   public:
-    static void along_rows(const Grid<T>& from, Grid<T>& into) {
-        const std::int32_t inner = std::max(from.cols - radius, radius);
-        for (std::int32_t i = 0; i < from.rows; ++i) {
-            const T* in = from.row(i).data();
-            T* out = into.row(i).data();
-            for (std::int32_t j = radius; j < inner; ++j)
-                out[j] = picked([&](std::int32_t k) { return in[j + k]; });
-            // Beyond an end its own value stands: it changes no pick of a line that holds it.
-            const auto at_end = [&](std::int32_t j) {
-                out[j] = picked([&](std::int32_t k) { return in[std::clamp(j + k, 0, from.cols - 1)]; });
-            };
-            for (std::int32_t j = 0; j < std::min(radius, from.cols); ++j)
-                at_end(j);
-            for (std::int32_t j = inner; j < from.cols; ++j)
-                at_end(j);
-        }
+    /// @param out another row than `in`
+    static void along_row(const T* in, std::int32_t cols, T* out) {
+        const std::int32_t inner = std::max(cols - radius, radius);
+        for (std::int32_t j = radius; j < inner; ++j)
+            out[j] = picked([&](std::int32_t k) { return in[j + k]; });
+        // Beyond an end its own value stands: it changes no pick of a line that holds it.
+        const auto at_end = [&](std::int32_t j) {
+            out[j] = picked([&](std::int32_t k) { return in[std::clamp(j + k, 0, cols - 1)]; });
+        };
+        for (std::int32_t j = 0; j < std::min(radius, cols); ++j)
+            at_end(j);
+        for (std::int32_t j = inner; j < cols; ++j)
+            at_end(j);
     }
 
-    static void down_columns(const Grid<T>& from, Grid<T>& into) {
-        for (std::int32_t i = 0; i < from.rows; ++i)
-            across(from, i, into.row(i).data(), std::make_integer_sequence<std::int32_t, radius>());
+    /// One row. @param out as long as it
+    static void down_columns(const Rows<const T>& from, std::int32_t i, T* out) {
+        across(from, i, out, std::make_integer_sequence<std::int32_t, radius>());
     }
 
   private:
     template <std::int32_t... k>
-    static void across(const Grid<T>& from, std::int32_t i, T* out,
+    static void across(const Rows<const T>& from, std::int32_t i, T* out,
                        std::integer_sequence<std::int32_t, k...> /*rows*/) {
-        const auto row = [&](std::int32_t r) { return from.row(std::clamp(r, 0, from.rows - 1)).data(); };
-        const std::int32_t cols = from.cols;
-        down(cols, out, row(i), row(i - 1 - k)..., row(i + 1 + k)...);
+        const auto row = [&](std::int32_t r) { return from.row(std::clamp(r, 0, from.rows - 1)); };
+        down(from.cols, out, row(i), row(i - 1 - k)..., row(i + 1 + k)...);
     }
     template <typename... Row>
     static void down(std::int32_t cols, T* out, const T* here, Row... rows) {

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "core/processors.hpp"
 #include "ground/line_pass.hpp"
+#include "ground/row_opening.hpp"
 
 namespace d2b::ground {
 namespace {
@@ -33,18 +35,22 @@ void take_margin(const Grid<T>& wide, Radius margin, Grid<T>& grid) {
         std::copy_n(wide.row(i + margin.down).begin() + margin.across, grid.cols, grid.row(i).begin());
 }
 
-/// An element that holds no value must not be the highest one.
+/// Of the lines down columns the extrema in the order of an opening or a closing, and between both those of
+/// lines along rows, whose order does not matter: so a grid is passed once, not four times.
 template <typename T>
-void turn_around(Grid<T>& grid, T from, T to) {
-    for (T& value : grid.values)
-        value = value == from ? to : value;
+void rectangle(const Grid<T>& grid, Extremum first, Radius radius, Workspace<T>& workspace, Grid<T>& out,
+               const AfterRow<T>& after) {
+    double_pass(
+        grid, out, Line::column, first, radius.down,
+        [&](std::span<T> row) { open_row(row, first, radius.across, workspace.row); }, after);
 }
 
+/// Of each row that is opened, cells without a value keep none.
 template <typename T>
-void keep_gaps(const Grid<T>& surface, Grid<T>& opened) {
-    constexpr T none = no_value_of<T>;
-    for (std::size_t k = 0; k < surface.size(); ++k)
-        opened.values[k] = surface.values[k] == none ? none : opened.values[k];
+AfterRow<T> gaps_kept(const Grid<T>& surface, bool any) {
+    if (!any)
+        return {};
+    return [&surface, i = std::int32_t{0}](std::span<T> row) mutable { keep_gaps(surface.row(i++), row); };
 }
 
 /// Opens the surface with room around it for elements that reach out of it.
@@ -60,61 +66,44 @@ void with_room(const Grid<T>& surface, Radius outside, Workspace<T>& workspace, 
         open(workspace.roomy, workspace.roomy_opened);
         take_margin(workspace.roomy_opened, margin, opened);
     }
-    if (workspace.gaps)
-        keep_gaps(surface, opened);
-}
-
-/// An element that holds no value is the lowest.
-template <typename T>
-void sink_gaps(Grid<T>& lowest) {
-    turn_around(lowest, no_value_of<T>, static_cast<T>(-no_value_of<T>));
 }
 
 template <typename T>
-void open_along(const Grid<T>& surface, Line line, std::int32_t radius, Workspace<T>& workspace,
-                Grid<T>& opened) {
-    Grid<T>& scratch = workspace.first;
+void open_along(const Grid<T>& surface, Line line, std::int32_t radius, Grid<T>& opened) {
     fit(opened, surface);
-    line_pass(surface, scratch, line, Extremum::lowest, radius);
-    sink_gaps(scratch);
-    line_pass(scratch, opened, line, Extremum::highest, radius);
+    double_pass(surface, opened, line, Extremum::lowest, radius,
+                [](std::span<T> row) { turn_row(row, Extremum::lowest); }, {});
 }
 
-/// The second highest of four values, cell by cell.
+/// The second highest of four values, cell by cell. @param row of the first, and then of these
 template <typename T>
-void second_highest(const std::array<Grid<T>, 4>& of, Grid<T>& into) {
-    for (std::size_t k = 0; k < into.size(); ++k) {
-        const T a = of[0].values[k];
-        const T b = of[1].values[k];
-        const T c = of[2].values[k];
-        const T d = of[3].values[k];
-        into.values[k] =
-            std::max(std::min(std::max(a, b), std::max(c, d)), std::max(std::min(a, b), std::min(c, d)));
+void second_highest(std::span<T> row, std::span<const T> second, std::span<const T> third,
+                    std::span<const T> fourth) {
+    for (std::size_t j = 0; j < row.size(); ++j) {
+        const T a = row[j];
+        const T b = second[j];
+        const T c = third[j];
+        const T d = fourth[j];
+        row[j] = std::max(std::min(std::max(a, b), std::max(c, d)), std::max(std::min(a, b), std::min(c, d)));
     }
-}
-
-template <typename T>
-void open_by_rectangle(const Grid<T>& grid, Radius radius, Workspace<T>& workspace, Grid<T>& out) {
-    Grid<T>& scratch = workspace.first;
-    fit(scratch, grid);
-    line_pass(grid, scratch, Line::row, Extremum::lowest, radius.across);
-    line_pass(scratch, out, Line::column, Extremum::lowest, radius.down);
-    if (workspace.gaps)  // without them each element holds a cell with a value
-        sink_gaps(out);
-    line_pass(out, scratch, Line::column, Extremum::highest, radius.down);
-    line_pass(scratch, out, Line::row, Extremum::highest, radius.across);
 }
 
 template <typename T>
 void open_by_lines(const Grid<T>& grid, Radius radius, Workspace<T>& workspace, Grid<T>& out) {
     const auto diagonal =
         std::max(1, static_cast<std::int32_t>(std::lround(0.7071 * std::max(radius.down, radius.across))));
-    fit(workspace.first, grid);
-    open_along(grid, Line::row, radius.across, workspace, workspace.lines[0]);
-    open_along(grid, Line::column, radius.down, workspace, workspace.lines[1]);
-    open_along(grid, Line::right_diagonal, diagonal, workspace, workspace.lines[2]);
-    open_along(grid, Line::left_diagonal, diagonal, workspace, workspace.lines[3]);
-    second_highest(workspace.lines, out);
+    std::array<Grid<T>, 3>& lines = workspace.lines;
+    open_along(grid, Line::column, radius.down, lines[0]);
+    open_along(grid, Line::right_diagonal, diagonal, lines[1]);
+    open_along(grid, Line::left_diagonal, diagonal, lines[2]);
+    for (std::int32_t i = 0; i < grid.rows; ++i) {
+        const std::span<T> row = out.row(i);
+        std::ranges::copy(grid.row(i), row.begin());
+        open_row(row, Extremum::lowest, radius.across, workspace.row);
+        second_highest<T>(row, lines[0].row(i), lines[1].row(i), lines[2].row(i));
+        if (workspace.gaps)
+            keep_gaps(grid.row(i), row);
+    }
 }
 
 template <typename T>
@@ -122,7 +111,7 @@ void open_by(Element element, const Grid<T>& surface, Radius radius, Radius outs
              Grid<T>& opened) {
     with_room(surface, outside, workspace, opened, [&](const Grid<T>& grid, Grid<T>& out) {
         if (element == Element::rectangle)
-            open_by_rectangle(grid, radius, workspace, out);
+            rectangle(grid, Extremum::lowest, radius, workspace, out, gaps_kept(grid, workspace.gaps));
         else
             open_by_lines(grid, radius, workspace, out);
     });
@@ -130,18 +119,11 @@ void open_by(Element element, const Grid<T>& surface, Radius radius, Radius outs
 
 template <typename T>
 void close_by_rectangle(const Grid<T>& surface, Radius radius, Workspace<T>& workspace, Grid<T>& closed) {
-    constexpr T none = no_value_of<T>;
-    constexpr T below = static_cast<T>(-none);
-    Grid<T>& scratch = workspace.first;
-    fit(scratch, surface);
+    Grid<T>& without_gaps = workspace.roomy;
+    without_gaps = surface;
+    turn_row(std::span<T>(without_gaps.values), Extremum::lowest);
     fit(closed, surface);
-    for (std::size_t k = 0; k < surface.size(); ++k)
-        closed.values[k] = surface.values[k] == none ? below : surface.values[k];
-    line_pass(closed, scratch, Line::row, Extremum::highest, radius.across);
-    line_pass(scratch, closed, Line::column, Extremum::highest, radius.down);
-    turn_around(closed, below, none);
-    line_pass(closed, scratch, Line::row, Extremum::lowest, radius.across);
-    line_pass(scratch, closed, Line::column, Extremum::lowest, radius.down);
+    rectangle<T>(without_gaps, Extremum::highest, radius, workspace, closed, {});
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "core/grid.hpp"
+#include "ground/row_opening.hpp"
 
 namespace d2b::ground {
 
@@ -16,9 +17,9 @@ struct Radius {
 /// Grids that openings work in; kept from one to the next, so that memory is asked for once.
 template <typename T>
 struct Workspace {
-    Grid<T> first;
-    std::array<Grid<T>, 4> lines;
+    std::array<Grid<T>, 3> lines;
     Grid<T> roomy, roomy_opened;
+    OpeningRoom<T> row;
     bool gaps = true;  ///< whether the surface may have cells without a value
 };
 

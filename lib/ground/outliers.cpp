@@ -56,8 +56,10 @@ bool find_around(const Grid<T>& surface, const Search& search, Workspace<T>& wor
     closed_by_rectangle(surface, search.closed, workspace, around);
     if (!may_have_pits(surface, around, deep))  // below all around is below what is here
         return false;
-    line_pass(around, workspace.first, Line::row, Extremum::lowest, search.around.across);
-    line_pass(workspace.first, around, Line::column, Extremum::lowest, search.around.down);
+    Grid<T>& along_rows = workspace.roomy;
+    along_rows = around;
+    line_pass(around, along_rows, Line::row, Extremum::lowest, search.around.across);
+    line_pass(along_rows, around, Line::column, Extremum::lowest, search.around.down);
     return true;
 }
 

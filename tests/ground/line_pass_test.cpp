@@ -78,6 +78,44 @@ INSTANTIATE_TEST_SUITE_P(AllLines, LinePass,
                                                           Line::left_diagonal),
                                           testing::Values(Extremum::lowest, Extremum::highest)));
 
+class DoublePass : public testing::TestWithParam<std::tuple<Line, Extremum>> {};
+
+/// With whole rows changed between both, and looked at when they are written.
+template <typename T>
+void expect_two_passes(const Grid<T>& grid, Line line, Extremum first, std::int32_t radius) {
+    const Extremum second = first == Extremum::lowest ? Extremum::highest : Extremum::lowest;
+    const auto change = [](T z) { return z == no_value_of<T> ? T{7} : static_cast<T>(-z); };
+    Grid<T> once(grid.rows, grid.cols), expected = once, found = once;
+    line_pass(grid, once, line, first, radius);
+    std::ranges::transform(once.values, once.values.begin(), change);
+    line_pass(once, expected, line, second, radius);
+    std::int32_t row = 0;
+    double_pass(
+        grid, found, line, first, radius,
+        [&](std::span<T> cells) { std::ranges::transform(cells, cells.begin(), change); },
+        [&](std::span<T> cells) { EXPECT_EQ(cells.data(), found.row(row++).data()); });
+    EXPECT_EQ(row, grid.rows);
+    ASSERT_EQ(found.values, expected.values) << grid.rows << " x " << grid.cols << " radius " << radius;
+}
+
+TEST_P(DoublePass, FindsWhatTwoPassesFind) {
+    const auto [line, first] = GetParam();
+    for (unsigned seed = 0; seed < 60; ++seed) {
+        const MetreGrid grid = test::random_surface(seed, static_cast<std::int32_t>(1 + seed * 7 % 67),
+                                                    static_cast<std::int32_t>(1 + seed * 5 % 19));
+        Grid<std::int16_t> steps(grid.rows, grid.cols);
+        std::ranges::transform(grid.values, steps.values.begin(), step_of);
+        const auto radius = static_cast<std::int32_t>(seed % 9);
+        expect_two_passes(grid, line, first, radius);
+        expect_two_passes(steps, line, first, radius);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(LinesDown, DoublePass,
+                         testing::Combine(testing::Values(Line::column, Line::right_diagonal,
+                                                          Line::left_diagonal),
+                                          testing::Values(Extremum::lowest, Extremum::highest)));
+
 TEST(LowestAround, IsTheLowestOfNineCells) {
     MetreGrid grid(4, 4, 7.0F);
     grid.at(1, 1) = 2;
