@@ -19,6 +19,13 @@ struct GroundSlope {
 
     /// A cell with its slopes along the row and the column; NaN where one is not known.
     void add(double across, double down) {
+        // Mostly their squares tell, without a root.
+        constexpr double far_off = 1e-9;
+        const double square = across * across + down * down;
+        if (square < steep * steep * (1 - far_off)) {
+            ++cells;
+            return;
+        }
         const double slope = std::hypot(across, down);
         if (std::isnan(slope))
             return;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/processors.hpp"
 #include "trace/squares.hpp"
 
 namespace d2b {
@@ -11,20 +12,40 @@ namespace {
 
 constexpr double nothing_outside = std::numeric_limits<double>::infinity();
 
-/// The top run of a row of squares that holds a square; level -1 where none does.
-struct Holder {
-    std::int32_t level = -1;
-    std::uint32_t top_run = 0;
-};
+/// The top run of a row of squares that holds a square, and before it its level, so that the larger one is of
+/// the higher level; 0 where none does. Between both are two bits for where a square lies beside a point.
+using Holder = std::int64_t;
+constexpr int place_bits = 32;
+constexpr int level_bits = 34;
+constexpr Holder above_line = Holder{2} << place_bits;
+constexpr Holder on_the_left = Holder{1} << place_bits;
+constexpr Holder lowest_level = Holder{1} << level_bits;
+
+/// Of each square of a row, and of one more on either side.
 using Holders = std::vector<Holder>;
 
 Holders holders_of(const RunRow& row, std::size_t squares) {
-    Holders holders(squares);
-    for (std::uint32_t s = 0; s < row.top_runs.size(); ++s) {
+    Holders holders(squares + 2);
+    for (std::size_t s = 0; s < row.top_runs.size(); ++s) {
         const TopRun& top_run = row.top_runs[s];
-        std::fill(holders.begin() + top_run.begin, holders.begin() + top_run.end, Holder{top_run.level, s});
+        const Holder holder = (static_cast<Holder>(top_run.level + 1) << level_bits) | static_cast<Holder>(s);
+        std::fill(holders.begin() + 1 + top_run.begin, holders.begin() + 1 + top_run.end, holder);
     }
     return holders;
+}
+
+/// Of points on a line the highest holder among the four squares around each, the first in scan order where
+/// several are as high: with whether it lies above the line, but not on which side.
+/// @param above of the squares on the left of the first point and on; empty where there is no such row
+D2B_FOR_EACH_PROCESSOR void pick_highest(std::span<const Holder> above, std::span<const Holder> below,
+                                         std::span<Holder> highest) {
+    for (std::size_t c = 0; c < highest.size(); ++c)
+        highest[c] = std::max(below[c] | on_the_left, below[c + 1]);
+    if (!above.empty())
+        for (std::size_t c = 0; c < highest.size(); ++c)
+            highest[c] = std::max(highest[c], std::max(above[c] | on_the_left, above[c + 1]) | above_line);
+    for (Holder& holder : highest)
+        holder = holder < lowest_level ? 0 : holder & ~on_the_left;
 }
 
 template <typename Count>
@@ -63,7 +84,7 @@ class Cutter {
     [[nodiscard]] RunRow cut(std::span<const Count> counts, std::span<const Label> labels) const;
     [[nodiscard]] RunRow squares_above(std::int32_t row) const;
     [[nodiscard]] TraceLine line_of_points(std::int32_t number, const Holders& above, RunRow squares,
-                                           std::size_t shares) const;
+                                           std::size_t shares, Holders& highest) const;
     void add_share(TraceLine& line, const PointShare& share) const;
     [[nodiscard]] static std::vector<double> outside_of(const Row<Count>& row);
 
@@ -94,12 +115,12 @@ RunRow Cutter<Count>::cut(std::span<const Count> counts, std::span<const Label> 
 /// With statistics of the points, which the line holds.
 template <typename Count>
 void Cutter<Count>::add_share(TraceLine& line, const PointShare& share) const {
-    PointShare& added = line.shares.emplace_back(share);
+    PointStats stats;  // not in the list, where the compiler would have to write each sum
     for (std::int32_t c = share.begin; c < share.end; ++c)
         if (const double z = line.elevations[static_cast<std::size_t>(c)]; !std::isnan(z))
-            added.stats.add(z, frame_.fixed);
-    if (added.stats.n == 0)
-        line.shares.pop_back();
+            stats.add(z, frame_.fixed);
+    if (stats.n != 0)
+        line.shares.emplace_back(share).stats = stats;
 }
 
 /// Every cell is a point of the contour that it lies in, and no cell is known for the sake of others.
@@ -136,10 +157,10 @@ RunRow Cutter<Count>::squares_above(std::int32_t r) const {
 
 /// A point on the line is counted once, with the highest contour among the four squares around it (the first
 /// in scan order where several are as high): a point where two contours touch belongs to one of them.
-/// @param shares that there may be
+/// @param shares that there may be @param highest room that is kept from one line to the next
 template <typename Count>
 TraceLine Cutter<Count>::line_of_points(std::int32_t number, const Holders& above, RunRow squares,
-                                        std::size_t shares) const {
+                                        std::size_t shares, Holders& highest) const {
     TraceLine line;
     line.shares.reserve(shares);
     line.line = number;
@@ -149,28 +170,22 @@ TraceLine Cutter<Count>::line_of_points(std::int32_t number, const Holders& abov
     if (number < band_.shape().first_row)
         line.owner = before_.elevations;
     const Holders below = holders_of(squares, points.elevations.size() - 1);
-    PointShare share;
-    std::int32_t level = -1;
-    for (std::int32_t c = summed_.begin; c <= summed_.end; ++c) {
-        Holder best;
-        bool best_above = false;
-        for (const bool is_above : {true, false})
-            for (const std::int32_t square : {c - 1, c}) {
-                const Holders& holders = is_above ? above : below;
-                const auto at = static_cast<std::size_t>(square);
-                if (square >= 0 && at < holders.size() && holders[at].level > best.level && c < summed_.end) {
-                    best = holders[at];
-                    best_above = is_above;
-                }
-            }
-        if (level >= 0 && (best.level < 0 || best.top_run != share.top_run || best_above != share.above)) {
-            share.end = c;
-            add_share(line, share);
-            level = -1;
-        }
-        if (level < 0 && best.level >= 0)
-            share = {best_above, best.top_run, c, c, {}};
-        level = best.level;
+    const auto first = static_cast<std::size_t>(summed_.begin);
+    highest.resize(static_cast<std::size_t>(summed_.end - summed_.begin));
+    pick_highest(std::span(above).subspan(above.empty() ? 0 : first), std::span(below).subspan(first),
+                 highest);
+    for (std::size_t begin = 0; begin < highest.size();) {
+        const Holder holder = highest[begin];
+        std::size_t end = begin + 1;
+        while (end < highest.size() && highest[end] == holder)
+            ++end;
+        if (holder != 0)
+            add_share(line, {(holder & above_line) != 0,
+                             static_cast<std::uint32_t>(holder),
+                             static_cast<std::int32_t>(first + begin),
+                             static_cast<std::int32_t>(first + end),
+                             {}});
+        begin = end;
     }
     line.squares = std::move(squares);
     return line;
@@ -181,13 +196,14 @@ std::vector<TraceLine> Cutter<Count>::lines_of_points() const {
     std::vector<TraceLine> lines;
     const auto squares_a_row = static_cast<std::size_t>(band_.shape().cols - 1);
     Holders above;
+    Holders highest;
     const std::int32_t first = band_.shape().first_row;
     if (has(first - 2))
         above = holders_of(squares_above(first - 1), squares_a_row);
     for (std::int32_t r = first; r < band_.end_row(); ++r) {
         if (has(r - 1)) {
             const std::size_t shares = lines.empty() ? 0 : lines.back().shares.size();
-            lines.push_back(line_of_points(r - 1, above, squares_above(r), shares + shares / 8));
+            lines.push_back(line_of_points(r - 1, above, squares_above(r), shares + shares / 8, highest));
             above = holders_of(lines.back().squares, squares_a_row);
         } else {
             lines.emplace_back();  // the first row of points is the line above the first row of squares
@@ -195,7 +211,7 @@ std::vector<TraceLine> Cutter<Count>::lines_of_points() const {
         lines.back().outside = outside_of(row(r));
     }
     if (is_last())
-        lines.push_back(line_of_points(band_.end_row() - 1, above, cut({}, {}), 0));
+        lines.push_back(line_of_points(band_.end_row() - 1, above, cut({}, {}), 0, highest));
     return lines;
 }
 
