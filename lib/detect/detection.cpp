@@ -1,6 +1,7 @@
 #include "detect/detection.hpp"
 
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "detect/cut_by_parcels.hpp"
@@ -19,7 +20,9 @@ namespace {
 /// finds is mostly trees, also where all houses are found at once: it is no witness.
 void correct_for_surroundings(const Scene& scene, double filled, JudgedObjects& judged,
                               std::optional<JudgedObjects>& second, Executor& threads) {
-    const SupposedShare supposed = correct_for_place(filled, judged.objects);
+    const std::span<DetectedObject> others =
+        second ? std::span<DetectedObject>(second->objects) : std::span<DetectedObject>();
+    const SupposedShare supposed = correct_for_place(filled, judged.objects, others);
     if (!supposed.as_elsewhere)
         return;
     if (second)

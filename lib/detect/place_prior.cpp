@@ -16,7 +16,12 @@ constexpr double likely = 0.5;
 constexpr double beyond_doubt = 0.95;
 constexpr std::int64_t likely_per_sure = 5;  // at most
 constexpr double usual_share = 0.62;
-constexpr double usual_candidates = 50;
+// Where hardly any is sure the estimate is one of few candidates, and of objects that look otherwise: in thin
+// villages half of the true share is estimated.
+constexpr double surely = 0.9;
+constexpr std::int64_t fields_likely_per_sure = 10;  // more than that
+constexpr double added_to_few = 1;
+constexpr double estimates_at_most = 2.5;
 constexpr int most_steps = 500;
 constexpr double small_step = 1e-7;
 
@@ -33,6 +38,19 @@ double posterior(double ratio, double share) {
 
 double ratio_of(const DetectedObject& object) {
     return std::exp(steepness * std::log(odds(object.confidence)) + offset);
+}
+
+std::vector<double> ratios_of(const std::vector<DetectedObject>& objects) {
+    std::vector<double> ratios;
+    for (const DetectedObject& object : objects)
+        if (is_candidate(object))
+            ratios.push_back(ratio_of(object));
+    return ratios;
+}
+
+/// The largest share of buildings to suppose where hardly any candidate is sure.
+double most_of_few(std::span<const double> ratios) {
+    return std::min(usual_share, estimates_at_most * share_of_buildings(ratios, added_to_few));
 }
 
 std::int64_t above(double confidence, const std::vector<DetectedObject>& objects) {
@@ -52,9 +70,20 @@ double mean_confidence(const std::vector<DetectedObject>& objects) {
     return count > 0 ? sum / count : usual_share;
 }
 
-SupposedShare not_corrected(const std::vector<DetectedObject>& objects, bool as_elsewhere) {
+/// What confidences suppose that hold for a share, or for one nearer to their own mean.
+SupposedShare supposed_around(double share, const std::vector<DetectedObject>& objects, bool as_elsewhere) {
     const double mean = mean_confidence(objects);
-    return {std::min(mean, usual_share), std::max(mean, usual_share), as_elsewhere};
+    return {std::min(mean, share), std::max(mean, share), as_elsewhere};
+}
+
+/// Confidences for a share in the place of the usual one.
+void suppose(double share, std::span<DetectedObject> objects) {
+    if (share == usual_share)
+        return;
+    const double change = odds(share) / odds(usual_share);
+    for (DetectedObject& object : objects)
+        if (is_candidate(object))
+            object.confidence = probability_of(odds(object.confidence) * change);
 }
 
 }  // namespace
@@ -67,13 +96,17 @@ bool looks_as_elsewhere(const std::vector<DetectedObject>& objects) {
     return likely_per_sure * above(beyond_doubt, objects) >= above(likely, objects);
 }
 
-double share_of_buildings(std::span<const double> ratios) {
+bool hardly_any_is_sure(const std::vector<DetectedObject>& objects) {
+    return fields_likely_per_sure * (above(surely, objects) - 1) < above(likely, objects);
+}
+
+double share_of_buildings(std::span<const double> ratios, double added) {
     double share = usual_share;
     for (int step = 0; step < most_steps; ++step) {
-        double sum = usual_candidates * usual_share;
+        double sum = added * usual_share;
         for (const double ratio : ratios)
             sum += posterior(ratio, share);
-        const double next = sum / (usual_candidates + static_cast<double>(ratios.size()));
+        const double next = sum / (added + static_cast<double>(ratios.size()));
         if (std::abs(next - share) < small_step)
             return next;
         share = next;
@@ -81,17 +114,19 @@ double share_of_buildings(std::span<const double> ratios) {
     return share;
 }
 
-SupposedShare correct_for_place(double filled, std::vector<DetectedObject>& objects) {
-    std::vector<double> ratios;
-    for (const DetectedObject& object : objects)
-        if (is_candidate(object))
-            ratios.push_back(ratio_of(object));
+SupposedShare correct_for_place(double filled, std::vector<DetectedObject>& objects,
+                                std::span<DetectedObject> others) {
+    const std::vector<double> ratios = ratios_of(objects);
     const bool as_elsewhere = looks_as_elsewhere(objects);
-    if (filled > most_filled || ratios.size() < fewest_candidates || !as_elsewhere)
-        return not_corrected(objects, as_elsewhere);
+    if (filled > most_filled || ratios.size() < fewest_candidates || !as_elsewhere) {
+        const double share = hardly_any_is_sure(objects) ? most_of_few(ratios) : usual_share;
+        suppose(share, objects);
+        suppose(share, others);
+        return supposed_around(share, objects, as_elsewhere);
+    }
     const double share = share_of_buildings(ratios);
     if (share >= usual_share)
-        return not_corrected(objects, as_elsewhere);
+        return supposed_around(usual_share, objects, as_elsewhere);
     for (DetectedObject& object : objects)
         if (is_candidate(object))
             object.confidence = posterior(ratio_of(object), share);

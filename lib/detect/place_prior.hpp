@@ -12,10 +12,11 @@ namespace d2b {
 ///
 /// The share is estimated by expectation and maximisation from the candidates' own likelihood ratios, without
 /// any labels: M. Saerens, P. Latinne, C. Decaestecker: Adjusting the Outputs of a Classifier to New a Priori
-/// Probabilities, Neural Computation 14 (2002) 21-41. Fifty candidates with the usual share are added, so
+/// Probabilities, Neural Computation 14 (2002) 21-41. Some candidates with the usual share are added, so
 /// that few move it little.
 /// @param ratios how much likelier each candidate is among buildings than among other things, above 0
-[[nodiscard]] double share_of_buildings(std::span<const double> ratios);
+/// @param added how many are added
+[[nodiscard]] double share_of_buildings(std::span<const double> ratios, double added = 50);
 
 /// Whether an object may or may not be a building: a confidence of 0 or 1 is kept, whatever the place.
 [[nodiscard]] bool is_candidate(const DetectedObject& object);
@@ -23,6 +24,11 @@ namespace d2b {
 /// Whether what is surely a building looks here as it does elsewhere: a fifth of the objects with a
 /// confidence above 0.5 are beyond doubt (above 0.95). Thin points and blur undo that for small houses.
 [[nodiscard]] bool looks_as_elsewhere(const std::vector<DetectedObject>& objects);
+
+/// Whether a place has no building that shows as one: of the objects with a confidence above 0.5 fewer than a
+/// tenth are above 0.9, where one that may be so by chance does not count. Single trees and bushes of fields
+/// are small and low, and some of many look like small houses; none does so beyond doubt.
+[[nodiscard]] bool hardly_any_is_sure(const std::vector<DetectedObject>& objects);
 
 /// Shares of candidates that are buildings which confidences may suppose, the lowest and the highest.
 struct SupposedShare {
@@ -33,11 +39,15 @@ struct SupposedShare {
 
 /// Makes confidences those of a place with its own share_of_buildings(). That supposes that buildings look
 /// here as they do elsewhere, see looks_as_elsewhere(): it is done only where they do, where at most a tenth
-/// of the cells was filled, and where there are at least a hundred candidates. Elsewhere confidences stay as
-/// they are, as do those of 0 and 1 everywhere. Sums are made in the order of the objects.
+/// of the cells was filled, and where there are at least a hundred candidates. Elsewhere the share may be
+/// wrong, and confidences stay as they are, unless hardly_any_is_sure(): then they are those for 2.5 times
+/// the share that is estimated, where that is less than the usual one. Confidences of 0 and 1 stay as they
+/// are everywhere. Sums are made in the order of the objects.
 /// @param filled see SurfaceQuality
-/// @return what share they suppose then: the one they were corrected for, or one between the usual share and
-/// their own mean
-SupposedShare correct_for_place(double filled, std::vector<DetectedObject>& objects);
+/// @param others what is no sign of the share, but is corrected for 2.5 times it
+/// @return what share they suppose then: the one they were corrected for, or one between the usual share, or
+/// 2.5 times the estimated one, and their own mean
+SupposedShare correct_for_place(double filled, std::vector<DetectedObject>& objects,
+                                std::span<DetectedObject> others = {});
 
 }  // namespace d2b

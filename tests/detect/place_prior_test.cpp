@@ -149,6 +149,42 @@ TEST(LooksAsElsewhere, AFifthOfTheLikelyAreBeyondDoubt) {
     EXPECT_FALSE(looks_as_elsewhere(place(1, 5, 0)));
 }
 
+TEST(HardlyAnyIsSure, LessThanATenthOfTheLikelyButForOne) {
+    EXPECT_TRUE(hardly_any_is_sure({}));
+    EXPECT_TRUE(hardly_any_is_sure(place(1, 0, 50))) << "one may be so by chance";
+    EXPECT_FALSE(hardly_any_is_sure(place(2, 8, 50)));
+    EXPECT_TRUE(hardly_any_is_sure(place(2, 9, 50)));
+}
+
+TEST(CorrectForPlace, SingleTreesOfFieldsAreNoHouses) {
+    // Thirty trees, five of which look like small houses. The likelihood ratios of 0.55 and 0.15 are 0.8117
+    // and 0.05404. One candidate with the usual share is added.
+    std::vector<DetectedObject> trees = place(0, 5, 25);
+    std::vector<DetectedObject> others = objects_of({0, 0.55, 1});
+    const SupposedShare supposed = correct_for_place(0.2, trees, others);
+    const double estimated = supposed.most / 2.5;
+    double sum = usual;
+    for (const double ratio : {0.8117, 0.05404})
+        sum += (ratio > 0.5 ? 5 : 25) * estimated * ratio / (estimated * ratio + 1 - estimated);
+    EXPECT_NEAR(sum / 31, estimated, 1e-5);
+    const double change = supposed.most / (1 - supposed.most) * (1 - usual) / usual;
+    const double changed = 0.55 / 0.45 * change / (1 + 0.55 / 0.45 * change);
+    EXPECT_NEAR(trees[0].confidence, changed, 1e-9);
+    EXPECT_LT(changed, 0.1);
+    EXPECT_EQ(others[0].confidence, 0);
+    EXPECT_EQ(others[1].confidence, trees[0].confidence);
+    EXPECT_EQ(others[2].confidence, 1);
+}
+
+TEST(CorrectForPlace, AFewDoubtsAreNoFields) {
+    for (std::vector<DetectedObject> objects : {place(0, 1, 0), place(0, 2, 1), place(2, 3, 25)}) {
+        const std::vector<DetectedObject> before = objects;
+        correct_for_place(0.2, objects);
+        for (std::size_t i = 0; i < objects.size(); ++i)
+            EXPECT_EQ(objects[i].confidence, before[i].confidence);
+    }
+}
+
 TEST(CorrectForPlace, KeepsTheOrderAndWhatIsCertain) {
     std::vector<double> confidences{0, 1};
     for (int i = 1; i < 200; ++i)
