@@ -44,34 +44,56 @@ void lower_limits(std::span<float> limits, const float* old, const float* now, f
     }
 }
 
-void set_limits(OpenedPart& part, float rise) {
+/// Calls use(begin, end, rise) for stretches of a row of a part, and how far objects rise there.
+template <typename Use>
+void for_stretches(const OpenedPart& part, const Step& step, std::int32_t i, const Use& use) {
+    const std::int32_t row = part.tile.row + i;
+    const std::int32_t cols = part.tile.cols;
+    const bool beside = row < step.border.down || row >= part.grid_rows - step.border.down;
+    const std::int32_t left = beside ? cols : std::clamp(step.border.across - part.tile.col, 0, cols);
+    const std::int32_t right = std::clamp(part.grid_cols - step.border.across - part.tile.col, left, cols);
+    const auto use_if_any = [&](std::int32_t begin, std::int32_t end, float rise) {
+        if (begin < end)
+            use(static_cast<std::size_t>(begin), static_cast<std::size_t>(end), rise);
+    };
+    use_if_any(0, left, step.border_rise);
+    use_if_any(left, right, step.rise);
+    use_if_any(right, cols, step.border_rise);
+}
+
+void set_limits(OpenedPart& part, const Step& step) {
     for (std::int32_t i = 0; i < part.tile.rows; ++i)
-        lower_limits(part.limits.row(i), part.row(part.surface, i).data(), part.row(part.next, i).data(),
-                     rise);
+        for_stretches(part, step, i, [&](std::size_t begin, std::size_t end, float rise) {
+            lower_limits(part.limits.row(i).subspan(begin, end - begin),
+                         part.row(part.surface, i).data() + begin, part.row(part.next, i).data() + begin,
+                         rise);
+        });
 }
 
 /// The same in whole steps, which become metres only where a cell may have been cut off by as much.
-D2B_FOR_EACH_PROCESSOR void set_limits_of_steps(OpenedPart& part, float rise) {
+D2B_FOR_EACH_PROCESSOR void set_limits_of_steps(OpenedPart& part, const Step& step) {
     constexpr std::size_t piece = 64;
     const WholeSteps& values = part.whole;
-    const int least = values.surely_within(rise);
     std::array<float, piece> old{};
     std::array<float, piece> now{};
     for (std::int32_t i = 0; i < part.tile.rows; ++i) {
         const auto before = part.row(values.surface, i);
         const auto after = part.row(values.next, i);
         const auto limits = part.limits.row(i);
-        for (std::size_t first = 0; first < limits.size(); first += piece) {
-            const std::size_t n = std::min(piece, limits.size() - first);
-            int cut = 0;
-            for (std::size_t j = first; j < first + n; ++j)
-                cut |= before[j] - after[j] > least ? 1 : 0;
-            if (cut == 0)
-                continue;
-            values.in_metres(before.subspan(first, n), old.data());
-            values.in_metres(after.subspan(first, n), now.data());
-            lower_limits(limits.subspan(first, n), old.data(), now.data(), rise);
-        }
+        for_stretches(part, step, i, [&](std::size_t begin, std::size_t end, float rise) {
+            const int least = values.surely_within(rise);
+            for (std::size_t first = begin; first < end; first += piece) {
+                const std::size_t n = std::min(piece, end - first);
+                int cut = 0;
+                for (std::size_t j = first; j < first + n; ++j)
+                    cut |= before[j] - after[j] > least ? 1 : 0;
+                if (cut == 0)
+                    continue;
+                values.in_metres(before.subspan(first, n), old.data());
+                values.in_metres(after.subspan(first, n), now.data());
+                lower_limits(limits.subspan(first, n), old.data(), now.data(), rise);
+            }
+        });
     }
 }
 
@@ -80,7 +102,7 @@ void open_whole_steps(OpenedPart& part, std::span<const Step> steps, Element ele
     values.workspace.gaps = values.gaps;
     for (const Step& step : steps) {
         open(element, values.surface, step.radius, step.outside, values.workspace, values.next);
-        set_limits_of_steps(part, step.rise);
+        set_limits_of_steps(part, step);
         std::swap(values.surface, values.next);
     }
 }
@@ -170,9 +192,12 @@ OpeningSteps opening_steps(const StructuringElements& elements, const CellSize& 
     while (radius <= elements.last_radius * 1.0001) {
         Radius cells = in_cells(radius, cell);
         cells = {std::max(cells.down, 1), std::max(cells.across, 1)};
+        const double rise = elements.rise + elements.slope * radius;
         series.steps.push_back({cells,
                                 {cells.down - border.down, cells.across - border.across},
-                                static_cast<float>(elements.rise + elements.slope * radius)});
+                                static_cast<float>(rise),
+                                in_cells(elements.border_width, cell),
+                                static_cast<float>(elements.border_share * rise)});
         radius = std::max(radius + smaller_side(cell), radius * elements.growth);
     }
     return series;
@@ -189,6 +214,8 @@ void open_part(const MetreGrid& surface, const Tile& tile, std::span<const Step>
                OpenedPart& part) {
     part.tile = tile;
     part.place = widened(tile, reach_of(steps), surface);
+    part.grid_rows = surface.rows;
+    part.grid_cols = surface.cols;
     part.limits.rows = tile.rows;
     part.limits.cols = tile.cols;
     part.limits.values.assign(part.limits.index(tile.rows, 0), no_value);
@@ -199,7 +226,7 @@ void open_part(const MetreGrid& surface, const Tile& tile, std::span<const Step>
     part.workspace.gaps = part.whole.gaps;
     for (const Step& step : steps) {
         open(element, part.surface, step.radius, step.outside, part.workspace, part.next);
-        set_limits(part, step.rise);
+        set_limits(part, step);
         std::swap(part.surface, part.next);
     }
 }

@@ -19,13 +19,17 @@ struct StructuringElements {
     double slope = 0;          ///< ... and this times the radius
     double growth = 1.2;       ///< from an element to the next, but at least by a cell
     double border_reach = 14;  ///< elements reach as far into the grid at its border, or their whole radius
+    double border_width = 0;   ///< as near the border of the grid ...
+    double border_share = 1;   ///< ... an object rises by so much less
 };
 
 /// A structuring element in cells.
 struct Step {
     Radius radius;
-    Radius outside;  ///< how far it reaches out of the grid
-    float rise = 0;  ///< how far an object rises above the surface that it leaves
+    Radius outside;          ///< how far it reaches out of the grid
+    float rise = 0;          ///< how far an object rises above the surface that it leaves
+    Radius border = {0, 0};  ///< as near the border of the grid ...
+    float border_rise = 0;   ///< ... it rises by this
 };
 
 /// The openings of a grid one after the other, by structuring elements on cells of one size.
@@ -38,8 +42,10 @@ struct OpeningSteps {
 /// A part of a grid without objects up to some width, and the height above which a cell was part of one;
 /// `no_value` where it was of none. Kept from one part to the next, so that memory is asked for once.
 struct OpenedPart {
-    Tile tile;              ///< the part that was asked for
-    Tile place;             ///< and what its elements see around it
+    Tile tile;   ///< the part that was asked for
+    Tile place;  ///< and what its elements see around it
+    std::int32_t grid_rows = 0;
+    std::int32_t grid_cols = 0;
     MetreGrid limits;       ///< of `tile`
     bool in_steps = false;  ///< `whole` has the surface, else `surface`
     WholeSteps whole;

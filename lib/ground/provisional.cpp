@@ -89,8 +89,9 @@ double link_slope(const CellSize& block, const Rules& rules) {
 MetreGrid limits_of_blocks(AlignedGrid& blocks, double next_radius, double width, const Rules& rules,
                            Executor& threads) {
     close_gaps(blocks.grid, threads);
-    StructuringElements elements{next_radius,       rules.reach * width, rules.large_rise,
-                                 rules.large_slope, rules.large_growth,  rules.border_reach};
+    StructuringElements elements{next_radius,        rules.reach * width, rules.large_rise,
+                                 rules.large_slope,  rules.large_growth,  rules.border_reach,
+                                 rules.large_border, rules.border_share};
     MetreGrid sure = limits_on_blocks(blocks, elements, Element::rectangle, threads);
     // Ground is followed from block to block, which one thread does: meanwhile the others open by lines.
     Grid<std::uint8_t> ground;
@@ -102,6 +103,7 @@ MetreGrid limits_of_blocks(AlignedGrid& blocks, double next_radius, double width
     };
     elements.rise = rules.line_rise;
     elements.slope = rules.line_slope;
+    elements.border_share = 1;
     const MetreGrid lines = with_neighbours_limits(
         limits_on_blocks(blocks, elements, Element::lines, threads, follow_ground), blocks.cell, threads);
     sure = with_neighbours_limits(sure, blocks.cell, threads);
@@ -137,8 +139,14 @@ void test_again(const AlignedGrid& surface, AlignedGrid& terrain, const Rules& r
 
 AlignedGrid without_objects(const AlignedGrid& surface, double width, const Rules& rules, Executor& threads) {
     const double cell = std::min(surface.cell.across, surface.cell.down);
-    const StructuringElements elements{
-        cell, rules.small_radius, 0, rules.small_slope, rules.small_growth, rules.border_reach};
+    const StructuringElements elements{cell,
+                                       rules.small_radius,
+                                       0,
+                                       rules.small_slope,
+                                       rules.small_growth,
+                                       rules.border_reach,
+                                       rules.small_border,
+                                       rules.border_share};
     const Factor factor = factor_for(surface.cell, rules.block);
     SmallOpened small = open_small(surface, factor, elements, threads);
     AlignedGrid& blocks = small.blocks;

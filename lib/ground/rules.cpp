@@ -21,6 +21,7 @@ Rules rules_for(const CellSize& cell) {
     // Found on places of fine cells as scans show them on cells of 2 and 2.5 m, see docs/accuracy.md.
     go_to(rules.border_reach, 30);
     go_to(rules.small_slope, 0.16);
+    go_to(rules.border_share, 1);
     go_to(rules.large_rise, 0.3);
     go_to(rules.wall_share, 0.75);
     go_to(rules.plateau_share, 0.75);

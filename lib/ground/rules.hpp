@@ -13,15 +13,18 @@ struct Rules {
     double pit_reach = 25;    ///< how far "around it" goes
     double border_reach = 8;  ///< elements reach into the raster at least as far at its border
 
-    double small_growth = 1.2;  ///< from an element to the next, but at least by a cell
-    double small_radius = 8;    ///< of the widest element for small objects
-    double small_slope = 0.18;  ///< a small object rises above the opened surface by this times the radius
+    double small_growth = 1.2;   ///< from an element to the next, but at least by a cell
+    double small_radius = 8;     ///< of the widest element for small objects
+    double small_slope = 0.18;   ///< a small object rises above the opened surface by this times the radius
+    double small_border = 12;    ///< as near the border of the raster ...
+    double border_share = 0.75;  ///< ... an object rises by this share of that, a large one as well
 
     double block = 2;           ///< cells of the grid on which large objects are looked for, about
     double large_growth = 1.4;  ///< from an element to the next, but at least by a block
     double reach = 1.5;         ///< no element has a larger radius, in widths of the widest building
     double large_rise = 0.7;    ///< a large object rises above the opened surface by this ...
     double large_slope = 0.05;  ///< ... and this times the radius
+    double large_border = 24;   ///< as near the border by border_share of that
     double line_rise = 2;       ///< the same for elements that are lines
     double line_slope = 0.15;
     double link_slope = 0.3;  ///< ground goes on to a neighbour no steeper, or half a wall higher
