@@ -15,12 +15,13 @@ namespace d2b {
 
 /// What speaks most against an object being a building.
 enum class Doubt {
-    rough,           ///< its surface bends from cell to cell
-    no_step,         ///< it does not rise from its surroundings in a step
-    steep,           ///< its smooth pieces are steep
-    pieces,          ///< its smooth pieces are small
-    green,           ///< its NDVI is that of plants
-    no_right_angles  ///< its border keeps to no two directions
+    rough,            ///< its surface bends from cell to cell
+    no_step,          ///< it does not rise from its surroundings in a step
+    steep,            ///< its smooth pieces are steep
+    pieces,           ///< its smooth pieces are small
+    green,            ///< its NDVI is that of plants
+    no_right_angles,  ///< its border keeps to no two directions
+    ragged            ///< it is small and has arms and bays
 };
 [[nodiscard]] std::string_view doubt_name(Doubt doubt);
 

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "detect/border_sums.hpp"
+#include "detect/form_sums.hpp"
 #include "detect/gentle_pairs.hpp"
 #include "detect/smoothness.hpp"
 
@@ -29,6 +30,7 @@ struct Sums {
     double fall = 0;          // sum over these
     BorderSums beside;
     GentlePairs pairs;
+    FormSums form;
 };
 
 /// The surface, and the ground where there is none: what a cell's neighbours fall to.
@@ -158,7 +160,8 @@ Evidence evidence_of(const Sums& sums, double cells, double cell_area) {
             sums.beside.height_beside(),
             sums.beside.right_angles(),
             cells * cell_area,
-            sums.pairs.share()};
+            sums.pairs.share(),
+            sums.form.compactness()};
 }
 
 }  // namespace
@@ -174,6 +177,7 @@ std::vector<Evidence> collect_evidence(const Scene& scene, const DetectedObjects
         add_cells(scene, flags, r, run, sum);
         add_border(scene, distances, objects.cells, r, run, sum);
         sum.pairs.add(scene, objects.cells, r, run);
+        sum.form.add(r, run);
         add_segments(segments.regions.row(r), logs, run, sum);
     });
     std::vector<Evidence> result;

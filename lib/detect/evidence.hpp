@@ -11,6 +11,8 @@ namespace d2b {
 /// So many right angles are as common among crowns as among buildings where one may be taken for the other,
 /// see BorderSums.
 constexpr double even_right_angles = 0.3;
+/// Small objects that are as compact are as often crowns, see FormSums.
+constexpr double even_compactness = 0.905;
 
 /// What an object looks like.
 struct Evidence {
@@ -26,6 +28,7 @@ struct Evidence {
     double right_angles = even_right_angles;  ///< how well its border keeps to them, see BorderSums
     double area_m2 = 1;
     double gentle = 1;  ///< share of its neighbours that are as near in height as on a roof, see GentlePairs
+    double compactness = even_compactness;  ///< see FormSums
 };
 
 /// What detection found so far.

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "detect/evidence.hpp"
 
@@ -22,8 +23,23 @@ constexpr double filled_where_thin = 0.08;
 // Up to this the larger is the likelier a building; woods are larger than houses.
 constexpr double house_m2 = 300;
 
+// A small house is compact. The larger a building, the more wings and yards it may have: from the first size
+// on that says less, from the second on nothing.
+constexpr double compact_m2 = 150;
+constexpr double winged_m2 = 300;
+
 // Found by tests/accuracy/run.py --learn, see docs/accuracy.md.
 constexpr double thin_constant = -0.89;
+
+/// What the form of an object says, as a logarithm; 0 where it is as much a tree's. What is more compact than
+/// a rectangle is round, which speaks for nothing.
+double form_of(const Evidence& evidence) {
+    constexpr double rectangle = 3 / std::numbers::pi;
+    constexpr double most_ragged = -0.4;
+    const double small = std::clamp((winged_m2 - evidence.area_m2) / (winged_m2 - compact_m2), 0.0, 1.0);
+    const double compactness = std::min(evidence.compactness, rectangle);
+    return small * std::max(std::log(compactness / even_compactness), most_ragged);
+}
 
 bool has_walls(const Evidence& evidence) {
     return evidence.walled >= fewest_walls || evidence.fall > steeper * evidence.tilt;
@@ -52,11 +68,12 @@ struct Sight {
     }
 };
 
-constexpr std::size_t terms_of_a_sum = 10;
+constexpr std::size_t terms_of_a_sum = 11;
 // Places among them.
 constexpr std::size_t greenness = 1;
 constexpr std::size_t segment_size = 4;
 constexpr std::size_t squareness = 8;
+constexpr std::size_t form = 10;
 
 /// Each term is 0 for an object that may as well be a tree.
 std::array<Sight, terms_of_a_sum> sights_of(const Evidence& evidence) {
@@ -71,6 +88,7 @@ std::array<Sight, terms_of_a_sum> sights_of(const Evidence& evidence) {
         {std::log(std::min(evidence.area_m2, house_m2)), Doubt::pieces, {}, {1.68, 5.01}},
         {evidence.right_angles, Doubt::no_right_angles, {2.5, even_right_angles}, {3.47, 0.33}},
         {evidence.gentle, Doubt::rough, {}, {8.5, 0.59}},
+        {form_of(evidence), Doubt::ragged, {}, {3, 0}},
     }};
 }
 
@@ -87,9 +105,11 @@ DetectedObject judge(const Evidence& evidence, double filled) {
     double sum = thinness * thin_constant;
     for (const double term : terms)
         sum += term;
-    // What has no weight says nothing; without an NDVI, and where nothing is green, nothing green does.
+    // What has no weight says nothing; without an NDVI, and where nothing is green, nothing green does, nor
+    // does the form of what is large.
     for (std::size_t i = 0; i < sights.size(); ++i)
-        if (sights[i].says_nothing(thinness) || (i == greenness && evidence.green == 0))
+        if (sights[i].says_nothing(thinness) || (i == greenness && evidence.green == 0) ||
+            (i == form && sights[i].value == 0))
             terms[i] = std::numeric_limits<double>::infinity();
     const auto worst = std::min_element(terms.begin(), terms.end()) - terms.begin();
     return {1 / (1 + std::exp(-sum)), sights[static_cast<std::size_t>(worst)].doubt, 0};
@@ -119,6 +139,8 @@ std::string_view doubt_name(Doubt doubt) {
             return "green";
         case Doubt::no_right_angles:
             return "no right angles";
+        case Doubt::ragged:
+            return "ragged form";
     }
     return "";
 }

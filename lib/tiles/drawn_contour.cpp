@@ -9,8 +9,8 @@
 namespace d2b {
 namespace {
 
-constexpr std::array doubts{Doubt::rough,  Doubt::no_step, Doubt::steep,
-                            Doubt::pieces, Doubt::green,   Doubt::no_right_angles};
+constexpr std::array doubts{Doubt::rough, Doubt::no_step,         Doubt::steep, Doubt::pieces,
+                            Doubt::green, Doubt::no_right_angles, Doubt::ragged};
 
 std::uint8_t number_of(std::string_view doubt) {
     std::uint8_t number = 0;

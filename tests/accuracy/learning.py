@@ -11,17 +11,27 @@ from places import burn
 from tables import table, text
 
 NAMES = ("smooth", "ln step", "ln tilt", "ln segment", "right angles", "constant")
-THIN_NAMES = ("ln segment", "walled", "ln beside", "ln area", "right angles", "gentle", "constant")
+THIN_NAMES = ("ln segment", "walled", "ln beside", "ln area", "right angles", "gentle", "form", "constant")
 THIN = 0.05  # share of filled cells
 SCENES_HEAVY = 0.4  # of a real place: made crowns and houses are all alike
 CAUTION = 0.95  # off the constant: woods are larger than houses, and the scenes have few
 LEAST_M2 = 50
+COMPACT_M2 = 150  # from this to HOUSE_M2 the form of an object says less and less
+EVEN_COMPACTNESS = 0.905
 HOUSE_M2 = 300  # the larger is the likelier a building up to this; woods are larger than houses
+
+
+def form_of(row):
+    """What the form of a small object says, as a logarithm."""
+    small = np.clip((HOUSE_M2 - row["area_m2"]) / (HOUSE_M2 - COMPACT_M2), 0, 1)
+    return small * max(np.log(min(row["compactness"], 3 / np.pi) / EVEN_COMPACTNESS), -0.4)
+
+
 COLUMNS = {"smooth": lambda row: row["smooth"], "ln step": lambda row: np.log(max(row["step_m"], 0.1)),
            "ln tilt": lambda row: np.log(row["tilt"]), "ln segment": lambda row: np.log(max(row["segment"], 1)),
            "walled": lambda row: row["walled"], "ln beside": lambda row: np.log(row["beside_m"] + 0.5),
            "ln area": lambda row: np.log(min(row["area_m2"], HOUSE_M2)), "right angles": lambda row: row["right_angles"],
-           "gentle": lambda row: row["gentle"],
+           "gentle": lambda row: row["gentle"], "form": form_of,
            "constant": lambda row: 1}
 RIDGE = 1e-3  # of the squares of the weights: what only one place has gets none
 

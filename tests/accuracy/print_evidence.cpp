@@ -93,7 +93,7 @@ void print_evidence(const char* surface_path, const char* truth_path) {
     const JudgedObjects judged = objects_of(scene, known, options, quality, *context.threads);
     const std::vector<Agreement> agreement = compare(judged, truth.z);
     std::cout << "right,known,cells,cell_m,smooth,step_m,tilt,segment,walled,fall,"
-                 "beside_m,right_angles,area_m2,gentle,filled,confidence\n";
+                 "beside_m,right_angles,area_m2,gentle,compactness,filled,confidence\n";
     for (std::size_t i = 0; i < judged.objects.size(); ++i) {
         const Evidence& e = judged.evidence[i];
         const auto cells = static_cast<double>(judged.objects[i].cells);
@@ -101,7 +101,7 @@ void print_evidence(const char* surface_path, const char* truth_path) {
                   << agreement[i].known / cells << ',' << cells << ',' << scene.side() << ',' << e.smooth
                   << ',' << e.step_m << ',' << e.tilt << ',' << e.segment << ',' << e.walled << ',' << e.fall
                   << ',' << e.beside_m << ',' << e.right_angles << ',' << e.area_m2 << ',' << e.gentle << ','
-                  << quality.filled << ',' << judged.objects[i].confidence << '\n';
+                  << e.compactness << ',' << quality.filled << ',' << judged.objects[i].confidence << '\n';
     }
 }
 

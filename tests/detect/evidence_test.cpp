@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -65,6 +66,7 @@ TEST(Evidence, SumsOfAHandMadeObject) {
     EXPECT_NEAR(evidence[1].segment, 1, 1e-12);
     // Cells are of 1 m.
     EXPECT_EQ(evidence[0].area_m2, 12);
+    EXPECT_NEAR(evidence[0].compactness, 3 / std::numbers::pi, 1e-9) << "a rectangle";
     EXPECT_EQ(evidence[0].gentle, 1);
     EXPECT_EQ(evidence[1].beside_m, 0);
 }
@@ -208,6 +210,33 @@ TEST(Judge, WeightsOfThinPointsTakeOverAsCellsAreFilled) {
     EXPECT_NEAR(log_odds(0.05), 0.75 * usual + 0.25 * thin, 1e-9);
     EXPECT_NEAR(log_odds(0.08), thin, 1e-9);
     EXPECT_NEAR(log_odds(1), thin, 1e-9);
+}
+
+TEST(Judge, SmallHousesOfThinPointsAreCompact) {
+    Evidence house{0.5, 3, 0.3, 9, 0, 1};
+    house.area_m2 = 75;
+    const auto log_odds = [&](double compactness, double filled) {
+        Evidence formed = house;
+        formed.compactness = compactness;
+        const double p = judge(formed, filled).confidence;
+        return std::log(p / (1 - p));
+    };
+    const double even = log_odds(0.905, 0.2);
+    EXPECT_NEAR(log_odds(0.8, 0.2) - even, 3 * std::log(0.8 / 0.905), 1e-9);
+    EXPECT_NEAR(log_odds(0.95, 0.2) - even, 3 * std::log(0.95 / 0.905), 1e-9);
+    EXPECT_NEAR(log_odds(1, 0.2) - even, 3 * std::log(3 / std::numbers::pi / 0.905), 1e-9) << "round";
+    EXPECT_NEAR(log_odds(0.1, 0.2) - even, -1.2, 1e-9) << "no less than this";
+    EXPECT_EQ(log_odds(0.5, 0), log_odds(0.95, 0)) << "where points are dense it says nothing";
+    // Half as much at 225 m2, and nothing from 300 m2 on.
+    house.area_m2 = 225;
+    EXPECT_NEAR(log_odds(0.8, 0.2) - log_odds(0.905, 0.2), 1.5 * std::log(0.8 / 0.905), 1e-9);
+    house.area_m2 = 300;
+    EXPECT_EQ(log_odds(0.5, 0.2), log_odds(0.905, 0.2));
+    house.area_m2 = 75;
+    house.gentle = 0.9;
+    house.right_angles = 0.5;
+    house.compactness = 0.5;
+    EXPECT_EQ(doubt_name(judge(house, 0.2).doubt), "ragged form");
 }
 
 TEST(Judge, AmongCrownsNothingThinIsABuilding) {
