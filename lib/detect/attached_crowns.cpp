@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <span>
 #include <utility>
 
 #include "core/row_bands.hpp"
+#include "detect/crown_cuts.hpp"
 #include "detect/evidence.hpp"
 #include "detect/left_out.hpp"
 #include "detect/morphology.hpp"
@@ -18,8 +18,6 @@ namespace {
 constexpr double large_segment_m2 = 50;
 constexpr double eaves_m = 1;
 constexpr double least_crown_m2 = 4;
-constexpr double sticks_out = 0.55;    // share of a part's border that is the object's own
-constexpr double surely_no_crown = 2;  // of roof_likeness()
 
 /// Cells of large smooth segments.
 Mask roofs_of(const Scene& scene, const SmoothSegments& segments, const Mask& objects, Executor& threads) {
@@ -49,38 +47,9 @@ Regions parts_beside(const Mask& roofs, const Mask& objects, std::int64_t least_
     return connected_regions(rest, 1, least_cells, threads);
 }
 
-/// Where a crown is cut off.
-struct Cut {
-    SeamLine seam;
-    WallLine wall;
-};
-
-/// Of a crown at a corner: a line for each of the two walls.
-std::vector<Cut> corner_cuts(const PartSeam& part, const Mask& objects, const CellSize& cell, int eaves) {
-    const std::optional<CornerSeam> corner = part.corner(cell);
-    if (!corner)
-        return {};
-    const std::optional<WallLine> one =
-        wall_away_from(corner->other.middle, corner->one, objects, cell, eaves);
-    const std::optional<WallLine> other =
-        wall_away_from(corner->one.middle, corner->other, objects, cell, eaves);
-    if (!one || !other)
-        return {};
-    return {{corner->one, *one}, {corner->other, *other}};
-}
-
-/// The lines at which a part is cut off; none where it stays.
-std::vector<Cut> cuts_of(const PartSeam& part, const Evidence& evidence, const Mask& objects,
-                         const CellSize& cell, int eaves) {
-    if (part.free_share() <= sticks_out || roof_likeness(evidence) >= surely_no_crown)
-        return {};
-    const std::optional<SeamLine> seam = part.straight_line(cell);
-    const std::optional<WallLine> wall = seam ? wall_beyond(*seam, objects, cell, eaves) : std::nullopt;
-    return wall ? std::vector<Cut>{{*seam, *wall}} : corner_cuts(part, objects, cell, eaves);
-}
-
 /// Regions are numbered in the order of their first cells.
-std::vector<CutCrown> clear(const Regions& parts, const std::vector<std::vector<Cut>>& cuts, Mask& objects) {
+std::vector<CutCrown> clear(const Regions& parts, const std::vector<std::vector<CutLine>>& cuts,
+                            Mask& objects) {
     std::vector<CutCrown> crowns;
     Label seen = 0;
     for (std::int32_t r = 0; r < parts.rows; ++r)
@@ -129,13 +98,13 @@ std::vector<CutCrown> take_crowns_off(const Scene& scene, const SmoothSegments& 
     parts.regions = parts_beside(near_roofs, parts.cells, cells_for(least_crown_m2, scene.cell), threads);
     const std::vector<PartSeam> seams = seams_of(parts, near_roofs, scene.cell, threads);
     const std::vector<Evidence> evidence = collect_evidence(scene, parts, segments, flags, threads);
-    std::vector<std::vector<Cut>> cuts(seams.size());
+    std::vector<std::vector<CutLine>> cuts(seams.size());
     threads.for_each(seams.size(), [&](std::size_t i) {
-        cuts[i] = cuts_of(seams[i], evidence[i], parts.cells, scene.cell, eaves);
+        cuts[i] = crown_cuts(seams[i], evidence[i], parts.cells, scene.cell, eaves);
     });
     std::vector<CutCrown> crowns = clear(parts.regions, cuts, parts.cells);
-    for (const std::vector<Cut>& lines : cuts)
-        for (const Cut& cut : lines)
+    for (const std::vector<CutLine>& lines : cuts)
+        for (const CutLine& cut : lines)
             clear_outside(cut.seam, cut.wall, roofs, scene.cell, parts.cells);
     if (!crowns.empty())
         gather(parts.cells, least_cells, judged, threads);

@@ -71,6 +71,16 @@ double length_looked_at(const SeamLine& seam, double side) {
         {shortest_wall_m, shortest_wall * side, std::min((seam.last - seam.first) / 2, longest_wall_m)});
 }
 
+/// @param is_last which end of the seam
+std::optional<WallLine> wall_at_end(const SeamLine& seam, bool is_last, const Mask& objects,
+                                    const CellSize& cell, int eaves) {
+    const double side = std::sqrt(cell.area());
+    const std::optional<Stretch> wall =
+        wall_after(is_last ? seam.last : seam.first, is_last ? 1 : -1, length_looked_at(seam, side), side,
+                   eaves, Beside(seam, cell, objects));
+    return wall ? std::optional(WallLine{wall->inward, wall->inward}) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<WallLine> wall_beyond(const SeamLine& seam, const Mask& objects, const CellSize& cell,
@@ -91,14 +101,15 @@ std::optional<WallLine> wall_beyond(const SeamLine& seam, const Mask& objects, c
 
 std::optional<WallLine> wall_away_from(const MetrePlace& meeting, const SeamLine& seam, const Mask& objects,
                                        const CellSize& cell, int eaves) {
-    const double side = std::sqrt(cell.area());
     const double at_meeting =
         (meeting.x - seam.middle.x) * seam.along.x + (meeting.y - seam.middle.y) * seam.along.y;
-    const bool is_last = at_meeting < (seam.first + seam.last) / 2;
-    const std::optional<Stretch> wall =
-        wall_after(is_last ? seam.last : seam.first, is_last ? 1 : -1, length_looked_at(seam, side), side,
-                   eaves, Beside(seam, cell, objects));
-    return wall ? std::optional(WallLine{wall->inward, wall->inward}) : std::nullopt;
+    return wall_at_end(seam, at_meeting < (seam.first + seam.last) / 2, objects, cell, eaves);
+}
+
+std::optional<WallLine> wall_beyond_one_end(const SeamLine& seam, const Mask& objects, const CellSize& cell,
+                                            int eaves) {
+    const std::optional<WallLine> wall = wall_at_end(seam, true, objects, cell, eaves);
+    return wall ? wall : wall_at_end(seam, false, objects, cell, eaves);
 }
 
 void clear_outside(const SeamLine& seam, const WallLine& wall, const Mask& roofs, const CellSize& cell,

@@ -38,6 +38,11 @@ struct WallLine {
 [[nodiscard]] std::optional<WallLine> wall_away_from(const MetrePlace& meeting, const SeamLine& seam,
                                                      const Mask& objects, const CellSize& cell, int eaves);
 
+/// The same beyond either end, where a crown hides the other: the wall ends behind it, or another building
+/// stands there.
+[[nodiscard]] std::optional<WallLine> wall_beyond_one_end(const SeamLine& seam, const Mask& objects,
+                                                          const CellSize& cell, int eaves);
+
 /// Clears cells that lie between a seam and its wall. @param roofs cells that stay
 void clear_outside(const SeamLine& seam, const WallLine& wall, const Mask& roofs, const CellSize& cell,
                    Mask& objects);

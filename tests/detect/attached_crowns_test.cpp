@@ -17,7 +17,8 @@ using Truth = std::function<bool(std::int32_t, std::int32_t)>;
 
 /// Roofs, whose cells are known, and what is found of them: all that is raised.
 struct Leaning {
-    explicit Leaning(std::int32_t rows, std::int32_t cols) : town(rows, cols), roofs(rows, cols) {}
+    explicit Leaning(std::int32_t rows, std::int32_t cols, CellSize cell = {})
+        : town(rows, cols, cell), roofs(rows, cols) {}
 
     void roof(const Truth& inside, float z = roof_z) {
         for (std::int32_t r = 0; r < roofs.rows; ++r)
@@ -125,6 +126,32 @@ TEST(AttachedCrowns, AreCutOffAtBothWallsOfACorner) {
     place.crown(31, 61, 6.5);
     EXPECT_LE(cells_beside_roofs(place, place.cut()), 2 * leaves_like_a_roof);
     EXPECT_EQ(place.crowns.size(), 1U);
+}
+
+/// A crown beside the last metres of a wall, so that it is seen on the other side alone.
+Leaning at_the_end_of_a_wall(CellSize cell = {}) {
+    Leaning place(50, 80, cell);
+    place.roof(Block{10, 10, 30, 60});
+    place.crown(33, 55, 6.5);
+    return place;
+}
+
+TEST(AttachedCrowns, AreCutOffWhereTheyHideTheEndOfAWall) {
+    Leaning place = at_the_end_of_a_wall();
+    EXPECT_LE(cells_beside_roofs(place, place.cut()), 2 * leaves_like_a_roof);
+    EXPECT_EQ(place.crowns.size(), 1U);
+}
+
+TEST(AttachedCrowns, StayAtTheEndOfAWallThatIsFewCellsLong) {
+    Leaning place = at_the_end_of_a_wall({2, 2});
+    EXPECT_EQ(drawing(place.cut()), drawing(raised(place.town)));
+}
+
+TEST(AttachedCrowns, AWingAtTheEndOfAWallStays) {
+    Leaning place(50, 80);
+    place.roof(Block{10, 10, 30, 60});
+    place.roof(Block{30, 52, 35, 60}, 105);
+    EXPECT_EQ(drawing(place.cut()), drawing(place.roofs));
 }
 
 TEST(AttachedCrowns, NothingIsCutWhereNoWallGoesOnFromTheCorner) {
