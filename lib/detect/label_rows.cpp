@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "core/byte_record.hpp"
+#include "core/equal_runs.hpp"
 
 namespace d2b {
 namespace {
@@ -38,7 +39,7 @@ void LabelRows::append(const Unit& unit, const Grid<Label>& labels, Executor& th
                                        .subspan(static_cast<std::size_t>(own.col - unit.seen.col),
                                                 static_cast<std::size_t>(own.cols));
                 const std::int32_t first = own.col - window_.col;
-                for_label_runs(cells, [&](std::int32_t begin, std::int32_t end, Label label) {
+                for_equal_runs(cells, [&](std::int32_t begin, std::int32_t end, Label label) {
                     runs.push_back({first + begin, first + end, label + more});
                 });
                 writer.put(static_cast<std::uint32_t>(runs.size()));

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -14,20 +13,6 @@
 #include "detect/unit_grid.hpp"
 
 namespace d2b {
-
-/// Calls use(begin, end, label) for each run of cells of a row with a label other than 0.
-template <typename Use>
-void for_label_runs(std::span<const Label> row, const Use& use) {
-    for (std::size_t begin = 0; begin < row.size();) {
-        const Label label = row[begin];
-        std::size_t end = begin + 1;
-        while (end < row.size() && row[end] == label)
-            ++end;
-        if (label != 0)
-            use(static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end), label);
-        begin = end;
-    }
-}
 
 /// The labels of a window, unit by unit, as runs that wait in a spool: 12 bytes a run and 4 a row of a unit.
 class LabelRows {

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/equal_runs.hpp"
 #include "core/row_bands.hpp"
-#include "detect/label_rows.hpp"
 #include "detect/smoothness.hpp"
 
 namespace d2b {
@@ -143,7 +143,7 @@ void SamplingOfRows::add_steps(std::int32_t r) {
         return labels.row(row).subspan(static_cast<std::size_t>(own_.col),
                                        static_cast<std::size_t>(own_.cols));
     };
-    for_label_runs(own(r), [&](std::int32_t begin, std::int32_t end, Label label) {
+    for_equal_runs(own(r), [&](std::int32_t begin, std::int32_t end, Label label) {
         if (!detection_.is_building(label))
             return;
         sampling_.built += end - begin;

@@ -20,7 +20,7 @@ struct StructuringElements {
     double growth = 1.2;       ///< from an element to the next, but at least by a cell
     double border_reach = 14;  ///< elements reach as far into the grid at its border, or their whole radius
     double border_width = 0;   ///< as near the border of the grid ...
-    double border_share = 1;   ///< ... an object rises by so much less
+    double border_share = 1;   ///< ... an object rises by this share of that
 };
 
 /// A structuring element in cells.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "detect/label_rows.hpp"
+#include "core/equal_runs.hpp"
 #include "levels/natural_breaks.hpp"
 
 namespace d2b {
@@ -81,7 +81,7 @@ std::vector<EvenCells> even_cells(const ElevationBand& elevations, const LabelBa
     std::vector<EvenCells> result;
     for (std::int32_t r = 0; r < elevations.shape.rows; ++r) {
         const std::span<const double> row = elevations.row(r);
-        for_label_runs(labels.row(r), [&](std::int32_t begin, std::int32_t end, Label label) {
+        for_equal_runs(labels.row(r), [&](std::int32_t begin, std::int32_t end, Label label) {
             add_even(row.subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin)),
                      label, result);
         });

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/equal_runs.hpp"
 #include "core/stage_clock.hpp"
 
 namespace d2b {
@@ -25,7 +26,7 @@ GatheredRows gather(const ElevationBand& band, const LabelBand& labels) {
     GatheredRows gathered;
     for (std::int32_t row = 0; row < band.shape.rows; ++row) {
         const auto elevations = band.row(row);
-        for_label_runs(labels.row(row), [&](std::int32_t begin, std::int32_t end, Label label) {
+        for_equal_runs(labels.row(row), [&](std::int32_t begin, std::int32_t end, Label label) {
             gathered.runs.push_back({label, {band.shape.first_row + row, begin, end}});
             gathered.elevations.insert(gathered.elevations.end(), elevations.begin() + begin,
                                        elevations.begin() + end);
@@ -46,7 +47,7 @@ std::vector<std::int32_t> last_rows(const LabelRows& labels, Label count, const 
             const LabelBand band = labels.band(shape);
             std::map<Label, std::int32_t> here;
             for (std::int32_t row = 0; row < shape.rows; ++row)
-                for_label_runs(band.row(row), [&](std::int32_t, std::int32_t, Label label) {
+                for_equal_runs(band.row(row), [&](std::int32_t, std::int32_t, Label label) {
                     here[label] = shape.first_row + row;
                 });
             return here;

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <utility>
 
+#include "core/equal_runs.hpp"
 #include "core/row_bands.hpp"
 #include "core/stage_clock.hpp"
 #include "detect/detection.hpp"
@@ -60,7 +61,7 @@ std::vector<SeenObject> seen_objects(const Detection& detection, const std::vect
         seen.push_back({detection.objects[i], i < detection.buildings, ground[i + 1], 0});
     for_row_bands(threads, own.rows, detection.labels.cols, [&](RowBand band) {
         for (std::int32_t r = own.row + band.begin; r < own.row + band.end; ++r)
-            for_label_runs(detection.labels.row(r).subspan(static_cast<std::size_t>(own.col),
+            for_equal_runs(detection.labels.row(r).subspan(static_cast<std::size_t>(own.col),
                                                            static_cast<std::size_t>(own.cols)),
                            [&](std::int32_t begin, std::int32_t end, Label label) {
                                std::atomic_ref(seen[label - 1].own_cells)

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "core/equal_runs.hpp"
+
 namespace d2b {
 namespace {
 
@@ -91,7 +93,7 @@ std::vector<LabelRun> label_runs(const Unit& unit, const Grid<Label>& labels) {
     const Window& own = unit.own;
     std::vector<LabelRun> runs;
     for (std::int32_t row = own.row; row < own.end_row(); ++row)
-        for_label_runs(labels.row(row - unit.seen.row)
+        for_equal_runs(labels.row(row - unit.seen.row)
                            .subspan(static_cast<std::size_t>(own.col - unit.seen.col),
                                     static_cast<std::size_t>(own.cols)),
                        [&](std::int32_t begin, std::int32_t end, Label label) {

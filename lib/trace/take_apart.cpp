@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/equal_runs.hpp"
 #include "core/processors.hpp"
 #include "trace/squares.hpp"
 
@@ -174,19 +175,13 @@ TraceLine Cutter<Count>::line_of_points(std::int32_t number, const Holders& abov
     highest.resize(static_cast<std::size_t>(summed_.end - summed_.begin));
     pick_highest(std::span(above).subspan(above.empty() ? 0 : first), std::span(below).subspan(first),
                  highest);
-    for (std::size_t begin = 0; begin < highest.size();) {
-        const Holder holder = highest[begin];
-        std::size_t end = begin + 1;
-        while (end < highest.size() && highest[end] == holder)
-            ++end;
-        if (holder != 0)
-            add_share(line, {(holder & above_line) != 0,
-                             static_cast<std::uint32_t>(holder),
-                             static_cast<std::int32_t>(first + begin),
-                             static_cast<std::int32_t>(first + end),
-                             {}});
-        begin = end;
-    }
+    for_equal_runs(highest, [&](std::int32_t begin, std::int32_t end, Holder holder) {
+        add_share(line, {(holder & above_line) != 0,
+                         static_cast<std::uint32_t>(holder),
+                         summed_.begin + begin,
+                         summed_.begin + end,
+                         {}});
+    });
     line.squares = std::move(squares);
     return line;
 }
