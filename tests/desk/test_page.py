@@ -1,5 +1,7 @@
 """The page of -page in Chromium: what is seen, what answers, and that it speaks to nobody."""
 
+import base64
+import io
 import json
 import os
 import pathlib
@@ -237,6 +239,85 @@ class Page(unittest.TestCase):
             paper = browser.call("Page.printToPDF", landscape=False)
             self.assertGreater(len(paper["data"]), 20000)
             self.assertTrue(browser.is_seen("view"))  # afterwards as before
+            self.quiet(browser)
+
+    def with_courtyards(self, name, fall=0.0):
+        """A house of 60 by 80 m with two courtyards, in the middle of 140 by 160 m. @param fall of the ground, m a row
+        @return the page, and what is house: rows from the north, columns from the west"""
+        rows, cols = np.mgrid[0:160, 0:140]
+        house = (rows >= 40) & (rows < 120) & (cols >= 40) & (cols < 100)
+        for top, left in (50, 55), (85, 70):
+            house &= ~((rows >= top) & (rows < top + 20) & (cols >= left) & (cols < left + 18))
+        heights = 100 - fall * rows
+        heights[house] = 112
+        dem = self.folder / f"{name}.tif"
+        raster = gdal.GetDriverByName("GTiff").Create(str(dem), 140, 160, 1, gdal.GDT_Float32)
+        raster.SetGeoTransform((500000, 1, 0, 5800160, 0, -1))
+        raster.SetProjection(gdal.Open(str(TOWN)).GetProjection())
+        raster.WriteArray(heights)
+        raster = None
+        return self.make(dem, f"{name}.html"), house
+
+    def shows_courtyards(self, browser, picture, house):
+        """Roof where the house is, and ground in its courtyards as around it; walls are drawn on the borders."""
+        places = browser.run("""
+            const {map, town} = window.dem2buildings;
+            const [west, south, east, north] = town.extent;
+            const at = (row, col) => map.toPixels(west + col + 0.5, north - row - 0.5);
+            const all = [];
+            for (let row = 0; row < 160; ++row)
+              for (let col = 0; col < 140; ++col)
+                all.push(at(row, col));
+            return all;""")
+        roof = picture.getpixel(tuple(round(part) for part in places[45 * 140 + 45]))
+        ground = picture.getpixel(tuple(round(part) for part in places[30 * 140 + 20]))
+        self.assertGreater(max(abs(a - b) for a, b in zip(roof, ground)), 30)
+        wrong = []
+        for row in range(2, 158):
+            for col in range(2, 138):
+                around = house[row - 2:row + 3, col - 2:col + 3]
+                if around.all() or not around.any():
+                    seen = picture.getpixel(tuple(round(part) for part in places[row * 140 + col]))
+                    like = [max(abs(a - b) for a, b in zip(seen, of)) for of in (roof, ground)]
+                    if (like[0] < like[1]) != house[row, col]:
+                        wrong.append((row, col))
+        self.assertEqual(wrong, [])
+
+    def test_a_courtyard_is_ground_on_the_map_and_on_paper(self):
+        page, house = self.with_courtyards("courtyards")
+        with Browser() as browser:
+            browser.open(page)
+            browser.press("tomap")
+            browser.wait()
+            # The scale bar and the arrow are drawn in the canvas as well, and lie outside of the house.
+            canvas = "return document.getElementById('map').toDataURL('image/png').split(',')[1]"
+            drawn = lambda: Image.open(io.BytesIO(base64.b64decode(browser.run(canvas)))).convert("RGB")
+            browser.run("window.dem2buildings.map.draw()")
+            self.shows_courtyards(browser, drawn(), house)
+            browser.run("window.dispatchEvent(new Event('beforeprint'))")
+            self.shows_courtyards(browser, drawn(), house)
+            browser.run("window.dispatchEvent(new Event('afterprint'))")
+            self.quiet(browser)
+
+    def test_walls_of_a_courtyard_reach_the_ground(self):
+        """Where the ground falls by 8 m along a house, walls go on below its base, around its courtyards too."""
+        page, _ = self.with_courtyards("slope", fall=0.1)
+        with Browser() as browser:
+            browser.open(page)
+            corners, rings, base = browser.run("""
+                const {scene, town} = window.dem2buildings;
+                scene.chunks.update(scene.camera.position, Infinity, Infinity);
+                const below = scene.chunks.all.flatMap(
+                    ({foundation}) => [...foundation.children[0].geometry.getAttribute('position').array]);
+                const rings = town.ringsOf(town.tiersOf(0)[0]).map(([from, to]) =>
+                    Array.from({length: to - from}, (_, i) => [town.x[from + i], town.y[from + i]]));
+                return [below, rings, town.base(0)];""")
+            deep = {(round(corners[i], 1), round(-corners[i + 2], 1)) for i in range(0, len(corners), 3)
+                    if corners[i + 1] < base - 0.01}
+            self.assertEqual(len(rings), 3)
+            for ring in rings:
+                for x, y in ring:
+                    self.assertIn((round(x, 1), round(y, 1)), deep)
             self.quiet(browser)
 
     def test_a_city_is_soon_there(self):

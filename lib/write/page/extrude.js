@@ -106,16 +106,18 @@ export function foundations(town, relief, buildings) {
     for (let tier = from; tier < to; ++tier) {
       if (town.stack.parent[tier] >= 0)
         continue;
-      const [ring] = town.ringsOf(tier);
+      const rings = town.ringsOf(tier);
       const base = town.base(building);
       let lowest = base;
-      for (let i = ring[0]; i < ring[1]; ++i) {
-        const ground = relief.near(town.x[i], town.y[i]);
-        if (ground < lowest)
-          lowest = ground;
-      }
+      for (const [first, end] of rings)
+        for (let i = first; i < end; ++i) {
+          const ground = relief.near(town.x[i], town.y[i]);
+          if (ground < lowest)
+            lowest = ground;
+        }
       if (lowest < base)
-        addWalls(prisms, town, ring, lowest, base, [150, 146, 140]);
+        for (const ring of rings)
+          addWalls(prisms, town, ring, lowest, base, [150, 146, 140]);
     }
   }
   return prisms;

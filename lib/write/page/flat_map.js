@@ -147,11 +147,11 @@ export class FlatMap {
     const {pen, town} = this;
     pen.beginPath();
     for (const [from, to] of town.ringsOf(tier)) {
-      for (let i = from; i < to; ++i)
+      // After closePath() the pen is still at the ring before, so that a line to the next one would be drawn.
+      pen.moveTo(...this.toPixels(town.x[from], town.y[from]));
+      for (let i = from + 1; i < to; ++i)
         pen.lineTo(...this.toPixels(town.x[i], town.y[i]));
       pen.closePath();
-      if (from < to)
-        pen.moveTo(...this.toPixels(town.x[from], town.y[from]));
     }
     pen.fillStyle = text(colour);
     pen.fill('evenodd');
