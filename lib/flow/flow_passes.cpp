@@ -58,8 +58,7 @@ bool FlowPasses::is_sound(const std::vector<FinePolygon>& outlines) const {
     return make_partition(again).at_odds.empty();
 }
 
-std::optional<ChangedOutlines> FlowPasses::make(std::span<const PlanContour> leveled,
-                                                const StopRequest& stop) {
+std::optional<FlowOutlines> FlowPasses::make(std::span<const PlanContour> leveled, const StopRequest& stop) {
     constexpr int passes = 3;
     for (int pass = 0; pass < passes; ++pass) {
         mend(stop);
@@ -74,7 +73,7 @@ std::optional<ChangedOutlines> FlowPasses::make(std::span<const PlanContour> lev
     const std::vector<FlowFault> after = find_faults(editor, contours_, limits_);
     for (const FlowFault& fault : after)
         problems_.push_back(problem_of(fault, editor));
-    return ChangedOutlines{std::move(drawn.outlines), std::move(problems_), after.size()};
+    return FlowOutlines{std::move(drawn.outlines), std::move(problems_), after.size()};
 }
 
 }  // namespace d2b

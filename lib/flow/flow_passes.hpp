@@ -16,7 +16,7 @@
 namespace d2b {
 
 /// What changing a plan has come to.
-struct ChangedOutlines {
+struct FlowOutlines {
     std::vector<FinePolygon> outlines;  ///< of all contours
     std::vector<FlowProblem> problems;
     std::size_t left = 0;  ///< faults
@@ -34,7 +34,7 @@ class FlowPasses {
           budget_(contours, plan_.edges, limits) {}
 
     /// @return nothing where outlines would not be what they are to be
-    [[nodiscard]] std::optional<ChangedOutlines> make(std::span<const PlanContour> leveled,
+    [[nodiscard]] std::optional<FlowOutlines> make(std::span<const PlanContour> leveled,
                                                       const StopRequest& stop);
     /// Contours that were in pieces or gone, where that was the reason.
     [[nodiscard]] const std::vector<std::uint32_t>& broken() const { return broken_; }

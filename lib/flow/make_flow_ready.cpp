@@ -28,9 +28,9 @@ std::vector<PlanContour> with_levels(std::span<const PlanContour> contours) {
 
 /// What mending would break stays as it is, and the rest is mended anew. @return nothing where that is no
 /// help
-std::optional<ChangedOutlines> change(const Plan& plan, std::span<const PlanContour> contours,
-                                      std::span<const PlanContour> leveled, const FlowLimits& limits,
-                                      std::vector<bool> frozen, const StopRequest& stop) {
+std::optional<FlowOutlines> change(const Plan& plan, std::span<const PlanContour> contours,
+                                   std::span<const PlanContour> leveled, const FlowLimits& limits,
+                                   std::vector<bool> frozen, const StopRequest& stop) {
     constexpr int most_tries = 8;
     frozen.resize(contours.size());
     for (int i = 0; i < most_tries; ++i) {

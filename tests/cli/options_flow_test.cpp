@@ -125,6 +125,12 @@ TEST_F(OptionEffect, flow_ready__inThesisMode) {
         EXPECT_TRUE(OGR_G_Contains(terrain->geometry(), house.geometry()));
 }
 
+/// Both have types of their own for changed outlines.
+TEST_F(OptionEffect, flow_ready__beside_split_height) {
+    run_well({"-q", "-flow_ready", "1", "-split_height", "3", "--", sample("town.tif"), "out.gpkg"});
+    EXPECT_GT(buildings().records.size(), 300U);
+}
+
 TEST_F(OptionEffect, min_gap) {
     write(path("houses.tif"), two_houses());
     run_well({"-preset", "buildings", "-q", "-overwrite", "-min_gap", "1.5", "--", "houses.tif", "out.gpkg"});
