@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <string>
 #include <utility>
 
+#include "core/number_from_chars.hpp"
 #include "dem2buildings/error.hpp"
 
 namespace d2b {
@@ -76,7 +76,7 @@ std::optional<LengthUnit> parse_length_unit(std::string_view text) {
     if (!name.empty() && known != known_units.end())
         return LengthUnit{std::string(known->name), known->metres};
     double metres = 0;
-    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), metres);
+    const auto [end, error] = number_from_chars(name.data(), name.data() + name.size(), metres);
     if (error != std::errc{} || end != name.data() + name.size() || !std::isfinite(metres) || metres <= 0)
         return {};
     return LengthUnit{std::string(text) + " m", metres};

@@ -1,18 +1,18 @@
 #include "options/option_values.hpp"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <system_error>
 
+#include "core/number_from_chars.hpp"
 #include "core/number_text.hpp"
 #include "dem2buildings/error.hpp"
 
 namespace d2b {
 namespace {
 
-/// std::from_chars knows no plus sign, which atof, and with it every tool of GDAL, accepts.
+/// number_from_chars() takes no plus sign, which atof, and with it every tool of GDAL, accepts.
 std::string_view without_plus(std::string_view text) {
     if (text.size() > 1 && text[0] == '+' && text[1] != '-')
         text.remove_prefix(1);
@@ -24,7 +24,7 @@ std::optional<Number> parse_all(std::string_view text) {
     text = without_plus(text);
     Number value{};
     const char* const end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    const auto [stop, error] = number_from_chars(text.data(), end, value);
     if (error != std::errc() || stop != end)
         return std::nullopt;
     return value;
@@ -56,7 +56,7 @@ bool looks_like_number(std::string_view text) {
     text = without_plus(text);
     double value = 0;
     const char* const end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    const auto [stop, error] = number_from_chars(text.data(), end, value);
     return error != std::errc::invalid_argument && stop == end;
 }
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <memory>
 #include <utility>
 
+#include "core/number_from_chars.hpp"
 #include "dem2buildings/error.hpp"
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
@@ -56,7 +56,7 @@ std::optional<double> height_of(OGRFeatureH feature, int field) {
     } else {
         const std::string text = OGR_F_GetFieldAsString(feature, field);
         const char* const end = text.data() + text.size();
-        const auto [stop, error] = std::from_chars(text.data(), end, value);
+        const auto [stop, error] = number_from_chars(text.data(), end, value);
         if (error != std::errc() || stop != end)
             return std::nullopt;
     }

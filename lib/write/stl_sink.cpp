@@ -1,7 +1,6 @@
 #include "write/stl_sink.hpp"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -9,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/number_from_chars.hpp"
 #include "write/coordinate_text.hpp"
 #include "write/surface_file.hpp"
 
@@ -38,7 +38,7 @@ Vector as_read(const std::string& text) {
     const char* at = text.data();
     for (double& number : numbers) {
         float read = 0;
-        at = std::from_chars(at, text.data() + text.size(), read).ptr;
+        at = number_from_chars(at, text.data() + text.size(), read).ptr;
         number = static_cast<double>(read);
         at += at == text.data() + text.size() ? 0 : 1;  // a space
     }

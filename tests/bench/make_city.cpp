@@ -1,5 +1,4 @@
 // Makes a square synthetic city of any size for benchmarks.
-#include <charconv>
 #include <cmath>
 #include <exception>
 #include <iostream>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "city_file.hpp"
+#include "core/number_from_chars.hpp"
 
 namespace {
 
@@ -26,7 +26,7 @@ struct Arguments {
 
 template <typename Number>
 bool parse(std::string_view text, Number& number) {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const auto [end, error] = d2b::number_from_chars(text.data(), text.data() + text.size(), number);
     return error == std::errc{} && end == text.data() + text.size();
 }
 

@@ -1,8 +1,8 @@
 #include "write/coordinate_text.hpp"
 
-#include <charconv>
-
 #include <gtest/gtest.h>
+
+#include "core/number_from_chars.hpp"
 
 namespace d2b {
 namespace {
@@ -10,7 +10,7 @@ namespace {
 /// With a point, whatever the locale says.
 float first_number(const std::string& text) {
     float number = 0;
-    std::from_chars(text.data(), text.data() + text.size(), number);
+    number_from_chars(text.data(), text.data() + text.size(), number);
     return number;
 }
 

@@ -1,0 +1,65 @@
+#include "core/number_from_chars.hpp"
+
+#include <cerrno>
+#include <clocale>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+#include <system_error>
+
+#if __has_include(<xlocale.h>)
+#include <xlocale.h>  // macOS and FreeBSD declare strtod_l here
+#endif
+
+namespace d2b {
+namespace {
+
+locale_t c_locale() {
+    static const locale_t locale = newlocale(LC_ALL_MASK, "C", nullptr);
+    return locale;
+}
+
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+/// The part that strtod may see: it also takes white space, a plus sign and hexadecimal digits, which
+/// std::from_chars does not.
+std::string decimal_text(const char* first, const char* last) {
+    const char* const sign_end = first != last && *first == '-' ? first + 1 : first;
+    if (sign_end == last)
+        return {};
+    const auto letter = static_cast<char>(*sign_end | 0x20);
+    if (!is_digit(*sign_end) && *sign_end != '.' && letter != 'i' && letter != 'n')
+        return {};
+    const bool hexadecimal = *sign_end == '0' && last - sign_end > 1 && (sign_end[1] | 0x20) == 'x';
+    return {first, hexadecimal ? sign_end + 1 : last};
+}
+
+template <class Number, class Read>
+std::from_chars_result parse(const char* first, const char* last, Number& value, Read read) {
+    const std::string text = decimal_text(first, last);
+    char* end = nullptr;
+    errno = 0;
+    const Number number = read(text.c_str(), &end, c_locale());
+    if (end == text.c_str())
+        return {first, std::errc::invalid_argument};
+    const char* const stop = first + (end - text.c_str());
+    // Numbers below the normal range are an error of strtod, too, though they are read.
+    if (errno == ERANGE && (number == 0 || std::isinf(number)))
+        return {stop, std::errc::result_out_of_range};
+    value = number;
+    return {stop, std::errc()};
+}
+
+}  // namespace
+
+std::from_chars_result number_from_chars(const char* first, const char* last, double& value) {
+    return parse(first, last, value, strtod_l);
+}
+
+std::from_chars_result number_from_chars(const char* first, const char* last, float& value) {
+    return parse(first, last, value, strtof_l);
+}
+
+}  // namespace d2b
