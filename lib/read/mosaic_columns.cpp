@@ -28,7 +28,7 @@ XmlOwner description_of(GDALDatasetH dataset) {
     if (VSIStatL(GDALGetDescription(dataset), &status) != 0 ||
         static_cast<vsi_l_offset>(status.st_size) > most_bytes)
         return nullptr;
-    char** const all = GDALGetMetadata(dataset, "xml:VRT");
+    const CSLConstList all = GDALGetMetadata(dataset, "xml:VRT");
     return XmlOwner(all == nullptr || *all == nullptr ? nullptr : CPLParseXMLString(*all));
 }
 

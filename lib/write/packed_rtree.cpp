@@ -14,23 +14,26 @@ constexpr std::size_t head_bytes = 4;
 constexpr std::size_t cell_bytes = 24;
 constexpr int byte_bits = 8;
 
+/// Fills the begin of what is left with the bytes of a number.
 template <typename Unsigned>
-void put(std::vector<std::byte>& bytes, Unsigned value) {
-    for (int shift = byte_bits * static_cast<int>(sizeof value - 1); shift >= 0; shift -= byte_bits)
-        bytes.push_back(static_cast<std::byte>(value >> shift));
+void put(std::span<std::byte>& left, Unsigned value) {
+    for (std::size_t i = sizeof value; i > 0; --i) {
+        left[i - 1] = static_cast<std::byte>(value);
+        value = static_cast<Unsigned>(value >> byte_bits);
+    }
+    left = left.subspan(sizeof value);
 }
 
 std::vector<std::byte> node_of(std::span<const IndexedBox> cells, std::size_t depth, std::size_t node_bytes) {
-    std::vector<std::byte> bytes;
-    bytes.reserve(node_bytes);
-    put(bytes, static_cast<std::uint16_t>(depth));
-    put(bytes, static_cast<std::uint16_t>(cells.size()));
+    std::vector<std::byte> bytes(node_bytes);
+    std::span<std::byte> left(bytes);
+    put(left, static_cast<std::uint16_t>(depth));
+    put(left, static_cast<std::uint16_t>(cells.size()));
     for (const IndexedBox& cell : cells) {
-        put(bytes, static_cast<std::uint64_t>(cell.id));
+        put(left, static_cast<std::uint64_t>(cell.id));
         for (const float value : {cell.min_x, cell.max_x, cell.min_y, cell.max_y})
-            put(bytes, std::bit_cast<std::uint32_t>(value));
+            put(left, std::bit_cast<std::uint32_t>(value));
     }
-    bytes.resize(node_bytes);
     return bytes;
 }
 

@@ -20,7 +20,8 @@ class Repeat : public CliTest {
         Metadata metadata;
         const GDALMajorObjectH object =
             layer == nullptr ? dataset : GDALDatasetGetLayerByName(dataset, layer);
-        for (char** item = GDALGetMetadata(object, nullptr); item != nullptr && *item != nullptr; ++item) {
+        for (CSLConstList item = GDALGetMetadata(object, nullptr); item != nullptr && *item != nullptr;
+             ++item) {
             const std::string text = *item;
             metadata[text.substr(0, text.find('='))] = text.substr(text.find('=') + 1);
         }

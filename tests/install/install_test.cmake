@@ -14,6 +14,16 @@ endfunction()
 
 run(${CMAKE_COMMAND} --install ${build} --config ${config} --prefix ${prefix})
 
+# Programs that run with a library of another minor version, which may have another interface, would break.
+string(REGEX MATCH "^[0-9]+[.][0-9]+" minor "${version}")
+if(NOT soversion STREQUAL minor)
+  message(SEND_ERROR "the SOVERSION is '${soversion}', not '${minor}'")
+endif()
+file(GLOB shared ${prefix}/${libdir}/libdem2buildings.so)
+if(shared AND NOT EXISTS ${shared}.${minor})
+  message(SEND_ERROR "there is no ${shared}.${minor}")
+endif()
+
 # Names that depend on the system or the kind of build are made the same. Documents are as in the source tree.
 file(GLOB_RECURSE files LIST_DIRECTORIES FALSE RELATIVE ${prefix} ${prefix}/*)
 list(FILTER files EXCLUDE REGEX "^${docdir}/")

@@ -1,7 +1,7 @@
 # For try.sh and test.sh, which read this file. Debian packages are installed where they are missing; on systems
 # without apt-get, what is installed already has to do.
 
-build_packages="g++ cmake ninja-build libgdal-dev libgeos-dev libproj-dev libgeographiclib-dev libsqlite3-dev
+build_packages="g++ cmake make ninja-build libgdal-dev libgeos-dev libproj-dev libgeographiclib-dev libsqlite3-dev
     libboost-dev libboost-program-options-dev nlohmann-json3-dev pkg-config libcairo2-dev libpango1.0-dev"
 
 # What dem2buildings_mesh is built with; without it, all else is built.
@@ -43,9 +43,12 @@ install_packages() {
     as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing >/dev/null
 }
 
-# configure cmake-options...: build/, Release unless it was configured by hand. Up to 16 sources of a folder are
-# compiled as one, which takes a third of the time: most of it goes into the headers of the libraries.
+# configure cmake-options...: build/, Release unless it was configured by hand, with the options in D2B_CONFIGURE. Up to
+# 16 sources of a folder are compiled as one, which takes a third of the time: most of it goes into the headers of the
+# libraries.
 configure() {
+    # shellcheck disable=SC2086  # a list of words
+    set -- "$@" ${D2B_CONFIGURE:-}
     if [ -e build/CMakeCache.txt ]; then
         cmake -S . -B build "$@"
     else
