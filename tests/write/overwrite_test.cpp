@@ -1,3 +1,4 @@
+#include "dem2buildings/error.hpp"
 #include "dem2buildings/open_sinks.hpp"
 #include "write/write_fixture.hpp"
 
