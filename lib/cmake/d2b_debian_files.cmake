@@ -15,7 +15,7 @@ file(READ ${CPACK_RESOURCE_FILE_LICENSE} expat)
 string(REGEX REPLACE "^.*(Permission is hereby granted)" "\\1" expat "${expat}")
 string(STRIP "${expat}" expat)
 string(REGEX REPLACE "\n\n" "\n.\n" expat "${expat}")
-string(REGEX REPLACE "(^|\n)" "\\1 " expat "${expat}")
+string(REPLACE "\n" "\n " expat " ${expat}")
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 
 foreach(component IN LISTS CPACK_COMPONENTS_ALL)

@@ -1,13 +1,14 @@
 # `cpack -G DEB` in the build folder: a package with what users run and, where it is built, one with the package for
 # Python and, where CGAL is found, one with dem2buildings_mesh, which has a license of its own; each with the libraries that it needs as dpkg-shlibdeps finds them,
-# and with Pango, which is loaded when something is drawn.
+# and with Pango, which is loaded when something is drawn. `.ci/package` has lintian look at them.
 set(CPACK_PACKAGE_NAME dem2buildings)
 set(CPACK_PACKAGE_VENDOR "dem2buildings")
 set(CPACK_PACKAGE_CONTACT "The authors of dem2buildings <${D2B_EMAIL}>")
 set(CPACK_PACKAGE_HOMEPAGE_URL ${D2B_REPOSITORY})
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY ${PROJECT_DESCRIPTION})
-set(CPACK_PACKAGE_DESCRIPTION "Finds buildings in the elevation raster of a city and writes them as polygons with heights
-and with the stack of contours that each is made of, for planners and for models of wind.")
+set(CPACK_PACKAGE_DESCRIPTION "Finds buildings in the elevation raster of a city and writes them as
+polygons with heights and with the stack of contours that each is made of,
+for planners and for models of wind.")
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
