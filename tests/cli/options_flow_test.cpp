@@ -127,7 +127,9 @@ TEST_F(OptionEffect, flow_ready__inThesisMode) {
 
 /// Both have types of their own for changed outlines.
 TEST_F(OptionEffect, flow_ready__beside_split_height) {
-    run_well({"-q", "-flow_ready", "1", "-split_height", "3", "--", sample("town.tif"), "out.gpkg"});
+    ASSERT_EQ(
+        run({"-q", "-flow_ready", "1", "-split_height", "3", "--", sample("town.tif"), "out.gpkg"}).status,
+        0);
     EXPECT_GT(buildings().records.size(), 300U);
 }
 
