@@ -35,7 +35,7 @@ class FlowPasses {
 
     /// @return nothing where outlines would not be what they are to be
     [[nodiscard]] std::optional<FlowOutlines> make(std::span<const PlanContour> leveled,
-                                                      const StopRequest& stop);
+                                                   const StopRequest& stop);
     /// Contours that were in pieces or gone, where that was the reason.
     [[nodiscard]] const std::vector<std::uint32_t>& broken() const { return broken_; }
 
