@@ -23,12 +23,6 @@ SurfaceTier tier_of(const PlanContour& contour, std::int32_t level, std::int32_t
     return tier;
 }
 
-/// What has no height would be seen as a flat piece of its ground.
-std::int64_t block_roof(const BuildingRecord& record, SurfaceRoof roof, const SurfaceLattice& lattice,
-                        std::int64_t base) {
-    return std::max(base, lattice.height(flat_roof(record, roof, lattice)));
-}
-
 }  // namespace
 
 std::vector<SurfacePart> building_tiers(const DrawnCluster& drawn, SurfaceRoof roof,
@@ -38,13 +32,18 @@ std::vector<SurfacePart> building_tiers(const DrawnCluster& drawn, SurfaceRoof r
         SurfaceBuilding& building = parts[i].buildings.emplace_back();
         building.id = drawn.buildings[i].id;
         building.base = drawn.cluster.buildings[i].base;
-        building.roof = block_roof(drawn.buildings[i], roof, lattice, building.base);
+        building.roof = building.base;
     }
     std::vector<std::int32_t> places;  // of contours among the tiers of their buildings
     for (std::size_t i = 0; i < drawn.cluster.contours.size(); ++i) {
         const PlanContour& contour = drawn.cluster.contours[i];
-        std::vector<SurfaceTier>& tiers =
-            parts[static_cast<std::size_t>(contour.building)].buildings.front().tiers;
+        const auto place = static_cast<std::size_t>(contour.building);
+        SurfaceBuilding& building = parts[place].buildings.front();
+        std::vector<SurfaceTier>& tiers = building.tiers;
+        // What has no height would be seen as a flat piece of its ground.
+        if (contour.parent < 0)
+            building.roof =
+                std::max(building.base, block_roof(drawn.buildings[place], roof, contour.outline, lattice));
         places.push_back(static_cast<std::int32_t>(tiers.size()));
         tiers.push_back(tier_of(contour, drawn.levels[i],
                                 contour.parent < 0 ? -1 : places[static_cast<std::size_t>(contour.parent)]));

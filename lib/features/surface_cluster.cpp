@@ -7,11 +7,41 @@
 #include <optional>
 #include <utility>
 
+#include "core/int128.hpp"
 #include "surface/partition.hpp"
 #include "surface/snap_rounded.hpp"
 
 namespace d2b {
 namespace {
+
+/// In square steps, whichever way it runs.
+double plan_area(const FineRing& ring) {
+    Int128 twice = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const FinePoint& a = ring[i];
+        const FinePoint& b = ring[i + 1 < ring.size() ? i + 1 : 0];
+        twice += Int128{a.col - ring[0].col} * (b.row - ring[0].row) -
+                 Int128{b.col - ring[0].col} * (a.row - ring[0].row);
+    }
+    return std::abs(static_cast<double>(twice)) / 2;
+}
+
+/// In the plane of the CRS that is written, which is made of lengths.
+double plan_area_m2(const FinePolygon& placed, const SurfaceFrame& frame) {
+    double steps = plan_area(placed.exterior);
+    for (const FineRing& interior : placed.interiors)
+        steps -= plan_area(interior);
+    return steps * frame.scale[0] * frame.scale[1] * frame.horizontal_metres * frame.horizontal_metres;
+}
+
+/// The elevation of the roof of a building that is one block.
+double flat_roof(const BuildingRecord& record, SurfaceRoof roof, const SurfaceLattice& lattice) {
+    if (roof == SurfaceRoof::max)
+        return record.roof;
+    const double height_m =
+        roof == SurfaceRoof::mean ? record.mean_m : record.heights_m[static_cast<std::size_t>(roof)];
+    return record.ground + height_m / lattice.frame().vertical_metres;
+}
 
 class ClusterDrawer {
   public:
@@ -108,6 +138,14 @@ void ClusterDrawer::place() {
         drop(is_lost);
     if (!input_.lattice.is_exact())
         snap_rounded(drawn_.cluster.contours);
+    if (input_.of == SurfaceOf::contours)
+        return;
+    for (PlanContour& contour : contours) {
+        const auto building = static_cast<std::size_t>(contour.building);
+        contour.top =
+            std::max(drawn_.cluster.buildings[building].base + 1,
+                     block_roof(drawn_.buildings[building], input_.roof, contour.outline, input_.lattice));
+    }
 }
 
 /// @param is_lost by building
@@ -149,10 +187,14 @@ DrawnCluster ClusterDrawer::draw(std::span<const std::uint32_t> contours) {
 
 }  // namespace
 
-double flat_roof(const BuildingRecord& record, SurfaceRoof roof, const SurfaceLattice& lattice) {
-    if (roof == SurfaceRoof::max)
-        return record.roof;
-    return record.ground + record.heights_m[static_cast<std::size_t>(roof)] / lattice.frame().vertical_metres;
+std::int64_t block_roof(const BuildingRecord& record, SurfaceRoof roof, const FinePolygon& placed,
+                        const SurfaceLattice& lattice) {
+    constexpr double most = 0.01;
+    double elevation = flat_roof(record, roof, lattice);
+    const double stretch = record.area_m2 / plan_area_m2(placed, lattice.frame());
+    if (roof == SurfaceRoof::mean && std::abs(stretch - 1) < most)
+        elevation = record.ground + (elevation - record.ground) * stretch;
+    return lattice.height(elevation);
 }
 
 DrawnCluster draw_cluster(const SurfaceInput& input, std::span<const std::uint32_t> contours,

@@ -39,8 +39,13 @@ struct DrawnCluster {
     std::vector<LostBuilding> lost;         ///< those that have no ground, no height or no place in the CRS
 };
 
-/// The elevation of the roof of a building that is one block.
-[[nodiscard]] double flat_roof(const BuildingRecord& record, SurfaceRoof roof, const SurfaceLattice& lattice);
+/// The height of the roof of a building that is one block, on the lattice. With SurfaceRoof::mean the block
+/// encloses the volume that the record has, because areas are measured on the ellipsoid and the height makes
+/// up for what the plane of the CRS differs from it. Where that is more than a hundredth, as in Web Mercator,
+/// the plane has no true lengths, and the height stays what it is.
+/// @param placed its footprint, on the lattice
+[[nodiscard]] std::int64_t block_roof(const BuildingRecord& record, SurfaceRoof roof,
+                                      const FinePolygon& placed, const SurfaceLattice& lattice);
 
 /// The outlines and heights of the buildings in a group, on the lattice of the surface.
 /// @param contours ascending @param transform to the CRS of the output; one a thread

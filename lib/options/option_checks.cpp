@@ -129,6 +129,19 @@ void check_offset(const LevelOptions& levels) {
                           number_text(*levels.interval) + " from; give a base near the elevations.");
 }
 
+/// Formats of surfaces for which -surface_solids has no effect are CityJSON and glTF.
+void check_solids(const Request& request) {
+    const auto is_parted = [](const std::string& name) {
+        const std::string small = lower(name);
+        return small.ends_with(".obj") || small.ends_with(".stl");
+    };
+    const std::vector<std::string>& files = request.options.write.surfaces;
+    if (find_option("surface_solids")->is_given(request) && std::ranges::none_of(files, is_parted))
+        throw OptionError(
+            "-surface_solids has no effect without an OBJ or STL; give a -surface whose name "
+            "ends in .obj or .stl.");
+}
+
 }  // namespace
 
 void check_options(const Request& request) {
@@ -138,6 +151,7 @@ void check_options(const Request& request) {
     for (const OptionNeed& need : option_needs())
         check_need(need, request);
     check_offset(request.options.levels);
+    check_solids(request);
     if (!request.tool.sweep.empty() && !request.options.write.preview.empty())
         require_legible(request.tool.sweep_plan.trials(), request.options.write.preview_size);
 }

@@ -54,11 +54,9 @@ std::vector<OptionRow> dataset() {
 /// The surface of the buildings.
 std::vector<OptionRow> surface() {
     const Choices<SurfaceOf> of{{"buildings", SurfaceOf::buildings}, {"contours", SurfaceOf::contours}};
-    const Choices<SurfaceRoof> roofs{{"p50", SurfaceRoof::p50},
-                                     {"p70", SurfaceRoof::p70},
-                                     {"p90", SurfaceRoof::p90},
-                                     {"p95", SurfaceRoof::p95},
-                                     {"max", SurfaceRoof::max}};
+    const Choices<SurfaceRoof> roofs{{"mean", SurfaceRoof::mean}, {"p50", SurfaceRoof::p50},
+                                     {"p70", SurfaceRoof::p70},   {"p90", SurfaceRoof::p90},
+                                     {"p95", SurfaceRoof::p95},   {"max", SurfaceRoof::max}};
     const auto whole = [](const Three& metres) {
         return std::ranges::all_of(metres, [](double m) { return std::isfinite(m) && m == std::round(m); });
     };
@@ -92,8 +90,17 @@ std::vector<OptionRow> surface() {
         {.title = "Height of the flat roofs",
          .section = DialogSection::output,
          .help = "Height of the flat roofs of -surface_of buildings.",
-         .details = "p70 is the height that 70 % of a building's points do not exceed, as models of level of "
-                    "detail 1.2 have it.",
+         .details = "mean is the mean height of a building's points, so that its block encloses volume_m3; "
+                    "p70 is the height that 70 % of them do not exceed.",
+         .python = Python::extract_file,
+         .repeats = false}));
+    const Choices<SurfaceSolids> solids{{"one", SurfaceSolids::one}, {"each", SurfaceSolids::each}};
+    rows.push_back(choice_row(
+        "surface_solids", solids, [](auto& r) -> auto& { return r.options.write.surface_solids; },
+        {.title = "Objects of an OBJ, solids of an STL",
+         .section = DialogSection::output,
+         .help = "Whether an OBJ has one object and an STL one solid, or one for each building.",
+         .details = "one suits programs that read the first solid alone, or slow down with many objects.",
          .python = Python::extract_file,
          .repeats = false}));
     rows.push_back(several_row<3>(

@@ -118,6 +118,7 @@ constexpr std::array needs{
     OptionNeed{"preview_size", "preview", "it is the size of its picture"},
     OptionNeed{"surface_of", "surface", "it says what the surface is made of"},
     OptionNeed{"surface_roof", "surface", "it is the height of its flat roofs"},
+    OptionNeed{"surface_solids", "surface", "it says how many objects an OBJ has, or solids an STL"},
     OptionNeed{"surface_origin", "surface", "its coordinates begin there"},
     OptionNeed{"write_problems",
                "surface",

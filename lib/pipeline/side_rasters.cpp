@@ -20,10 +20,10 @@
 namespace d2b {
 namespace {
 
-std::unique_ptr<SurfaceSink> open_surface(const std::string& destination, bool overwrite,
+std::unique_ptr<SurfaceSink> open_surface(const std::string& destination, const WriteOptions& write,
                                           const std::vector<std::string>& in_use) {
-    RasterPlace place = locate_raster({destination, overwrite, in_use, RasterFormat::surface});
-    return open_surface_sink(std::move(place));
+    RasterPlace place = locate_raster({destination, write.overwrite, in_use, RasterFormat::surface});
+    return open_surface_sink(std::move(place), write.surface_solids);
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ SideSinks open_side_sinks(const Options& options, const DemInfo& dem) {
     SideSinks sinks =
         open_scene_rasters(options, dem, {write.ground, write.height, write.canopy}, write.overwrite, in_use);
     for (const std::string& destination : write.surfaces) {
-        sinks.surfaces.push_back(open_surface(destination, write.overwrite, in_use));
+        sinks.surfaces.push_back(open_surface(destination, write, in_use));
         in_use.push_back(destination);
     }
     if (!write.page.empty()) {

@@ -31,7 +31,7 @@ std::string comment(const std::string& text) {
 
 class ObjSink final : public SurfaceSink {
   public:
-    explicit ObjSink(RasterPlace place) : file_(std::move(place)) {}
+    ObjSink(RasterPlace place, SurfaceSolids solids) : solids_(solids), file_(std::move(place)) {}
 
     [[nodiscard]] SurfaceForm form() const override { return SurfaceForm::shell; }
     void begin(const SurfaceMeta& meta) override;
@@ -42,9 +42,11 @@ class ObjSink final : public SurfaceSink {
   private:
     void add_building(const SurfaceBuilding& building);
 
+    SurfaceSolids solids_;
     SurfaceFile file_;
     std::optional<CoordinateText> text_;
     std::uint64_t before_ = 1;  ///< number of the next corner
+    bool has_any_ = false;
 };
 
 void ObjSink::begin(const SurfaceMeta& meta) {
@@ -68,7 +70,12 @@ void ObjSink::add(const SurfacePart& part) {
 }
 
 void ObjSink::add_building(const SurfaceBuilding& building) {
-    std::string text = "o building_" + std::to_string(building.id) + "\n";
+    std::string text;
+    if (solids_ == SurfaceSolids::each)
+        text = "o building_" + std::to_string(building.id) + "\n";
+    else if (!has_any_)
+        text = "o buildings\n";
+    has_any_ = true;
     for (const Group& group : groups) {
         text += std::string("g ") + group.name + "\n";
         for (const SurfaceTriangle& triangle : building.triangles)
@@ -84,8 +91,8 @@ void ObjSink::add_building(const SurfaceBuilding& building) {
 
 }  // namespace
 
-std::unique_ptr<SurfaceSink> open_obj_sink(RasterPlace place) {
-    return std::make_unique<ObjSink>(std::move(place));
+std::unique_ptr<SurfaceSink> open_obj_sink(RasterPlace place, SurfaceSolids solids) {
+    return std::make_unique<ObjSink>(std::move(place), solids);
 }
 
 }  // namespace d2b

@@ -47,7 +47,7 @@ Vector as_read(const std::string& text) {
 
 class StlSink final : public SurfaceSink {
   public:
-    explicit StlSink(RasterPlace place) : file_(std::move(place)) {}
+    StlSink(RasterPlace place, SurfaceSolids solids) : solids_(solids), file_(std::move(place)) {}
 
     [[nodiscard]] SurfaceForm form() const override { return SurfaceForm::shell; }
     void begin(const SurfaceMeta& meta) override {
@@ -59,27 +59,40 @@ class StlSink final : public SurfaceSink {
     [[nodiscard]] std::vector<std::string> take_warnings() override { return file_.take_warnings(); }
 
   private:
-    void add_building(const SurfacePart& part, const SurfaceBuilding& building);
+    void begin_solid(const std::string& name);
+    void end_solid();
     [[nodiscard]] std::string facet(const SurfacePart& part, const SurfaceTriangle& triangle) const;
 
+    SurfaceSolids solids_;
     SurfaceFile file_;
     SurfaceFrame frame_;
     std::optional<CoordinateText> text_;
+    std::string solid_;  ///< name of the one that is not ended
     bool has_any_ = false;
 };
 
 void StlSink::add(const SurfacePart& part) {
-    for (const SurfaceBuilding& building : part.buildings)
-        add_building(part, building);
+    for (const SurfaceBuilding& building : part.buildings) {
+        if (solids_ == SurfaceSolids::each || !has_any_)
+            begin_solid(solids_ == SurfaceSolids::one ? "buildings"
+                                                      : "building_" + std::to_string(building.id));
+        std::string text;
+        for (const SurfaceTriangle& triangle : building.triangles)
+            text += facet(part, triangle);
+        file_.write(text);
+    }
 }
 
-void StlSink::add_building(const SurfacePart& part, const SurfaceBuilding& building) {
-    const std::string name = "building_" + std::to_string(building.id);
-    std::string text = "solid " + name + " origin " + origin_text(frame_) + "\n";
-    for (const SurfaceTriangle& triangle : building.triangles)
-        text += facet(part, triangle);
-    file_.write(text + "endsolid " + name + "\n");
+void StlSink::begin_solid(const std::string& name) {
+    end_solid();
+    file_.write("solid " + name + " origin " + origin_text(frame_) + "\n");
+    solid_ = name;
     has_any_ = true;
+}
+
+void StlSink::end_solid() {
+    if (has_any_)
+        file_.write("endsolid " + solid_ + "\n");
 }
 
 std::string StlSink::facet(const SurfacePart& part, const SurfaceTriangle& triangle) const {
@@ -98,16 +111,18 @@ std::string StlSink::facet(const SurfacePart& part, const SurfaceTriangle& trian
 }
 
 void StlSink::finish() {
-    if (has_any_)
-        file_.publish();
-    else
+    if (!has_any_) {
         file_.leave_out("an STL without a solid is none");
+        return;
+    }
+    end_solid();
+    file_.publish();
 }
 
 }  // namespace
 
-std::unique_ptr<SurfaceSink> open_stl_sink(RasterPlace place) {
-    return std::make_unique<StlSink>(std::move(place));
+std::unique_ptr<SurfaceSink> open_stl_sink(RasterPlace place, SurfaceSolids solids) {
+    return std::make_unique<StlSink>(std::move(place), solids);
 }
 
 }  // namespace d2b

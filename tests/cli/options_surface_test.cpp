@@ -44,7 +44,7 @@ TEST_F(OptionEffect, surface) {
     EXPECT_NEAR(obj.plan_area("/roof"), areas(layer), 0.001 * areas(layer));
     EXPECT_NEAR(obj.plan_area("/ground"), -areas(layer), 0.001 * areas(layer));
     EXPECT_EQ(obj.plan_area("/wall"), 0);
-    EXPECT_NEAR(obj.volume(), volumes(layer, "p70"), 0.002 * volumes(layer, "p70"));
+    EXPECT_NEAR(obj.volume(), layer.sum("volume_m3"), 0.001 * obj.volume());
     // Coordinates begin in the middle of the window, below the lowest point.
     ASSERT_GE(obj.comments.size(), 3U);
     EXPECT_EQ(obj.comments[1], "# origin: 391085 5819930 99");
@@ -53,7 +53,8 @@ TEST_F(OptionEffect, surface) {
         const std::string object = "building_" + std::to_string(static_cast<int>(record.number("id")));
         const auto [low, high] = obj.heights(object);
         EXPECT_NEAR(low, record.number("ground") - 99, 0.001);
-        EXPECT_NEAR(high - low, record.number("p70"), 0.006);
+        const double mean = record.number("volume_m3") / record.number("area_m2");
+        EXPECT_NEAR(high - low, mean, 0.001 * mean + 0.001);
     }
     std::ifstream one(path("town.obj"));
     std::ifstream other(path("again.obj"));
@@ -144,7 +145,7 @@ TEST_F(OptionEffect, surface__asCityJson) {
     EXPECT_EQ(city.solids.size(), layer.records.size());
     EXPECT_NEAR(city.plan_area(FaceKind::roof), areas(layer), 0.001 * areas(layer));
     EXPECT_NEAR(city.plan_area(FaceKind::ground), areas(layer), 0.001 * areas(layer));
-    EXPECT_NEAR(city.volume(), volumes(layer, "p70"), 0.001 * volumes(layer, "p70"));
+    EXPECT_NEAR(city.volume(), layer.sum("volume_m3"), 0.001 * city.volume());
     EXPECT_EQ(city.root["metadata"]["referenceSystem"], "https://www.opengis.net/def/crs/EPSG/0/25833");
     for (const SurfacePart& solid : city.solids)
         for (const SurfacePoint& point : solid.points) {
@@ -232,6 +233,18 @@ TEST_F(OptionEffect, surface_of__inTheThesis) {
 }
 
 TEST_F(OptionEffect, surface_roof) {
+    // The mean is the default, and encloses what the layer says, block by block.
+    find({"-surface", "mean.city.json", "-surface", "mean.obj", "-surface_roof", "mean"});
+    const ReadCityJson blocks = read_cityjson(path("mean.city.json"));
+    const Layer layer = buildings();
+    EXPECT_EQ(blocks.solids.size(), layer.records.size());
+    for (const SurfacePart& solid : blocks.solids) {
+        const Record& record = layer.where("id", static_cast<double>(solid.buildings[0].id));
+        const double volume = record.number("volume_m3");
+        EXPECT_NEAR(blocks.volume_of(solid), volume, 0.001 * volume) << solid.buildings[0].id;
+    }
+    find({"-surface", "town.obj"});
+    EXPECT_EQ(read_bytes(path("town.obj")), read_bytes(path("mean.obj")));
     for (const std::string roof : {"p50", "p70", "p90", "p95"}) {
         find({"-surface", "town.obj", "-surface_roof", roof});
         const ReadObj obj = read_obj(path("town.obj"));
@@ -240,6 +253,57 @@ TEST_F(OptionEffect, surface_roof) {
     find({"-surface", "town.obj", "-surface_roof", "max"});
     const ReadObj highest = read_obj(path("town.obj"));
     EXPECT_NEAR(highest.volume(), volumes(buildings(), "height"), 0.002 * highest.volume());
+}
+
+/// In a CRS whose plane is 0.14 % larger than the ground, blocks hold what the layer says; where lengths are
+/// half as long again, heights stay what they are.
+TEST_F(OptionEffect, surface_roof__inOtherPlanes) {
+    const auto volumes_differ = [&](const std::string& file) {
+        const ReadCityJson city = read_cityjson(path(file));
+        const Layer layer = buildings();
+        double most = 0;
+        for (const SurfacePart& solid : city.solids) {
+            const Record& record = layer.where("id", static_cast<double>(solid.buildings[0].id));
+            most = std::max(most, std::abs(city.volume_of(solid) / record.number("volume_m3") - 1));
+        }
+        return most;
+    };
+    find({"-surface", "utm.city.json", "-t_srs", "EPSG:25832"});
+    EXPECT_LT(volumes_differ("utm.city.json"), 0.0005);
+    find({"-surface", "web.city.json", "-t_srs", "EPSG:3857"});
+    const ReadCityJson web = read_cityjson(path("web.city.json"));
+    const Layer layer = buildings();
+    EXPECT_GT(volumes_differ("web.city.json"), 1);
+    for (const SurfacePart& solid : web.solids) {
+        const Record& record = layer.where("id", static_cast<double>(solid.buildings[0].id));
+        const auto [low, high] = std::ranges::minmax(solid.points, {}, &SurfacePoint::z);
+        const double mean = record.number("volume_m3") / record.number("area_m2");
+        EXPECT_NEAR(static_cast<double>(high.z - low.z) / 1000, mean, 0.001 * mean + 0.001);
+    }
+}
+
+/// One object, or solid, has the same triangles as one for each building.
+TEST_F(OptionEffect, surface_solids) {
+    find({"-split_height", "3", "-surface", "each.obj", "-surface", "each.stl"});
+    find({"-split_height", "3", "-surface", "one.obj", "-surface", "one.stl", "-surface_solids", "one"});
+    const auto sorted = [](const ReadObj& obj, const std::string& ending) {
+        std::vector<ReadObj::Triangle> all;
+        for (const auto& [name, triangles] : obj.groups)
+            if (name.ends_with(ending))
+                all.insert(all.end(), triangles.begin(), triangles.end());
+        std::ranges::sort(all);
+        return all;
+    };
+    const ReadObj one = read_obj(path("one.obj"));
+    EXPECT_EQ(one.objects(), Names{"buildings"});
+    expect_closed(one);
+    for (const std::string group : {"/roof", "/wall", "/ground"})
+        EXPECT_EQ(sorted(one, group), sorted(read_obj(path("each.obj")), group)) << group;
+    const ReadObj solid = read_stl(path("one.stl"));
+    EXPECT_EQ(solid.objects(), Names{"buildings"});
+    EXPECT_EQ(solid.comments.size(), 1U);
+    expect_closed(solid);
+    EXPECT_EQ(sorted(solid, ""), sorted(read_stl(path("each.stl")), ""));
 }
 
 TEST_F(OptionEffect, surface_origin) {
@@ -295,7 +359,7 @@ TEST_F(OptionEffect, surface__ofOtherGrids) {
     run_well({"-preset", "buildings", "-q", "-overwrite", "-surface", "o.obj", "-zunit", "ft", "--",
               "feet.tif", "out.gpkg"});
     obj = read_obj(path("o.obj"));
-    EXPECT_NEAR(obj.volume(), volumes(buildings(), "p70"), 0.002 * obj.volume());
+    EXPECT_NEAR(obj.volume(), buildings().sum("volume_m3"), 0.001 * obj.volume());
 }
 
 class SurfaceErrors : public TownErrors {};
@@ -407,6 +471,13 @@ TEST_F(SurfaceErrors, coordinates) {
             "-write_problems needs -surface <file>, -flow_ready <m>, -min_gap <m> or -min_wall <m>; what it "
             "writes was in the way of a surface or a flow solver.",
             {"-write_problems"});
+    refused(2,
+            "-surface_solids needs -surface <file>; it says how many objects an OBJ has, or solids an STL.",
+            {"-surface_solids", "one"});
+    refused(2,
+            "-surface_solids has no effect without an OBJ or STL; give a -surface whose name ends in .obj or "
+            ".stl.",
+            {"-surface", "a.city.json", "-surface", "a.glb", "-surface_solids", "one"});
     refused(2, "-surface_roof has no effect with -surface_of contours; tiers have heights of their own.",
             {"-surface", "a.obj", "-surface_of", "contours", "-surface_roof", "p90"});
 }

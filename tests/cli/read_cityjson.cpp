@@ -94,6 +94,11 @@ double ReadCityJson::volume() const {
     return static_cast<double>(six_volumes(solids)) / 6 * scale[0] * scale[1] * scale[2];
 }
 
+double ReadCityJson::volume_of(const SurfacePart& solid) const {
+    const auto scale = frame().scale;
+    return static_cast<double>(six_volumes({&solid, 1})) / 6 * scale[0] * scale[1] * scale[2];
+}
+
 double ReadCityJson::plan_area(FaceKind kind) const {
     const auto scale = frame().scale;
     return static_cast<double>(twice_plan_area(solids, kind)) / 2 * scale[0] * scale[1];

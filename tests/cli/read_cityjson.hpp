@@ -18,6 +18,7 @@ struct ReadCityJson {
     [[nodiscard]] const nlohmann::json& attributes(std::int64_t building) const;
     /// In cubic units of the CRS.
     [[nodiscard]] double volume() const;
+    [[nodiscard]] double volume_of(const SurfacePart& solid) const;
     /// As seen from above.
     [[nodiscard]] double plan_area(FaceKind kind) const;
     [[nodiscard]] SurfaceFrame frame() const;

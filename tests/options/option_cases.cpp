@@ -60,6 +60,7 @@ const std::map<std::string, std::vector<Texts>>& values() {
         {"write_height", {{"h.tif"}}},
         {"write_canopy", {{"c.tif"}}},
         {"surface", {{"s.obj"}}},
+        {"surface_solids", {{"one"}}},
         {"surface_origin", {{"391000", "5820000", "7"}}},
         {"page", {{"p.html"}}},
         {"preview", {{"p.png"}}},
@@ -74,6 +75,7 @@ const std::map<std::string, Texts>& needs() {
     static const std::map<std::string, Texts> all{
         {"surface_of", {"-surface", "s.obj"}},
         {"surface_roof", {"-surface", "s.obj"}},
+        {"surface_solids", {"-surface", "s.obj"}},
         {"surface_origin", {"-surface", "s.obj"}},
         {"write_problems", {"-surface", "s.obj"}},
         // What it does not change it names.

@@ -107,6 +107,7 @@ TEST(OptionTable, holdsTheseOptions) {
                                          "surface",
                                          "surface_of",
                                          "surface_roof",
+                                         "surface_solids",
                                          "surface_origin",
                                          "page",
                                          "preview",
@@ -251,7 +252,8 @@ TEST(OptionTable, defaultsAreThoseOfTheOptions) {
     EXPECT_EQ(find_option("regularize_tolerance")->standard, "");
     EXPECT_EQ(find_option("split_height")->standard, "0");
     EXPECT_EQ(find_option("fields")->standard, "own");
-    EXPECT_EQ(find_option("surface_roof")->standard, "p70");
+    EXPECT_EQ(find_option("surface_roof")->standard, "mean");
+    EXPECT_EQ(find_option("surface_solids")->standard, "each");
     EXPECT_EQ(find_option("off")->standard, "0");
     EXPECT_EQ(find_option("simplify")->standard, "0");
     EXPECT_EQ(find_option("flow_ready")->standard, "0");
@@ -449,6 +451,8 @@ TEST(Options, ofTheOutput) {
     EXPECT_EQ(write({"-surface", "a.obj", "-surface_of", "buildings"}).surface_of, SurfaceOf::buildings);
     EXPECT_EQ(write({"-surface", "a.obj", "-surface_roof", "p50"}).surface_roof, SurfaceRoof::p50);
     EXPECT_EQ(write({"-surface", "a.obj", "-surface_roof", "max"}).surface_roof, SurfaceRoof::max);
+    EXPECT_EQ(write({"-surface", "a.obj", "-surface_roof", "mean"}).surface_roof, SurfaceRoof::mean);
+    EXPECT_EQ(write({"-surface", "a.obj", "-surface_solids", "one"}).surface_solids, SurfaceSolids::one);
     EXPECT_EQ(write({"-surface", "a.obj", "-surface_origin", "1", "-2", "3"}).surface_origin,
               (std::array<double, 3>{1, -2, 3}));
     EXPECT_EQ(find_option("p")->show(parse({"-p"})), "");  // accepted, changes nothing
@@ -601,6 +605,7 @@ TEST(Options, everyOptionChangesWhatItShows) {
                                            {"-surface", "x"},
                                            {"-surface", "x", "-surface_of", "contours"},
                                            {"-surface", "x", "-surface_roof", "p90"},
+                                           {"-surface", "x.stl", "-surface_solids", "one"},
                                            {"-surface", "x", "-surface_origin", "1", "2", "3"},
                                            {"-surface", "x", "-write_problems"},
                                            {"-page", "x"},

@@ -114,8 +114,11 @@ enum class LayerRole { buildings, contours, doubtful, rejected, problems };
 /// What a surface is made of: one block a building, or the tiers of its stack.
 enum class SurfaceOf { buildings, contours };
 
-/// The height of a block: what so many of its points do not exceed, in percent, or its highest.
-enum class SurfaceRoof { p50, p70, p90, p95, max };
+/// The height of a block: what so many of its points do not exceed, in percent, its highest, or their mean.
+enum class SurfaceRoof { p50, p70, p90, p95, max, mean };
+
+/// Whether a surface of triangles has an object of its own for each building, or one for all.
+enum class SurfaceSolids { one, each };
 
 /// Whose names the fields of buildings have.
 enum class FieldNames { own, urock, city4cfd, osm };
@@ -139,8 +142,9 @@ struct WriteOptions {
     std::string canopy;                   ///< GeoTIFF of the heights of what is no building
     std::vector<std::string> surfaces;    ///< files of the surface of the buildings
     std::optional<SurfaceOf> surface_of;  ///< as the preset has it where it is not given
-    /// 70 as models of LoD 1.2 have it: a flat roof of that height encloses what a pitched one does, about.
-    SurfaceRoof surface_roof = SurfaceRoof::p70;
+    /// The mean, because a flat roof at that height encloses as much as the roof that was measured.
+    SurfaceRoof surface_roof = SurfaceRoof::mean;
+    SurfaceSolids surface_solids = SurfaceSolids::each;  ///< of OBJ and STL
     /// x, y, z in metres that local coordinates begin at; a place in the middle where it is not given
     std::optional<std::array<double, 3>> surface_origin;
     std::string page;     ///< HTML page of the buildings in 3D; "": none
