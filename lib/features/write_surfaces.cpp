@@ -93,8 +93,9 @@ SurfaceWriter::SurfaceWriter(const SurfaceInput& input, std::span<SurfaceSink* c
 void SurfaceWriter::make_closed(std::span<const std::uint32_t> group, SurfaceRoom& room,
                                 GroupSurfaces& result) {
     DrawnCluster drawn = draw_cluster(input_, group, room.transform);
-    result.made = make_surfaces(drawn.cluster, forms_,
-                                [&](const FinePolygon& polygon) { return room.geos.triangles(polygon); });
+    result.made = make_surfaces(
+        drawn.cluster, forms_, [&](const FinePolygon& polygon) { return room.geos.triangles(polygon); },
+        context_.threads->stop());
     const auto attributes = building_attributes(input_.features.plan.asked.detect.is_split_by());
     fill_values(drawn.buildings, attributes, result.made.solids);
     fill_values(drawn.buildings, attributes, result.made.shell);

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
+#include <numeric>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -19,32 +22,41 @@ bool is_in_sector(FinePoint node, FinePoint first, FinePoint second, FinePoint t
     return !in_the_rest || (side(node, first, second) == 0 && side(node, first, to) > 0);
 }
 
-class FaultFinder {
+}  // namespace
+
+/// Looks for the faults at one edge or node.
+class FlowFaults::Finder {
   public:
-    FaultFinder(const PlanEditor& plan, std::span<const PlanContour> contours, const FlowLimits& limits)
+    Finder(const PlanEditor& plan, std::span<const PlanContour> contours, const FlowLimits& limits)
         : plan_(plan), contours_(contours), limits_(limits) {}
 
-    [[nodiscard]] std::vector<FlowFault> find();
+    [[nodiscard]] std::vector<FlowFault> at_edge(std::uint32_t edge);
+    [[nodiscard]] std::vector<FlowFault> at_node(std::uint32_t node);
+    /// How far from the last node edges have a say in what was found there, m.
+    [[nodiscard]] double reach() const { return reach_; }
 
   private:
     void look_along(std::uint32_t first, std::uint32_t next);
-    void look_at_wall(std::uint32_t edge);
     void look_at_angles(std::uint32_t node, const std::vector<NodeArm>& arms);
     void look_across(std::uint32_t node, const std::vector<NodeArm>& arms);
-    void look_at_gap(std::uint32_t node, const std::vector<NodeArm>& arms, std::uint32_t edge);
+    [[nodiscard]] std::optional<FlowFault> gap_to(std::uint32_t edge, std::uint32_t node,
+                                                  const std::vector<NodeArm>& arms) const;
     [[nodiscard]] bool runs_on(std::uint32_t node) const;
     [[nodiscard]] bool ends_a_gap(const PlanEdge& edge) const;
     [[nodiscard]] bool is_above(std::int32_t contour, std::int32_t floor) const;
-    [[nodiscard]] bool is_seen(std::uint32_t node, const FlowFault& gap) const;
+    [[nodiscard]] bool is_seen(const FlowFault& gap) const;
     [[nodiscard]] double angle(FinePoint node, FinePoint first, FinePoint second) const;
 
     const PlanEditor& plan_;
     std::span<const PlanContour> contours_;
     const FlowLimits& limits_;
     std::vector<FlowFault> faults_;
+    std::vector<std::uint32_t> seen_at_;  // the last look that met an edge
+    std::uint32_t look_ = 0;
+    double reach_ = 0;
 };
 
-bool FaultFinder::is_above(std::int32_t contour, std::int32_t floor) const {
+bool FlowFaults::Finder::is_above(std::int32_t contour, std::int32_t floor) const {
     while (contour != open_ground && contour != floor) {
         contour = contours_[static_cast<std::size_t>(contour)].parent;
         if (contour == floor)
@@ -54,7 +66,7 @@ bool FaultFinder::is_above(std::int32_t contour, std::int32_t floor) const {
 }
 
 /// Degrees from the first direction to the second, counter-clockwise on the ground.
-double FaultFinder::angle(FinePoint node, FinePoint first, FinePoint second) const {
+double FlowFaults::Finder::angle(FinePoint node, FinePoint first, FinePoint second) const {
     const FlowMetric& m = limits_.metric;
     const double x1 = m.x(node, first);
     const double y1 = m.y(node, first);
@@ -64,7 +76,7 @@ double FaultFinder::angle(FinePoint node, FinePoint first, FinePoint second) con
 }
 
 /// Whether a node is but a place on a straight wall. Nothing but rounding bends it.
-bool FaultFinder::runs_on(std::uint32_t node) const {
+bool FlowFaults::Finder::runs_on(std::uint32_t node) const {
     constexpr double straight = 0.5;  // degrees
     if (plan_.degree(node) != 2)
         return false;
@@ -74,7 +86,7 @@ bool FaultFinder::runs_on(std::uint32_t node) const {
 
 /// Whether the walls at both ends run on along a lower place, with it between them: its width is that of the
 /// edge.
-bool FaultFinder::ends_a_gap(const PlanEdge& edge) const {
+bool FlowFaults::Finder::ends_a_gap(const PlanEdge& edge) const {
     for (const auto& [from, to, floor, above] : {std::tuple(edge.from, edge.to, edge.left, edge.right),
                                                  std::tuple(edge.to, edge.from, edge.right, edge.left)}) {
         if (!is_above(above, floor) || plan_.degree(from) != 2 || plan_.degree(to) != 2)
@@ -96,7 +108,7 @@ bool FaultFinder::ends_a_gap(const PlanEdge& edge) const {
 }
 
 /// From the first corner of a wall on, through places where it but runs on.
-void FaultFinder::look_along(std::uint32_t first, std::uint32_t next) {
+void FlowFaults::Finder::look_along(std::uint32_t first, std::uint32_t next) {
     const auto way = [&](std::uint32_t a, std::uint32_t b) {
         return limits_.metric.distance(plan_.at(a), plan_.at(b));
     };
@@ -113,7 +125,7 @@ void FaultFinder::look_along(std::uint32_t first, std::uint32_t next) {
         faults_.push_back({FlowKind::wall, first, next, 0, length, {}});
 }
 
-void FaultFinder::look_at_wall(std::uint32_t edge) {
+std::vector<FlowFault> FlowFaults::Finder::at_edge(std::uint32_t edge) {
     const PlanEdge& e = plan_.edges()[edge];
     if (!runs_on(e.from))
         look_along(e.from, e.to);
@@ -122,9 +134,10 @@ void FaultFinder::look_at_wall(std::uint32_t edge) {
     const double length = limits_.metric.distance(plan_.at(e.from), plan_.at(e.to));
     if (length >= limits_.wall && length < limits_.gap && ends_a_gap(e))
         faults_.push_back({FlowKind::wall, e.from, e.to, 0, length, {}});
+    return std::exchange(faults_, {});
 }
 
-void FaultFinder::look_at_angles(std::uint32_t node, const std::vector<NodeArm>& arms) {
+void FlowFaults::Finder::look_at_angles(std::uint32_t node, const std::vector<NodeArm>& arms) {
     for (std::size_t i = 0; i < arms.size() && arms.size() > 1; ++i) {
         const NodeArm& next = arms[(i + 1) % arms.size()];
         const double degrees = angle(plan_.at(node), plan_.at(arms[i].end), plan_.at(next.end));
@@ -134,46 +147,54 @@ void FaultFinder::look_at_angles(std::uint32_t node, const std::vector<NodeArm>&
 }
 
 /// Whether nothing lies between a node and the place of a gap.
-bool FaultFinder::is_seen(std::uint32_t node, const FlowFault& gap) const {
-    const FinePoint from = plan_.at(node);
+bool FlowFaults::Finder::is_seen(const FlowFault& gap) const {
+    const FinePoint from = plan_.at(gap.node);
     const FinePoint to = gap.place;
-    bool seen = true;
-    plan_.near({std::min(from.row, to.row), std::min(from.col, to.col)},
-               {std::max(from.row, to.row), std::max(from.col, to.col)}, [&](std::uint32_t e) {
-                   const PlanEdge& edge = plan_.edges()[e];
-                   if (!seen || e == gap.one)
-                       return;
-                   const FinePoint a = plan_.at(edge.from);
-                   const FinePoint b = plan_.at(edge.to);
-                   if (edge.from == node || edge.to == node)
-                       seen = !overlap_from(from, to, edge.from == node ? b : a);
-                   else if (a == to || b == to)
-                       seen = !overlap_from(to, from, a == to ? b : a);
-                   else
-                       seen = !meet({a, b}, {from, to});
-               });
-    return seen;
+    const FinePoint low{std::min(from.row, to.row), std::min(from.col, to.col)};
+    const FinePoint high{std::max(from.row, to.row), std::max(from.col, to.col)};
+    return plan_.all_near(low, high, [&](std::uint32_t e) {
+        if (e == gap.one)
+            return true;
+        const PlanEdge& edge = plan_.edges()[e];
+        const FinePoint a = plan_.at(edge.from);
+        const FinePoint b = plan_.at(edge.to);
+        if (edge.from == gap.node || edge.to == gap.node)
+            return !overlap_from(from, to, edge.from == gap.node ? b : a);
+        if (a == to || b == to)
+            return !overlap_from(to, from, a == to ? b : a);
+        return !meet({a, b}, {from, to});
+    });
 }
 
-void FaultFinder::look_at_gap(std::uint32_t node, const std::vector<NodeArm>& arms, std::uint32_t edge) {
+/// The gap between a node and an edge, whatever lies in it.
+std::optional<FlowFault> FlowFaults::Finder::gap_to(std::uint32_t edge, std::uint32_t node,
+                                                    const std::vector<NodeArm>& arms) const {
     const PlanEdge& e = plan_.edges()[edge];
     if (e.from == node || e.to == node)
-        return;
+        return std::nullopt;
     const FlowMetric& m = limits_.metric;
     const FinePoint p = plan_.at(node);
     const FinePoint a = plan_.at(e.from);
     const FinePoint b = plan_.at(e.to);
+    if (std::ranges::none_of(arms,
+                             [&](const NodeArm& arm) { return arm.left == e.left || arm.left == e.right; }))
+        return std::nullopt;  // no sector of the node looks at it
     const double along =
         (m.x(a, p) * m.x(a, b) + m.y(a, p) * m.y(a, b)) / (m.x(a, b) * m.x(a, b) + m.y(a, b) * m.y(a, b));
     const double share = std::clamp(along, 0.0, 1.0);
     const FinePoint place{a.row + std::llround(share * static_cast<double>(b.row - a.row)),
                           a.col + std::llround(share * static_cast<double>(b.col - a.col))};
+    const double far = limits_.gap;
+    const double x = m.x(p, place);
+    const double y = m.y(p, place);
+    if (x * x + y * y > far * far * 1.0001 || place == p)
+        return std::nullopt;
     const double width = m.distance(p, place);
-    if (!(width < limits_.gap) || place == p)
-        return;
+    if (!(width < far))
+        return std::nullopt;
     for (const NodeArm& arm : arms) {
         if (arm.end == e.from || arm.end == e.to)
-            return;  // a wedge
+            return std::nullopt;  // a wedge
     }
     for (std::size_t i = 0; i < arms.size(); ++i) {
         const NodeArm& next = arms[(i + 1) % arms.size()];
@@ -182,54 +203,157 @@ void FaultFinder::look_at_gap(std::uint32_t node, const std::vector<NodeArm>& ar
         const std::int32_t floor = arms[i].left;
         const bool from_left = e.left == floor;
         const std::int32_t across = from_left ? e.right : e.left;
-        const FlowFault fault{FlowKind::gap, node, edge, 0, width, place};
         if ((from_left || e.right == floor) && is_above(across, floor) && is_above(arms[i].right, floor) &&
-            is_above(next.left, floor) && is_seen(node, fault))
-            faults_.push_back(fault);
+            is_above(next.left, floor))
+            return FlowFault{FlowKind::gap, node, edge, 0, width, place};
+        return std::nullopt;
+    }
+    return std::nullopt;
+}
+
+/// Next to a corner two edges are near; the narrowest place says it all. It is looked for from the node
+/// outwards, because most of what is within the limit lies behind it.
+void FlowFaults::Finder::look_across(std::uint32_t node, const std::vector<NodeArm>& arms) {
+    reach_ = limits_.gap;
+    if (!(limits_.gap > 0))
         return;
-    }
-}
-
-void FaultFinder::look_across(std::uint32_t node, const std::vector<NodeArm>& arms) {
-    const FlowMetric& m = limits_.metric;
-    const std::int64_t reach = m.steps_around(limits_.gap);
     const FinePoint p = plan_.at(node);
-    std::vector<std::uint32_t> edges;
-    plan_.near({p.row - reach, p.col - reach}, {p.row + reach, p.col + reach},
-               [&](std::uint32_t e) { edges.push_back(e); });
-    std::ranges::sort(edges);
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    const std::size_t known = faults_.size();
-    for (const std::uint32_t e : edges)
-        look_at_gap(node, arms, e);
-    // Next to a corner two edges are near; the narrowest place says it all.
-    if (faults_.size() > known + 1) {
-        const auto first = faults_.begin() + static_cast<std::ptrdiff_t>(known);
-        std::swap(*first, *std::min_element(first, faults_.end(), [](const FlowFault& a, const FlowFault& b) {
-            return a.size < b.size;
-        }));
-        faults_.resize(known + 1);
+    seen_at_.resize(plan_.edges().size());
+    ++look_;
+    std::vector<FlowFault> gaps;
+    for (const double share : {0.125, 0.35, 1.0}) {
+        const std::int64_t reach = limits_.metric.steps_around(share * limits_.gap);
+        const auto look = [&](std::uint32_t e) {
+            if (std::exchange(seen_at_[e], look_) != look_)
+                if (const auto gap = gap_to(e, node, arms))
+                    gaps.push_back(*gap);
+            return true;
+        };
+        static_cast<void>(
+            plan_.all_near({p.row - reach, p.col - reach}, {p.row + reach, p.col + reach}, look));
+        std::ranges::sort(gaps, {}, [](const FlowFault& gap) { return std::pair(gap.size, gap.one); });
+        while (!gaps.empty() && gaps.front().size <= share * limits_.gap) {
+            if (is_seen(gaps.front())) {
+                reach_ = gaps.front().size;
+                faults_.push_back(gaps.front());
+                return;
+            }
+            gaps.erase(gaps.begin());
+        }
     }
 }
 
-std::vector<FlowFault> FaultFinder::find() {
-    for (std::uint32_t e = 0; e < plan_.edges().size(); ++e)
-        if (plan_.is_edge(e))
-            look_at_wall(e);
-    for (std::uint32_t node = 0; node < plan_.nodes().size(); ++node)
-        if (plan_.degree(node) > 0) {
-            const std::vector<NodeArm> arms = plan_.around(node);
-            look_at_angles(node, arms);
-            look_across(node, arms);
-        }
-    return std::move(faults_);
+std::vector<FlowFault> FlowFaults::Finder::at_node(std::uint32_t node) {
+    const std::vector<NodeArm> arms = plan_.around(node);
+    look_at_angles(node, arms);
+    look_across(node, arms);
+    return std::exchange(faults_, {});
+}
+
+namespace {
+
+void erase_if_marked(std::vector<KnownFault>& known, const std::vector<bool>& marked) {
+    std::erase_if(known, [&](const KnownFault& fault) { return marked[fault.found_at]; });
+}
+
+/// Both in the order of their places.
+void merge_in(std::vector<KnownFault>& known, std::vector<KnownFault>&& more) {
+    std::vector<KnownFault> all;
+    all.reserve(known.size() + more.size());
+    std::ranges::merge(known, more, std::back_inserter(all), {}, &KnownFault::found_at,
+                       &KnownFault::found_at);
+    known = std::move(all);
 }
 
 }  // namespace
 
+FlowFaults::FlowFaults(const PlanEditor& plan, std::span<const PlanContour> contours,
+                       const FlowLimits& limits, const StopRequest& stop)
+    : plan_(plan), limits_(limits), stop_(stop), finder_(std::make_unique<Finder>(plan, contours, limits)) {
+    std::vector<std::uint32_t> edges(plan.edges().size());
+    std::iota(edges.begin(), edges.end(), 0U);
+    std::vector<std::uint32_t> nodes(plan.nodes().size());
+    std::iota(nodes.begin(), nodes.end(), 0U);
+    look_at(edges, nodes);
+}
+
+FlowFaults::~FlowFaults() = default;
+
+/// @param edges ascending @param nodes likewise
+void FlowFaults::look_at(std::span<const std::uint32_t> edges, std::span<const std::uint32_t> nodes) {
+    std::vector<KnownFault> walls;
+    for (const std::uint32_t e : edges) {
+        stop_.check();
+        if (plan_.is_edge(e))
+            for (const FlowFault& fault : finder_->at_edge(e))
+                walls.push_back({e, fault});
+    }
+    std::vector<KnownFault> corners;
+    reach_.resize(plan_.nodes().size());
+    for (const std::uint32_t node : nodes) {
+        stop_.check();
+        if (plan_.degree(node) == 0)
+            continue;
+        for (const FlowFault& fault : finder_->at_node(node))
+            corners.push_back({node, fault});
+        reach_[node] = finder_->reach();
+    }
+    merge_in(walls_, std::move(walls));
+    merge_in(corners_, std::move(corners));
+}
+
+void FlowFaults::update(std::span<const std::pair<std::uint32_t, std::uint32_t>> changes) {
+    std::vector<bool> is_old_edge(plan_.edges().size());
+    std::vector<bool> is_old_node(plan_.nodes().size());
+    std::vector<std::uint32_t> edges;
+    std::vector<std::uint32_t> nodes;
+    const auto add = [](std::uint32_t number, std::vector<bool>& is_old, std::vector<std::uint32_t>& list) {
+        if (!is_old[number])
+            list.push_back(number);
+        is_old[number] = true;
+    };
+    reach_.resize(plan_.nodes().size(), limits_.gap);
+    const FlowMetric& m = limits_.metric;
+    const std::int64_t reach = m.steps_around(std::max(limits_.gap, limits_.wall));
+    constexpr double rounding = 2;  // steps
+    const double more = rounding * std::max(std::hypot(m.col_x, m.col_y), std::hypot(m.row_x, m.row_y));
+    for (const auto& [from, to] : changes) {
+        add(from, is_old_node, nodes);
+        add(to, is_old_node, nodes);
+        const FinePoint a = plan_.at(from);
+        const FinePoint b = plan_.at(to);
+        plan_.each_near(a, b, reach, [&](std::uint32_t e) {
+            for (const std::uint32_t node : {plan_.edges()[e].from, plan_.edges()[e].to}) {
+                if (is_old_edge[e] && is_old_node[node])
+                    continue;
+                const FinePoint p = plan_.at(node);
+                const double away = a == b ? m.distance(p, a) : m.distance_to(p, a, b);
+                if (away <= limits_.wall + more)
+                    add(e, is_old_edge, edges);
+                if (away <= reach_[node] + more)
+                    add(node, is_old_node, nodes);
+            }
+        });
+    }
+    for (const KnownFault& wall : walls_)
+        if (!plan_.is_edge(wall.found_at))
+            is_old_edge[wall.found_at] = true;
+    erase_if_marked(walls_, is_old_edge);
+    erase_if_marked(corners_, is_old_node);
+    std::ranges::sort(edges);
+    std::ranges::sort(nodes);
+    look_at(edges, nodes);
+}
+
 std::vector<FlowFault> find_faults(const PlanEditor& plan, std::span<const PlanContour> contours,
-                                   const FlowLimits& limits) {
-    return FaultFinder(plan, contours, limits).find();
+                                   const FlowLimits& limits, const StopRequest& stop) {
+    const FlowFaults known(plan, contours, limits, stop);
+    std::vector<FlowFault> faults;
+    faults.reserve(known.walls().size() + known.corners().size());
+    for (const std::vector<KnownFault>* list : {&known.walls(), &known.corners()})
+        for (const KnownFault& fault : *list)
+            faults.push_back(fault.fault);
+    return faults;
 }
 
 }  // namespace d2b

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "core/stop_request.hpp"
 #include "flow/flow_limits.hpp"
 #include "surface/plan_editor.hpp"
 
@@ -26,10 +29,50 @@ struct FlowFault {
     FinePoint place;          ///< gap: of the edge, nearest to the node
 };
 
-/// All that falls short of the limits, in the order of edges and nodes. Edges that run on straight at a node
-/// that has no third one are one wall. Where a gap ends in a wedge its angle counts, and not its width.
+/// A fault and where it was found.
+struct KnownFault {
+    std::uint32_t found_at = 0;  ///< walls: edge; angles and gaps: node
+    FlowFault fault;
+    bool tried = false;  ///< in vain, since something has changed near it
+};
+
+/// All that falls short of the limits while a plan changes. Edges that run on straight at a node that has no
+/// third one are one wall. Where a gap ends in a wedge its angle counts, and not its width.
+class FlowFaults {
+  public:
+    /// @throws Cancelled
+    FlowFaults(const PlanEditor& plan, std::span<const PlanContour> contours, const FlowLimits& limits,
+               const StopRequest& stop);
+    ~FlowFaults();
+    FlowFaults(const FlowFaults&) = delete;
+    FlowFaults& operator=(const FlowFaults&) = delete;
+
+    /// Looks again at what lies near changes of the plan, and nowhere else.
+    /// @param changes as take_changes() of the plan has them @throws Cancelled
+    void update(std::span<const std::pair<std::uint32_t, std::uint32_t>> changes);
+    /// In the order of edges.
+    [[nodiscard]] const std::vector<KnownFault>& walls() const { return walls_; }
+    [[nodiscard]] std::vector<KnownFault>& walls() { return walls_; }
+    /// Angles and gaps in the order of nodes.
+    [[nodiscard]] const std::vector<KnownFault>& corners() const { return corners_; }
+    [[nodiscard]] std::vector<KnownFault>& corners() { return corners_; }
+
+  private:
+    class Finder;
+    void look_at(std::span<const std::uint32_t> edges, std::span<const std::uint32_t> nodes);
+
+    const PlanEditor& plan_;
+    const FlowLimits& limits_;
+    const StopRequest& stop_;
+    std::unique_ptr<Finder> finder_;
+    std::vector<KnownFault> walls_;
+    std::vector<KnownFault> corners_;
+    std::vector<double> reach_;  // of each node: how far off edges have a say in what was found there, m
+};
+
+/// All of them, once; walls before angles and gaps.
 [[nodiscard]] std::vector<FlowFault> find_faults(const PlanEditor& plan,
                                                  std::span<const PlanContour> contours,
-                                                 const FlowLimits& limits);
+                                                 const FlowLimits& limits, const StopRequest& stop = {});
 
 }  // namespace d2b

@@ -60,6 +60,16 @@ bool FlowMender::merge_best(std::vector<Merge> merges, double share) {
     });
 }
 
+/// Of a mend that comes to nothing no node may stay, because each would be a corner in a straight wall.
+template <typename Mend>
+bool FlowMender::try_to(const Mend& mend) {
+    const std::size_t nodes = plan_.nodes().size();
+    if (mend())
+        return true;
+    plan_.unsplit_to(nodes);
+    return false;
+}
+
 /// A place on the way from one node to another.
 FinePoint FlowMender::along(std::uint32_t from, std::uint32_t to, double metres) const {
     const FinePoint a = plan_.at(from);
@@ -125,7 +135,7 @@ bool FlowMender::slant(std::uint32_t gone, std::uint32_t stays) {
         if (m.distance(place, plan_.at(stays)) < least)
             continue;
         const auto edge = plan_.edge_between(gone, next);
-        return edge && plan_.split(*edge, place) && merge_best({{gone, stays}});
+        return edge && try_to([&] { return plan_.split(*edge, place) && merge_best({{gone, stays}}); });
     }
     return false;
 }
@@ -139,15 +149,12 @@ bool FlowMender::mend_wall(const FlowFault& fault) {
 /// Whether a place on a wall of a node is that far from all other walls.
 bool FlowMender::is_away(FinePoint place, std::uint32_t node, double metres) const {
     const std::int64_t reach = limits_.metric.steps_around(metres);
-    bool away = true;
-    plan_.near(
+    return plan_.all_near(
         {place.row - reach, place.col - reach}, {place.row + reach, place.col + reach}, [&](std::uint32_t e) {
             const PlanEdge& edge = plan_.edges()[e];
-            if (edge.from != node && edge.to != node)
-                away = away &&
-                       limits_.metric.distance_to(place, plan_.at(edge.from), plan_.at(edge.to)) >= metres;
+            return edge.from == node || edge.to == node ||
+                   limits_.metric.distance_to(place, plan_.at(edge.from), plan_.at(edge.to)) >= metres;
         });
-    return away;
 }
 
 /// Where a gap is but a corner near a wall, the corner is cut off where both its walls are far enough.
@@ -170,27 +177,24 @@ bool FlowMender::cut_corner(const FlowFault& fault) {
         }
     if (places.size() != 2 || m.distance(places[0].second, places[1].second) < least)
         return false;
-    std::vector<std::uint32_t> ends;
-    for (const auto& [end, place] : places) {
-        const auto edge = plan_.edge_between(fault.node, end);
-        const auto node = edge ? plan_.split(*edge, place) : std::nullopt;
-        if (!node)
-            return false;
-        ends.push_back(*node);
-    }
-    return merge_best({{fault.node, ends[0]}, {fault.node, ends[1]}});
+    return try_to([&] {
+        std::vector<std::uint32_t> ends;
+        for (const auto& [end, place] : places) {
+            const auto edge = plan_.edge_between(fault.node, end);
+            const auto node = edge ? plan_.split(*edge, place) : std::nullopt;
+            if (!node)
+                return false;
+            ends.push_back(*node);
+        }
+        return merge_best({{fault.node, ends[0]}, {fault.node, ends[1]}});
+    });
 }
 
 bool FlowMender::mend_gap(const FlowFault& fault) {
-    if (cut_corner(fault))
-        return true;
-    const auto across = place_on(fault.one, fault.place);
-    if (!across)
-        return false;
-    if (merge_best({{fault.node, *across}, {*across, fault.node}}))
-        return true;
-    touch(*across);
-    return false;
+    return cut_corner(fault) || try_to([&] {
+               const auto across = place_on(fault.one, fault.place);
+               return across && merge_best({{fault.node, *across}, {*across, fault.node}});
+           });
 }
 
 /// Takes the tip off where both its sides are as far apart as a wall is long.
@@ -235,40 +239,19 @@ bool FlowMender::mend_angle(const FlowFault& fault) {
     const auto edge = plan_.edge_between(fault.node, far);
     if (!edge)
         return false;
-    if (m.distance(a, foot) < std::max(limits_.wall, limits_.gap)) {
+    const auto close = [&] {
         const auto node = place_on(*edge, foot);
-        if (node && *node != near && *node != fault.node &&
-            merge_best({{near, *node}, {*node, near}, {fault.node, near}}))
-            return true;
-    }
-    return cut_off(fault);
+        return node && *node != near && *node != fault.node &&
+               merge_best({{near, *node}, {*node, near}, {fault.node, near}});
+    };
+    return (m.distance(a, foot) < std::max(limits_.wall, limits_.gap) && try_to(close)) ||
+           try_to([&] { return cut_off(fault); });
 }
 
 bool FlowMender::mend(const FlowFault& fault) {
     if (fault.kind == FlowKind::wall)
         return mend_wall(fault);
     return fault.kind == FlowKind::gap ? mend_gap(fault) : mend_angle(fault);
-}
-
-/// Corners, then walls by the area that merging passes over, then gaps from the narrowest on: where a gap is
-/// closed at its narrowest, the rest of it follows.
-std::vector<FlowFault> FlowMender::in_order() const {
-    std::vector<std::pair<std::pair<int, double>, FlowFault>> faults;
-    for (const FlowFault& fault : find_faults(plan_, contours_, limits_)) {
-        std::pair<int, double> key{0, 0};
-        if (fault.kind == FlowKind::wall)
-            key = {1, static_cast<double>(std::min(plan_.swept(fault.node, plan_.at(fault.one)),
-                                                   plan_.swept(fault.one, plan_.at(fault.node))))};
-        if (fault.kind == FlowKind::gap)
-            key = {2, fault.size};
-        faults.emplace_back(key, fault);
-    }
-    std::ranges::stable_sort(faults, {}, [](const auto& fault) { return fault.first; });
-    std::vector<FlowFault> sorted;
-    sorted.reserve(faults.size());
-    for (const auto& [key, fault] : faults)
-        sorted.push_back(fault);
-    return sorted;
 }
 
 FlowProblem problem_of(const FlowFault& fault, const PlanEditor& plan) {
@@ -291,20 +274,49 @@ FlowProblem problem_of(const FlowFault& fault, const PlanEditor& plan) {
     return problem;
 }
 
+/// Corners, then walls by the area that merging passes over, then gaps from the narrowest on: where a gap is
+/// closed at its narrowest, the rest of it follows.
+std::vector<KnownFault*> FlowMender::in_order() {
+    std::vector<std::pair<std::pair<int, double>, KnownFault*>> faults;
+    for (std::vector<KnownFault>* list : {&faults_.walls(), &faults_.corners()})
+        for (KnownFault& known : *list) {
+            const FlowFault& fault = known.fault;
+            if (known.tried)
+                continue;
+            std::pair<int, double> key{0, 0};
+            if (fault.kind == FlowKind::wall)
+                key = {1, static_cast<double>(std::min(plan_.swept(fault.node, plan_.at(fault.one)),
+                                                       plan_.swept(fault.one, plan_.at(fault.node))))};
+            if (fault.kind == FlowKind::gap)
+                key = {2, fault.size};
+            faults.emplace_back(key, &known);
+        }
+    std::ranges::stable_sort(faults, {}, [](const auto& fault) { return fault.first; });
+    std::vector<KnownFault*> sorted;
+    sorted.reserve(faults.size());
+    for (const auto& [key, fault] : faults)
+        sorted.push_back(fault);
+    return sorted;
+}
+
 bool FlowMender::round() {
     touched_.assign(plan_.nodes().size(), false);
     bool any = false;
-    for (const FlowFault& fault : in_order()) {
-        if (!is_fresh(fault))
+    for (KnownFault* known : in_order()) {
+        stop_.check();
+        if (!is_fresh(known->fault))
             continue;
-        FlowProblem what = problem_of(fault, plan_);
-        if (!mend(fault))
+        FlowProblem what = problem_of(known->fault, plan_);
+        if (!mend(known->fault)) {
+            known->tried = true;
             continue;
+        }
         any = true;
         what.after = 0;
         what.changed = true;
         changed_.push_back(std::move(what));
     }
+    faults_.update(plan_.take_changes());
     return any;
 }
 

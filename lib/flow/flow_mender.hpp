@@ -19,8 +19,14 @@ class FlowMender {
     /// @param budget what changes may take, of which they take
     /// @param frozen contours that stay as they are; empty for none
     FlowMender(PlanEditor& plan, std::span<const PlanContour> contours, const FlowLimits& limits,
-               BlockBudget& budget, const std::vector<bool>& frozen)
-        : plan_(plan), contours_(contours), limits_(limits), budget_(budget), frozen_(frozen) {}
+               BlockBudget& budget, const std::vector<bool>& frozen, const StopRequest& stop)
+        : plan_(plan),
+          contours_(contours),
+          limits_(limits),
+          budget_(budget),
+          frozen_(frozen),
+          stop_(stop),
+          faults_(plan, contours, limits, stop) {}
 
     /// @return whether anything has changed
     [[nodiscard]] bool round();
@@ -28,7 +34,9 @@ class FlowMender {
 
   private:
     using Merge = std::pair<std::uint32_t, std::uint32_t>;  // a node, and what it is merged into
-    [[nodiscard]] std::vector<FlowFault> in_order() const;
+    [[nodiscard]] std::vector<KnownFault*> in_order();
+    template <typename Mend>
+    [[nodiscard]] bool try_to(const Mend& mend);
     [[nodiscard]] bool is_frozen(std::uint32_t node) const;
     [[nodiscard]] bool is_fresh(const FlowFault& fault) const;
     [[nodiscard]] bool mend(const FlowFault& fault);
@@ -50,7 +58,9 @@ class FlowMender {
     const FlowLimits& limits_;
     BlockBudget& budget_;
     const std::vector<bool>& frozen_;  // contours
-    std::vector<bool> touched_;        // nodes, this round
+    const StopRequest& stop_;
+    FlowFaults faults_;
+    std::vector<bool> touched_;  // nodes, this round
     std::vector<FlowProblem> changed_;
 };
 

@@ -26,15 +26,15 @@ std::int64_t steps_of(double metres, const FlowMetric& metric) {
 
 void FlowPasses::mend(const StopRequest& stop) {
     PlanEditor editor(std::move(plan_));
-    FlowMender mender(editor, contours_, limits_, budget_, frozen_);
+    FlowMender mender(editor, contours_, limits_, budget_, frozen_, stop);
     for (int round = 0; round < most_rounds && mender.round(); ++round)
-        stop.check();
+        continue;
     std::ranges::move(mender.take_changed(), std::back_inserter(problems_));
     plan_ = editor.plan();
 }
 
 /// @return whether all could be
-bool FlowPasses::take_apart(std::span<const PlanContour> leveled) {
+bool FlowPasses::take_apart(std::span<const PlanContour> leveled, const StopRequest& stop) {
     const std::int64_t wanted = steps_of(std::max(limits_.wall, limits_.gap), limits_.metric);
     PinchReach reach{wanted};
     reach.allows = [&](PinchReach::Contours contours, double outside, double inside) {
@@ -44,7 +44,7 @@ bool FlowPasses::take_apart(std::span<const PlanContour> leveled) {
     reach.take = [&](PinchReach::Contours contours, double outside) {
         budget_.take(contours, outside * limits_.metric.area());
     };
-    const PinchesTaken taken = take_apart_pinches(plan_, leveled, reach);
+    const PinchesTaken taken = take_apart_pinches(plan_, leveled, reach, stop);
     for (const PinchMend& mend : taken.mends)
         problems_.push_back({FlowProblemKind::touch, 0, limits_.metric.distance(mend.place, mend.moved), true,
                              mend.place, mend.contours});
@@ -62,7 +62,7 @@ std::optional<FlowOutlines> FlowPasses::make(std::span<const PlanContour> levele
     constexpr int passes = 3;
     for (int pass = 0; pass < passes; ++pass) {
         mend(stop);
-        if (!take_apart(leveled))
+        if (!take_apart(leveled, stop))
             return std::nullopt;
     }
     PlanOutlines drawn = plan_outlines(plan_, contours_);
@@ -70,7 +70,7 @@ std::optional<FlowOutlines> FlowPasses::make(std::span<const PlanContour> levele
     if (!broken_.empty() || !is_sound(drawn.outlines))
         return std::nullopt;
     const PlanEditor editor(std::move(plan_));
-    const std::vector<FlowFault> after = find_faults(editor, contours_, limits_);
+    const std::vector<FlowFault> after = find_faults(editor, contours_, limits_, stop);
     for (const FlowFault& fault : after)
         problems_.push_back(problem_of(fault, editor));
     return FlowOutlines{std::move(drawn.outlines), std::move(problems_), after.size()};

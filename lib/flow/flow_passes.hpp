@@ -41,7 +41,7 @@ class FlowPasses {
 
   private:
     void mend(const StopRequest& stop);
-    [[nodiscard]] bool take_apart(std::span<const PlanContour> leveled);
+    [[nodiscard]] bool take_apart(std::span<const PlanContour> leveled, const StopRequest& stop);
     [[nodiscard]] bool is_sound(const std::vector<FinePolygon>& outlines) const;
 
     Plan plan_;

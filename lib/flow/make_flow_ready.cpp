@@ -73,7 +73,7 @@ FlowReady make_flow_ready(std::span<const PlanContour> contours, const FlowLimit
     bool touches_itself = false;
     {
         const PlanEditor plan(partition.plan);
-        for (const FlowFault& fault : find_faults(plan, contours, limits))
+        for (const FlowFault& fault : find_faults(plan, contours, limits, stop))
             result.problems.push_back(problem_of(fault, plan));
         Plan touching = partition.plan;
         const PinchesTaken touches = take_apart_pinches(touching, leveled);

@@ -57,8 +57,8 @@ struct Attempt {
 class SurfaceMaker {
   public:
     SurfaceMaker(const SurfaceCluster& cluster, const std::vector<bool>& is_out, const SurfaceForms& forms,
-                 const Triangulate& triangulate)
-        : cluster_(cluster), chosen_(cluster, is_out), forms_(forms), triangulate_(triangulate) {
+                 const Triangulate& triangulate, const StopRequest& stop)
+        : cluster_(cluster), chosen_(cluster, is_out), forms_(forms), triangulate_(triangulate), stop_(stop) {
         for (const PlanBuilding& building : cluster.buildings)
             ids_.push_back(building.id);
         for (const PlanContour& contour : chosen_.contours()) {
@@ -84,6 +84,7 @@ class SurfaceMaker {
     Chosen chosen_;
     SurfaceForms forms_;
     const Triangulate& triangulate_;
+    const StopRequest& stop_;
     std::vector<std::int64_t> ids_;
     std::vector<std::int64_t> tops_;  // by contour
     Places building_of_;              // by contour
@@ -115,7 +116,7 @@ bool SurfaceMaker::draw_plan() {
         return false;
     plan_ = std::move(partition.plan);
     drop_what_is_flat();
-    PinchesTaken taken = take_apart_pinches(plan_, chosen_.contours(), {forms_.pinch_steps});
+    PinchesTaken taken = take_apart_pinches(plan_, chosen_.contours(), {forms_.pinch_steps}, stop_);
     if (!taken.stuck.empty()) {
         attempt_.in_the_way.push_back(chosen_.building(static_cast<std::int32_t>(taken.stuck.back())));
         return false;
@@ -181,6 +182,7 @@ void SurfaceMaker::make_solids() {
     for (std::uint32_t i = 0; i < each.size(); ++i) {
         if (edges[i].empty())
             continue;
+        stop_.check();
         const Standing alone = standing(edges[i], each, i);
         attempt_.made.solids.push_back(assemble_faces(extrude(alone), alone.plan, ids_));
     }
@@ -192,6 +194,7 @@ void SurfaceMaker::make_shell() {
     for (std::uint32_t i = 0; i < block.size(); ++i) {
         if (edges[i].empty())
             continue;
+        stop_.check();
         const Standing together = standing(edges[i], block, i);
         AssembledTriangles made = assemble_triangles(extrude(together), together.plan, ids_, triangulate_);
         attempt_.in_the_way.insert(attempt_.in_the_way.end(), made.failed.begin(), made.failed.end());
@@ -212,11 +215,11 @@ Attempt SurfaceMaker::make() {
 }  // namespace
 
 MadeSurfaces make_surfaces(const SurfaceCluster& cluster, const SurfaceForms& forms,
-                           const Triangulate& triangulate) {
+                           const Triangulate& triangulate, const StopRequest& stop) {
     std::vector<bool> is_out(cluster.buildings.size());
     std::vector<std::int64_t> left_out;
     while (true) {
-        Attempt attempt = SurfaceMaker(cluster, is_out, forms, triangulate).make();
+        Attempt attempt = SurfaceMaker(cluster, is_out, forms, triangulate, stop).make();
         if (attempt.in_the_way.empty()) {
             attempt.made.left_out = std::move(left_out);
             return std::move(attempt.made);

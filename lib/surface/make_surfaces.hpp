@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/stop_request.hpp"
 #include "dem2buildings/surfaces.hpp"
 #include "surface/plan.hpp"
 #include "surface/take_apart_pinches.hpp"
@@ -43,8 +44,8 @@ struct MadeSurfaces {
 /// A building stands at its base, a block of buildings that share a wall at the lowest base of them. Where
 /// nothing stands above its building's base there is no surface. What is in the way of a closed surface is
 /// left out, and the rest is made as if it were not there.
-/// @param triangulate of the shell alone
+/// @param triangulate of the shell alone @throws Cancelled
 [[nodiscard]] MadeSurfaces make_surfaces(const SurfaceCluster& cluster, const SurfaceForms& forms,
-                                         const Triangulate& triangulate);
+                                         const Triangulate& triangulate, const StopRequest& stop = {});
 
 }  // namespace d2b

@@ -121,7 +121,8 @@ std::vector<std::int64_t> reaches_down_from(std::int64_t wanted) {
     return reaches;
 }
 
-PlannedReaches plan_reaches(Plan& plan, std::span<const PlanContour> contours, const PinchReach& wanted) {
+PlannedReaches plan_reaches(Plan& plan, std::span<const PlanContour> contours, const PinchReach& wanted,
+                            const StopRequest& stop) {
     PlannedReaches planned;
     PlanEditor editor(std::move(plan));
     const ReachPlanner planner(editor, wanted);
@@ -132,6 +133,7 @@ PlannedReaches plan_reaches(Plan& plan, std::span<const PlanContour> contours, c
         const auto pinch = find_pinch(arms, {contours});
         if (!pinch)
             continue;
+        stop.check();
         std::int64_t& reach_here = planned[editor.at(node)];
         for (const std::int64_t reach : reaches)
             if (const auto cut = planner.best(node, arms, *pinch, reach)) {

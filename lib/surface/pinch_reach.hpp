@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/stop_request.hpp"
 #include "surface/node_star.hpp"
 #include "surface/plan.hpp"
 
@@ -48,6 +49,6 @@ using PlannedReaches = std::map<FinePoint, std::int64_t>;
 /// Chooses how far the corners of a plan are to move. Long edges of those that move get a node nearby, so
 /// that a corner is cut off, and not the whole of a wall moves.
 [[nodiscard]] PlannedReaches plan_reaches(Plan& plan, std::span<const PlanContour> contours,
-                                          const PinchReach& wanted);
+                                          const PinchReach& wanted, const StopRequest& stop);
 
 }  // namespace d2b

@@ -1,6 +1,8 @@
 #include "surface/plan_editor.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "outline/fine_geometry.hpp"
 
@@ -18,16 +20,6 @@ bool is_within(FinePoint a, FinePoint b, FinePoint c, FinePoint point) {
     return s * side(a, b, point) >= 0 && s * side(b, c, point) >= 0 && s * side(c, a, point) >= 0;
 }
 
-std::pair<FinePoint, FinePoint> box_of(std::initializer_list<FinePoint> points) {
-    FinePoint low = *points.begin();
-    FinePoint high = low;
-    for (const FinePoint& point : points) {
-        low = {std::min(low.row, point.row), std::min(low.col, point.col)};
-        high = {std::max(high.row, point.row), std::max(high.col, point.col)};
-    }
-    return {low, high};
-}
-
 }  // namespace
 
 PlanEditor::PlanEditor(Plan plan)
@@ -37,14 +29,6 @@ PlanEditor::PlanEditor(Plan plan)
         at_node_[edges_[e].to].push_back(e);
         index(e);
     }
-}
-
-/// Entries of what has moved since stay: near() is asked with boxes, and looks at the edges themselves.
-void PlanEditor::index(std::uint32_t edge) {
-    const auto [low, high] = box_of({nodes_[edges_[edge].from], nodes_[edges_[edge].to]});
-    for (std::int64_t row = cell(low.row); row <= cell(high.row); ++row)
-        for (std::int64_t col = cell(low.col); col <= cell(high.col); ++col)
-            grid_[{row, col}].push_back(edge);
 }
 
 std::vector<NodeArm> PlanEditor::around(std::uint32_t node) const {
@@ -107,19 +91,16 @@ bool PlanEditor::is_way_free(std::uint32_t node, std::uint32_t into, std::uint32
     const FinePoint a = nodes_[node];
     const FinePoint b = nodes_[into];
     const FinePoint x = nodes_[end];
-    const auto [low, high] = box_of({a, b, x});
-    bool free = true;
-    near(low, high, [&](std::uint32_t e) {
-        if (!free)
-            return;
+    return grid_.all_in_triangle(a, b, x, [&](std::uint32_t e) {
+        if (!is_edge(e))
+            return true;
         const PlanEdge& edge = edges_[e];
-        if (edge.from != node && edge.to != node)
-            free = is_clear_of(e, into, x);
-        for (const std::uint32_t other : {edge.from, edge.to})
-            if (free && other != node && other != into && other != end)
-                free = !is_within(a, b, x, nodes_[other]);
+        if (edge.from != node && edge.to != node && !is_clear_of(e, into, x))
+            return false;
+        return std::ranges::none_of(std::array{edge.from, edge.to}, [&](std::uint32_t other) {
+            return other != node && other != into && other != end && is_within(a, b, x, nodes_[other]);
+        });
     });
-    return free;
 }
 
 void PlanEditor::detach(std::uint32_t edge, std::uint32_t node) {
@@ -231,39 +212,80 @@ bool PlanEditor::merge(std::uint32_t node, std::uint32_t into) {
     for (const std::uint32_t e : moved)
         if (is_edge(e))
             index(e);
+    changes_.emplace_back(node, into);
+    for (const std::uint32_t end : *ends) {
+        changes_.emplace_back(node, end);
+        changes_.emplace_back(into, end);
+    }
     return true;
 }
 
-std::optional<std::uint32_t> PlanEditor::split(std::uint32_t edge, FinePoint place) {
-    const PlanEdge whole = edges_[edge];
+/// On the edge itself there is nothing else. Beside it the two halves pass over a triangle, which must be
+/// free.
+bool PlanEditor::may_split(std::uint32_t edge, FinePoint place) const {
+    const PlanEdge& whole = edges_[edge];
     const FinePoint a = nodes_[whole.from];
     const FinePoint b = nodes_[whole.to];
     if (place == a || place == b)
-        return std::nullopt;
-    const auto [low, high] = box_of({a, b, place});
-    bool free = true;
-    near(low, high, [&](std::uint32_t e) {
-        if (!free || e == edge)
-            return;
+        return false;
+    if (side(a, b, place) == 0)
+        return boxes_meet({a, b}, {place, place});
+    return grid_.all_in_triangle(a, b, place, [&](std::uint32_t e) {
+        if (!is_edge(e) || e == edge)
+            return true;
         const PlanEdge& other = edges_[e];
-        free = is_clear_of(e, whole.from, place) && is_clear_of(e, whole.to, place);
-        for (const std::uint32_t end : {other.from, other.to})
-            if (free && end != whole.from && end != whole.to)
-                free = !is_within(a, b, place, nodes_[end]);
+        return is_clear_of(e, whole.from, place) && is_clear_of(e, whole.to, place) &&
+               std::ranges::none_of(std::array{other.from, other.to}, [&](std::uint32_t end) {
+                   return end != whole.from && end != whole.to && is_within(a, b, place, nodes_[end]);
+               });
     });
-    if (!free)
+}
+
+std::optional<std::uint32_t> PlanEditor::split(std::uint32_t edge, FinePoint place) {
+    if (!may_split(edge, place))
         return std::nullopt;
     const auto node = static_cast<std::uint32_t>(nodes_.size());
     const auto rest = static_cast<std::uint32_t>(edges_.size());
     nodes_.push_back(place);
-    edges_.push_back({node, whole.to, whole.left, whole.right});
-    edges_[edge].to = node;
-    detach(edge, whole.to);
-    at_node_[whole.to].push_back(rest);
+    const auto length = [&](std::uint32_t end) {
+        return std::hypot(static_cast<double>(nodes_[end].row - place.row),
+                          static_cast<double>(nodes_[end].col - place.col));
+    };
+    // The longer half keeps the number and where it is put down, else many splits of a long edge would cost
+    // its length each.
+    PlanEdge& kept = edges_[edge];
+    const std::uint32_t from = kept.from;
+    const std::uint32_t to = kept.to;
+    const bool keeps_start = length(from) >= length(to);
+    const std::uint32_t far = keeps_start ? to : from;
+    const double off = std::abs(static_cast<double>(turn(nodes_[from], nodes_[to], place)));
+    const bool is_beside = off > std::hypot(static_cast<double>(nodes_[to].row - nodes_[from].row),
+                                            static_cast<double>(nodes_[to].col - nodes_[from].col));
+    edges_.push_back(keeps_start ? PlanEdge{node, to, kept.left, kept.right}
+                                 : PlanEdge{from, node, kept.left, kept.right});
+    (keeps_start ? edges_[edge].to : edges_[edge].from) = node;
+    std::ranges::replace(at_node_[far], edge, rest);
     at_node_.push_back({edge, rest});
-    index(edge);
+    if (is_beside)
+        index(edge);
     index(rest);
+    changes_.insert(changes_.end(), {{from, to}, {from, node}, {node, to}});
     return node;
+}
+
+void PlanEditor::unsplit_to(std::size_t nodes) {
+    while (nodes_.size() > nodes) {
+        const auto node = static_cast<std::uint32_t>(nodes_.size() - 1);
+        const std::uint32_t edge = at_node_[node][0];
+        const std::uint32_t rest = at_node_[node][1];
+        const std::uint32_t far = other_end(rest, node);
+        (edges_[edge].to == node ? edges_[edge].to : edges_[edge].from) = far;
+        std::ranges::replace(at_node_[far], rest, edge);
+        edges_.pop_back();
+        at_node_.pop_back();
+        nodes_.pop_back();
+        changes_.resize(changes_.size() - 3);
+    }
 }
 
 Plan PlanEditor::plan() const {

@@ -1,14 +1,15 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <set>
 #include <span>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "core/int128.hpp"
+#include "surface/edge_grid.hpp"
 #include "surface/node_star.hpp"
 #include "surface/plan.hpp"
 
@@ -24,20 +25,29 @@ class PlanEditor {
     [[nodiscard]] FinePoint at(std::uint32_t node) const { return nodes_[node]; }
     /// Also those that are gone, see is_edge().
     [[nodiscard]] const std::vector<PlanEdge>& edges() const { return edges_; }
-    [[nodiscard]] bool is_edge(std::uint32_t edge) const { return edges_[edge].from != edges_[edge].to; }
+    [[nodiscard]] bool is_edge(std::uint32_t edge) const {
+        return edge < edges_.size() && edges_[edge].from != edges_[edge].to;
+    }
     /// Counter-clockwise.
     [[nodiscard]] std::vector<NodeArm> around(std::uint32_t node) const;
     [[nodiscard]] std::size_t degree(std::uint32_t node) const { return at_node_[node].size(); }
     [[nodiscard]] std::optional<std::uint32_t> edge_between(std::uint32_t a, std::uint32_t b) const;
-    /// Edges that may meet a box, in any order, some more than once.
+    /// Calls visit(edge) for edges that may meet a box, in any order, some more than once, until it returns
+    /// false. @return whether it never did
     template <typename Visit>
-    void near(FinePoint low, FinePoint high, const Visit& visit) const {
-        for (std::int64_t row = cell(low.row); row <= cell(high.row); ++row)
-            for (std::int64_t col = cell(low.col); col <= cell(high.col); ++col)
-                if (const auto found = grid_.find({row, col}); found != grid_.end())
-                    for (const std::uint32_t edge : found->second)
-                        if (is_edge(edge))
-                            visit(edge);
+    bool all_near(FinePoint low, FinePoint high, const Visit& visit) const {
+        return grid_.all_in_box(low, high, [&](std::uint32_t edge) { return !is_edge(edge) || visit(edge); });
+    }
+    /// Calls visit(edge) for edges that may come so near a straight line, in any order, some more than once.
+    /// @param reach in steps
+    template <typename Visit>
+    void each_near(FinePoint a, FinePoint b, std::int64_t reach, const Visit& visit) const {
+        const auto look = [&](std::uint32_t edge) {
+            if (is_edge(edge))
+                visit(edge);
+            return true;
+        };
+        grid_.all_in_triangle(a, b, b, look, reach);
     }
 
     /// Twice the area that a node's edges pass over when it moves to a place, in square steps.
@@ -49,22 +59,23 @@ class PlanEditor {
     [[nodiscard]] bool merge(std::uint32_t node, std::uint32_t into);
     /// Puts a node beside an edge or on it, which then runs through it. @return nothing where it cannot
     [[nodiscard]] std::optional<std::uint32_t> split(std::uint32_t edge, FinePoint place);
+    /// Takes splits back, the last one first, until so many nodes are left. Nothing was merged since.
+    void unsplit_to(std::size_t nodes);
+    /// Where edges have begun, ended or run since this was last asked, as pairs of nodes.
+    [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> take_changes() {
+        return std::exchange(changes_, {});
+    }
     /// What is left, with the nodes that are used.
     [[nodiscard]] Plan plan() const;
 
   private:
-    struct CellHash {
-        std::size_t operator()(const std::pair<std::int64_t, std::int64_t>& cell) const {
-            return static_cast<std::size_t>(cell.first * 1000003 + cell.second);
-        }
-    };
     /// What merge() has changed, to be put back.
     struct Undo {
         std::vector<std::pair<std::uint32_t, PlanEdge>> edges;
         std::vector<std::pair<std::uint32_t, std::vector<std::uint32_t>>> nodes;
     };
-    [[nodiscard]] static std::int64_t cell(std::int64_t at) { return at >> 11; }
-    void index(std::uint32_t edge);
+    void index(std::uint32_t edge) { grid_.add(edge, nodes_[edges_[edge].from], nodes_[edges_[edge].to]); }
+    [[nodiscard]] bool may_split(std::uint32_t edge, FinePoint place) const;
     [[nodiscard]] std::uint32_t other_end(std::uint32_t edge, std::uint32_t node) const {
         return edges_[edge].from == node ? edges_[edge].to : edges_[edge].from;
     }
@@ -84,7 +95,8 @@ class PlanEditor {
     std::vector<FinePoint> nodes_;
     std::vector<PlanEdge> edges_;
     std::vector<std::vector<std::uint32_t>> at_node_;
-    std::unordered_map<std::pair<std::int64_t, std::int64_t>, std::vector<std::uint32_t>, CellHash> grid_;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> changes_;
+    EdgeGrid grid_;
 };
 
 }  // namespace d2b

@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
+#include <map>
+#include <optional>
 #include <span>
+#include <unordered_map>
 #include <utility>
 
 #include "outline/fine_geometry.hpp"
@@ -13,6 +17,8 @@ namespace d2b {
 namespace {
 
 using Ring = std::vector<std::uint32_t>;
+
+constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
 
 struct OwnedRing {
     std::int32_t owner = open_ground;
@@ -30,7 +36,8 @@ Int128 twice_area(const Ring& ring, const Plan& plan) {
 /// Each directed edge once, with the area on its left kept on the left at every node.
 class RingWalker {
   public:
-    explicit RingWalker(const Plan& plan) : plan_(plan), stars_(plan), done_(plan.edges.size()) {}
+    explicit RingWalker(const Plan& plan)
+        : plan_(plan), stars_(plan), done_(plan.edges.size()), place_(plan.nodes.size(), nowhere) {}
 
     [[nodiscard]] std::vector<OwnedRing> rings() {
         for (std::uint32_t e = 0; e < plan_.edges.size(); ++e)
@@ -50,6 +57,7 @@ class RingWalker {
     const Plan& plan_;
     NodeStars stars_;
     std::vector<std::array<bool, 2>> done_;
+    std::vector<std::size_t> place_;  // of a node in the ring that is split
     std::vector<OwnedRing> rings_;
 };
 
@@ -74,45 +82,74 @@ Ring RingWalker::walk(std::uint32_t e, bool forwards) {
 void RingWalker::split(const Ring& walked, std::int32_t owner) {
     Ring open;
     for (const std::uint32_t node : walked) {
-        if (const auto again = std::ranges::find(open, node); again != open.end()) {
-            OwnedRing loop{owner, Ring(again, open.end()), 0};
+        if (const std::size_t again = place_[node]; again != nowhere) {
+            const auto first = open.begin() + static_cast<std::ptrdiff_t>(again);
+            OwnedRing loop{owner, Ring(first, open.end()), 0};
             loop.twice_area = twice_area(loop.ring, plan_);
+            for (const std::uint32_t gone : loop.ring)
+                place_[gone] = nowhere;
             rings_.push_back(std::move(loop));
-            open.erase(again, open.end());
+            open.erase(first, open.end());
         }
+        place_[node] = open.size();
         open.push_back(node);
     }
+    for (const std::uint32_t node : open)
+        place_[node] = nowhere;
     const Int128 area = twice_area(open, plan_);
     rings_.push_back({owner, std::move(open), area});
 }
 
-/// Whether the middle of an edge lies in a ring that does not run through it. Exact, on halves of steps.
-bool holds_middle(const Ring& ring, FinePoint a, FinePoint b, const Plan& plan) {
-    const FinePoint middle{a.row + b.row, a.col + b.col};
-    bool in = false;
-    FinePoint from = plan.nodes[ring.back()];
-    from = {2 * from.row, 2 * from.col};
-    for (const std::uint32_t node : ring) {
-        const FinePoint to{2 * plan.nodes[node].row, 2 * plan.nodes[node].col};
-        if ((from.row > middle.row) != (to.row > middle.row)) {
-            const bool down = from.row < to.row;
-            if ((side(from, to, middle) > 0) == down)
-                in = !in;
+/// Finds the exterior ring that an interior one lies in, by the edges in its rows alone: with all edges of
+/// all rings a large face would cost its length for each of its holes.
+class HoleHolders {
+  public:
+    HoleHolders(std::span<const OwnedRing> exteriors, const Plan& plan) : exteriors_(exteriors), plan_(plan) {
+        for (std::size_t r = 0; r < exteriors.size(); ++r) {
+            FinePoint from = plan.nodes[exteriors[r].ring.back()];
+            for (const std::uint32_t node : exteriors[r].ring) {
+                const FinePoint to = plan.nodes[node];
+                const auto [low, high] = std::minmax(from.row, to.row);
+                for (std::int64_t band = band_of(low); low != high && band <= band_of(high); ++band)
+                    bands_[band].push_back({r, from, to});
+                from = to;
+            }
         }
-        from = to;
     }
-    return in;
-}
+    /// The place of the smallest one. Exact, on halves of steps. @param hole does not run through others
+    [[nodiscard]] std::size_t of(const OwnedRing& hole) const {
+        const FinePoint a = plan_.nodes[hole.ring[0]];
+        const FinePoint b = plan_.nodes[hole.ring[1]];
+        const FinePoint middle{a.row + b.row, a.col + b.col};
+        std::map<std::size_t, bool> is_in;
+        if (const auto edges = bands_.find(band_of(middle.row >> 1)); edges != bands_.end())
+            for (const RingEdge& edge : edges->second) {
+                const FinePoint from{2 * edge.from.row, 2 * edge.from.col};
+                const FinePoint to{2 * edge.to.row, 2 * edge.to.col};
+                if ((from.row > middle.row) != (to.row > middle.row) &&
+                    (side(from, to, middle) > 0) == (from.row < to.row))
+                    is_in[edge.ring] = !is_in[edge.ring];
+            }
+        std::size_t holder = exteriors_.size();
+        for (const auto& [ring, in] : is_in)
+            if (in &&
+                (holder == exteriors_.size() || exteriors_[ring].twice_area < exteriors_[holder].twice_area))
+                holder = ring;
+        return holder;
+    }
 
-/// The place of the smallest exterior ring that holds an interior one. @param exteriors at least one
-std::size_t holder_of(const OwnedRing& hole, std::span<const OwnedRing> exteriors, const Plan& plan) {
-    std::size_t holder = exteriors.size();
-    for (std::size_t i = 0; i < exteriors.size(); ++i)
-        if ((holder == exteriors.size() || exteriors[i].twice_area < exteriors[holder].twice_area) &&
-            holds_middle(exteriors[i].ring, plan.nodes[hole.ring[0]], plan.nodes[hole.ring[1]], plan))
-            holder = i;
-    return holder;
-}
+  private:
+    struct RingEdge {
+        std::size_t ring = 0;
+        FinePoint from;
+        FinePoint to;
+    };
+    [[nodiscard]] static std::int64_t band_of(std::int64_t row) { return row >> 11; }
+
+    std::span<const OwnedRing> exteriors_;
+    const Plan& plan_;
+    std::unordered_map<std::int64_t, std::vector<RingEdge>> bands_;
+};
 
 /// @param rings of one owner
 void add_faces(std::span<OwnedRing> rings, const Plan& plan, std::vector<OwnedFace>& faces) {
@@ -124,8 +161,13 @@ void add_faces(std::span<OwnedRing> rings, const Plan& plan, std::vector<OwnedFa
     const std::size_t first = faces.size();
     for (const OwnedRing& ring : exteriors)
         faces.push_back({ring.owner, {ring.ring, {}}});
+    if (holes.empty())
+        return;
+    std::optional<HoleHolders> holders;
+    if (exteriors.size() > 1)
+        holders.emplace(exteriors, plan);
     for (OwnedRing& hole : holes) {
-        const std::size_t holder = exteriors.size() == 1 ? 0 : holder_of(hole, exteriors, plan);
+        const std::size_t holder = holders ? holders->of(hole) : 0;
         faces[first + holder].face.interiors.push_back(std::move(hole.ring));
     }
 }

@@ -9,8 +9,8 @@
 #include <optional>
 #include <utility>
 
-#include "geometry/box_tree.hpp"
 #include "outline/fine_geometry.hpp"
+#include "surface/edge_grid.hpp"
 #include "surface/node_star.hpp"
 #include "surface/pinch.hpp"
 
@@ -20,8 +20,7 @@ namespace {
 /// How far a corner may move, in steps, where nothing else is asked for; what is usual comes first.
 constexpr std::array<std::int64_t, 8> usual_reaches{2, 3, 4, 8, 16, 32, 64, 128};
 
-/// A node with more edges is left as it is. Each move takes one away from where they were at least, so that
-/// no edge's end goes farther than most_moved, however often it moves.
+/// A node with more edges is left as it is.
 constexpr std::size_t most_arms = 32;
 
 /// What lies so far off in one of the eight directions or between them.
@@ -47,51 +46,13 @@ std::vector<FinePoint> circle(std::int64_t reach) {
     return places;
 }
 
-/// Edges near a place, although their ends have moved since they were put down.
-class NearEdges {
-  public:
-    NearEdges(const Plan& plan, std::int64_t most_moved)
-        : plan_(plan),
-          known_(plan.edges.size()),
-          moved_(static_cast<double>(most_moved)),
-          tree_(boxes(plan)) {}
-
-    /// Calls visit(edge) for all that may meet a box, with others.
-    template <typename Visit>
-    void visit(std::span<const FinePoint> points, const Visit& visit) const {
-        Box box;
-        for (const FinePoint& point : points)
-            box.add(Position{static_cast<double>(point.col), static_cast<double>(point.row)});
-        tree_.query({box.left - moved_, box.low - moved_, box.right + moved_, box.high + moved_},
-                    [&](std::size_t e) { visit(plan_.edges[e]); });
-        for (std::size_t e = known_; e < plan_.edges.size(); ++e)
-            visit(plan_.edges[e]);
-    }
-
-  private:
-    static std::vector<Box> boxes(const Plan& plan) {
-        std::vector<Box> boxes;
-        for (const PlanEdge& edge : plan.edges) {
-            Box& box = boxes.emplace_back();
-            for (const std::uint32_t node : {edge.from, edge.to})
-                box.add(Position{static_cast<double>(plan.nodes[node].col),
-                                 static_cast<double>(plan.nodes[node].row)});
-        }
-        return boxes;
-    }
-
-    const Plan& plan_;
-    std::size_t known_;
-    double moved_;
-    BoxTree tree_;
-};
-
 class PinchTaker {
   public:
-    PinchTaker(Plan& plan, std::span<const PlanContour> contours, const PinchReach& wanted)
-        : plan_(plan), heights_{contours}, wanted_(wanted) {
+    PinchTaker(Plan& plan, std::span<const PlanContour> contours, const PinchReach& wanted,
+               const StopRequest& stop)
+        : plan_(plan), heights_{contours}, wanted_(wanted), stop_(stop) {
         if (wanted.steps > usual_reaches.front())
-            planned_ = plan_reaches(plan, contours, wanted);
+            planned_ = plan_reaches(plan, contours, wanted, stop);
         const NodeStars stars(plan);
         for (std::uint32_t node = 0; node < plan.nodes.size(); ++node)
             around_.push_back(stars.around(node));
@@ -113,8 +74,9 @@ class PinchTaker {
     Plan& plan_;
     Heights heights_;
     const PinchReach& wanted_;
+    const StopRequest& stop_;
     PlannedReaches planned_;
-    std::optional<NearEdges> near_;  // made when the first node moves
+    std::optional<EdgeGrid> near_;  // made when the first node moves
     std::vector<std::vector<NodeArm>> around_;
     PinchesTaken taken_;
 };
@@ -127,22 +89,21 @@ bool PinchTaker::is_free(std::uint32_t node, const std::vector<NodeArm>& arms, F
         return s * side(from, place, point) >= 0 && s * side(place, a, point) >= 0 &&
                s * side(a, from, point) >= 0;
     };
-    std::vector<FinePoint> swept{from, place};
-    for (const NodeArm& arm : arms) {
-        swept.push_back(plan_.nodes[arm.end]);
-        if (side(from, place, swept.back()) == 0)
-            return false;
-    }
-    bool free = true;
-    near_->visit(swept, [&](const PlanEdge& edge) {
-        const bool own = edge.from == node || edge.to == node;
-        if (free && !own)
-            free = !meet({plan_.nodes[edge.from], plan_.nodes[edge.to]}, {from, place});
-        for (const std::uint32_t end : {edge.from, edge.to})
-            for (std::size_t i = 0; free && end != node && i < arms.size(); ++i)
-                free = end == arms[i].end || !in_triangle(swept[i + 2], plan_.nodes[end]);
+    if (std::ranges::any_of(arms,
+                            [&](const NodeArm& arm) { return side(from, place, plan_.nodes[arm.end]) == 0; }))
+        return false;
+    return std::ranges::all_of(arms, [&](const NodeArm& arm) {
+        const FinePoint far = plan_.nodes[arm.end];
+        return near_->all_in_triangle(from, place, far, [&](std::uint32_t e) {
+            const PlanEdge& edge = plan_.edges[e];
+            const bool own = edge.from == node || edge.to == node;
+            if (!own && meet({plan_.nodes[edge.from], plan_.nodes[edge.to]}, {from, place}))
+                return false;
+            return std::ranges::none_of(std::array{edge.from, edge.to}, [&](std::uint32_t end) {
+                return end != node && end != arm.end && in_triangle(far, plan_.nodes[end]);
+            });
+        });
     });
-    return free;
 }
 
 /// The freest direction first. @return nothing where there is no room at this reach
@@ -191,9 +152,12 @@ void PinchTaker::move(std::uint32_t node, const SectorRun& run, FinePoint place,
                 back.end = moved;
         std::erase_if(all, [&](const NodeArm& other) { return other.edge == arm.edge; });
     }
+    for (const NodeArm& arm : arms)
+        near_->add(arm.edge, place, plan_.nodes[arm.end]);
     const std::int32_t left = arms.back().left;
     const std::int32_t right = arms.front().right;
     if (left != right) {
+        near_->add(static_cast<std::uint32_t>(plan_.edges.size()), plan_.nodes[node], place);
         const auto edge = static_cast<std::uint32_t>(plan_.edges.size());
         plan_.edges.push_back({node, moved, left, right});
         all.push_back({edge, moved, left, right});
@@ -249,29 +213,34 @@ bool PinchTaker::move_usual(std::uint32_t node, const Pinch& pinch) {
 bool PinchTaker::take_one(std::uint32_t node, const Pinch& pinch) {
     if (around_[node].size() > most_arms)
         return false;
-    if (!near_)
-        near_.emplace(plan_,
-                      static_cast<std::int64_t>(most_arms) * std::max(wanted_.steps, usual_reaches.back()));
+    if (!near_) {
+        near_.emplace();
+        for (std::uint32_t e = 0; e < plan_.edges.size(); ++e)
+            near_->add(e, plan_.nodes[plan_.edges[e].from], plan_.nodes[plan_.edges[e].to]);
+    }
     return move_far(node, pinch) || move_usual(node, pinch);
 }
 
 /// Each move leaves both nodes with fewer edges than the one had, so that this ends.
 PinchesTaken PinchTaker::take() {
     for (std::uint32_t node = 0; node < plan_.nodes.size(); ++node)
-        while (const auto pinch = find_pinch(around_[node], heights_))
+        while (const auto pinch = find_pinch(around_[node], heights_)) {
+            stop_.check();
             if (!take_one(node, *pinch)) {
                 for (const std::int32_t contour : contours_of(around_[node]))
                     taken_.stuck.push_back(static_cast<std::uint32_t>(contour));
                 break;
             }
+        }
     std::ranges::sort(taken_.stuck);
     return std::move(taken_);
 }
 
 }  // namespace
 
-PinchesTaken take_apart_pinches(Plan& plan, std::span<const PlanContour> contours, const PinchReach& wanted) {
-    return PinchTaker(plan, contours, wanted).take();
+PinchesTaken take_apart_pinches(Plan& plan, std::span<const PlanContour> contours, const PinchReach& wanted,
+                                const StopRequest& stop) {
+    return PinchTaker(plan, contours, wanted, stop).take();
 }
 
 }  // namespace d2b

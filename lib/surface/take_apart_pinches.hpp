@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/stop_request.hpp"
 #include "surface/pinch_reach.hpp"
 #include "surface/plan.hpp"
 
@@ -34,7 +35,8 @@ struct PinchesTaken {
 ///                                                 | C
 ///
 /// Corners of nothing else are passed over, so that the plan stays planar, exactly.
+/// @throws Cancelled
 [[nodiscard]] PinchesTaken take_apart_pinches(Plan& plan, std::span<const PlanContour> contours,
-                                              const PinchReach& wanted = {});
+                                              const PinchReach& wanted = {}, const StopRequest& stop = {});
 
 }  // namespace d2b

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "core/disjoint_sets.hpp"
+#include "core/stop_request.hpp"
 #include "flow/flow_faults.hpp"
 #include "surface/label_contours.hpp"
 #include "surface/partition.hpp"
@@ -358,6 +359,73 @@ TEST(FlowReady, randomTowns) {
             const std::string tiers = random_rows(random, i % 2 == 0 ? "0123" : "001122", stacks);
             expect_ready(stacks_of(stacks), cell, tiers);
         }
+}
+
+/// Looking again at what lies near changes finds what looking at all finds.
+TEST(FlowFaults, followChanges) {
+    std::mt19937 random(36);
+    const StopRequest stop;
+    for (int i = 0; i < 60; ++i) {
+        LetterGrid grid;
+        const std::string text = random_rows(random, i % 2 == 0 ? "aab " : "ab  ", grid);
+        const SurfaceCluster cluster = blocks_of(grid, {10, 20});
+        FlowLimits wanted;
+        wanted.gap = i % 3 == 0 ? 1 : 2.5;
+        wanted.wall = i % 3 == 1 ? 0 : 1.5;
+        wanted.metric = {0.7 / 1024, 0, 0, -0.7 / 1024};
+        PlanEditor plan(make_partition(cluster.contours).plan);
+        FlowFaults known(plan, cluster.contours, wanted, stop);
+        for (int step = 0; step < 12 && !plan.edges().empty(); ++step) {
+            const auto edge = static_cast<std::uint32_t>(random() % plan.edges().size());
+            if (!plan.is_edge(edge))
+                continue;
+            const PlanEdge e = plan.edges()[edge];
+            const FinePoint a = plan.at(e.from);
+            const FinePoint b = plan.at(e.to);
+            if (step % 3 == 0)
+                static_cast<void>(
+                    plan.split(edge, {a.row + (b.row - a.row) / 3, a.col + (b.col - a.col) / 3}));
+            else
+                static_cast<void>(plan.merge(e.from, e.to));
+            known.update(plan.take_changes());
+            const FlowFaults anew(plan, cluster.contours, wanted, stop);
+            const auto same = [](const KnownFault& one, const KnownFault& other) {
+                return one.found_at == other.found_at && one.fault.kind == other.fault.kind &&
+                       one.fault.node == other.fault.node && one.fault.one == other.fault.one &&
+                       one.fault.size == other.fault.size && one.fault.place == other.fault.place;
+            };
+            ASSERT_TRUE(std::ranges::equal(known.walls(), anew.walls(), same)) << text << step;
+            ASSERT_TRUE(std::ranges::equal(known.corners(), anew.corners(), same)) << text << step;
+        }
+    }
+}
+
+/// A block of 40 x 40 cells, as ragged as can be: an end is asked for in each of its parts.
+TEST(FlowReady, endsWhereThatIsAskedFor) {
+    std::mt19937 random(5);
+    LetterGrid grid;
+    for (int row = 0; row < 40; ++row) {
+        std::string& line = grid.rows.emplace_back();
+        for (int col = 0; col < 40; ++col)
+            line += row % 8 == 0 || random() % 2 == 0 ? 'a' : ' ';
+    }
+    const SurfaceCluster cluster = blocks_of(grid, {10});
+    FlowLimits wanted;
+    wanted.gap = wanted.wall = 2;
+    wanted.metric = {0.2 / 1024, 0, 0, -0.2 / 1024};
+    int asked = 0;
+    static_cast<void>(make_flow_ready(cluster.contours, wanted, {}, StopRequest([&] {
+                                          ++asked;
+                                          return false;
+                                      })));
+    ASSERT_GT(asked, 1000);
+    for (const int share : {1, 3, 5, 7, 9}) {
+        int left = asked * share / 10;
+        EXPECT_THROW(static_cast<void>(make_flow_ready(cluster.contours, wanted, {},
+                                                       StopRequest([&] { return --left < 0; }))),
+                     Cancelled);
+        EXPECT_EQ(left, -1);
+    }
 }
 
 }  // namespace

@@ -76,5 +76,26 @@ TEST(PlanEditor, takesAwayWhatHasNoArea) {
     EXPECT_TRUE(editor.plan().edges.empty());
 }
 
+/// After splits are taken back all is as before, also to what is done next.
+TEST(PlanEditor, takesSplitsBack) {
+    PlanEditor editor = editor_of({square(0, 0, 100), square(0, 110, 100)});
+    const Plan before = editor.plan();
+    const auto edge = editor.edge_between(node_at(editor, {0, 100}), node_at(editor, {100, 100}));
+    ASSERT_TRUE(edge);
+    const std::size_t nodes = editor.nodes().size();
+    const auto middle = editor.split(*edge, {70, 100});
+    ASSERT_TRUE(middle);
+    ASSERT_TRUE(editor.split(*editor.edge_between(*middle, node_at(editor, {100, 100})), {90, 100}));
+    ASSERT_TRUE(editor.split(*editor.edge_between(*middle, node_at(editor, {0, 100})), {20, 100}));
+    EXPECT_EQ(editor.plan().edges.size(), before.edges.size() + 3);
+    editor.unsplit_to(nodes);
+    EXPECT_EQ(editor.plan().nodes, before.nodes);
+    EXPECT_EQ(editor.plan().edges, before.edges);
+    EXPECT_TRUE(editor.take_changes().empty());
+    EXPECT_TRUE(editor.merge(node_at(editor, {0, 100}), node_at(editor, {0, 110})));
+    EXPECT_TRUE(editor.merge(node_at(editor, {100, 100}), node_at(editor, {100, 110})));
+    EXPECT_EQ(editor.plan().edges.size(), 7U);
+}
+
 }  // namespace
 }  // namespace d2b
