@@ -3,7 +3,7 @@
 cmake_minimum_required(VERSION 3.22)
 set(wrong "")
 set(names "")
-file(GLOB_RECURSE headers RELATIVE ${ROOT} ${ROOT}/lib/*.hpp ${ROOT}/tools/*.hpp)
+file(GLOB_RECURSE headers RELATIVE ${ROOT} ${ROOT}/lib/*.hpp ${ROOT}/tools/*.hpp ${ROOT}/tests/*.hpp ${ROOT}/sample_dems/*.hpp)
 foreach(header IN LISTS headers)
   # A type that stands in another one is indented.
   file(STRINGS ${ROOT}/${header} lines REGEX "^(namespace|struct|class|union|enum) [^;]*{")

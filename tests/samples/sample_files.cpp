@@ -38,7 +38,7 @@ Footprint footprint(const OGRFeature& feature) {
     result.polygon.reset(feature.GetGeometryRef()->toPolygon()->clone());
     result.area = result.polygon->get_Area();
     std::vector<unsigned char> wkb(static_cast<std::size_t>(result.polygon->WkbSize()));
-    result.polygon->exportToWkb(wkbNDR, wkb.data());
+    OGR_G_ExportToWkb(OGRGeometry::ToHandle(result.polygon.get()), wkbNDR, wkb.data());
     result.wkb.assign(wkb.begin(), wkb.end());
     return result;
 }

@@ -10,10 +10,10 @@
 
 namespace d2b::test {
 
-struct CloseDataset {
+struct CloseSample {
     void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
 };
-using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
+using Dataset = std::unique_ptr<GDALDataset, CloseSample>;
 
 /// A committed or regenerated GeoTIFF, all of it.
 struct Raster {

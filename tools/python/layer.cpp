@@ -62,7 +62,10 @@ py::tuple coordinates(const WorldRing& ring, const CollectedLayer& layer, double
     py::tuple positions(ring.size() + 1);
     for (std::size_t i = 0; i <= ring.size(); ++i) {
         const Position& p = ring[i % ring.size()];
-        positions[i] = layer.spec.with_z ? py::make_tuple(p.x, p.y, z) : py::make_tuple(p.x, p.y);
+        if (layer.spec.with_z)
+            positions[i] = py::make_tuple(p.x, p.y, z);
+        else
+            positions[i] = py::make_tuple(p.x, p.y);
     }
     return positions;
 }
