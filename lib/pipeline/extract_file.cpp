@@ -9,6 +9,7 @@
 #include "options/run_plan.hpp"
 #include "pipeline/preview.hpp"
 #include "pipeline/raster_tee.hpp"
+#include "pipeline/report_run.hpp"
 #include "read/source_advice.hpp"
 
 namespace d2b {
@@ -55,7 +56,8 @@ Callbacks remembering(const Callbacks& callbacks, std::vector<std::string>& hear
     return all;
 }
 
-RunReport extract_file(const Options& options, const Callbacks& callbacks) {
+RunReport extract_file(const Options& options, const Callbacks& callbacks,
+                       const ReportReader<RunReport>& reader) {
     std::vector<std::string> warnings;
     const Callbacks heard = remembering(callbacks, warnings);
     const Inputs inputs = open_inputs(options, heard);
@@ -66,12 +68,23 @@ RunReport extract_file(const Options& options, const Callbacks& callbacks) {
     const bool has_terrain = detects_buildings(options);
     RasterTee ground(side.ground.get(), has_terrain ? side.page_relief.get() : nullptr);
     RasterTee elevations(preview.elevations(), has_terrain ? nullptr : side.page_relief.get());
-    RunReport report = run(options, inputs.sources(),
-                           {preview.features(), ground.sink(), side.height.get(), side.canopy.get(),
-                            elevations.sink(), pointers(side.surfaces)},
-                           heard);
-    preview.publish(heard);
-    report.warnings = std::move(warnings);
+    const Sinks sinks{preview.features(), ground.sink(),     side.height.get(),
+                      side.canopy.get(),  elevations.sink(), pointers(side.surfaces)};
+    CommitList commit;
+    RunReport report = prepare_run(options, inputs.sources(), sinks, commit, heard);
+    preview.prepare(commit);
+    report.warnings = warnings;
+    if (reader.prepare)
+        reader.prepare(report);
+    commit.publish([&] {
+        std::ranges::for_each(take_warnings(sinks), heard.on_warning);
+        std::ranges::for_each(preview.take_warnings(), heard.on_warning);
+        report.warnings = warnings;
+        if (reader.show)
+            reader.show(report);
+    });
+    if (callbacks.on_progress)
+        callbacks.on_progress(1);
     return report;
 }
 

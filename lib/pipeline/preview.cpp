@@ -1,6 +1,5 @@
 #include "pipeline/preview.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -52,12 +51,6 @@ RasterTarget picture_target(const Options& options) {
     return target;
 }
 
-void publish(PictureFile& file, const Callbacks& callbacks) {
-    file.publish();
-    if (callbacks.on_warning)
-        std::ranges::for_each(file.take_warnings(), callbacks.on_warning);
-}
-
 Preview::Preview(const Options& options, FeatureSink& features, const DemInfo& dem) : features_(features) {
     if (options.write.preview.empty())
         return;
@@ -71,9 +64,13 @@ Preview::Preview(const Options& options, FeatureSink& features, const DemInfo& d
                   });
 }
 
-void Preview::publish(const Callbacks& callbacks) {
+void Preview::prepare(CommitList& commit) {
     if (file_)
-        d2b::publish(*file_, callbacks);
+        file_->prepare(commit);
+}
+
+std::vector<std::string> Preview::take_warnings() {
+    return file_ ? file_->take_warnings() : std::vector<std::string>();
 }
 
 }  // namespace d2b

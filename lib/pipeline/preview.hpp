@@ -2,8 +2,10 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
-#include "dem2buildings/callbacks.hpp"
+#include "dem2buildings/commit_list.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/options.hpp"
 #include "preview/preview_sink.hpp"
@@ -21,8 +23,10 @@ class Preview {
     [[nodiscard]] FeatureSink& features() { return sink_ ? *sink_ : features_; }
     /// Where its elevations are to go; nullptr where there is no picture.
     [[nodiscard]] RasterSink* elevations() { return sink_ ? &sink_->relief() : nullptr; }
-    /// After the run. @throws OutputError
-    void publish(const Callbacks& callbacks);
+    /// After the run. @param commit shows the picture while this lives @throws OutputError
+    void prepare(CommitList& commit);
+    /// What has been noticed since the last call.
+    [[nodiscard]] std::vector<std::string> take_warnings();
 
   private:
     FeatureSink& features_;
@@ -30,8 +34,6 @@ class Preview {
     std::optional<PreviewSink> sink_;
 };
 
-/// Makes a finished picture visible, and warns of what was noticed. @throws OutputError
-void publish(PictureFile& file, const Callbacks& callbacks);
 /// Where the picture goes.
 [[nodiscard]] RasterTarget picture_target(const Options& options);
 /// What the picture shows. @throws OptionError

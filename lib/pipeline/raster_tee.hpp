@@ -26,6 +26,10 @@ class RasterTee final : public RasterSink {
         one_->finish();
         other_->finish();
     }
+    void prepare(CommitList& commit) override {
+        one_->prepare(commit);
+        other_->prepare(commit);
+    }
     [[nodiscard]] std::vector<std::string> take_warnings() override {
         std::vector<std::string> warnings = one_->take_warnings();
         for (std::string& warning : other_->take_warnings())

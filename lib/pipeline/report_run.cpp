@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "core/stage_clock.hpp"
 #include "diagnose/empty_result.hpp"
@@ -15,6 +16,21 @@ constexpr double no_threshold = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
+std::vector<std::string> take_warnings(const Sinks& sinks) {
+    std::vector<std::string> all;
+    const auto take = [&](auto* from) {
+        if (from != nullptr)
+            for (std::string& text : from->take_warnings())
+                all.push_back(std::move(text));
+    };
+    take(&sinks.features);
+    for (SurfaceSink* surface : sinks.surfaces)
+        take(surface);
+    for (RasterSink* raster : {sinks.ground, sinks.height, sinks.canopy, sinks.elevations})
+        take(raster);
+    return all;
+}
+
 void pass_warnings(const Sources& sources, const Sinks& sinks, Context& context) {
     const auto pass = [&](auto* from) {
         if (from != nullptr)
@@ -24,11 +40,8 @@ void pass_warnings(const Sources& sources, const Sinks& sinks, Context& context)
     for (DemSource* source : {&sources.dem, sources.terrain, sources.mask, sources.ndvi})
         pass(source);
     pass(sources.parcels);
-    pass(&sinks.features);
-    for (SurfaceSink* surface : sinks.surfaces)
-        pass(surface);
-    for (RasterSink* raster : {sinks.ground, sinks.height, sinks.canopy, sinks.elevations})
-        pass(raster);
+    for (const std::string& text : take_warnings(sinks))
+        context.warn(text);
 }
 
 void report_levels(const LevelPlan& plan, int levels, RunReport& report) {
@@ -59,19 +72,18 @@ void warn_of_result(const RunSetup& setup, const LevelPlan& plan, std::size_t bu
                        buildings > 0, context);
 }
 
-void finish_sinks(const Sinks& sinks, Context& context) {
+void prepare_sinks(const Sinks& sinks, CommitList& commit, Context& context) {
     const StageClock clock(context.report, Stage::write);
     for (RasterSink* raster : {sinks.ground, sinks.height, sinks.canopy, sinks.elevations})
         if (raster != nullptr)
-            raster->finish();
+            raster->prepare(commit);
     for (SurfaceSink* surface : sinks.surfaces) {
         surface->take_report(context.report);
-        surface->finish();
+        surface->prepare(commit);
     }
     sinks.features.take_report(context.report);
-    sinks.features.finish();
-    if (context.on_progress)
-        context.on_progress(1);  // the result is there; nobody can stop it any more
+    sinks.features.prepare(commit);
+    context.check_stop();  // from now on nobody can
 }
 
 }  // namespace d2b

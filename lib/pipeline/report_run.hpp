@@ -1,8 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
+#include <vector>
 
 #include "core/context.hpp"
+#include "dem2buildings/commit_list.hpp"
 #include "dem2buildings/run.hpp"
 #include "diagnose/ground_fit.hpp"
 #include "diagnose/ground_slope.hpp"
@@ -14,6 +17,9 @@
 #include "trace/contour_list.hpp"
 
 namespace d2b {
+
+/// What sinks have noticed since the last call.
+[[nodiscard]] std::vector<std::string> take_warnings(const Sinks& sinks);
 
 /// Warns of what sources and sinks have noticed, on whichever thread.
 void pass_warnings(const Sources& sources, const Sinks& sinks, Context& context);
@@ -37,7 +43,7 @@ struct SearchFacts {
 void warn_of_result(const RunSetup& setup, const LevelPlan& plan, std::size_t buildings,
                     const SearchFacts* facts, Context& context);
 
-/// Makes the result visible.
-void finish_sinks(const Sinks& sinks, Context& context);
+/// Completes the results of all sinks. @param commit shows them @throws OutputError, Cancelled
+void prepare_sinks(const Sinks& sinks, CommitList& commit, Context& context);
 
 }  // namespace d2b

@@ -158,7 +158,7 @@ void write_result(const FeatureInput& input, const RecordMaker& records, const R
 }
 
 void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks, const RunSize& size,
-                Context& context) {
+                CommitList& commit, Context& context) {
     const DemInfo& info = sources.dem.info();
     const RunSetup setup = set_up_run(asked, info, sinks.features, context);
     const RunPlan& decided = setup.plan;
@@ -201,7 +201,19 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
             return measure_cuts(stack, levels, frame.fixed, reader);
         };
     write_result(input, records, setup, sinks, {flow, lattice ? &*lattice : nullptr}, context);
-    finish_sinks(sinks, context);
+    prepare_sinks(sinks, commit, context);
+}
+
+/// With all that is to be warned of, whether it ends well or not.
+void run_to_commit(const Options& asked, const Sources& sources, const Sinks& sinks, const RunSize& size,
+                   CommitList& commit, Context& context) {
+    try {
+        run_stages(asked, sources, sinks, size, commit, context);
+    } catch (...) {
+        pass_warnings(sources, sinks, context);  // which may say why
+        throw;
+    }
+    pass_warnings(sources, sinks, context);
 }
 
 }  // namespace
@@ -209,13 +221,18 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
 RunReport run_in_units(const Options& options, const Sources& sources, const Sinks& sinks,
                        const Callbacks& callbacks, const UnitSize& units, const BandSize& bands) {
     Context context(callbacks);
-    try {
-        run_stages(options, sources, sinks, {bands, units}, context);
-    } catch (...) {
-        pass_warnings(sources, sinks, context);  // which may say why
-        throw;
-    }
-    pass_warnings(sources, sinks, context);
+    CommitList commit;
+    run_to_commit(options, sources, sinks, {bands, units}, commit, context);
+    commit.publish([&] { pass_warnings(sources, sinks, context); });
+    if (context.on_progress)
+        context.on_progress(1);
+    return std::move(context.report);
+}
+
+RunReport prepare_run(const Options& options, const Sources& sources, const Sinks& sinks, CommitList& commit,
+                      const Callbacks& callbacks, const BandSize& size) {
+    Context context(callbacks);
+    run_to_commit(options, sources, sinks, {size, {}}, commit, context);
     return std::move(context.report);
 }
 

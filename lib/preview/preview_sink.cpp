@@ -97,6 +97,11 @@ void PreviewSink::take_report(const RunReport& report) {
     features_.take_report(report);
 }
 
+void PreviewSink::prepare(CommitList& commit) {
+    taken_(std::move(map_));
+    features_.prepare(commit);
+}
+
 void PreviewSink::finish() {
     taken_(std::move(map_));
     features_.finish();

@@ -20,7 +20,8 @@ class PreviewSink final : public FeatureSink {
     /// Takes the map.
     using Taken = std::function<void(MapPicture map)>;
 
-    /// @param features must outlive this @param taken called in finish(), before the features' own
+    /// @param features must outlive this @param taken called in finish() or prepare(), before the features'
+    /// own
     PreviewSink(FeatureSink& features, const MapFrame& frame, PictureFormat format, Taken taken);
 
     /// Gets the elevations, all of them before finish().
@@ -37,6 +38,7 @@ class PreviewSink final : public FeatureSink {
     void add(std::size_t layer, const Feature& feature) override;
     void take_report(const RunReport& report) override;
     void finish() override;
+    void prepare(CommitList& commit) override;
     [[nodiscard]] std::vector<std::string> take_warnings() override { return features_.take_warnings(); }
     [[nodiscard]] std::int64_t first_id() const override { return features_.first_id(); }
     [[nodiscard]] bool takes_points() const override { return features_.takes_points(); }

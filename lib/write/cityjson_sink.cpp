@@ -16,6 +16,7 @@
 #include "core/crs.hpp"
 #include "dem2buildings/error.hpp"
 #include "write/field_json.hpp"
+#include "write/file_sink.hpp"
 #include "write/held_bytes.hpp"
 #include "write/surface_file.hpp"
 
@@ -50,7 +51,7 @@ class Extent {
     SurfacePoint high_{-most, -most, -most};
 };
 
-class CityJsonSink final : public SurfaceSink {
+class CityJsonSink final : public FileSink<SurfaceSink> {
   public:
     explicit CityJsonSink(RasterPlace place) : file_(std::move(place)) {}
 
@@ -59,7 +60,7 @@ class CityJsonSink final : public SurfaceSink {
     void begin(const SurfaceMeta& meta) override;
     void add(const SurfacePart& part) override;
     void end_group() override { known_.clear(); }
-    void finish() override;
+    void prepare(CommitList& commit) override;
     [[nodiscard]] std::vector<std::string> take_warnings() override { return file_.take_warnings(); }
 
   private:
@@ -168,11 +169,11 @@ Json CityJsonSink::metadata() const {
     return metadata;
 }
 
-void CityJsonSink::finish() {
+void CityJsonSink::prepare(CommitList& commit) {
     file_.write("},\n\"vertices\":[");
     vertices_.write_to(file_);
     file_.write("],\n\"metadata\":" + json_text(metadata()) + "}\n");
-    file_.publish();
+    file_.prepare(commit);
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ DatasetWriter::DatasetWriter(WriteTarget target, const VectorFormat& format, con
 
 DatasetWriter::~DatasetWriter() {
     const GdalMessages quiet;
-    const bool undo = in_transaction_ && mode_ != Mode::create;
+    const bool undo = changes_in_place();
     if (in_transaction_)
         GDALDatasetRollbackTransaction(dataset_.get());
     layers_.clear();
@@ -260,7 +260,7 @@ void DatasetWriter::furnish() {
     }
 }
 
-void DatasetWriter::close() {
+void DatasetWriter::complete() {
     write_pending();
     for (LayerWriter& layer : layers_) {
         layer.finish();
@@ -270,8 +270,14 @@ void DatasetWriter::close() {
     if (users_)
         users_->bring_back(target_);
     require_transaction();
-    if (in_transaction_ && mode_ != Mode::create)
+    if (changes_in_place())
         check_counts(target_, dataset_.get(), counts_);
+    complete_ = true;
+}
+
+void DatasetWriter::close() {
+    if (!complete_)
+        complete();
     commit();
     layers_.clear();
     close_written(target_, std::move(dataset_));

@@ -35,8 +35,13 @@ class DatasetWriter {
                const Provenance& provenance);
     /// @throws OutputError
     void add(std::size_t layer, const Feature& feature);
-    /// Writes what is pending, commits and closes. @throws OutputError: also where only closing fails
+    /// Writes what is pending. The layers of a transaction that changes a database in place are complete and
+    /// counted then, and nobody sees them before close(). @throws OutputError
+    void complete();
+    /// Completes it where it is not, commits and closes. @throws OutputError: also where only closing fails
     void close();
+    /// Whether it changes a database in place, in a transaction.
+    [[nodiscard]] bool changes_in_place() const { return in_transaction_ && mode_ != Mode::create; }
 
     /// The first number that a feature may take; known when begin() has been called.
     [[nodiscard]] std::int64_t first_id() const { return first_id_; }
@@ -81,6 +86,7 @@ class DatasetWriter {
     std::vector<std::vector<Feature>> pending_;  ///< of layers that must wait for those before them
     bool transactions_ = false;
     bool in_transaction_ = false;
+    bool complete_ = false;
     std::int64_t uncommitted_ = 0;
     std::int64_t first_id_ = 1;
     LayerCounts counts_;

@@ -34,9 +34,24 @@ int rename_with(const fs::path& from, const fs::path& to, [[maybe_unused]] bool 
 }  // namespace
 
 FileMoves::~FileMoves() {
-    std::error_code ignored;
+    static_cast<void>(take_back());
+}
+
+bool FileMoves::undo(const Move& move) {
+    if (move.exchanged)
+        return rename_with(move.from, move.to, true) == 0;
+    std::error_code error;
+    fs::rename(move.to, move.from, error);
+    return !error;
+}
+
+std::vector<fs::path> FileMoves::take_back() {
+    std::vector<fs::path> left;
     for (auto move = done_.rbegin(); move != done_.rend(); ++move)
-        fs::rename(move->second, move->first, ignored);
+        if (!undo(*move))
+            left.push_back(move->exchanged ? move->from : move->to);
+    done_.clear();
+    return left;
 }
 
 void FileMoves::move(const fs::path& from, const fs::path& to) {
@@ -48,18 +63,31 @@ void FileMoves::move(const fs::path& from, const fs::path& to) {
             throw_errno(EEXIST);
         fs::rename(from, to);
     }
-    done_.emplace_back(from, to);
+    done_.push_back({from, to});
 }
 
-void exchange(const fs::path& a, const fs::path& b, const fs::path& spare) {
-    if (rename_with(a, b, true) == 0)
+void FileMoves::replace(const fs::path& from, const fs::path& to, const fs::path& spare) {
+    done_.reserve(done_.size() + 2);
+    if (rename_with(from, to, true) == 0) {
+        done_.push_back({from, to, true});
         return;
+    }
     if (!not_supported(errno))
         throw_errno(errno);
-    FileMoves moves;
-    moves.move(b, spare);
-    moves.move(a, b);
-    moves.keep();
+    if (fs::is_directory(to)) {
+        FileMoves both;
+        both.move(to, spare);
+        both.move(from, to);
+        done_.insert(done_.end(), both.done_.begin(), both.done_.end());
+        both.keep();
+        return;
+    }
+    std::error_code no_links;
+    fs::create_hard_link(to, spare, no_links);
+    if (no_links)
+        fs::copy_file(to, spare);
+    fs::rename(from, to);
+    done_.push_back({to, spare});
 }
 
 void sync_to_disk(const fs::path& path) {

@@ -16,6 +16,7 @@
 #include "dem2buildings/error.hpp"
 #include "read/gdal_messages.hpp"
 #include "write/config_option.hpp"
+#include "write/file_sink.hpp"
 #include "write/geotiff_file.hpp"
 #include "write/staged_raster.hpp"
 
@@ -24,7 +25,7 @@ namespace d2b {
 namespace {
 
 /// Cells wait until their tile is whole: what is compressed twice leaves a gap in the file.
-class GeoTiffSink final : public RasterSink {
+class GeoTiffSink final : public FileSink<RasterSink> {
   public:
     GeoTiffSink(RasterPlace place, DemInfo grid, RasterMeta meta)
         : staged_(std::move(place)), grid_(std::move(grid)), meta_(std::move(meta)) {
@@ -35,7 +36,7 @@ class GeoTiffSink final : public RasterSink {
     ~GeoTiffSink() override;
 
     void write(const Window& part, std::span<const float> values) override;
-    void finish() override;
+    void prepare(CommitList& commit) override;
     [[nodiscard]] std::vector<std::string> take_warnings() override { return staged_.take_warnings(); }
 
   private:
@@ -120,14 +121,14 @@ void GeoTiffSink::take(const Window& tile, const Window& part, std::span<const f
     tiles_.erase(number);
 }
 
-void GeoTiffSink::finish() {
+void GeoTiffSink::prepare(CommitList& commit) {
     const std::int64_t missing = std::accumulate(missing_.begin(), missing_.end(), std::int64_t{0});
     if (missing > 0)
         throw OutputError("Cannot write \"" + staged_.name() + "\": " + std::to_string(missing) + " of its " +
                           std::to_string(grid_.window.points()) + " cells were not given.");
     const ConfigOption no_sidecar("GDAL_PAM_ENABLED", "NO");
     file_->close();
-    staged_.publish("renaming the finished result");
+    staged_.prepare(commit);
 }
 
 /// By a trial of one cell: what GDAL has no keys of GeoTIFF for goes into a file beside, which would outlive

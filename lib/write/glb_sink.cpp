@@ -14,6 +14,7 @@
 #include "core/crs.hpp"
 #include "dem2buildings/error.hpp"
 #include "write/field_json.hpp"
+#include "write/file_sink.hpp"
 #include "write/glb_numbers.hpp"
 #include "write/json_list.hpp"
 #include "write/surface_file.hpp"
@@ -31,7 +32,7 @@ struct Look {
 constexpr std::array looks{Look{"roof", {0.45, 0.09, 0.05, 1}}, Look{"wall", {0.6, 0.57, 0.5, 1}},
                            Look{"ground", {0.2, 0.2, 0.2, 1}}};
 
-class GlbSink final : public SurfaceSink {
+class GlbSink final : public FileSink<SurfaceSink> {
   public:
     GlbSink(RasterPlace place, std::uint64_t most)
         : name_(place.name), most_(most), file_(std::move(place)) {}
@@ -42,7 +43,7 @@ class GlbSink final : public SurfaceSink {
         for (const SurfaceBuilding& building : part.buildings)
             add_building(part, building);
     }
-    void finish() override;
+    void prepare(CommitList& commit) override;
     [[nodiscard]] std::vector<std::string> take_warnings() override { return file_.take_warnings(); }
 
   private:
@@ -116,7 +117,7 @@ std::string GlbSink::scene() const {
 }
 
 /// A header, then a chunk of JSON and one of numbers, each a multiple of four bytes long.
-void GlbSink::finish() {
+void GlbSink::prepare(CommitList& commit) {
     if (nodes_.count() == 0) {
         file_.leave_out("a glTF without a mesh shows nothing");
         return;
@@ -148,7 +149,7 @@ void GlbSink::finish() {
     append_number(static_cast<std::uint32_t>(bin_size), end);
     file_.write(end + "BIN" + '\0');
     numbers_.write_to(file_);
-    file_.publish();
+    file_.prepare(commit);
 }
 
 }  // namespace

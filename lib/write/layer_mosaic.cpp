@@ -50,9 +50,9 @@ std::string vrt_text(const LayerMosaic& mosaic) {
 
 }  // namespace
 
-void write_layer_mosaic(const WriteOptions& options, const LayerMosaic& mosaic) {
-    write_small_file(std::filesystem::path(options.destination) / (mosaic.spec.name + ".vrt"),
-                     vrt_text(mosaic));
+std::unique_ptr<PendingResult> prepare_layer_mosaic(const WriteOptions& options, const LayerMosaic& mosaic) {
+    return prepare_small_file(std::filesystem::path(options.destination) / (mosaic.spec.name + ".vrt"),
+                              vrt_text(mosaic));
 }
 
 }  // namespace d2b

@@ -9,6 +9,7 @@
 
 #include "core/crs.hpp"
 #include "write/coordinate_text.hpp"
+#include "write/file_sink.hpp"
 #include "write/surface_file.hpp"
 
 namespace d2b {
@@ -29,14 +30,14 @@ std::string comment(const std::string& text) {
     return line + "\n";
 }
 
-class ObjSink final : public SurfaceSink {
+class ObjSink final : public FileSink<SurfaceSink> {
   public:
     ObjSink(RasterPlace place, SurfaceSolids solids) : solids_(solids), file_(std::move(place)) {}
 
     [[nodiscard]] SurfaceForm form() const override { return SurfaceForm::shell; }
     void begin(const SurfaceMeta& meta) override;
     void add(const SurfacePart& part) override;
-    void finish() override { file_.publish(); }
+    void prepare(CommitList& commit) override { file_.prepare(commit); }
     [[nodiscard]] std::vector<std::string> take_warnings() override { return file_.take_warnings(); }
 
   private:

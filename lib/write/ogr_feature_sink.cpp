@@ -11,9 +11,11 @@
 #include "write/crs_misfit.hpp"
 #include "write/dataset_writer.hpp"
 #include "write/existing_dataset.hpp"
+#include "write/file_sink.hpp"
 #include "write/layer_choice.hpp"
+#include "write/pending_files.hpp"
 #include "write/rehearsal.hpp"
-#include "write/staging.hpp"
+#include "write/standard_output.hpp"
 #include "write/style_sidecar.hpp"
 #include "write/write_watch.hpp"
 
@@ -21,7 +23,21 @@ namespace d2b {
 
 namespace {
 
-class OgrFeatureSink final : public FeatureSink {
+/// Layers that change in place, in a transaction.
+class PendingTransaction final : public PendingResult {
+  public:
+    PendingTransaction(DatasetWriter& writer, std::string name) : writer_(writer), name_(std::move(name)) {}
+
+    [[nodiscard]] Kind kind() const override { return Kind::transaction; }
+    void show() override { writer_.close(); }
+    [[nodiscard]] std::string take_back() override { return "\"" + name_ + "\" has been changed already"; }
+
+  private:
+    DatasetWriter& writer_;
+    std::string name_;
+};
+
+class OgrFeatureSink final : public FileSink<FeatureSink> {
   public:
     OgrFeatureSink(WriteOptions options, VectorFormat format, Destination destination,
                    std::optional<ExistingDataset> existing, StopRequest stop)
@@ -42,7 +58,7 @@ class OgrFeatureSink final : public FeatureSink {
         writer_->add(layer, feature);
         require_written();
     }
-    void finish() override;
+    void prepare(CommitList& commit) override;
     [[nodiscard]] std::vector<std::string> take_warnings() override { return warnings_.take(); }
     [[nodiscard]] std::int64_t first_id() const override { return writer_ ? writer_->first_id() : 1; }
     [[nodiscard]] bool takes_points() const override { return format_.several_layers; }
@@ -59,7 +75,9 @@ class OgrFeatureSink final : public FeatureSink {
     /// Whether the layers change where they are, in one transaction.
     [[nodiscard]] bool in_place() const { return existing_ && format_.transactions; }
     [[nodiscard]] DatasetWriter::Mode mode() const;
-    void require_unchanged() const;
+    [[nodiscard]] OldFiles old_files() const {
+        return existing_ ? OldFiles{existing_->files, existing_->stamp} : OldFiles{};
+    }
     /// @throws OutputError where the disk has refused what the driver took for written
     void require_written() const;
 
@@ -70,10 +88,12 @@ class OgrFeatureSink final : public FeatureSink {
     bool writes_virtual_files_;
     StopRequest stop_;
     Warnings warnings_;
-    std::optional<Staging> staging_;
+    std::optional<PendingFiles> files_;
+    std::optional<HeldOutput> held_;
     std::optional<WriteWatch> watch_;
     WriteTarget target_;
     std::optional<DatasetWriter> writer_;  ///< goes before the folder that it writes in
+    std::optional<PendingTransaction> transaction_;
 };
 
 DatasetWriter::Mode OgrFeatureSink::mode() const {
@@ -120,28 +140,32 @@ void OgrFeatureSink::begin(std::span<const LayerSpec> layers, const Provenance& 
     target_ = {.name = destination_.name, .hidden_folder = "", .warnings = &warnings_, .stop = stop_};
     std::string path = destination_.path;
     if (destination_.local && !in_place()) {
-        staging_.emplace(destination_.name, destination_.path);
+        files_.emplace(PendingResult::Kind::dataset, destination_.name, destination_.path, old_files(),
+                       warnings_);
+        Staging& staging = files_->staging();
         const bool watched = !format_.transactions && writes_virtual_files_;
         const auto called = [&](const std::filesystem::path& file) {
             return watched ? watch_->name_of(file.string()) : file.string();
         };
         if (watched)
             watch_.emplace();
-        target_.hidden_folder = called(staging_->folder()) + "/";
-        path = called(staging_->dataset());
+        target_.hidden_folder = called(staging.folder()) + "/";
+        path = called(staging.dataset());
         if (mode() == DatasetWriter::Mode::extend) {
-            require_unchanged();
-            staging_->copy_in(existing_->files);
+            require_unchanged(destination_.name, old_files());
+            staging.copy_in(existing_->files);
         }
     } else if (existing_ && mode() == DatasetWriter::Mode::create) {
         const GdalMessages quiet;
         GDALDeleteDataset(format_.driver, path.c_str());
     }
+    if (path.find("/vsistdout") != std::string::npos)
+        held_.emplace();
     // No .aux.xml beside formats without metadata: it would outlive a rollback.
     const ConfigOption no_sidecar("GDAL_PAM_ENABLED", "NO");
     // What is written aside is synced once, before it is renamed; SQLite need not wait for the disk before.
     std::optional<ConfigOption> no_waiting;
-    if (staging_)
+    if (files_)
         no_waiting.emplace("OGR_SQLITE_SYNCHRONOUS", "OFF");
     writer_.emplace(target_, format_, options_);
     writer_->begin(path, mode(), layers, provenance);
@@ -154,33 +178,27 @@ void OgrFeatureSink::require_written() const {
                           "\": " + std::generic_category().message(watch_->error()) + ".");
 }
 
-void OgrFeatureSink::require_unchanged() const {
-    if (existing_ && stamp_of(existing_->files) != existing_->stamp)
-        throw OutputError("\"" + destination_.name +
-                          "\" has changed while this run was going on and is left alone; run again.");
-}
-
-void OgrFeatureSink::finish() {
-    writer_->close();
-    require_written();
-    if (!staging_) {
-        // A transaction has been counted before it was committed.
-        if (!in_place() && !is_stream(destination_.name))
-            verify_counts(target_, format_, destination_.path, writer_->counts());
+void OgrFeatureSink::prepare(CommitList& commit) {
+    writer_->complete();
+    if (writer_->changes_in_place()) {
+        commit.add(transaction_.emplace(*writer_, destination_.name));
         return;
     }
-    keep_users_styles(staging_->dataset(), destination_.path, existing_.has_value());
-    staging_->seal();
-    verify_counts(target_, format_, staging_->dataset().string(), writer_->counts());
-    staging_->sync();
-    require_unchanged();
-    const std::string doubt = staging_->publish(existing_ ? existing_->files : std::vector<std::string>());
-    if (!doubt.empty())
-        warnings_.add("\"" + destination_.name +
-                      "\" is written, but may be gone after a power failure: the disk "
-                      "does not confirm its name (" +
-                      doubt + ").");
-    staging_.reset();
+    writer_->close();
+    require_written();
+    if (held_) {
+        held_->require_kept();
+        commit.add(*held_);
+    } else if (files_) {
+        Staging& staging = files_->staging();
+        keep_users_styles(staging.dataset(), destination_.path, existing_.has_value());
+        staging.seal();
+        verify_counts(target_, format_, staging.dataset().string(), writer_->counts());
+        staging.sync();
+        commit.add(*files_);
+    } else if (!is_stream(destination_.name)) {
+        verify_counts(target_, format_, destination_.path, writer_->counts());
+    }
 }
 
 std::optional<ExistingDataset> existing_at(Destination& destination, VectorFormat& format,

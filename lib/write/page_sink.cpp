@@ -18,6 +18,7 @@
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/report.hpp"
 #include "write/field_json.hpp"
+#include "write/file_sink.hpp"
 #include "write/packed_numbers.hpp"
 #include "write/page_mark.hpp"
 #include "write/page_parts.hpp"
@@ -92,7 +93,7 @@ std::string filled(std::string_view text, const std::vector<std::pair<std::strin
     return result;
 }
 
-class PageSink final : public SurfaceSink {
+class PageSink final : public FileSink<SurfaceSink> {
   public:
     PageSink(RasterPlace place, const PageParts& parts, const DemInfo& dem,
              std::shared_ptr<PageRelief> relief, std::uint64_t most)
@@ -108,7 +109,7 @@ class PageSink final : public SurfaceSink {
     void begin(const SurfaceMeta& meta) override;
     void add(const SurfacePart& part) override;
     void take_report(const RunReport& report) override;
-    void finish() override;
+    void prepare(CommitList& commit) override;
     [[nodiscard]] std::vector<std::string> take_warnings() override { return file_.take_warnings(); }
 
   private:
@@ -221,7 +222,7 @@ std::string PageSink::data() const {
     return base64(deflated(sections));
 }
 
-void PageSink::finish() {
+void PageSink::prepare(CommitList& commit) {
     const std::string packed = data();
     require_room(packed.size() + parts_.html.size() + parts_.style.size() + parts_.script.size());
     const auto hash = [](std::string_view digits) { return "'sha256-" + base64(bytes_of_hex(digits)) + "'"; };
@@ -233,7 +234,7 @@ void PageSink::finish() {
                                      {"LICENCE", xml_text(parts_.licence)},
                                      {"DATA", packed},
                                      {"SCRIPT", std::string(parts_.script)}}));
-    file_.publish();
+    file_.prepare(commit);
 }
 
 }  // namespace

@@ -8,19 +8,20 @@
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/open_sinks.hpp"
 #include "read/start_gdal.hpp"
+#include "write/file_sink.hpp"
 #include "write/layer_choice.hpp"
 #include "write/vector_format.hpp"
 
 namespace d2b {
 namespace {
 
-class PartSink final : public FeatureSink {
+class PartSink final : public FileSink<FeatureSink> {
   public:
     PartSink(WriteOptions options, std::int64_t part, Callbacks callbacks);
 
     void begin(std::span<const LayerSpec> layers, const Provenance& provenance) override;
     void add(std::size_t layer, const Feature& feature) override;
-    void finish() override;
+    void prepare(CommitList& commit) override;
     [[nodiscard]] Layers layers(std::optional<Layers> asked) const override;
     [[nodiscard]] std::string layer_name(LayerRole role, Layers layers) const override;
     [[nodiscard]] std::vector<std::string> take_warnings() override;
@@ -79,10 +80,10 @@ void PartSink::add(std::size_t layer, const Feature& feature) {
     sink(layer).add(0, feature);
 }
 
-void PartSink::finish() {
+void PartSink::prepare(CommitList& commit) {
     for (const auto& sink : sinks_)
         if (sink)
-            sink->finish();
+            sink->prepare(commit);
 }
 
 Layers PartSink::layers(std::optional<Layers> asked) const {

@@ -21,7 +21,7 @@ class StagedPicture final : public PictureFile {
 
     [[nodiscard]] PictureFormat format() const override { return format_; }
     void write(const std::string& bytes) override;
-    void publish() override { staged_.publish("renaming the finished picture"); }
+    void prepare(CommitList& commit) override { staged_.prepare(commit); }
     [[nodiscard]] std::vector<std::string> take_warnings() override { return staged_.take_warnings(); }
 
   private:

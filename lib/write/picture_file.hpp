@@ -9,6 +9,8 @@
 
 namespace d2b {
 
+class CommitList;
+
 /// A picture that appears whole or not at all, as a GeoTIFF of open_geotiff_sink() does.
 class PictureFile {
   public:
@@ -21,8 +23,8 @@ class PictureFile {
     [[nodiscard]] virtual PictureFormat format() const = 0;
     /// Writes it where nobody sees it yet. @param bytes of the whole file @throws OutputError
     virtual void write(const std::string& bytes) = 0;
-    /// Makes it visible. @throws OutputError
-    virtual void publish() = 0;
+    /// Adds it to what is to be shown. @param commit shows it while this lives @throws OutputError
+    virtual void prepare(CommitList& commit) = 0;
     /// What has been noticed since the last call, a sentence each.
     [[nodiscard]] virtual std::vector<std::string> take_warnings() = 0;
 };

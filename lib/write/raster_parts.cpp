@@ -86,12 +86,12 @@ std::string part_text(const RasterPart& part) {
 
 }  // namespace
 
-void write_raster_parts(const std::filesystem::path& vrt, std::int32_t rows, std::int32_t cols,
-                        const std::vector<RasterPart>& parts) {
+std::unique_ptr<PendingResult> prepare_raster_parts(const std::filesystem::path& vrt, std::int32_t rows,
+                                                    std::int32_t cols, const std::vector<RasterPart>& parts) {
     std::string text = head_text((vrt.parent_path() / parts.at(0).file).string(), rows, cols);
     for (const RasterPart& part : parts)
         text += part_text(part);
-    write_small_file(vrt, text + "  </VRTRasterBand>\n</VRTDataset>\n");
+    return prepare_small_file(vrt, text + "  </VRTRasterBand>\n</VRTDataset>\n");
 }
 
 }  // namespace d2b

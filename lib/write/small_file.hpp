@@ -1,12 +1,19 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
+
+#include "dem2buildings/commit_list.hpp"
 
 namespace d2b {
 
-/// Writes a text that fits in memory beside its place, forces it to the disk and renames it: it is there
-/// whole or not at all, also where several processes write it. @throws OutputError
+/// A text that fits in memory, written beside its place and forced to the disk, and renamed by a CommitList:
+/// it is there whole or not at all, also where several processes write it. @throws OutputError
+[[nodiscard]] std::unique_ptr<PendingResult> prepare_small_file(const std::filesystem::path& path,
+                                                                const std::string& text);
+
+/// One that belongs to no others. @throws OutputError
 void write_small_file(const std::filesystem::path& path, const std::string& text);
 
 }  // namespace d2b

@@ -4,46 +4,71 @@
 
 #include <cpl_vsi.h>
 
-#include "dem2buildings/error.hpp"
-#include "write/existing_dataset.hpp"
+#include "read/gdal_messages.hpp"
 
 namespace d2b {
+
+PendingVirtualFile::~PendingVirtualFile() {
+    const GdalMessages quiet;
+    if (!shown_)
+        VSIUnlink(beside().c_str());
+}
+
+void PendingVirtualFile::rename(const std::string& from, const std::string& to) const {
+    OgrCall call(target_);
+    const bool renamed = VSIRename(from.c_str(), to.c_str()) == 0;
+    call.check(renamed, "renaming the finished result");
+}
+
+void PendingVirtualFile::show() {
+    if (replaces_)
+        rename(path_, old());
+    try {
+        rename(beside(), path_);
+    } catch (...) {
+        const GdalMessages quiet;
+        if (replaces_)
+            VSIRename(old().c_str(), path_.c_str());
+        throw;
+    }
+    shown_ = true;
+}
+
+std::string PendingVirtualFile::take_back() {
+    const GdalMessages quiet;
+    const bool done =
+        replaces_ ? VSIRename(old().c_str(), path_.c_str()) == 0 : VSIUnlink(path_.c_str()) == 0;
+    return done ? "" : "\"" + target_.name + "\" has been written already";
+}
+
+void PendingVirtualFile::keep() {
+    const GdalMessages quiet;
+    if (replaces_)
+        VSIUnlink(old().c_str());
+}
 
 StagedRaster::StagedRaster(RasterPlace place)
     : place_(std::move(place)), target_{.name = place_.name, .hidden_folder = "", .warnings = &warnings_} {
     warnings_.hold();
 }
 
-StagedRaster::~StagedRaster() {
-    const GdalMessages quiet;
-    if (!beside_.empty())
-        VSIUnlink(beside_.c_str());
-}
-
 std::string StagedRaster::begin() {
     if (!place_.local)
-        return beside_ = place_.path + ".part";
-    staging_.emplace(place_.name, place_.path);
-    target_.hidden_folder = staging_->folder().string() + "/";
-    return staging_->dataset().string();
+        return virtual_.emplace(target_, place_.path, replaces()).beside();
+    local_.emplace(PendingResult::Kind::file, place_.name, place_.path,
+                   OldFiles{place_.old_files, place_.stamp}, warnings_);
+    target_.hidden_folder = local_->staging().folder().string() + "/";
+    return local_->staging().dataset().string();
 }
 
-void StagedRaster::publish(const std::string& renaming) {
-    if (!staging_) {
-        OgrCall call(target_);
-        if (!place_.old_files.empty())
-            VSIUnlink(place_.path.c_str());
-        call.check(VSIRename(beside_.c_str(), place_.path.c_str()) == 0, renaming);
-        beside_.clear();
+void StagedRaster::prepare(CommitList& commit) {
+    if (virtual_) {
+        commit.add(*virtual_);
         return;
     }
-    staging_->seal();
-    staging_->sync();
-    if (stamp_of(place_.old_files) != place_.stamp)
-        throw OutputError("\"" + place_.name +
-                          "\" has changed while this run was going on and is left alone; run again.");
-    static_cast<void>(staging_->publish(place_.old_files));
-    staging_.reset();
+    local_->staging().seal();
+    local_->staging().sync();
+    commit.add(*local_);
 }
 
 }  // namespace d2b

@@ -47,6 +47,7 @@ Staging::Staging(std::string name, fs::path destination)
 }
 
 Staging::~Staging() {
+    moves_.keep();
     std::error_code ignored;
     if (!keeps_old_)
         fs::remove_all(folder_, ignored);
@@ -74,6 +75,8 @@ void Staging::seal() {
     });
     if (result_.empty() || result_.back() != main)
         throw cannot_write(name_, "the driver has written no file of this name");
+    for (const fs::path& file : result_)
+        take_permissions(parent_of(destination_) / file, folder_ / file);
 }
 
 void Staging::sync() const {
@@ -85,19 +88,20 @@ void Staging::sync() const {
     }
 }
 
-std::string Staging::publish(const std::vector<std::string>& old_files) {
+void Staging::publish(const std::vector<std::string>& old_files) {
     try {
         if (fs::is_directory(dataset()))
             publish_folder(!old_files.empty());
         else
             publish_files(old_files);
     } catch (const std::system_error& error) {
-        std::error_code ignored;
-        const fs::path old = folder_ / "old";
-        keeps_old_ = fs::exists(old, ignored) && !fs::is_empty(old, ignored);
+        const std::string left = take_back();
         throw cannot_write(name_, "the finished result cannot be renamed (" + error.code().message() + ")" +
-                                      (keeps_old_ ? "; old files lie in \"" + old.string() + "\" now" : ""));
+                                      (left.empty() ? "" : "; " + left));
     }
+}
+
+std::string Staging::confirm() const {
     try {
         sync_to_disk(parent_of(destination_));
     } catch (const std::system_error& error) {
@@ -106,34 +110,45 @@ std::string Staging::publish(const std::vector<std::string>& old_files) {
     return "";
 }
 
+std::string Staging::take_back() {
+    const std::vector<fs::path> left = moves_.take_back();
+    if (left.empty())
+        return "";
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(folder_, ignored))
+        if (std::ranges::find(left, entry.path()) == left.end())
+            fs::remove_all(entry.path(), ignored);
+        else
+            keeps_old_ = true;
+    if (keeps_old_)
+        return "old files of \"" + name_ + "\" lie in \"" + folder_.string() + "\" now";
+    return fs::exists(destination_, ignored) ? "\"" + name_ + "\" is there already" : "";
+}
+
 void Staging::publish_folder(bool replaces) {
-    if (!replaces)
-        fs::rename(dataset(), destination_);
-    else
-        exchange(dataset(), destination_, folder_ / "old");
+    if (!fs::exists(fs::symlink_status(destination_))) {
+        moves_.move(dataset(), destination_);
+        return;
+    }
+    // An empty folder may be there before; nobody else's files may go.
+    if (!replaces && !(fs::is_directory(destination_) && fs::is_empty(destination_)))
+        throw std::system_error(EEXIST, std::generic_category());
+    moves_.replace(dataset(), destination_, folder_ / "old");
 }
 
 void Staging::publish_files(const std::vector<std::string>& old_files) {
     std::set<fs::path> old;
     for (const fs::path file : old_files)
         old.insert(file.filename());
-    const fs::path backup = folder_ / "old";
     const fs::path parent = parent_of(destination_);
-    FileMoves moves;
-    for (const fs::path& file : old) {
-        fs::create_directory(backup);
-        if (file != destination_.filename())
-            moves.move(parent / file, backup / file);
-    }
-    for (const fs::path& file : result_) {
+    for (const fs::path& file : old)
+        if (std::ranges::find(result_, file) == result_.end())
+            moves_.move(parent / file, folder_ / file);
+    for (const fs::path& file : result_)
         if (old.contains(file))
-            take_permissions(file == destination_.filename() ? destination_ : backup / file, folder_ / file);
-        if (file == destination_.filename() && old.contains(file))
-            fs::rename(folder_ / file, destination_);
+            moves_.replace(folder_ / file, parent / file, folder_ / (file.string() + ".old"));
         else
-            moves.move(folder_ / file, parent / file);
-    }
-    moves.keep();
+            moves_.move(folder_ / file, parent / file);
 }
 
 }  // namespace d2b

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "write/file_moves.hpp"
+
 namespace d2b {
 
 /// A hidden folder beside the destination, in which the dataset is written under its own name: drivers take
@@ -23,16 +25,20 @@ class Staging {
 
     /// Brings files of the destination into the folder, to be changed there. @throws OutputError
     void copy_in(const std::vector<std::string>& files);
-    /// Remembers what is there as the result: what turns up later (caches of readers) is not published.
+    /// Remembers what is there as the result: what turns up later (caches of readers) is not published. What
+    /// replaces a file becomes as readable as that file.
     void seal();
     /// Forces the files to the disk. @throws OutputError
     void sync() const;
     /// Puts the result in the place of the old files, all that the destination consists of (none where it is
-    /// new). One file and a folder change in one step; a set of files (Shapefile) one after the other, the
-    /// main file last, and back again where one fails. Where not even that goes, the old files stay in the
-    /// hidden folder. @return why the disk does not confirm the new names; "" where it does @throws
-    /// OutputError
-    [[nodiscard]] std::string publish(const std::vector<std::string>& old_files);
+    /// new), which the hidden folder keeps from now on. One file and a folder change in one step; a set of
+    /// files (Shapefile) one after the other, the main file last, and back again where one fails. Where not
+    /// even that goes, the old files stay in the hidden folder. @throws OutputError
+    void publish(const std::vector<std::string>& old_files);
+    /// @return why the disk does not confirm the new names; "" where it does
+    [[nodiscard]] std::string confirm() const;
+    /// After publish(): puts the old files back. @return where that fails a clause that says what lies where
+    [[nodiscard]] std::string take_back();
 
   private:
     void publish_folder(bool replaces);
@@ -43,6 +49,7 @@ class Staging {
     std::filesystem::path folder_;
     bool keeps_old_ = false;                     ///< files that could not be brought back
     std::vector<std::filesystem::path> result_;  ///< file names, the main one last
+    FileMoves moves_;                            ///< of publish()
 };
 
 }  // namespace d2b

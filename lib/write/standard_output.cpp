@@ -1,11 +1,117 @@
 #include "write/standard_output.hpp"
 
+#include <algorithm>
+#include <cerrno>
+#include <cstddef>
+#include <fcntl.h>
+#include <poll.h>
+#include <span>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <vector>
+
 #include <cpl_vsi.h>
 
-namespace d2b {
+#include "dem2buildings/error.hpp"
 
-void set_standard_output(std::FILE* stream) {
-    VSIStdoutSetRedirection(std::fwrite, stream);
+namespace d2b {
+namespace {
+
+std::FILE*& stream() {
+    static std::FILE* chosen = stdout;
+    return chosen;
+}
+
+/// Sets the room aside, which leaves the length of the file as it is.
+bool has_room_in_file(int file, const struct stat& status, std::uint64_t bytes) {
+    const int flags = ::fcntl(file, F_GETFL);
+    const off_t at = (flags & O_APPEND) != 0 ? status.st_size : ::lseek(file, 0, SEEK_CUR);
+    struct rlimit limit {};
+    if (at < 0)
+        return true;
+    if (::getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY &&
+        static_cast<rlim_t>(at) + bytes > limit.rlim_cur)
+        return false;
+#ifdef FALLOC_FL_KEEP_SIZE
+    if (::fallocate(file, FALLOC_FL_KEEP_SIZE, at, static_cast<off_t>(bytes)) != 0)
+        return errno != ENOSPC && errno != EDQUOT && errno != EFBIG && errno != EIO;
+#endif
+    return true;
+}
+
+bool has_room(int file, std::uint64_t bytes) {
+    const int flags = ::fcntl(file, F_GETFL);
+    if (flags < 0 || (flags & O_ACCMODE) == O_RDONLY)
+        return false;
+    struct stat status {};
+    if (::fstat(file, &status) != 0)
+        return false;
+    if (S_ISREG(status.st_mode))
+        return has_room_in_file(file, status, bytes);
+    // A pipe without a reader, a device that takes nothing.
+    struct pollfd ready {
+        file, POLLOUT, 0
+    };
+    if (::poll(&ready, 1, 0) > 0 && (ready.revents & (POLLERR | POLLHUP | POLLNVAL)) != 0)
+        return false;
+    return !S_ISCHR(status.st_mode) || ::write(file, "", 0) == 0;
+}
+
+}  // namespace
+
+void set_standard_output(std::FILE* to) {
+    stream() = to;
+    VSIStdoutSetRedirection(std::fwrite, to);
+}
+
+void refuse_lost_output() {
+    throw OutputError("Cannot write to stdout; check whether the disk is full or the reader has gone.");
+}
+
+void require_room_on_stdout(std::uint64_t bytes) {
+    if (bytes > 0 &&
+        (std::ferror(stream()) != 0 || std::fflush(stream()) != 0 || !has_room(::fileno(stream()), bytes)))
+        refuse_lost_output();
+}
+
+HeldOutput::HeldOutput() {
+    // GDAL hands the stream on, and does nothing with it.
+    VSIStdoutSetRedirection(hold, reinterpret_cast<std::FILE*>(this));
+}
+
+HeldOutput::~HeldOutput() {
+    VSIStdoutSetRedirection(std::fwrite, stream());
+}
+
+std::size_t HeldOutput::hold(const void* data, std::size_t size, std::size_t count, std::FILE* self) {
+    HeldOutput& held = *reinterpret_cast<HeldOutput*>(self);
+    try {
+        held.spool_.append({static_cast<const std::byte*>(data), size * count});
+        held.size_ += size * count;
+        return count;
+    } catch (...) {  // which must not pass through GDAL
+        held.failure_ = std::current_exception();
+        return 0;
+    }
+}
+
+void HeldOutput::require_kept() const {
+    if (failure_)
+        std::rethrow_exception(failure_);
+}
+
+void HeldOutput::show() {
+    constexpr std::uint64_t most = std::uint64_t{1} << 20;
+    std::vector<std::byte> bytes;
+    for (std::uint64_t at = 0; at < size_; at += bytes.size()) {
+        bytes.resize(static_cast<std::size_t>(std::min(most, size_ - at)));
+        spool_.read(at, bytes);
+        if (std::fwrite(bytes.data(), 1, bytes.size(), stream()) != bytes.size())
+            refuse_lost_output();
+    }
+    if (std::fflush(stream()) != 0)
+        refuse_lost_output();
 }
 
 }  // namespace d2b

@@ -10,6 +10,7 @@
 
 #include "core/number_from_chars.hpp"
 #include "write/coordinate_text.hpp"
+#include "write/file_sink.hpp"
 #include "write/surface_file.hpp"
 
 namespace d2b {
@@ -45,7 +46,7 @@ Vector as_read(const std::string& text) {
     return numbers;
 }
 
-class StlSink final : public SurfaceSink {
+class StlSink final : public FileSink<SurfaceSink> {
   public:
     StlSink(RasterPlace place, SurfaceSolids solids) : solids_(solids), file_(std::move(place)) {}
 
@@ -55,7 +56,7 @@ class StlSink final : public SurfaceSink {
         text_.emplace(meta.frame);
     }
     void add(const SurfacePart& part) override;
-    void finish() override;
+    void prepare(CommitList& commit) override;
     [[nodiscard]] std::vector<std::string> take_warnings() override { return file_.take_warnings(); }
 
   private:
@@ -110,13 +111,13 @@ std::string StlSink::facet(const SurfacePart& part, const SurfaceTriangle& trian
     return text + "\nouter loop\n" + vertices + "endloop\nendfacet\n";
 }
 
-void StlSink::finish() {
+void StlSink::prepare(CommitList& commit) {
     if (!has_any_) {
         file_.leave_out("an STL without a solid is none");
         return;
     }
     end_solid();
-    file_.publish();
+    file_.prepare(commit);
 }
 
 }  // namespace

@@ -72,10 +72,10 @@ void SurfaceFile::write(std::string_view bytes) {
         impl_->flush();
 }
 
-void SurfaceFile::publish() {
+void SurfaceFile::prepare(CommitList& commit) {
     impl_->flush();
     impl_->close();
-    impl_->staged.publish("renaming the finished surface");
+    impl_->staged.prepare(commit);
 }
 
 void SurfaceFile::leave_out(const std::string& why) {

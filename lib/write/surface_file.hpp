@@ -9,8 +9,11 @@
 
 namespace d2b {
 
-/// A file of a surface on its way: written beside its place in pieces, and then put there whole, as a GeoTIFF
-/// of open_geotiff_sink() is. Without publish() the place stays as it was.
+class CommitList;
+
+/// A file of a surface on its way: written beside its place in pieces, and then put there whole by a
+/// CommitList, as a GeoTIFF of open_geotiff_sink() is. Without that the place stays as it was. A sink that
+/// writes two files has two of these; dem2buildings/commit_list.hpp says in which order it prepares them.
 class SurfaceFile {
   public:
     explicit SurfaceFile(RasterPlace place);
@@ -20,8 +23,9 @@ class SurfaceFile {
 
     /// Adds bytes to its end. @throws OutputError
     void write(std::string_view bytes);
-    /// Makes it visible. @throws OutputError
-    void publish();
+    /// Completes it and adds it to what is to be shown. @param commit shows it while this lives @throws
+    /// OutputError
+    void prepare(CommitList& commit);
     /// In its place, where there is nothing to be published: warns of it. @param why "an STL without a solid
     /// is none"
     void leave_out(const std::string& why);

@@ -1,4 +1,7 @@
+#include <map>
+#include <string>
 #include <unistd.h>
+#include <vector>
 
 #include "cli/cli_test_case.hpp"
 
@@ -22,6 +25,12 @@ class OutputErrors : public CliTest {
         failed(1, part, destination, arguments);
         arguments.insert(arguments.end(), {"--", "dem.tif", destination});
         EXPECT_EQ(run(arguments).out, "");
+    }
+    static RasterSpec higher_blocks() {
+        RasterSpec spec = blocks();
+        for (double& value : spec.values)
+            value += value > 0 ? 3 : 0;
+        return spec;
     }
     /// Runs with a limit of the size of files, as a disk that fills up.
     ToolResult run_limited(int kilobytes, const Arguments& arguments) const {
@@ -172,11 +181,77 @@ TEST_F(OutputErrors, fullDiskOnStdout) {
     expect_error(1, sentence, {"--help"}, full);
     expect_error(1, sentence, {"--version"}, full);
     expect_error(1, sentence, {"-f", "GeoJSON", "-layers", "buildings", "dem.tif", "/vsistdout/"}, full);
-    // The report is lost, not the result.
-    const ToolResult result = run({"-json", "dem.tif", "out.gpkg"}, full);
-    EXPECT_EQ(result.status, 1);
-    EXPECT_EQ(result.err, "ERROR: " + sentence + "\n");
-    EXPECT_EQ(layer("out.gpkg", "buildings").records.size(), 2U);
+    // A report is a part of the result.
+    preset_ = "";
+    expect_error(1, sentence, {"-json", "dem.tif", "out.gpkg"}, full);
+    expect_error(1, sentence, {"-sweep", "-preview", "sheet.png", "dem.tif"}, full);
+    run_well({"-q", "-surface", "city.glb", "dem.tif", "out.gpkg"});
+    write(path("dem.tif"), higher_blocks());
+    expect_error(1, sentence, {"-overwrite", "-json", "-surface", "city.glb", "dem.tif", "out.gpkg"}, full);
+    expect_error(1, sentence,
+                 {"-overwrite", "-surface", "city.glb", "-f", "GeoJSON", "-layers", "buildings", "dem.tif",
+                  "/vsistdout/"},
+                 full);
+}
+
+/// What is told of a result is none.
+TEST_F(OutputErrors, aSummaryThatIsLost) {
+    const std::string warning = "Warning: The summary could not be written to stdout; the result is whole.\n";
+    const auto whole = [&](const ToolResult& result, const std::string& said) {
+        EXPECT_EQ(result.status, 0);
+        EXPECT_EQ(result.err, said);
+        EXPECT_EQ(layer("out.gpkg", "buildings").records.size(), 2U);
+        std::filesystem::remove(path("out.gpkg"));
+    };
+    const auto in_shell = [&](const std::string& command, const Arguments& options) {
+        Arguments all{"bash", "-c", command, "bash", D2B_TOOL};
+        all.insert(all.end(), options.begin(), options.end());
+        return run_tool(all, {.working_directory = folder_.string()});
+    };
+    whole(run({"dem.tif", "out.gpkg"}, {.stdout_file = "/dev/full"}), warning);
+    whole(run({"-q", "dem.tif", "out.gpkg"}, {.stdout_file = "/dev/full"}), "");
+    whole(in_shell("exec \"$@\" >&-", {"dem.tif", "out.gpkg"}), warning);
+    whole(in_shell("exec \"$@\" >&-", {"-q", "dem.tif", "out.gpkg"}), "");
+    const std::string to_nobody = "\"$@\" | true; exit ${PIPESTATUS[0]}";
+    whole(in_shell("sleep 0.2; " + to_nobody, {"dem.tif", "out.gpkg"}), warning);
+    const ToolResult lost = in_shell(to_nobody, {"-json", "dem.tif", "out.gpkg"});
+    EXPECT_EQ(lost.status, 1);
+    EXPECT_FALSE(std::filesystem::exists(path("out.gpkg")));
+    const ToolResult closed = in_shell("exec \"$@\" >&-", {"-json", "dem.tif", "out.gpkg"});
+    EXPECT_EQ(closed.status, 1);
+    EXPECT_EQ(entries(), (std::vector<std::string>{"dem.tif"}));
+}
+
+/// Whichever file does not fit, and whatever fitted before it.
+TEST_F(OutputErrors, filesThatBelongTogether) {
+    preset_ = "";
+    const Arguments arguments{"-overwrite", "-q",       "-write_ground", "ground.tif", "-write_height",
+                              "height.tif", "-surface", "city.glb",      "-surface",   "city.obj",
+                              "-preview",   "map.svg",  "dem.tif",       "out.gpkg"};
+    const auto content = [&] {
+        std::map<std::string, std::string> all;
+        for (const std::string& name : entries())
+            all[name] = read_bytes(path(name));
+        return all;
+    };
+    for (const bool replaces : {false, true}) {
+        if (replaces)
+            run_well(arguments);
+        write(path("dem.tif"), higher_blocks());
+        const auto old = content();
+        int failed = 0;
+        for (int kilobytes = 1; kilobytes < 200; kilobytes += kilobytes < 12 ? 1 : 20) {
+            const ToolResult result = run_limited(kilobytes, arguments);
+            if (result.status == 0)
+                break;
+            ++failed;
+            EXPECT_EQ(result.status, 1) << kilobytes;
+            EXPECT_TRUE(result.err.starts_with("ERROR: ")) << result.err;
+            EXPECT_TRUE(content() == old) << kilobytes << " " << result.err;
+        }
+        EXPECT_GT(failed, 3);
+        write(path("dem.tif"), blocks());
+    }
 }
 
 TEST_F(OutputErrors, fullDiskForTheFile) {

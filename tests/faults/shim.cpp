@@ -5,17 +5,19 @@
 //            sync      data that are to reach the disk
 //            truncate  changes of a file's size
 //            names     files that are made, renamed or removed
+//            renames   of these alone
 //            change    all of these
 //            read      data that come in
 //            net       there is no network, and who asks for it is counted
 //     error  EIO, ENOSPC, EDQUOT; EIO-once, ENOSPC-once: the nth call alone, as on a server that is away for
 //     a
 //            moment; short: half of it is done, as a signal may have it; short-ENOSPC: half of it, nothing
-//            after
+//            after; kill: the process is killed
 //   D2B_FAULT_PATH=<part of the paths that count>
 //   D2B_FAULT_COUNT=<file that gets the number of calls that were counted, at the end>
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
@@ -38,6 +40,7 @@ struct Plan {
     int error = EIO;
     bool is_short = false;
     bool once = false;
+    bool kills = false;
     std::string path;
 };
 
@@ -62,6 +65,7 @@ const Plan& plan() {
         result.kind = text.substr(0, first);
         result.nth = std::stol(text.substr(first + 1, second - first - 1));
         result.is_short = error.starts_with("short");
+        result.kills = error == "kill";
         result.once = error == "short" || error.ends_with("-once");
         result.error = number_of(error);
         return result;
@@ -93,6 +97,8 @@ Fate fate_of_next(bool divisible) {
     const long call = ++calls;
     if (p.nth == 0 || call < p.nth || (p.once && call != p.nth))
         return Fate::goes_on;
+    if (p.kills)
+        std::raise(SIGKILL);
     if (p.is_short && call == p.nth)
         return divisible ? Fate::half : Fate::goes_on;
     errno = p.error;
@@ -101,7 +107,8 @@ Fate fate_of_next(bool divisible) {
 
 bool counts(const char* kind) {
     const std::string& wanted = plan().kind;
-    return wanted == kind || (wanted == "change" && std::strcmp(kind, "read") != 0);
+    return wanted == kind || (wanted == "change" && std::strcmp(kind, "read") != 0) ||
+           (wanted == "names" && std::strcmp(kind, "renames") == 0);
 }
 
 Fate fate(const char* kind, int descriptor) {
@@ -307,12 +314,12 @@ char* mkdtemp(char* pattern) {
 
 int rename(const char* from, const char* to) {
     static const auto next = real<int (*)(const char*, const char*)>("rename");
-    return fails("names", from) ? -1 : next(from, to);
+    return fails("renames", from) ? -1 : next(from, to);
 }
 
 int renameat2(int from_folder, const char* from, int to_folder, const char* to, unsigned flags) {
     static const auto next = real<int (*)(int, const char*, int, const char*, unsigned)>("renameat2");
-    return fails("names", from) ? -1 : next(from_folder, from, to_folder, to, flags);
+    return fails("renames", from) ? -1 : next(from_folder, from, to_folder, to, flags);
 }
 
 int open64(const char* path, int flags, ...) {

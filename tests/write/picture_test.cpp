@@ -4,6 +4,7 @@
 #include <tuple>
 #include <unistd.h>
 
+#include "dem2buildings/commit_list.hpp"
 #include "dem2buildings/error.hpp"
 #include "write/picture_file.hpp"
 #include "write/write_fixture.hpp"
@@ -19,12 +20,18 @@ class PictureTest : public WriteTest {
     }
 };
 
+void publish(PictureFile& file) {
+    CommitList commit;
+    file.prepare(commit);
+    commit.publish();
+}
+
 TEST_F(PictureTest, IsThereWhenItIsPublishedAndNotBefore) {
     const auto file = open_picture(picture("a.png"));
     EXPECT_EQ(entries(), Names{});
     file->write("bytes");
     EXPECT_FALSE(std::filesystem::exists(path("a.png")));
-    file->publish();
+    publish(*file);
     EXPECT_EQ(entries(), Names{"a.png"});
     EXPECT_EQ(bytes("a.png"), "bytes");
 }
@@ -80,7 +87,7 @@ TEST_F(PictureTest, AnOldPictureIsReplaced) {
     for (int i = 0; i < 2; ++i) {
         const auto file = open_picture(picture("a.png", true));
         file->write(i == 0 ? "%PDF-1.5 old" : "<svg>new</svg>");
-        file->publish();
+        publish(*file);
     }
     EXPECT_EQ(bytes("a.png"), "<svg>new</svg>");
     EXPECT_EQ(entries(), Names{"a.png"});

@@ -40,7 +40,8 @@ TEST_F(StagingTest, ASetOfFilesComesAsAWhole) {
         staging.seal();
         put_in(staging, "a.cache", "of a reader");
         staging.sync();
-        EXPECT_EQ(staging.publish({path("a.txt"), path("a.idx"), path("a.more")}), "");
+        staging.publish({path("a.txt"), path("a.idx"), path("a.more")});
+        EXPECT_EQ(staging.confirm(), "");
     }
     EXPECT_EQ(entries(), (Names{"a.idx", "a.txt"}));
     EXPECT_EQ(bytes("a.txt"), "new");
@@ -57,7 +58,7 @@ TEST_F(StagingTest, ASetOfFilesGoesBackAsAWhole) {
             put_in(staging, name, "new");
         staging.seal();
         EXPECT_EQ(thrown<OutputError>([&] {
-                      static_cast<void>(staging.publish({path("a.txt"), path("a.idx")}));
+                      staging.publish({path("a.txt"), path("a.idx")});
                   }),
                   "Cannot write \"name\": the finished result cannot be renamed (File exists).");
     }
@@ -78,17 +79,86 @@ TEST_F(StagingTest, WhatIsMissingIsSaid) {
               "Cannot write \"name\": No such file or directory.");
 }
 
+TEST_F(StagingTest, AResultThatShowsCanBeTakenBack) {
+    put("a.txt", "old");
+    put("a.more", "old sidecar");
+    for (const bool keeps : {false, true}) {
+        {
+            Staging staging("name", path("a.txt"));
+            put_in(staging, "a.txt", "new");
+            put_in(staging, "a.idx", "new index");
+            staging.seal();
+            staging.publish({path("a.txt"), path("a.more")});
+            EXPECT_EQ(bytes("a.txt"), "new");
+            EXPECT_FALSE(fs::exists(path("a.more")));
+            if (!keeps) {
+                EXPECT_EQ(staging.take_back(), "");
+                EXPECT_EQ(bytes("a.txt"), "old");
+            }
+        }
+        EXPECT_EQ(entries(), keeps ? (Names{"a.idx", "a.txt"}) : (Names{"a.more", "a.txt"}));
+    }
+}
+
+TEST_F(StagingTest, AFolderThatShowsCanBeTakenBack) {
+    fs::create_directory(path("a"));
+    {
+        Staging staging("name", path("a"));
+        fs::create_directory(staging.dataset());
+        put_in(staging, "a/new", "1");
+        staging.seal();
+        staging.publish({});
+        EXPECT_EQ(entries("a"), Names{"new"});
+        EXPECT_EQ(staging.take_back(), "");
+        EXPECT_EQ(entries("a"), Names{});
+        put("a/mine", "somebody else's");
+        EXPECT_EQ(thrown<OutputError>([&] { staging.publish({}); }),
+                  "Cannot write \"name\": the finished result cannot be renamed (File exists).");
+    }
+    EXPECT_EQ(entries(), Names{"a"});
+    EXPECT_EQ(entries("a"), Names{"mine"});
+}
+
+TEST_F(StagingTest, WhatCannotBeTakenBackIsSaidAndKept) {
+    put("a.txt", "old");
+    std::string folder;
+    {
+        Staging staging("name", path("a.txt"));
+        put_in(staging, "a.txt", "new");
+        staging.seal();
+        staging.publish({path("a.txt")});
+        fs::remove(path("a.txt"));
+        folder = staging.folder().string();
+        EXPECT_EQ(staging.take_back(), "old files of \"name\" lie in \"" + folder + "\" now");
+    }
+    EXPECT_EQ(bytes(fs::path(folder).filename().string() + "/a.txt"), "old");
+    fs::remove_all(folder);
+    {
+        Staging staging("name", path("b.txt"));
+        put_in(staging, "b.txt", "new");
+        staging.seal();
+        staging.publish({});
+        fs::remove_all(staging.folder());
+        EXPECT_EQ(staging.take_back(), "\"name\" is there already");
+    }
+    EXPECT_EQ(entries(), Names{"b.txt"});
+}
+
 TEST_F(StagingTest, PlacesAreExchanged) {
     fs::create_directory(path("a"));
     fs::create_directory(path("b"));
     put("a/one", "1");
     put("b/two", "2");
-    exchange(path("a"), path("b"), path("spare"));
-    EXPECT_EQ(entries("a"), Names{"two"});
-    EXPECT_EQ(entries("b"), Names{"one"});
-    EXPECT_EQ(entries(), (Names{"a", "b"}));
-    EXPECT_THROW(exchange(path("gone"), path("b"), path("spare")), std::system_error);
-    EXPECT_EQ(entries("b"), Names{"one"});
+    {
+        FileMoves moves;
+        moves.replace(path("a"), path("b"), path("spare"));
+        EXPECT_EQ(entries("a"), Names{"two"});
+        EXPECT_EQ(entries("b"), Names{"one"});
+        EXPECT_EQ(entries(), (Names{"a", "b"}));
+        EXPECT_THROW(moves.replace(path("gone"), path("b"), path("spare")), std::system_error);
+        EXPECT_EQ(entries("b"), Names{"one"});
+    }
+    EXPECT_EQ(entries("b"), Names{"two"});
 }
 
 TEST_F(StagingTest, MissingFeaturesAreNoticed) {

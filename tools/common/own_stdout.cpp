@@ -1,11 +1,11 @@
 #include "common/own_stdout.hpp"
 
+#include <csignal>
 #include <fcntl.h>
 #include <iostream>
 #include <unistd.h>
 
 #include "common/run_guarded.hpp"
-#include "write/standard_output.hpp"
 
 namespace d2b {
 
@@ -29,7 +29,7 @@ class OwnStdout::Buffer : public std::streambuf {
     std::FILE* file_;
 };
 
-OwnStdout::OwnStdout() {
+OwnStdout::OwnStdout() : on_broken_pipe_(std::signal(SIGPIPE, SIG_IGN)) {
     std::cout.flush();
     static_cast<void>(std::fflush(stdout));
     const int copy = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
@@ -46,6 +46,7 @@ OwnStdout::OwnStdout() {
 }
 
 OwnStdout::~OwnStdout() {
+    static_cast<void>(std::signal(SIGPIPE, on_broken_pipe_));
     if (!buffer_)
         return;
     std::cout.rdbuf(before_);
@@ -54,9 +55,27 @@ OwnStdout::~OwnStdout() {
     static_cast<void>(dup2(fileno(file_.get()), STDOUT_FILENO));
 }
 
+bool OwnStdout::is_written() {
+    return std::cout.flush() && std::ferror(file_ ? file_.get() : stdout) == 0;
+}
+
 void OwnStdout::finish() {
-    if (!std::cout.flush() || std::ferror(file_ ? file_.get() : stdout) != 0)
+    if (!is_written())
         refuse_lost_output();
+}
+
+void OwnStdout::finish_aside() {
+    if (is_written())
+        return;
+    print_line("Warning: ", "The summary could not be written to stdout; the result is whole.");
+    // It has been told of.
+    std::cout.clear();
+    std::clearerr(stdout);
+}
+
+void OwnStdout::print(const std::string& text) {
+    std::cout << text;
+    finish();
 }
 
 }  // namespace d2b

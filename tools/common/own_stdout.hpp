@@ -1,13 +1,19 @@
 #pragma once
 
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <streambuf>
+#include <string>
+
+#include "dem2buildings/commit_list.hpp"
+#include "write/standard_output.hpp"
 
 namespace d2b {
 
 /// Keeps the standard output for what the tool itself writes, through std::cout and /vsistdout/: while it
-/// lives, what libraries print to stdout goes to stderr. Without a standard output nothing changes.
+/// lives, what libraries print to stdout goes to stderr, and a reader that goes away is an error of writing
+/// instead of the end of the process. Without a standard output libraries print where they did.
 class OwnStdout {
   public:
     OwnStdout();
@@ -15,17 +21,31 @@ class OwnStdout {
     OwnStdout& operator=(const OwnStdout&) = delete;
     ~OwnStdout();
 
-    /// @throws OutputError where not all has been written
+    /// Of a result. @throws OutputError where not all has been written
     void finish();
+    /// Of what is told beside a result, which stands: warns where not all has been written.
+    void finish_aside();
+
+    /// A report that is the result, or a part of it: nothing shows of a run whose report is lost. @param text
+    /// makes it
+    template <typename Report>
+    [[nodiscard]] ReportReader<Report> reader(std::function<std::string(const Report&)> text) {
+        return {[text](const Report& report) { require_room_on_stdout(text(report).size()); },
+                [this, text](const Report& report) { print(text(report)); }};
+    }
 
   private:
+    void print(const std::string& text);
+    [[nodiscard]] bool is_written();
+
     class Buffer;
     struct Close {
         void operator()(std::FILE* file) const { static_cast<void>(std::fclose(file)); }
     };
     std::unique_ptr<std::FILE, Close> file_;  // the standard output as it was
     std::unique_ptr<Buffer> buffer_;
-    std::streambuf* before_ = nullptr;  // of std::cout
+    std::streambuf* before_ = nullptr;       // of std::cout
+    void (*on_broken_pipe_)(int) = nullptr;  // as it was
 };
 
 }  // namespace d2b

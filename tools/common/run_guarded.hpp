@@ -9,9 +9,6 @@ namespace d2b {
 /// A line on stderr, whatever a file name in the text may hold.
 void print_line(const char* kind, std::string text);
 
-/// @throws OutputError: not all that was written to stdout is there
-[[noreturn]] void refuse_lost_output();
-
 /// What tools differ in when they begin.
 struct Tool {
     std::string (*short_usage)();  ///< for those who give no words

@@ -43,22 +43,22 @@ void process(const Request& request) {
     start_gdal();
     if (!request.tool.sweep.empty()) {
         const Inputs inputs = open_inputs(options, callbacks);
-        const std::vector<Trial> trials =
-            run_sweep(options, inputs.sources(), request.tool.sweep_plan, callbacks);
-        if (!quiet)
-            progress.update(1);
-        std::cout << (request.tool.json ? sweep_json(trials) : sweep_table(trials));
-        own_stdout.finish();
+        run_sweep(options, inputs.sources(), request.tool.sweep_plan, callbacks,
+                  own_stdout.reader<std::vector<Trial>>([&](const std::vector<Trial>& trials) {
+                      if (!quiet)
+                          progress.update(1);
+                      return request.tool.json ? sweep_json(trials) : sweep_table(trials);
+                  }));
         return;
     }
-    const RunReport report = extract_file(options, callbacks);
+    const RunReport report = extract_file(
+        options, callbacks,
+        request.tool.json ? own_stdout.reader<RunReport>(json_report) : ReportReader<RunReport>());
     if (!quiet) {
         progress.update(1);
         std::cout << summary(report, report.layers, report.output);
     }
-    if (request.tool.json)
-        std::cout << json_report(report);
-    own_stdout.finish();
+    own_stdout.finish_aside();
 }
 
 int run_tool(const std::vector<std::string>& words) {

@@ -71,16 +71,21 @@ std::string sweep_json(const std::vector<Trial>& trials) {
     return Json{{"trials", rows}}.dump(2) + "\n";
 }
 
-std::vector<Trial> run_sweep(const Options& options, const Sources& sources, const SweepPlan& plan,
-                             const Callbacks& callbacks) {
-    if (options.write.preview.empty())
-        return run_trials(options, sources, plan, {}, callbacks);
+void run_sweep(const Options& options, const Sources& sources, const SweepPlan& plan,
+               const Callbacks& callbacks, const ReportReader<std::vector<Trial>>& reader) {
+    CommitList commit;
+    if (options.write.preview.empty()) {
+        const std::vector<Trial> trials = run_trials(options, sources, plan, {}, callbacks);
+        reader.prepare(trials);
+        commit.publish([&] { reader.show(trials); });
+        return;
+    }
     const std::unique_ptr<PictureFile> file = open_picture(picture_target(options));
     const SheetPlan sheet = plan_sheet(plan.trials(), plan.noise_factors.size(), options.write.preview_size);
     const MapGround ground = ground_of(options, sources.dem.info());
     const MapFrame frame(ground, map_on_sheet(ground, sheet));
     std::vector<TrialPicture> pictures;
-    std::vector<Trial> trials = run_trials(
+    const std::vector<Trial> trials = run_trials(
         options, sources, plan,
         [&](FeatureSink& nothing, const TrialValues& values) {
             return std::make_unique<TrialMap>(
@@ -91,8 +96,13 @@ std::vector<Trial> run_sweep(const Options& options, const Sources& sources, con
         },
         callbacks);
     file->write(draw_contact_sheet(pictures, sheet, file->format()));
-    publish(*file, callbacks);
-    return trials;
+    file->prepare(commit);
+    reader.prepare(trials);
+    commit.publish([&] {
+        if (callbacks.on_warning)
+            std::ranges::for_each(file->take_warnings(), callbacks.on_warning);
+        reader.show(trials);
+    });
 }
 
 }  // namespace d2b

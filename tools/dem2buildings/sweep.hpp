@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "dem2buildings/commit_list.hpp"
 #include "pipeline/trials.hpp"
 
 namespace d2b {
@@ -13,7 +14,7 @@ namespace d2b {
 [[nodiscard]] std::string sweep_json(const std::vector<Trial>& trials);
 
 /// Runs the trials of -sweep, with -preview a contact sheet of them. @throws Error
-[[nodiscard]] std::vector<Trial> run_sweep(const Options& options, const Sources& sources,
-                                           const SweepPlan& plan, const Callbacks& callbacks);
+void run_sweep(const Options& options, const Sources& sources, const SweepPlan& plan,
+               const Callbacks& callbacks, const ReportReader<std::vector<Trial>>& reader);
 
 }  // namespace d2b

@@ -29,10 +29,14 @@ void make_mesh(const MeshCommand& command) {
         print_line("Warning: ", text);
     };
     start_gdal();
-    const MeshReport report = mesh_city(command, callbacks);
-    if (!command.quiet)
-        std::cout << (command.json ? mesh_json(command, report, warnings) : mesh_text(command, report));
-    own_stdout.finish();
+    ReportReader<MeshReport> reader;
+    if (command.json)
+        reader = own_stdout.reader<MeshReport>(
+            [&](const MeshReport& report) { return mesh_json(command, report, warnings); });
+    const MeshReport report = mesh_city(command, callbacks, reader);
+    if (!command.quiet && !command.json)
+        std::cout << mesh_text(command, report);
+    own_stdout.finish_aside();
 }
 
 int run_tool(const std::vector<std::string>& words) {

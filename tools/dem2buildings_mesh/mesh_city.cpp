@@ -138,8 +138,9 @@ void require_closed(const CityModel& city, const Shell& shell, const SurfaceFram
 
 }  // namespace
 
-MeshReport mesh_city(const MeshRequest& request, const Callbacks& callbacks) {
-    RasterPlace place = locate_mesh(request);
+MeshReport mesh_city(const MeshRequest& request, const Callbacks& callbacks,
+                     const ReportReader<MeshReport>& reader) {
+    SurfaceFile file(locate_mesh(request));
     const CityModel city = read_city(request.city);
     if (city.buildings.empty())
         throw InputError("'" + city.name + "' has no buildings; there is nothing to mesh.");
@@ -171,9 +172,17 @@ MeshReport mesh_city(const MeshRequest& request, const Callbacks& callbacks) {
     require_closed(city, shell, frame.surface, is_local(request.destination));
     const NamedShell named{city, frame.surface, shell};
     measure_shell(named, request.min_angle, report);
-    for (const std::string& warning : write_mesh(named, std::move(place)))
+    write_mesh(named, request.destination, file);
+    CommitList commit;
+    file.prepare(commit);
+    if (reader.prepare)
+        reader.prepare(report);
+    commit.publish([&] {
         if (callbacks.on_warning)
-            callbacks.on_warning(warning);
+            std::ranges::for_each(file.take_warnings(), callbacks.on_warning);
+        if (reader.show)
+            reader.show(report);
+    });
     return report;
 }
 

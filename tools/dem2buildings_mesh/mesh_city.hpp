@@ -2,12 +2,14 @@
 #pragma once
 
 #include "dem2buildings/callbacks.hpp"
+#include "dem2buildings/commit_list.hpp"
 #include "dem2buildings_mesh/mesh_request.hpp"
 
 namespace d2b::mesh {
 
 /// city file -> plan -> triangles of the plan -> heights -> one closed surface -> file
 /// @throws OptionError, InputError, OutputError
-[[nodiscard]] MeshReport mesh_city(const MeshRequest& request, const Callbacks& callbacks);
+MeshReport mesh_city(const MeshRequest& request, const Callbacks& callbacks,
+                     const ReportReader<MeshReport>& reader = {});
 
 }  // namespace d2b::mesh

@@ -8,7 +8,6 @@
 
 #include "dem2buildings/error.hpp"
 #include "dem2buildings_mesh/mesh_text.hpp"
-#include "write/surface_file.hpp"
 
 namespace d2b::mesh {
 namespace {
@@ -44,12 +43,8 @@ bool is_local(const std::string& destination) {
     return format_of(destination)->local;
 }
 
-std::vector<std::string> write_mesh(const NamedShell& shell, RasterPlace place) {
-    const MeshFormat& format = *format_of(place.name);
-    SurfaceFile file(std::move(place));
-    format.write(shell, [&](const std::string& text) { file.write(text); });
-    file.publish();
-    return file.take_warnings();
+void write_mesh(const NamedShell& shell, const std::string& destination, SurfaceFile& file) {
+    format_of(destination)->write(shell, [&](const std::string& text) { file.write(text); });
 }
 
 }  // namespace d2b::mesh

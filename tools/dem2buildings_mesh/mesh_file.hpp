@@ -2,13 +2,13 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "dem2buildings_mesh/city_model.hpp"
 #include "dem2buildings_mesh/mesh_request.hpp"
 #include "dem2buildings_mesh/plan_frame.hpp"
 #include "dem2buildings_mesh/shell.hpp"
 #include "write/raster_target.hpp"
+#include "write/surface_file.hpp"
 
 namespace d2b::mesh {
 
@@ -26,7 +26,7 @@ struct NamedShell {
 /// Whether local coordinates are written, in metres from an origin.
 [[nodiscard]] bool is_local(const std::string& destination);
 
-/// Writes it whole or not at all. @return warnings @throws OutputError
-[[nodiscard]] std::vector<std::string> write_mesh(const NamedShell& shell, RasterPlace place);
+/// Writes it. @param file is prepared to be shown, whole or not at all @throws OutputError
+void write_mesh(const NamedShell& shell, const std::string& destination, SurfaceFile& file);
 
 }  // namespace d2b::mesh

@@ -27,8 +27,8 @@ void process(const TileCommand& command) {
     callbacks.make_spool = [] { return std::make_unique<FileSpool>(); };
     callbacks.stop = interrupted;
     start_gdal();
-    run_step(command, callbacks);
-    own_stdout.finish();
+    run_step(command, own_stdout, callbacks);
+    own_stdout.finish_aside();
 }
 
 int run_tool(const std::vector<std::string>& words) {

@@ -198,14 +198,10 @@ void join(const TileCommand& command, const Callbacks& callbacks) {
 }
 
 /// Other files would have been written over; and what merge has numbered it does not number again.
-RunReport merged(const Planned& planned, const Callbacks& callbacks) {
+RunReport merged(const Planned& planned, const ReportReader<RunReport>& reader, const Callbacks& callbacks) {
     const auto sink = open_sink(planned.options.write, callbacks);
     const auto run = begin_step(planned, *sink, callbacks);
-    if (!planned.known.plan.parts)
-        return merge_tiles(*run, *sink);
-    RunReport report = number_tiles(*run);
-    report.output = planned.options.write.destination;
-    return report;
+    return planned.known.plan.parts ? number_tiles(*run, reader) : merge_tiles(*run, *sink, reader);
 }
 
 bool has_numbers(const Planned& planned) {
@@ -215,18 +211,25 @@ bool has_numbers(const Planned& planned) {
     return are_numbered(*begin_step(planned, nowhere, {}));
 }
 
-void merge(const TileCommand& command, const Callbacks& callbacks) {
+void merge(const TileCommand& command, OwnStdout& own_stdout, const Callbacks& callbacks) {
     std::vector<std::string> warnings;
     const Callbacks heard = remembering(callbacks, warnings);
     const Planned planned = open_planned(command, heard);
     if (has_numbers(planned))
         return;
-    RunReport report = merged(planned, heard);
-    report.warnings = std::move(warnings);
+    const auto whole = [&](RunReport report) {
+        report.warnings = warnings;
+        if (planned.known.plan.parts)
+            report.output = planned.options.write.destination;
+        return report;
+    };
+    ReportReader<RunReport> reader;
+    if (command.json)
+        reader =
+            own_stdout.reader<RunReport>([&](const RunReport& report) { return json_report(whole(report)); });
+    const RunReport report = whole(merged(planned, reader, heard));
     if (!command.quiet)
         std::cout << summary(report, report.layers, report.output);
-    if (command.json)
-        std::cout << json_report(report);
 }
 
 /// Where all parts are there, each layer is shown as one.
@@ -235,6 +238,8 @@ void show_parts(const TileRun& run, std::int64_t after) {
     if (!whole)
         return;
     const RunSetup& setup = run.setup();
+    CommitList commit;
+    std::vector<std::unique_ptr<PendingResult>> files;
     for (std::size_t i = 0; i < setup.layers.layers.size(); ++i) {
         const NumberedLayer& layer = whole->layers.at(i);
         LayerMosaic mosaic{setup.layers.layers[i],
@@ -245,8 +250,10 @@ void show_parts(const TileRun& run, std::int64_t after) {
                            layer.tiles};
         if (mosaic.parts.empty() || mosaic.parts.front() != 0)
             mosaic.parts.insert(mosaic.parts.begin(), 0);
-        write_layer_mosaic(setup.plan.asked.write, mosaic);
+        files.push_back(prepare_layer_mosaic(setup.plan.asked.write, mosaic));
+        commit.add(*files.back());
     }
+    commit.publish();
 }
 
 void write(const TileCommand& command, const Callbacks& callbacks) {
@@ -268,7 +275,7 @@ void write(const TileCommand& command, const Callbacks& callbacks) {
 
 }  // namespace
 
-void run_step(const TileCommand& command, const Callbacks& callbacks) {
+void run_step(const TileCommand& command, OwnStdout& own_stdout, const Callbacks& callbacks) {
     // What there is to warn of plan has told, or merge will tell once for all tiles.
     Callbacks silent = callbacks;
     silent.on_warning = nullptr;
@@ -282,7 +289,7 @@ void run_step(const TileCommand& command, const Callbacks& callbacks) {
         case TileCommandKind::draw:
             return on_tiles(command, silent, draw_tile);
         case TileCommandKind::merge:
-            return merge(command, callbacks);
+            return merge(command, own_stdout, callbacks);
         case TileCommandKind::write:
             return write(command, silent);
         case TileCommandKind::text:

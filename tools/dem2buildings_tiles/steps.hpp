@@ -1,11 +1,12 @@
 #pragma once
 
+#include "common/own_stdout.hpp"
 #include "dem2buildings/callbacks.hpp"
 #include "dem2buildings_tiles/command_line.hpp"
 
 namespace d2b {
 
 /// Does what the command line asks for. What is to be read is printed to stdout. @throws Error
-void run_step(const TileCommand& command, const Callbacks& callbacks);
+void run_step(const TileCommand& command, OwnStdout& own_stdout, const Callbacks& callbacks);
 
 }  // namespace d2b

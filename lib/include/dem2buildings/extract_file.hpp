@@ -26,9 +26,10 @@ struct Inputs {
 /// them
 [[nodiscard]] Callbacks remembering(const Callbacks& callbacks, std::vector<std::string>& heard);
 
-/// The whole job on files: reads what the options name and writes the destination, and the rasters and the
-/// picture that they name beside it.
+/// The whole job on files: reads what the options name and writes the destination, and all that they name
+/// beside it. These show together, when all of them are complete, or not at all (see CommitList).
 /// @return the report of the run, with all that was warned of from opening the source on @throws Error
-RunReport extract_file(const Options& options, const Callbacks& callbacks = {});
+RunReport extract_file(const Options& options, const Callbacks& callbacks = {},
+                       const ReportReader<RunReport>& reader = {});
 
 }  // namespace d2b

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "dem2buildings/callbacks.hpp"
+#include "dem2buildings/commit_list.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/options.hpp"
 #include "dem2buildings/parcel_source.hpp"
@@ -38,9 +39,13 @@ struct Sinks {
 /// @param options  are checked first: what contradicts itself, or has no effect, is an OptionError
 /// @param size     of bands; the result does not depend on it
 /// @return what was done, found, dropped and repaired, and all that was warned of
-/// @throws Error: nothing is visible at the sinks then, but where finishing one fails after another is
-/// finished
+/// @throws Error: nothing is visible at the sinks then, all of whose results show together (see CommitList)
 RunReport run(const Options& options, const Sources& sources, const Sinks& sinks,
               const Callbacks& callbacks = {}, const BandSize& size = {});
+
+/// As run(), but leaves the results of the sinks to `commit`, which may have others to show with them; sinks
+/// may have more to warn of then. @throws Error
+RunReport prepare_run(const Options& options, const Sources& sources, const Sinks& sinks, CommitList& commit,
+                      const Callbacks& callbacks = {}, const BandSize& size = {});
 
 }  // namespace d2b

@@ -18,6 +18,8 @@
 
 namespace d2b {
 
+class CommitList;
+
 enum class FieldType { integer, real, text };
 
 /// One column of a layer. Names have at most 10 ASCII characters, so that a Shapefile keeps them.
@@ -86,8 +88,8 @@ struct Provenance {
 
 /// Where features go: a file (write/), or a list in tests and in other programs.
 /// May be asked whether it takes a CRS; then begin, then add in the order in which features are to stand in
-/// their layers, then finish; all of it from the thread that called run(). A sink that is destroyed without
-/// finish() leaves the destination as it was.
+/// their layers, then prepare or finish; all of it from the thread that called run(). A sink that is
+/// destroyed before that leaves the destination as it was.
 class FeatureSink {
   public:
     FeatureSink() = default;
@@ -109,10 +111,14 @@ class FeatureSink {
     virtual void begin(std::span<const LayerSpec> layers, const Provenance& provenance) = 0;
     /// @param layer index into the layers that begin() got @throws OutputError
     virtual void add(std::size_t layer, const Feature& feature) = 0;
-    /// Told before finish() what the run has done.
+    /// Told before prepare() or finish() what the run has done.
     virtual void take_report(const RunReport& /*report*/) {}
     /// Makes the result visible, all of it or nothing. @throws OutputError
     virtual void finish() = 0;
+    /// Called by run() in place of finish(): completes the result and leaves it to `commit` to show it when
+    /// all sinks are as far. A sink that shows nothing to others, such as a list in memory, just finishes.
+    /// @param commit shows its results before this sink is destroyed @throws OutputError
+    virtual void prepare(CommitList& /*commit*/) { finish(); }
 
     /// The first number that a feature may take, given what the destination already holds (append). Known
     /// once begin() has been called: nobody else adds to the destination from then on.
@@ -141,9 +147,10 @@ class FeatureSink {
 };
 
 /// Where a raster goes that lies on the DEM's window: a file (write/), or an array in tests and in other
-/// programs. Parts of the window, each cell in one of them, then finish, from the thread that called run().
-/// What is found comes unit by unit, a few rows at a time; elevations (Sinks::elevations) come in whole rows
-/// from the first to the last. A sink that is destroyed without finish() leaves the destination as it was.
+/// programs. Parts of the window, each cell in one of them, then prepare or finish, from the thread that
+/// called run(). What is found comes unit by unit, a few rows at a time; elevations (Sinks::elevations) come
+/// in whole rows from the first to the last. A sink that is destroyed before that leaves the destination as
+/// it was.
 class RasterSink {
   public:
     RasterSink() = default;
@@ -156,6 +163,8 @@ class RasterSink {
     virtual void write(const Window& part, std::span<const float> values) = 0;
     /// Makes the raster visible, all of it or nothing. @throws OutputError
     virtual void finish() = 0;
+    /// As FeatureSink::prepare().
+    virtual void prepare(CommitList& /*commit*/) { finish(); }
 
     /// What it has noticed since the last call, a sentence each, for the run to warn of.
     [[nodiscard]] virtual std::vector<std::string> take_warnings() { return {}; }

@@ -109,8 +109,8 @@ struct SurfaceMeta {
 
 /// Where the surface of the buildings goes: a file (write/), or a list in tests and in other programs.
 /// May be asked whether it takes what will come; then begin, then add in an order that depends on the input
-/// alone, then finish; all of it from the thread that called run(). A sink that is destroyed without finish()
-/// leaves the destination as it was.
+/// alone, then prepare or finish; all of it from the thread that called run(). A sink that is destroyed
+/// before that leaves the destination as it was.
 class SurfaceSink {
   public:
     SurfaceSink() = default;
@@ -129,10 +129,12 @@ class SurfaceSink {
     virtual void add(const SurfacePart& part) = 0;
     /// Called when no part that comes later touches those that came before.
     virtual void end_group() {}
-    /// Told before finish() what the run has done.
+    /// Told before prepare() or finish() what the run has done.
     virtual void take_report(const RunReport& /*report*/) {}
     /// Makes the result visible, all of it or nothing; of no part at all as well. @throws OutputError
     virtual void finish() = 0;
+    /// As FeatureSink::prepare().
+    virtual void prepare(CommitList& /*commit*/) { finish(); }
 
     /// What it has noticed since the last call, a sentence each, for the run to warn of.
     [[nodiscard]] virtual std::vector<std::string> take_warnings() { return {}; }

@@ -70,7 +70,7 @@ void judge_terrain(TileRun& run, const FoundFacts& facts, FeatureSink& features)
 }
 
 /// @throws Error
-void merge_drawn(TileRun& run, FeatureSink& features, PartNumbers* parts) {
+void merge_drawn(TileRun& run, FeatureSink& features, PartNumbers* parts, CommitList& commit) {
     Context& context = run.context();
     RunReport& report = context.report;
     const RunSetup& setup = run.setup();
@@ -98,35 +98,47 @@ void merge_drawn(TileRun& run, FeatureSink& features, PartNumbers* parts) {
                           return error;
                       });
     const TileNumbers numbers = write_all(input, records, drawn, features, parts, context);
-    finish_sinks({features}, context);
-    if (parts != nullptr)
+    prepare_sinks({features}, commit, context);
+    if (parts != nullptr) {
         parts->write(run, numbers, drawn.levels);
+        commit.add(*parts);
+    }
 }
 
-RunReport merge(TileRun& run, FeatureSink& features, PartNumbers* parts) {
+RunReport merge(TileRun& run, FeatureSink& features, PartNumbers* parts,
+                const ReportReader<RunReport>& reader) {
+    const auto warn = [&] { pass_warnings(run.sources(), {features}, run.context()); };
+    CommitList commit;
     try {
         if (run.setup().plan.detects_buildings())
-            merge_drawn(run, features, parts);
+            merge_drawn(run, features, parts, commit);
         else
-            merge_traced(run, features);
+            merge_traced(run, features, commit);
     } catch (...) {
-        pass_warnings(run.sources(), {features}, run.context());  // which may say why
+        warn();  // which may say why
         throw;
     }
-    pass_warnings(run.sources(), {features}, run.context());
+    warn();
+    if (reader.prepare)
+        reader.prepare(run.context().report);
+    commit.publish([&] {
+        warn();
+        if (reader.show)
+            reader.show(run.context().report);
+    });
     run.tidy(TileStep::draw);
     return run.context().report;
 }
 
 }  // namespace
 
-RunReport merge_tiles(TileRun& run, FeatureSink& features) {
-    return merge(run, features, nullptr);
+RunReport merge_tiles(TileRun& run, FeatureSink& features, const ReportReader<RunReport>& reader) {
+    return merge(run, features, nullptr, reader);
 }
 
-RunReport number_tiles(TileRun& run) {
+RunReport number_tiles(TileRun& run, const ReportReader<RunReport>& reader) {
     PartNumbers parts(run.context().make_spool());
-    return merge(run, parts, &parts);
+    return merge(run, parts, &parts, reader);
 }
 
 }  // namespace d2b

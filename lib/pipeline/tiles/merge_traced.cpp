@@ -151,7 +151,7 @@ StackError measure_again(TileRun& run, const DrawnStack& stack, const FixedPoint
 
 }  // namespace
 
-void merge_traced(TileRun& run, FeatureSink& features) {
+void merge_traced(TileRun& run, FeatureSink& features, CommitList& commit) {
     Context& context = run.context();
     RunReport& report = context.report;
     const RunSetup& setup = run.setup();
@@ -171,7 +171,7 @@ void merge_traced(TileRun& run, FeatureSink& features) {
         feature_input(setup, {*contours, outliner, all, fixed}, report,
                       [&](const DrawnStack& stack) { return measure_again(run, stack, fixed); });
     write_features(input, records, features, context);
-    finish_sinks({features}, context);
+    prepare_sinks({features}, commit, context);
 }
 
 }  // namespace d2b

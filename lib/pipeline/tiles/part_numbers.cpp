@@ -1,5 +1,6 @@
 #include "pipeline/tiles/part_numbers.hpp"
 
+#include <system_error>
 #include <utility>
 
 #include "tiles/drawn_contour.hpp"
@@ -39,9 +40,20 @@ void PartNumbers::write(const TileRun& run, const TileNumbers& numbers, int leve
     }
     files.finish();
     whole_.levels = levels;
+    frame_ = run.frame_file(TileStep::merge);
+    seal_ = run.frame_seal(TileStep::merge);
+}
+
+void PartNumbers::show() {
     ByteWriter writer;
     save(whole_, writer);
-    write_sealed(run.frame_file(TileStep::merge), run.frame_seal(TileStep::merge), writer.bytes());
+    write_sealed(frame_, seal_, writer.bytes());
+}
+
+std::string PartNumbers::take_back() {
+    std::error_code error;
+    std::filesystem::remove(frame_, error);
+    return error ? "\"" + frame_.string() + "\" is there already" : "";
 }
 
 }  // namespace d2b

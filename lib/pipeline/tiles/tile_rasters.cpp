@@ -1,11 +1,15 @@
 #include "pipeline/tiles/tile_rasters.hpp"
 
 #include <array>
+#include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "core/crs.hpp"
+#include "dem2buildings/commit_list.hpp"
 #include "dem2buildings/error.hpp"
 #include "pipeline/scene_raster_files.hpp"
 #include "write/raster_parts.hpp"
@@ -106,24 +110,29 @@ SideSinks open_tile_rasters(const TileRun& run, std::int64_t tile) {
 }
 
 void finish_tile_rasters(const TileRun& run, std::int64_t tile, SideSinks& sinks) {
-    const auto finish = [&](RasterSink* sink, const std::string& vrt) {
+    const WriteOptions& write = run.setup().plan.asked.write;
+    const std::array<std::pair<RasterSink*, const std::string&>, 3> rasters{
+        {{sinks.ground.get(), write.ground},
+         {sinks.height.get(), write.height},
+         {sinks.canopy.get(), write.canopy}}};
+    std::array<CommitList, rasters.size()> commits;
+    for (std::size_t i = 0; i < rasters.size(); ++i)
+        if (rasters.at(i).first != nullptr)
+            rasters.at(i).first->prepare(commits.at(i));
+    for (std::size_t i = 0; i < rasters.size(); ++i)
         try {
-            if (sink != nullptr)
-                sink->finish();
+            commits.at(i).publish();
         } catch (const OutputError&) {
             std::error_code error;
-            if (!fs::exists(path_of(vrt, tile), error))
+            if (!fs::exists(path_of(rasters.at(i).second, tile), error))
                 throw;
         }
-    };
-    const WriteOptions& write = run.setup().plan.asked.write;
-    finish(sinks.ground.get(), write.ground);
-    finish(sinks.height.get(), write.height);
-    finish(sinks.canopy.get(), write.canopy);
 }
 
 void show_rasters(const TileRun& run) {
     const Window& window = run.window();
+    CommitList commit;
+    std::vector<std::unique_ptr<PendingResult>> files;
     for (const auto& [option, name] : asked(run.setup().plan.asked)) {
         if (name.empty())
             continue;
@@ -133,9 +142,13 @@ void show_rasters(const TileRun& run) {
             parts.push_back({(folder_of(name).filename() / file_of(tile)).string(),
                              {own.row - window.row, own.col - window.col, own.rows, own.cols}});
         }
-        write_raster_parts(name, window.rows, window.cols, parts);
-        remove_left_over(folder_of(name));
+        files.push_back(prepare_raster_parts(name, window.rows, window.cols, parts));
+        commit.add(*files.back());
     }
+    commit.publish();
+    for (const auto& [option, name] : asked(run.setup().plan.asked))
+        if (!name.empty())
+            remove_left_over(folder_of(name));
 }
 
 }  // namespace d2b

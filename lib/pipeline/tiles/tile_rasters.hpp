@@ -16,10 +16,12 @@ void require_raster_names(const Options& options);
 [[nodiscard]] bool has_rasters(const TileRun& run, std::int64_t tile);
 /// Of a tile's own cells; empty where nothing is asked for. @throws OutputError
 [[nodiscard]] SideSinks open_tile_rasters(const TileRun& run, std::int64_t tile);
-/// Makes them visible. Where another process has been quicker, its file stays, which has the same cells.
+/// Makes them visible when all are complete. Where another process has been quicker, its file stays, which
+/// has the same cells.
 /// @throws OutputError
 void finish_tile_rasters(const TileRun& run, std::int64_t tile, SideSinks& sinks);
-/// Where all tiles have written theirs, shows them as one. @throws InputError, OutputError
+/// Where all tiles have written theirs, shows them as one, all rasters or none. @throws InputError,
+/// OutputError
 void show_rasters(const TileRun& run);
 
 }  // namespace d2b

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "dem2buildings/commit_list.hpp"
 #include "pipeline/tiles/tile_run.hpp"
 #include "tiles/numbered_tile.hpp"
 
@@ -22,13 +23,13 @@ void join_tiles(TileRun& run);
 void draw_tile(TileRun& run, std::int64_t tile);
 /// Draws what is left, numbers all, and writes the result. @param run on the destination, which stays as it
 /// was where something is thrown @return the report of the run @throws as find_tile()
-RunReport merge_tiles(TileRun& run, FeatureSink& features);
+RunReport merge_tiles(TileRun& run, FeatureSink& features, const ReportReader<RunReport>& reader = {});
 
 // Where features are many, tiles write them into files of their own: number_tiles() comes in the place of
 // merge_tiles(), and write_tile() for each tile after it.
 
 /// Draws what is left and numbers all. @return the report of the run @throws as find_tile()
-RunReport number_tiles(TileRun& run);
+RunReport number_tiles(TileRun& run, const ReportReader<RunReport>& reader = {});
 /// Whether that has been done. @throws nothing
 [[nodiscard]] bool are_numbered(const TileRun& run);
 /// Writes a tile's features, with their numbers. @param features begun where the tile has some, and finished

@@ -12,6 +12,6 @@ namespace d2b {
 /// Takes a tile's rows apart. @throws as draw_tile()
 void trace_tile(TileRun& run, std::int64_t tile);
 /// Joins the lines of all tiles, traces and draws. @throws as merge_tiles()
-void merge_traced(TileRun& run, FeatureSink& features);
+void merge_traced(TileRun& run, FeatureSink& features, CommitList& commit);
 
 }  // namespace d2b

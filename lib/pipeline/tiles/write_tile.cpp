@@ -104,7 +104,9 @@ void write_tile(TileRun& run, std::int64_t tile, FeatureSink& features) {
     FeatureWriter writer(input, records, features, context);
     writer.begin();
     write_features(run, tile, writer);
-    finish_sinks({features}, context);
+    CommitList commit;
+    prepare_sinks({features}, commit, context);
+    commit.publish();
     write_sealed(path, seal, {});
 }
 

@@ -1,0 +1,56 @@
+#include "dem2buildings/commit_list.hpp"
+
+#include <algorithm>
+
+#include "dem2buildings/error.hpp"
+
+namespace d2b {
+namespace {
+
+/// "Cannot write a.tif: the disk is full." and "\"a.gpkg\" has been changed already" in one sentence.
+std::string joined(std::string sentence, const std::string& clauses) {
+    if (clauses.empty())
+        return sentence;
+    if (sentence.ends_with('.'))
+        sentence.pop_back();
+    return sentence + clauses + ".";
+}
+
+}  // namespace
+
+void CommitList::show_all(std::size_t& shown) {
+    std::ranges::stable_sort(results_, {}, &PendingResult::kind);
+    for (PendingResult* result : results_)
+        result->check();
+    for (; shown < results_.size(); ++shown)
+        results_[shown]->show();
+    for (PendingResult* result : results_)
+        result->confirm();
+}
+
+std::string CommitList::take_back(std::size_t shown) const {
+    std::string clauses;
+    for (; shown > 0; --shown)
+        if (const std::string left = results_[shown - 1]->take_back(); !left.empty())
+            clauses += "; " + left;
+    return clauses;
+}
+
+void CommitList::publish(const std::function<void()>& tell) {
+    std::size_t shown = 0;
+    try {
+        show_all(shown);
+        if (tell)
+            tell();
+    } catch (const OutputError& error) {
+        throw OutputError(joined(error.what(), take_back(shown)));
+    } catch (...) {
+        static_cast<void>(take_back(shown));
+        throw;
+    }
+    for (PendingResult* result : results_)
+        result->keep();
+    results_.clear();
+}
+
+}  // namespace d2b
