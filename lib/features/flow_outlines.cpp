@@ -8,6 +8,7 @@
 #include <set>
 #include <span>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 #include "core/disjoint_sets.hpp"
@@ -104,13 +105,14 @@ class TerrainBorder {
     double margin_;
 };
 
-std::vector<PlanContour> drawn(const ContourList& contours, const Outliner& outliner,
-                               const Numbers& numbers) {
+/// @param footprints those of the lowest contours, instead of the outlines of all
+std::vector<PlanContour> drawn(const ContourList& contours, const Outliner& outliner, const Numbers& numbers,
+                               bool footprints) {
     std::map<std::int64_t, std::int32_t> place;
     std::vector<PlanContour> result;
     for (const std::uint32_t i : numbers) {
         PlanContour contour;
-        contour.outline = outliner.outline(i);
+        contour.outline = footprints ? outliner.footprint(i) : outliner.outline(i);
         contour.building = static_cast<std::int32_t>(contours.head(i).building);
         if (const auto parent = place.find(contours.head(i).parent); parent != place.end())
             contour.parent = parent->second;
@@ -143,30 +145,48 @@ std::vector<FlowProblem> make_outlines_flow_ready(const ContourList& contours, O
     const TerrainBorder border(contours, outliner, reach);
     const std::vector<Numbers> clusters = flow_clusters(contours, outliner, reach, context.threads->stop());
     std::vector<FlowProblem> problems;
-    // Others still read the outlines of their clusters.
-    std::vector<std::pair<std::uint32_t, FinePolygon>> changed;
-    context.threads->in_order(
-        clusters.size(),
-        [&](std::size_t k, std::size_t) {
-            const std::vector<PlanContour> cluster = drawn(contours, outliner, clusters[k]);
-            std::vector<bool> frozen;
-            frozen.reserve(cluster.size());
-            for (const PlanContour& contour : cluster)
-                frozen.push_back(border.is_near(contour.outline));
-            return make_flow_ready(cluster, limits, std::move(frozen), context.threads->stop());
-        },
-        [&](std::size_t k, FlowReady ready) {
-            for (std::size_t i = 0; i < ready.outlines.size(); ++i)
-                changed.emplace_back(clusters[k][i], std::move(ready.outlines[i]));
-            for (FlowProblem& problem : ready.problems) {
-                for (std::int32_t& contour : problem.contours)
-                    contour = static_cast<std::int32_t>(clusters[k][static_cast<std::size_t>(contour)]);
-                context.report.count(problem.changed ? Reason::flow_changed : Reason::flow_left);
-                problems.push_back(std::move(problem));
-            }
-        });
-    for (auto& [contour, outline] : changed)
-        outliner.replace(contour, outline);
+    std::set<std::tuple<FlowProblemKind, FinePoint, bool>> known;
+    const auto make_ready = [&](bool footprints) {
+        std::vector<Numbers> drawn_numbers = clusters;
+        if (footprints)
+            for (Numbers& numbers : drawn_numbers)
+                std::erase_if(numbers, [&](std::uint32_t i) { return contours.head(i).key.level != 1; });
+        // Others still read the outlines of their clusters.
+        std::vector<std::pair<std::uint32_t, FinePolygon>> changed;
+        context.threads->in_order(
+            clusters.size(),
+            [&](std::size_t k, std::size_t) {
+                const std::vector<PlanContour> cluster =
+                    drawn(contours, outliner, drawn_numbers[k], footprints);
+                std::vector<bool> frozen;
+                frozen.reserve(cluster.size());
+                for (const PlanContour& contour : cluster)
+                    frozen.push_back(border.is_near(contour.outline));
+                return make_flow_ready(cluster, limits, std::move(frozen), context.threads->stop());
+            },
+            [&](std::size_t k, FlowReady ready) {
+                for (std::size_t i = 0; i < ready.outlines.size(); ++i)
+                    changed.emplace_back(drawn_numbers[k][i], std::move(ready.outlines[i]));
+                for (FlowProblem& problem : ready.problems) {
+                    if (!known.emplace(problem.kind, problem.place, problem.changed).second && !footprints)
+                        continue;
+                    for (std::int32_t& contour : problem.contours)
+                        contour =
+                            static_cast<std::int32_t>(drawn_numbers[k][static_cast<std::size_t>(contour)]);
+                    context.report.count(problem.changed ? Reason::flow_changed : Reason::flow_left);
+                    problems.push_back(std::move(problem));
+                }
+            });
+        for (auto& [contour, outline] : changed)
+            if (footprints)
+                outliner.replace_footprint(contour, outline);
+            else
+                outliner.replace(contour, outline);
+    };
+    // Outlines have corners that only the contours above them need, and footprints do not.
+    if (outliner.has_own_footprints())
+        make_ready(true);
+    make_ready(false);
     if (const std::int64_t left = context.report.counted(Reason::flow_left); left > 0)
         context.warn(std::to_string(left) + (left == 1 ? " place falls" : " places fall") +
                      " short of -flow_ready and " + (left == 1 ? "is" : "are") +

@@ -6,6 +6,7 @@
 
 #include "flow/flow_faults.hpp"
 #include "flow/flow_mender.hpp"
+#include "flow/needless_corners.hpp"
 #include "flow/plan_outlines.hpp"
 #include "surface/partition.hpp"
 #include "surface/plan_editor.hpp"
@@ -51,6 +52,17 @@ bool FlowPasses::take_apart(std::span<const PlanContour> leveled, const StopRequ
     return taken.stuck.empty();
 }
 
+/// Corners that mending and taking apart have put into walls.
+void FlowPasses::straighten() {
+    PlanEditor editor(std::move(plan_));
+    take_needless_corners(editor, limits_.metric, [&](std::uint32_t node) {
+        return std::ranges::none_of(editor.around(node), [&](const NodeArm& arm) {
+            return arm.left != open_ground && frozen_[static_cast<std::size_t>(arm.left)];
+        });
+    });
+    plan_ = editor.plan();
+}
+
 bool FlowPasses::is_sound(const std::vector<FinePolygon>& outlines) const {
     std::vector<PlanContour> again;
     for (std::size_t c = 0; c < outlines.size(); ++c)
@@ -65,6 +77,7 @@ std::optional<FlowOutlines> FlowPasses::make(std::span<const PlanContour> levele
         if (!take_apart(leveled, stop))
             return std::nullopt;
     }
+    straighten();
     PlanOutlines drawn = plan_outlines(plan_, contours_);
     broken_ = std::move(drawn.broken);
     if (!broken_.empty() || !is_sound(drawn.outlines))

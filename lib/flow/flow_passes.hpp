@@ -42,6 +42,7 @@ class FlowPasses {
   private:
     void mend(const StopRequest& stop);
     [[nodiscard]] bool take_apart(std::span<const PlanContour> leveled, const StopRequest& stop);
+    void straighten();
     [[nodiscard]] bool is_sound(const std::vector<FinePolygon>& outlines) const;
 
     Plan plan_;

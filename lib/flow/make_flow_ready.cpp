@@ -8,6 +8,8 @@
 #include "flow/flow_faults.hpp"
 #include "flow/flow_mender.hpp"
 #include "flow/flow_passes.hpp"
+#include "flow/needless_corners.hpp"
+#include "flow/plan_outlines.hpp"
 #include "surface/partition.hpp"
 #include "surface/plan_editor.hpp"
 #include "surface/take_apart_pinches.hpp"
@@ -43,6 +45,22 @@ std::optional<FlowOutlines> change(const Plan& plan, std::span<const PlanContour
             frozen[contour] = true;
     }
     return std::nullopt;
+}
+
+/// The outlines without corners in straight walls. @return nothing where there are none
+std::vector<FinePolygon> straightened(const Plan& plan, std::span<const PlanContour> contours,
+                                      const FlowLimits& limits, const std::vector<bool>& frozen) {
+    PlanEditor editor(plan);
+    take_needless_corners(editor, limits.metric, [&](std::uint32_t node) {
+        return std::ranges::none_of(editor.around(node), [&](const NodeArm& arm) {
+            const auto contour = static_cast<std::size_t>(arm.left);
+            return arm.left != open_ground && contour < frozen.size() && frozen[contour];
+        });
+    });
+    if (editor.take_changes().empty())
+        return {};
+    PlanOutlines drawn = plan_outlines(editor.plan(), contours);
+    return drawn.broken.empty() ? std::move(drawn.outlines) : std::vector<FinePolygon>();
 }
 
 /// Each once, in a stable order.
@@ -82,9 +100,11 @@ FlowReady make_flow_ready(std::span<const PlanContour> contours, const FlowLimit
         touches_itself = !touches.mends.empty();
     }
     if (!result.problems.empty())
-        if (auto changed = change(partition.plan, contours, leveled, limits, std::move(frozen), stop);
+        if (auto changed = change(partition.plan, contours, leveled, limits, frozen, stop);
             changed && (touches_itself || changed->left < result.problems.size()))
             result = {std::move(changed->outlines), std::move(changed->problems)};
+    if (result.outlines.empty())
+        result.outlines = straightened(partition.plan, contours, limits, frozen);
     settle(result.problems);
     return result;
 }

@@ -20,7 +20,7 @@ struct FlowReady {
 /// off. Works on the planar partition, whose nodes are moved onto others and whose edges are split, exactly;
 /// changes that would come to more than a share of a block are not made. What is left has an entry. Outlines
 /// nest as they did, share what they shared, and are valid; where that cannot be had all stays as it
-/// was, and so where nothing is won and nothing has touched.
+/// was, and so where nothing is won and nothing has touched. Corners in straight walls go in any case.
 /// @param contours parents before what stands on them
 /// @param frozen those whose walls stay where they are, but for corners that touch; empty for none
 /// @throws Cancelled

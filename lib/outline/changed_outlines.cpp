@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <limits>
 #include <set>
+#include <utility>
 #include <vector>
 
+#include "geometry/box_tree.hpp"
 #include "outline/fine_geometry.hpp"
 #include "outline/packed_outline.hpp"
 
@@ -26,10 +28,52 @@ double twice_area(const FinePolygon& polygon) {
     return static_cast<double>(sum);
 }
 
+/// Edges by their boxes.
+class NearEdges {
+  public:
+    NearEdges(const FinePolygon& polygon, const CellShape& shape) : shape_(shape), tree_(boxes(polygon)) {}
+
+    /// How far a point is from the nearest edge, in cells. What lies near is asked first, so that all edges
+    /// are seldom looked at.
+    [[nodiscard]] double distance_to(FinePoint point) const;
+
+  private:
+    std::vector<Box> boxes(const FinePolygon& polygon) {
+        std::vector<Box> boxes;
+        for (const FineRing* ring : rings_of(polygon))
+            for (std::size_t i = 0; i < ring->size(); ++i) {
+                edges_.emplace_back((*ring)[i], (*ring)[i + 1 == ring->size() ? 0 : i + 1]);
+                Box& box = boxes.emplace_back();
+                for (const FinePoint& end : {edges_.back().first, edges_.back().second})
+                    box.add(Position{static_cast<double>(end.col), static_cast<double>(end.row)});
+            }
+        return boxes;
+    }
+
+    const CellShape& shape_;
+    std::vector<std::pair<FinePoint, FinePoint>> edges_;
+    BoxTree tree_;
+};
+
 double distance(Vec p, Vec a, Vec b) {
     const double square = dot(b - a, b - a);
     const double share = square > 0 ? std::clamp(dot(p - a, b - a) / square, 0.0, 1.0) : 0;
     return length(p - (a + share * (b - a)));
+}
+
+double NearEdges::distance_to(FinePoint point) const {
+    const auto vec = [&](FinePoint p) { return shape_.from_fine(p, {}); };
+    constexpr double widest = 1e9;
+    double least = std::numeric_limits<double>::infinity();
+    for (double cells = 2; cells < widest && least > cells; cells *= 4) {
+        const double steps = cells * FinePoint::steps * shape_.longer_side();
+        const auto x = static_cast<double>(point.col);
+        const auto y = static_cast<double>(point.row);
+        tree_.query({x - steps, y - steps, x + steps, y + steps}, [&](std::size_t i) {
+            least = std::min(least, distance(vec(point), vec(edges_[i].first), vec(edges_[i].second)));
+        });
+    }
+    return least;
 }
 
 /// How far those corners of one that the other lacks are from its edges.
@@ -37,32 +81,25 @@ double farthest(const FinePolygon& from, const FinePolygon& to, const CellShape&
     std::set<FinePoint> known;
     for (const FineRing* ring : rings_of(to))
         known.insert(ring->begin(), ring->end());
-    const auto vec = [&](FinePoint p) { return shape.from_fine(p, {}); };
+    const NearEdges edges(to, shape);
     double most = 0;
     for (const FineRing* corners : rings_of(from))
-        for (const FinePoint& corner : *corners) {
-            if (known.contains(corner))
-                continue;
-            double least = std::numeric_limits<double>::infinity();
-            for (const FineRing* ring : rings_of(to))
-                for (std::size_t i = 0; i < ring->size(); ++i)
-                    least = std::min(least, distance(vec(corner), vec((*ring)[i]),
-                                                     vec((*ring)[i + 1 == ring->size() ? 0 : i + 1])));
-            most = std::max(most, least);
-        }
+        for (const FinePoint& corner : *corners)
+            if (!known.contains(corner))
+                most = std::max(most, edges.distance_to(corner));
     return most;
 }
 
 }  // namespace
 
-void ChangedOutlines::put(std::size_t contour, const FinePolygon& outline, const OutlineQuality& quality) {
+void ChangedOutlines::put(std::size_t place, const FinePolygon& outline, const OutlineQuality& quality) {
     ByteWriter writer;
     save(outline, writer);
-    kept_[contour] = {append(*spool_, writer), quality};
+    kept_[place] = {append(*spool_, writer), quality};
 }
 
-const ChangedOutlines::Kept* ChangedOutlines::find(std::size_t contour) const {
-    const auto found = kept_.find(contour);
+const ChangedOutlines::Kept* ChangedOutlines::find(std::size_t place) const {
+    const auto found = kept_.find(place);
     return found == kept_.end() ? nullptr : &found->second;
 }
 

@@ -21,9 +21,10 @@ class ChangedOutlines {
     };
     explicit ChangedOutlines(std::unique_ptr<Spool> spool) : spool_(std::move(spool)) {}
 
-    void put(std::size_t contour, const FinePolygon& outline, const OutlineQuality& quality);
+    /// @param place a number of the caller's, one per outline
+    void put(std::size_t place, const FinePolygon& outline, const OutlineQuality& quality);
     /// @return null where it has not changed
-    [[nodiscard]] const Kept* find(std::size_t contour) const;
+    [[nodiscard]] const Kept* find(std::size_t place) const;
     [[nodiscard]] FinePolygon outline(const Kept& kept) const;
 
     /// Area after, over area before.

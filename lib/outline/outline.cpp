@@ -56,8 +56,17 @@ struct Outliner::Impl {
     std::unique_ptr<Spool> spool;  // for them
     CellShape shape;
 
+    /// Outlines and footprints of their own take turns.
     [[nodiscard]] const ChangedOutlines::Kept* changed_at(std::size_t contour) const {
-        return changed ? changed->find(contour) : nullptr;
+        return changed ? changed->find(2 * contour) : nullptr;
+    }
+    [[nodiscard]] const ChangedOutlines::Kept* changed_footprint(std::size_t contour) const {
+        return changed ? changed->find(2 * contour + 1) : nullptr;
+    }
+    void put(std::size_t place, const FinePolygon& outline, const OutlineQuality& quality) {
+        if (!changed)
+            changed.emplace(std::move(spool));
+        changed->put(place, outline, quality);
     }
 };
 
@@ -97,18 +106,24 @@ Outliner::Outliner(Outliner&&) noexcept = default;
 Outliner& Outliner::operator=(Outliner&&) noexcept = default;
 Outliner::~Outliner() = default;
 
-void Outliner::replace(std::size_t contour, const FinePolygon& outline) {
-    const FinePolygon before = this->outline(contour);
-    OutlineQuality known = quality(contour);
+OutlineQuality Outliner::changed_quality(OutlineQuality known, const FinePolygon& before,
+                                         const FinePolygon& after) const {
     if (impl_->walls)
-        known.area_change = (1 + known.area_change) * ChangedOutlines::grown(before, outline) - 1;
-    known.deviation_cells += impl_->walls ? ChangedOutlines::apart_cells(before, outline, impl_->shape) : 0;
+        known.area_change = (1 + known.area_change) * ChangedOutlines::grown(before, after) - 1;
+    known.deviation_cells += impl_->walls ? ChangedOutlines::apart_cells(before, after, impl_->shape) : 0;
     // What is neither traced nor known to be valid is looked at.
     if (known.status == OutlineStatus::traced)
         known.status = OutlineStatus::simplified;
-    if (!impl_->changed)
-        impl_->changed.emplace(std::move(impl_->spool));
-    impl_->changed->put(contour, outline, known);
+    return known;
+}
+
+void Outliner::replace(std::size_t contour, const FinePolygon& outline) {
+    impl_->put(2 * contour, outline, changed_quality(quality(contour), this->outline(contour), outline));
+}
+
+void Outliner::replace_footprint(std::size_t contour, const FinePolygon& outline) {
+    impl_->put(2 * contour + 1, outline,
+               changed_quality(footprint_quality(contour), footprint(contour), outline));
 }
 
 OutlineQuality Outliner::quality(std::size_t contour) const {
@@ -121,8 +136,9 @@ OutlineQuality Outliner::quality(std::size_t contour) const {
 }
 
 OutlineQuality Outliner::footprint_quality(std::size_t contour) const {
-    return impl_->walls && !impl_->changed_at(contour) ? quality_of(impl_->walls->footprint_quality(contour))
-                                                       : quality(contour);
+    if (const auto* changed = impl_->changed_footprint(contour))
+        return changed->quality;
+    return impl_->walls ? quality_of(impl_->walls->footprint_quality(contour)) : quality(contour);
 }
 
 bool Outliner::has_own_footprints() const {
@@ -138,7 +154,9 @@ FinePolygon Outliner::outline(std::size_t contour) const {
 }
 
 FinePolygon Outliner::footprint(std::size_t contour) const {
-    return impl_->walls && !impl_->changed_at(contour) ? impl_->walls->footprint(contour) : outline(contour);
+    if (const auto* changed = impl_->changed_footprint(contour))
+        return impl_->changed->outline(*changed);
+    return impl_->walls ? impl_->walls->footprint(contour) : outline(contour);
 }
 
 /// What does not touch in its trace does not where it is simplified.

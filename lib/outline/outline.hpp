@@ -56,8 +56,12 @@ class Outliner {
     Outliner& operator=(Outliner&&) noexcept;
     ~Outliner();
 
-    /// Draws a contour like this from now on, and its footprint as well. While nobody else asks for outlines.
+    /// Draws a contour like this from now on, and its footprint where this is no other. While nobody else
+    /// asks for outlines.
     void replace(std::size_t contour, const FinePolygon& outline);
+    /// Draws its own footprint like this from now on, where there are such. While nobody else asks for
+    /// outlines.
+    void replace_footprint(std::size_t contour, const FinePolygon& outline);
 
     [[nodiscard]] OutlineQuality quality(std::size_t contour) const;
     [[nodiscard]] FinePolygon outline(std::size_t contour) const;
@@ -76,6 +80,8 @@ class Outliner {
 
   private:
     struct Impl;
+    [[nodiscard]] OutlineQuality changed_quality(OutlineQuality known, const FinePolygon& before,
+                                                 const FinePolygon& after) const;
     std::unique_ptr<Impl> impl_;
 };
 

@@ -6,7 +6,8 @@
 Of the layer `buildings`: walls and gaps that are shorter than that, corners below 20.7 degrees, and blocks that touch
 in a point, less those that have a point of the layer `problems` with the state "left" beside them. Walls that go
 straight on are one; a gap is where a corner of a block is that near to a wall that shares no corner with its own two,
-across open ground. Prints a line a file; the status is 1 where anything is left that is not named. Coordinates must be
+across open ground. Corners at which a wall goes straight on within a millimetre, and no other wall begins, are needless
+and count as well. Prints a line a file; the status is 1 where anything is left that is not named. Coordinates must be
 metres. Needs shapely and GDAL's Python.
 """
 
@@ -21,6 +22,7 @@ from shapely.ops import unary_union
 
 ogr.UseExceptions()
 STRAIGHT = 0.5  # degrees
+STRAIGHT_M = 0.001
 LEAST_ANGLE = 20.7
 ROUNDING = 0.003  # m: corners lie on a lattice
 
@@ -85,6 +87,22 @@ def walls_and_angles(buildings, limit):
                     yield "angle", min(degrees, 360 - degrees), Point(b)
 
 
+def needless(buildings):
+    """Corners in straight walls that nothing needs."""
+    walls = {}
+    triples = []
+    for polygon in buildings:
+        for ring in rings(polygon):
+            points = list(ring.coords)[:-1]
+            for a, b, c in zip(points[-1:] + points[:-1], points, points[1:] + points[:1]):
+                walls.setdefault(b, set()).update((a, c))
+                triples.append((a, b, c))
+    for a, b, c in triples:
+        off = LineString([a, c]).distance(Point(b))
+        if len(walls[b]) == 2 and off < STRAIGHT_M:
+            yield "needless", off, Point(b)
+
+
 def gaps(blocks, limit):
     walls, ends, sides = [], [], []
     for polygon in blocks:
@@ -134,14 +152,15 @@ def main(limit, files):
         blocks = polygons_of(unary_union(buildings))
         tree = Near(left)
         found, named, worst = Counter(), Counter(), []
-        for kind, size, place in [*walls_and_angles(buildings, limit), *gaps(blocks, limit), *touches(blocks)]:
+        for kind, size, place in [*walls_and_angles(buildings, limit), *gaps(blocks, limit), *touches(blocks),
+                                  *needless(buildings)]:
             found[kind] += 1
             if tree.within(place, limit):
                 named[kind] += 1
             else:
                 worst.append((kind, size, place))
         print(f"{file}: {len(buildings)} polygons, {len(blocks)} blocks; " + ", ".join(
-            f"{kind} {found[kind]}, {found[kind] - named[kind]} not named" for kind in ("wall", "gap", "angle", "touch")))
+            f"{kind} {found[kind]}, {found[kind] - named[kind]} not named" for kind in ("wall", "gap", "angle", "touch", "needless")))
         for kind, size, place in worst[:5]:
             print(f"  {kind} {size:.4f} {place.wkt}")
         unnamed += len(worst)

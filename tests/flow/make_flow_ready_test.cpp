@@ -14,6 +14,7 @@
 #include "core/disjoint_sets.hpp"
 #include "core/stop_request.hpp"
 #include "flow/flow_faults.hpp"
+#include "flow/needless_corners.hpp"
 #include "surface/label_contours.hpp"
 #include "surface/partition.hpp"
 #include "surface/take_apart_pinches.hpp"
@@ -425,6 +426,51 @@ TEST(FlowReady, endsWhereThatIsAskedFor) {
                                                        StopRequest([&] { return --left < 0; }))),
                      Cancelled);
         EXPECT_EQ(left, -1);
+    }
+}
+
+/// Half a millimetre is straight, two millimetres are not, and where another wall begins the corner stays.
+/// Many corners that go do not bend a wall by more.
+TEST(FlowReady, cornersInStraightWallsGo) {
+    FlowMetric metric{0.0001, 0, 0, -0.0001};
+    const std::vector<PlanContour> town{
+        house(
+            {{0, 0}, {1000, 0}, {20000, -5}, {30000, 0}, {35000, 20}, {40000, 0}, {40000, 40000}, {0, 40000}},
+            0),
+        house({{0, 40000}, {10000, 40000}, {10000, 60000}, {0, 60000}}, 1)};
+    PlanEditor plan(make_partition(town).plan);
+    const std::size_t before = plan.plan().nodes.size();
+    take_needless_corners(plan, metric, [](std::uint32_t) { return true; });
+    EXPECT_EQ(plan.plan().nodes.size(),
+              before - 2);  // two of the wall, and none of the corner of the other house
+    // A bow of a hundred corners that rises by a metre.
+    std::vector<std::pair<int, int>> bow{{100000, 100000}, {0, 100000}};
+    for (int i = 0; i <= 100; ++i)
+        bow.emplace_back(i * 1000, -4 * i * (100 - i));
+    const std::vector<PlanContour> round{house(bow, 0)};
+    PlanEditor curved(make_partition(round).plan);
+    take_needless_corners(curved, metric, [](std::uint32_t) { return true; });
+    const Plan left = curved.plan();
+    for (const auto& [x, y] : bow) {
+        double least = 1e9;
+        for (const PlanEdge& edge : left.edges)
+            least = std::min(least, metric.distance_to({-y, x}, left.nodes[edge.from], left.nodes[edge.to]));
+        EXPECT_LE(least, 0.0011) << x;
+    }
+    PlanEditor kept(make_partition(town).plan);
+    take_needless_corners(kept, metric, [](std::uint32_t) { return false; });
+    EXPECT_EQ(kept.plan().nodes.size(), before);
+}
+
+/// A mend that comes to nothing leaves no corner behind: a block may change by less than closing its gap
+/// takes.
+TEST(FlowReady, whatCannotBeMendedGetsNoCorners) {
+    const std::vector<PlanContour> town{house({{0, 0}, {1000, 0}, {1000, 1000}, {0, 1000}}, 0),
+                                        house({{1050, -20}, {2000, -20}, {2000, 1040}, {1050, 1040}}, 1)};
+    const FlowReady ready = make_flow_ready(town, limits(1, 1));
+    EXPECT_GT(left(ready), 0U);
+    if (!ready.outlines.empty()) {
+        EXPECT_EQ(ready.outlines[0].exterior.size() + ready.outlines[1].exterior.size(), 8U);
     }
 }
 
