@@ -31,6 +31,39 @@ RecordMaker::RecordMaker(const ContourList& contours, const AttributeContext& co
         ++stacks_[building].parts;
         stacks_[building].levels = std::max(stacks_[building].levels, head.key.level);
     }
+    find_wholes();
+}
+
+/// A building is divided where two labels have the same whole; the lowest number among them names it.
+void RecordMaker::find_wholes() {
+    struct Whole {
+        std::int64_t number = 0;
+        Label label = 0;  // of one that belongs to it; 0: there is none
+        bool is_divided = false;
+    };
+    const std::vector<Footprint>& footprints = context_.footprints;
+    const auto belongs_to_another = [&](const Footprint& footprint) {
+        return footprint.whole != 0 && footprint.whole != static_cast<Label>(&footprint - footprints.data());
+    };
+    if (std::ranges::none_of(footprints, belongs_to_another))
+        return;
+    std::vector<Whole> wholes(footprints.size());
+    const auto for_buildings = [&](const auto& use) {
+        for (std::size_t i = 0; i < contours_.size(); ++i)
+            if (const ContourHead& head = contours_.head(i); head.key.level == 1 && head.building >= 0)
+                if (const Label whole = footprints[head.label].whole; whole != 0)
+                    use(head, wholes[whole]);
+    };
+    for_buildings([&](const ContourHead& head, Whole& whole) {
+        const std::int64_t number = context_.first_id + head.building;
+        whole.number = whole.label == 0 ? number : std::min(whole.number, number);
+        whole.is_divided = whole.is_divided || (whole.label != 0 && whole.label != head.label);
+        whole.label = head.label;
+    });
+    for_buildings([&](const ContourHead& head, const Whole& whole) {
+        if (whole.is_divided)
+            stacks_[static_cast<std::size_t>(head.building)].whole = whole.number;
+    });
 }
 
 double RecordMaker::ground_of(Label label, double lowest_outside) const {
@@ -99,6 +132,7 @@ BuildingRecord RecordMaker::building(std::size_t i, const Contour& contour, cons
     building.roof = roof.highest;
     building.height_m = (building.roof - building.ground) * context_.metres;
     building.heights_m = heights_above(building.ground, roof, context_.metres);
+    building.whole = stack.whole;
     building.parts = stack.parts;
     building.levels = stack.levels;
     building.points = record.points;

@@ -21,6 +21,7 @@ struct Footprint {
     double confidence = 0;  ///< 0 to 1
     std::string_view doubt;
     std::int64_t parcel = ParcelCell::nobody;
+    Label whole = 0;  ///< the same of all labels that a building was divided into; 0: it is not known
 };
 
 struct AttributeContext {
@@ -63,12 +64,14 @@ class RecordMaker {
         std::int64_t parts = 0;
         std::int32_t levels = 0;
         double base = 0;
+        std::int64_t whole = 0;  ///< number of the building that it is a part of; 0: it is one itself
     };
     [[nodiscard]] double ground_of(Label label, double lowest_outside) const;
     [[nodiscard]] double threshold(const ContourHead& head) const {
         return context_.plan.threshold(head.label, head.key.level);
     }
     void stack_parts();
+    void find_wholes();
 
     const ContourList& contours_;
     AttributeContext context_;

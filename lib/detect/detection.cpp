@@ -60,6 +60,7 @@ Detection sorted_by_confidence(JudgedObjects&& judged, double least, Executor& t
             if ((judged.objects[i].confidence >= least) == sure) {
                 result.objects.push_back(judged.objects[i]);
                 number[i + 1] = static_cast<Label>(result.objects.size());
+                result.objects.back().whole = number[i + 1];
             }
         if (sure)
             result.buildings = static_cast<Label>(result.objects.size());

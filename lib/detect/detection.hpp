@@ -31,6 +31,7 @@ struct DetectedObject {
     Doubt doubt = Doubt::rough;
     std::int64_t cells = 0;
     std::int64_t parcel = ParcelCell::nobody;  ///< that holds most of it
+    Label whole = 0;  ///< the same of all objects that one was divided into; 0: it is not known
 };
 
 /// Objects and where they are.

@@ -9,8 +9,12 @@ namespace d2b {
 
 Label UnitMerger::add(std::span<const SeenObject> objects) {
     const auto before = static_cast<Label>(seen_.size() - 1);
+    std::unordered_map<Label, Label> first;  // label of each whole
     for (const SeenObject& object : objects) {
-        sets_.add();
+        const Label label = sets_.add();
+        wholes_.add();
+        if (object.object.whole != 0)
+            wholes_.join(first.try_emplace(object.object.whole, label).first->second, label);
         seen_.push_back(object);
     }
     return before;
@@ -73,8 +77,21 @@ UnitMerger::Merged UnitMerger::finish(std::int64_t least_cells) {
     }
     for (Label label = 1; label < seen_.size(); ++label)
         merged.number[label] = merged.number[sets_.find(label)];
+    name_wholes(merged.number, merged.objects);
     seen_ = {};
     return merged;
+}
+
+void UnitMerger::name_wholes(const std::vector<Label>& number, std::vector<SeenObject>& objects) {
+    for (Label label = 1; label < number.size(); ++label)
+        wholes_.join(label, sets_.find(label));
+    std::vector<Label> lowest(number.size(), 0);  // number of each whole
+    for (Label label = 1; label < number.size(); ++label)
+        if (Label& of = lowest[wholes_.find(label)]; number[label] != 0)
+            of = of == 0 ? number[label] : std::min(of, number[label]);
+    for (Label label = 1; label < number.size(); ++label)
+        if (number[label] != 0)
+            objects[number[label] - 1].object.whole = lowest[wholes_.find(label)];
 }
 
 }  // namespace d2b

@@ -22,7 +22,7 @@ struct SeenObject {
 /// Objects of a window that was looked at in units which overlap. Each unit sees more cells than are its own,
 /// so that two units see the same things on both sides of the seam between them: what covers the same cells
 /// there is one object, and the unit that owns more of it says what it is; of those that own as much the
-/// first.
+/// first. Objects that a unit divided one into belong together, and so do those that other units saw of them.
 class UnitMerger {
   public:
     /// @param objects of the next unit, by label - 1 @return what to add to its labels other than 0
@@ -31,7 +31,9 @@ class UnitMerger {
     void compare(std::span<const Label> first, std::span<const Label> second);
 
     struct Merged {
-        std::vector<SeenObject> objects;  ///< buildings first, then what is doubtful
+        /// Buildings first, then what is doubtful. DetectedObject::whole is the lowest number of those that
+        /// belong together.
+        std::vector<SeenObject> objects;
         Label buildings = 0;
         std::vector<Label> number;  ///< place in `objects` plus one, by label that was added to; 0: left out
     };
@@ -48,7 +50,11 @@ class UnitMerger {
     /// Of the sets with more than one label, by the label that stands for each: few objects lie at a seam.
     [[nodiscard]] std::unordered_map<Label, Joined> joined_sets();
 
+    /// @param objects that finish() gives, with their numbers by label that was added to
+    void name_wholes(const std::vector<Label>& number, std::vector<SeenObject>& objects);
+
     LabelSets sets_;
+    LabelSets wholes_;                ///< of labels that belong together
     std::deque<SeenObject> seen_{1};  ///< by label; there may be very many
 };
 

@@ -26,12 +26,17 @@ double plan_area(const FineRing& ring) {
     return std::abs(static_cast<double>(twice)) / 2;
 }
 
-/// In the plane of the CRS that is written, which is made of lengths.
-double plan_area_m2(const FinePolygon& placed, const SurfaceFrame& frame) {
+double plan_steps(const FinePolygon& placed) {
     double steps = plan_area(placed.exterior);
     for (const FineRing& interior : placed.interiors)
         steps -= plan_area(interior);
-    return steps * frame.scale[0] * frame.scale[1] * frame.horizontal_metres * frame.horizontal_metres;
+    return steps;
+}
+
+/// In the plane of the CRS that is written, which is made of lengths.
+double plan_area_m2(const FinePolygon& placed, const SurfaceFrame& frame) {
+    return plan_steps(placed) * frame.scale[0] * frame.scale[1] * frame.horizontal_metres *
+           frame.horizontal_metres;
 }
 
 /// The elevation of the roof of a building that is one block.
@@ -195,6 +200,25 @@ std::int64_t block_roof(const BuildingRecord& record, SurfaceRoof roof, const Fi
     if (roof == SurfaceRoof::mean && std::abs(stretch - 1) < most)
         elevation = record.ground + (elevation - record.ground) * stretch;
     return lattice.height(elevation);
+}
+
+bool fit_roofs(const std::vector<double>& area, SurfaceCluster& cluster) {
+    constexpr double least = 0.0003;  // less is lost in the millimetres of heights
+    constexpr double most = 0.01;     // more is another form
+    bool differs = false;
+    for (PlanContour& contour : cluster.contours) {
+        const auto building = static_cast<std::size_t>(contour.building);
+        const double drawn = plan_steps(contour.outline);
+        if (area[building] <= 0 || drawn <= 0)
+            continue;
+        const double stretch = drawn / area[building];
+        if (std::abs(stretch - 1) < least || std::abs(stretch - 1) > most)
+            continue;
+        const std::int64_t base = cluster.buildings[building].base;
+        contour.top = base + std::llround(static_cast<double>(contour.top - base) * stretch);
+        differs = true;
+    }
+    return differs;
 }
 
 DrawnCluster draw_cluster(const SurfaceInput& input, std::span<const std::uint32_t> contours,

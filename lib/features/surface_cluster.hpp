@@ -47,6 +47,11 @@ struct DrawnCluster {
 [[nodiscard]] std::int64_t block_roof(const BuildingRecord& record, SurfaceRoof roof,
                                       const FinePolygon& placed, const SurfaceLattice& lattice);
 
+/// Pinches that were taken apart have made blocks narrower or wider: raises or lowers their roofs, so that
+/// they enclose what they did. @param area of the roof of each building in square steps; 0: it was not made
+/// @return whether a block differed by more than a few hundredths of a percent
+[[nodiscard]] bool fit_roofs(const std::vector<double>& area, SurfaceCluster& cluster);
+
 /// The outlines and heights of the buildings in a group, on the lattice of the surface.
 /// @param contours ascending @param transform to the CRS of the output; one a thread
 [[nodiscard]] DrawnCluster draw_cluster(const SurfaceInput& input, std::span<const std::uint32_t> contours,

@@ -16,6 +16,7 @@
 #include "features/problem_layer.hpp"
 #include "features/surface_problems.hpp"
 #include "geometry/geos.hpp"
+#include "options/given_words.hpp"
 
 namespace d2b {
 namespace {
@@ -44,7 +45,43 @@ void fill_values(const std::vector<BuildingRecord>& records,
         for (SurfaceBuilding& building : part.buildings) {
             const auto record = std::ranges::lower_bound(records, building.id, {}, &BuildingRecord::id);
             building.values = field_values(attributes, *record);
+            building.whole = record->whole;
         }
+}
+
+/// Twice what a ring covers as seen from above, counter-clockwise.
+double twice_covered(const std::vector<SurfacePoint>& points, std::span<const std::uint32_t> ring) {
+    double twice = 0;
+    const SurfacePoint& from = points[ring[0]];
+    for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+        const SurfacePoint& a = points[ring[i]];
+        const SurfacePoint& b = points[ring[i + 1]];
+        twice += static_cast<double>(a.x - from.x) * static_cast<double>(b.y - from.y) -
+                 static_cast<double>(b.x - from.x) * static_cast<double>(a.y - from.y);
+    }
+    return twice;
+}
+
+/// Of each building of a cluster, in square steps.
+std::vector<double> roof_areas(const SurfaceCluster& cluster, const MadeSurfaces& made) {
+    std::vector<double> areas(cluster.buildings.size());
+    for (const SurfacePart& part : made.shell.empty() ? made.solids : made.shell)
+        for (const SurfaceBuilding& building : part.buildings) {
+            double twice = 0;
+            for (const SurfaceTriangle& triangle : building.triangles)
+                if (triangle.kind == FaceKind::roof)
+                    twice += twice_covered(part.points, triangle.corners);
+            for (const SurfaceFace& face : building.faces)
+                if (face.kind == FaceKind::roof) {
+                    twice += twice_covered(part.points, face.exterior);
+                    for (const std::vector<std::uint32_t>& interior : face.interiors)
+                        twice += twice_covered(part.points, interior);
+                }
+            const auto place =
+                std::ranges::lower_bound(cluster.buildings, building.id, {}, &PlanBuilding::id);
+            areas[static_cast<std::size_t>(place - cluster.buildings.begin())] = twice / 2;
+        }
+    return areas;
 }
 
 class SurfaceWriter {
@@ -58,6 +95,11 @@ class SurfaceWriter {
   private:
     void make_closed(std::span<const std::uint32_t> group, SurfaceRoom& room, GroupSurfaces& result);
     void make_tiers(std::span<const std::uint32_t> group, SurfaceRoom& room, GroupSurfaces& result);
+    /// Where outlines are made ready for a flow, roofs were made equal, and volumes may change by more.
+    [[nodiscard]] bool fits_volumes() const {
+        return input_.of == SurfaceOf::buildings && input_.roof == SurfaceRoof::mean &&
+               !input_.features.plan.asked.outline.is_flow_ready();
+    }
     [[nodiscard]] bool has_closed() const { return forms_.solids || forms_.shell; }
     [[nodiscard]] const char* whole() const { return has_closed() ? "surface" : "page"; }
     void count(const MadeSurfaces& made);
@@ -93,9 +135,15 @@ SurfaceWriter::SurfaceWriter(const SurfaceInput& input, std::span<SurfaceSink* c
 void SurfaceWriter::make_closed(std::span<const std::uint32_t> group, SurfaceRoom& room,
                                 GroupSurfaces& result) {
     DrawnCluster drawn = draw_cluster(input_, group, room.transform);
-    result.made = make_surfaces(
-        drawn.cluster, forms_, [&](const FinePolygon& polygon) { return room.geos.triangles(polygon); },
-        context_.threads->stop());
+    const auto made_of = [&](const SurfaceCluster& cluster) {
+        return make_surfaces(
+            cluster, forms_, [&](const FinePolygon& polygon) { return room.geos.triangles(polygon); },
+            context_.threads->stop());
+    };
+    result.made = made_of(drawn.cluster);
+    if (fits_volumes() && !result.made.mends.empty() &&
+        fit_roofs(roof_areas(drawn.cluster, result.made), drawn.cluster))
+        result.made = made_of(drawn.cluster);
     const auto attributes = building_attributes(input_.features.plan.asked.detect.is_split_by());
     fill_values(drawn.buildings, attributes, result.made.solids);
     fill_values(drawn.buildings, attributes, result.made.shell);
@@ -201,7 +249,7 @@ SurfaceMeta surface_meta(const RunPlan& plan, const SurfaceLattice& lattice, con
 
 void write_surfaces(const SurfaceInput& input, SurfaceMeta meta, std::span<SurfaceSink* const> sinks,
                     Context& context) {
-    meta.provenance.metadata = input.features.provenance.metadata;
+    meta.provenance.metadata = without_folders(input.features.provenance.metadata, input.features.plan.asked);
     for (SurfaceSink* sink : sinks)
         sink->begin(meta);
     const auto groups = input.features.outliner.groups(context.threads->stop());

@@ -1,8 +1,11 @@
 #include "options/given_words.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <cstddef>
 #include <string_view>
+#include <vector>
 
 #include "options/option_table.hpp"
 
@@ -31,9 +34,45 @@ std::string with_value(const std::string& option, const std::string& value) {
     return joins ? quoted(option + "=" + value) : option + " " + quoted(value);
 }
 
-std::string words_of(const OptionRow& row, const Request& request) {
+/// What comes after the last folder of a name; of an address, without what is asked of it.
+std::string last_name(std::string name) {
+    if (name.find("://") != std::string::npos)
+        name = name.substr(0, name.find('?'));
+    while (name.size() > 1 && name.ends_with('/'))
+        name.pop_back();
+    return name.substr(name.find_last_of('/') + 1);
+}
+
+bool names_a_source(OptionKind kind) {
+    return kind == OptionKind::raster || kind == OptionKind::polygons || kind == OptionKind::dataset ||
+           kind == OptionKind::terrain;
+}
+
+/// Whether a text that is most often none of a file names one.
+bool is_path(const std::string& text) {
+    const std::array<std::string_view, 4> beginnings{"/", "./", "../", "~"};
+    return text.find('/') != std::string::npos &&
+           (std::ranges::any_of(beginnings,
+                                [&](std::string_view begin) { return text.starts_with(begin); }) ||
+            text.ends_with(".prj") || text.ends_with(".wkt"));
+}
+
+/// The value of an option, or what stands behind NAME= in it.
+std::string without_folder(const OptionRow& row, const std::string& text) {
+    if (names_a_source(row.kind))
+        return last_name(text);
+    if (row.kind != OptionKind::text && row.kind != OptionKind::crs)
+        return text;
+    const std::size_t value = row.kind == OptionKind::text ? text.find('=') + 1 : 0;  // 0: there is none
+    return is_path(text.substr(value)) ? text.substr(0, value) + last_name(text.substr(value)) : text;
+}
+
+std::string words_of(const OptionRow& row, const Request& request, bool with_folders) {
     std::string option = "-" + row.name;
-    const std::vector<std::string> texts = row.texts(request);
+    std::vector<std::string> texts = row.texts(request);
+    if (!with_folders)
+        for (std::string& text : texts)
+            text = without_folder(row, text);
     switch (row.arity) {
         case Arity::none:
             return option;
@@ -49,15 +88,33 @@ std::string words_of(const OptionRow& row, const Request& request) {
     return words;
 }
 
-}  // namespace
-
-std::string given_words(const Options& options) {
+std::string words_of(const Options& options, bool with_folders) {
     const Request request{options, {}};
     std::string words;
     for (const OptionRow& row : option_table())
         if (row.repeats && row.is_given(request))
-            words += (words.empty() ? "" : " ") + words_of(row, request);
+            words += (words.empty() ? "" : " ") + words_of(row, request, with_folders);
     return words;
+}
+
+}  // namespace
+
+std::string given_words(const Options& options) {
+    return words_of(options, true);
+}
+
+std::map<std::string, std::string> without_folders(std::map<std::string, std::string> metadata,
+                                                   const Options& options) {
+    for (auto& [name, value] : metadata) {
+        if (name == "D2B_SOURCE")
+            value = last_name(value);
+        if (name == "D2B_OPTIONS")
+            value = words_of(options, false);
+        for (const OptionRow& row : option_table())
+            if (!row.item.empty() && name == "D2B_" + row.item)
+                value = without_folder(row, value);
+    }
+    return metadata;
 }
 
 }  // namespace d2b

@@ -14,7 +14,7 @@ namespace {
 void put_into(FoundBuildings& found, UnitMerger::Merged&& merged, double metres) {
     found.buildings = merged.buildings;
     for (const SeenObject& seen : merged.objects)
-        found.add(seen.ground / metres, seen.object.confidence, seen.object.doubt, seen.object.parcel);
+        found.add(seen.ground / metres, seen.object);
     found.labels.renumber(std::move(merged.number));
 }
 
@@ -58,13 +58,14 @@ UnitGrid unit_grid(const RunPlan& plan, const Window& window, const CellSize& ce
 }
 
 FoundBuildings::FoundBuildings() {
-    add(std::numeric_limits<double>::quiet_NaN(), 0, {}, ParcelCell::nobody);
+    add(std::numeric_limits<double>::quiet_NaN(), {});
     footprints.back() = {};
 }
 
-void FoundBuildings::add(double elevation, double confidence, Doubt doubt, std::int64_t parcel) {
+void FoundBuildings::add(double elevation, const DetectedObject& object) {
     ground.push_back(elevation);
-    footprints.push_back({elevation, confidence, doubt_name(doubt), parcel});
+    footprints.push_back(
+        {elevation, object.confidence, doubt_name(object.doubt), object.parcel, object.whole});
 }
 
 std::int64_t least_cells(const RunPlan& plan, const UnitGrid& units, const CellSize& cell) {

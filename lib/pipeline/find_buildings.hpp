@@ -13,7 +13,7 @@ namespace d2b {
 struct FoundBuildings {
     FoundBuildings();
     /// What has the next label. @param elevation of its ground, in the vertical unit
-    void add(double elevation, double confidence, Doubt doubt, std::int64_t parcel);
+    void add(double elevation, const DetectedObject& object);
 
     LabelRows labels;                   ///< of the window; what is doubtful only where it is to be written
     Label buildings = 0;                ///< labels above are doubtful

@@ -67,6 +67,7 @@ class CityJsonSink final : public FileSink<SurfaceSink> {
     [[nodiscard]] std::uint64_t number_of(const SurfacePoint& point);
     [[nodiscard]] Json solid(const SurfaceBuilding& building,
                              const std::vector<std::uint64_t>& numbers) const;
+    void write_object(const std::string& name, const Json& object);
     [[nodiscard]] Json metadata() const;
 
     SurfaceFile file_;
@@ -74,6 +75,7 @@ class CityJsonSink final : public FileSink<SurfaceSink> {
     std::string url_;     // of the CRS
     HeldBytes vertices_;  // the list, without its brackets
     std::uint64_t vertex_count_ = 0;
+    std::map<std::string, std::vector<std::string>> parts_;  // names, by those of divided buildings
     std::map<SurfacePoint, std::uint64_t> known_;  // numbers of corners, of buildings that may touch
     Extent extent_;
     bool has_any_ = false;
@@ -151,13 +153,23 @@ void CityJsonSink::add(const SurfacePart& part) {
     for (const SurfacePoint& point : part.points)
         numbers.push_back(number_of(point));
     for (const SurfaceBuilding& building : part.buildings) {
-        const Json object{{"type", "Building"},
-                          {"attributes", field_json(meta_.fields, building.values)},
-                          {"geometry", Json::array({solid(building, numbers)})}};
-        file_.write((has_any_ ? ",\n\"building_" : "\n\"building_") + std::to_string(building.id) +
-                    "\":" + json_text(object));
-        has_any_ = true;
+        const std::string name = "building_" + std::to_string(building.id);
+        Json object;
+        object["type"] = building.whole == 0 ? "Building" : "BuildingPart";
+        if (building.whole != 0) {
+            const std::string whole = "whole_" + std::to_string(building.whole);
+            object["parents"] = Json::array({whole});
+            parts_[whole].push_back(name);
+        }
+        object["attributes"] = field_json(meta_.fields, building.values);
+        object["geometry"] = Json::array({solid(building, numbers)});
+        write_object(name, object);
     }
+}
+
+void CityJsonSink::write_object(const std::string& name, const Json& object) {
+    file_.write((has_any_ ? ",\n\"" : "\n\"") + name + "\":" + json_text(object));
+    has_any_ = true;
 }
 
 Json CityJsonSink::metadata() const {
@@ -170,6 +182,8 @@ Json CityJsonSink::metadata() const {
 }
 
 void CityJsonSink::prepare(CommitList& commit) {
+    for (const auto& [name, parts] : parts_)
+        write_object(name, {{"type", "Building"}, {"children", parts}});
     file_.write("},\n\"vertices\":[");
     vertices_.write_to(file_);
     file_.write("],\n\"metadata\":" + json_text(metadata()) + "}\n");

@@ -30,7 +30,7 @@ test::TraceGrid two_buildings() {
 const std::vector<Footprint> footprints{{}, {48, 0.75, "steep"}, {50, 0.95, "rough"}};
 
 /// Records of the grid, with thresholds of 65 in the large building.
-test::Records footprint_records(double metres = 1) {
+test::Records footprint_records(double metres = 1, const std::vector<Footprint>& of = footprints) {
     const test::TraceGrid grid = two_buildings();
     const LevelPlan plan{50, {{}, {48, 65}, {50}}, true};
     Context context;
@@ -38,7 +38,23 @@ test::Records footprint_records(double metres = 1) {
     settings.keep_roots = false;
     const test::ContourSet set = test::trace_plan(grid, plan, settings, context);
     const FixedPoint fixed(70);
-    return test::make_records(set, {plan, fixed, footprints, metres, {{0, 0}, {8, 10}}, 1});
+    return test::make_records(set, {plan, fixed, of, metres, {{0, 0}, {8, 10}}, 1});
+}
+
+/// Parts have the lowest id among those that a building was divided into; what was not divided has none.
+TEST(FootprintRecords, KnowTheBuildingThatTheyArePartsOf) {
+    std::vector<Footprint> of = footprints;
+    for (const BuildingRecord& record : footprint_records(1, of).buildings)
+        EXPECT_EQ(record.whole, 0);
+    of[1].whole = 1;
+    of[2].whole = 2;
+    for (const BuildingRecord& record : footprint_records(1, of).buildings)
+        EXPECT_EQ(record.whole, 0);
+    of[2].whole = 1;
+    const test::Records divided = footprint_records(1, of);
+    const std::int64_t lowest = std::min(divided.buildings[0].id, divided.buildings[1].id);
+    for (const BuildingRecord& record : divided.buildings)
+        EXPECT_EQ(record.whole, lowest);
 }
 
 TEST(FootprintRecords, StandOnTheirGround) {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/option_effect.hpp"
+#include "cli/read_cityjson.hpp"
 #include "cli/town_files.hpp"
 #include "core/number_text.hpp"
 #include "support/vector_file.hpp"
@@ -57,6 +58,19 @@ TEST_F(OptionEffect, split_by) {
     EXPECT_EQ(buildings().records.size(), 3U);
     for (const std::string& field : buildings().fields)
         EXPECT_NE(field, "parcel");
+}
+
+/// The two halves are parts of one building.
+TEST_F(OptionEffect, split_by__inACityJson) {
+    write_layer(path("lots.gpkg"), halves_of_flat());
+    find({"-split_by", "lots.gpkg", "-surface", "town.city.json"});
+    const ReadCityJson city = read_cityjson(path("town.city.json"));
+    EXPECT_EQ(city.solids.size(), 4U);
+    ASSERT_EQ(city.parts.size(), 1U);
+    std::set<std::string> lots;
+    for (const std::string& part : city.parts.begin()->second)
+        lots.insert(city.root["CityObjects"][part]["attributes"]["parcel"].get<std::string>());
+    EXPECT_EQ(lots, (std::set<std::string>{"1", "2"}));
 }
 
 /// A line across the house.

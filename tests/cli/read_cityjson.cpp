@@ -113,7 +113,16 @@ ReadCityJson read_cityjson(const std::string& path) {
     EXPECT_EQ(city.root.at("version"), "2.0");
     CityJsonReader reader(city.root.at("vertices"));
     for (const auto& [name, object] : city.root.at("CityObjects").items()) {
-        EXPECT_EQ(object.at("type"), "Building");
+        if (object.contains("children")) {
+            EXPECT_EQ(object.at("type"), "Building");
+            EXPECT_EQ(object.size(), 2U) << name;
+            city.parts[name] = object.at("children").get<std::vector<std::string>>();
+            continue;
+        }
+        const std::string type = object.at("type");
+        EXPECT_EQ(type, object.contains("parents") ? "BuildingPart" : "Building") << name;
+        if (object.contains("parents"))
+            city.parents[name] = object.at("parents").get<std::vector<std::string>>();
         EXPECT_EQ(object.at("geometry").size(), 1U);
         SurfacePart solid = reader.solid(object.at("geometry").at(0));
         EXPECT_EQ(fault_of({&solid, 1}), "") << name;
@@ -121,6 +130,13 @@ ReadCityJson read_cityjson(const std::string& path) {
         city.solids.push_back(std::move(solid));
     }
     reader.expect_all_used();
+    std::size_t parts = 0;
+    for (const auto& [name, children] : city.parts)
+        for (const std::string& child : children) {
+            EXPECT_EQ(city.parents[child], std::vector<std::string>{name}) << child;
+            ++parts;
+        }
+    EXPECT_EQ(parts, city.parents.size());
     return city;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@ struct ReadCityJson {
     std::vector<SurfacePart>
         solids;  ///< a building each; their corners are the vertices, as they stand there
 
+    std::map<std::string, std::vector<std::string>> parts;    ///< names, by those of divided buildings
+    std::map<std::string, std::vector<std::string>> parents;  ///< by names of parts
+
     [[nodiscard]] const nlohmann::json& attributes(std::int64_t building) const;
     /// In cubic units of the CRS.
     [[nodiscard]] double volume() const;
@@ -24,7 +28,8 @@ struct ReadCityJson {
     [[nodiscard]] SurfaceFrame frame() const;
 };
 
-/// Fails the test where it is no CityJSON of Buildings with a Solid each, has a number of a vertex that is
+/// Fails the test where it is no CityJSON of Buildings with a Solid each or with BuildingParts that have one,
+/// and name each other; has a number of a vertex that is
 /// not there, or a vertex that no face has, or has one twice; and where a solid is not closed, by fault_of().
 [[nodiscard]] ReadCityJson read_cityjson(const std::string& path);
 

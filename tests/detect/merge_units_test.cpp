@@ -74,6 +74,27 @@ TEST(UnitMerger, SetsGrowOverSeveralSeams) {
     EXPECT_EQ(merged.objects[0].own_cells, 20 + 10 + 20 + 20);
 }
 
+/// Of the parts of two buildings that a seam cuts, one unit owns some and the next one others: they belong
+/// together as one unit that sees all of them has it. Of what is alone the whole is it itself.
+TEST(UnitMerger, PartsOfABuildingStayTogether) {
+    const auto part = [](Label whole) {
+        SeenObject object = seen(0.9, 10);
+        object.object.whole = whole;
+        return object;
+    };
+    UnitMerger merger;
+    merger.add(std::vector{part(7), part(3), part(7), part(3)});
+    merger.add(std::vector{part(1), part(2), part(2), part(9)});
+    // The second part of the building 7 is the first of the building 2, which has another part beyond.
+    merger.compare(Row{0, 3, 3, 3, 0}, Row{0, 6, 6, 6, 0});
+    const UnitMerger::Merged merged = merger.finish(1);
+    EXPECT_EQ(merged.number, (Row{0, 1, 2, 3, 4, 5, 3, 6, 7}));
+    Row wholes;
+    for (const SeenObject& object : merged.objects)
+        wholes.push_back(object.object.whole);
+    EXPECT_EQ(wholes, (Row{1, 2, 1, 2, 5, 1, 7}));
+}
+
 TEST(UnitMerger, SliversAreLeftOut) {
     UnitMerger merger;
     merger.add(std::vector{seen(0.9, 50), seen(0.9, 0), seen(0.9, 9)});

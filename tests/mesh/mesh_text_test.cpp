@@ -69,5 +69,18 @@ TEST_F(MeshText, writesCityJson) {
               nlohmann::json::parse("[[[2,1,3]]]"));
 }
 
+TEST_F(MeshText, writesPartsOfADividedBuilding) {
+    city_.buildings.push_back({"building_9", "", {}, 0, "whole_7"});
+    city_.buildings[0].whole = "whole_7";
+    shell_.triangles.push_back({ShellPart::roof, 1, {2, 1, 3}});
+    const nlohmann::json city = nlohmann::json::parse(text(write_city_json));
+    EXPECT_EQ(city["CityObjects"]["whole_7"],
+              nlohmann::json::parse(R"({"type":"Building","children":["building_7","building_9"]})"));
+    for (const char* name : {"building_7", "building_9"}) {
+        EXPECT_EQ(city["CityObjects"][name]["type"], "BuildingPart");
+        EXPECT_EQ(city["CityObjects"][name]["parents"], nlohmann::json::array({"whole_7"}));
+    }
+}
+
 }  // namespace
 }  // namespace d2b::test

@@ -55,6 +55,20 @@ TEST(ReadCity, sortsBuildingsByTheirNumbers) {
     EXPECT_EQ(city.buildings[1].name, "building_10");
 }
 
+/// Parts are the buildings, and the building that they are parts of has no geometry.
+TEST(ReadCity, readsPartsOfADividedBuilding) {
+    json text = made_city({made_box("building_2", 0, 0, 8, 8, 9), made_box("building_3", 8, 0, 16, 8, 7)});
+    for (const char* name : {"building_2", "building_3"}) {
+        text["CityObjects"][name]["type"] = "BuildingPart";
+        text["CityObjects"][name]["parents"] = json::array({"whole_2"});
+    }
+    text["CityObjects"]["whole_2"] = {{"type", "Building"}, {"children", {"building_2", "building_3"}}};
+    const mesh::CityModel city = parse_city(text.dump(), "x");
+    ASSERT_EQ(city.buildings.size(), 2U);
+    for (const mesh::CityBuilding& building : city.buildings)
+        EXPECT_EQ(building.whole, "whole_2");
+}
+
 struct Damage {
     std::string name;
     std::function<void(json&)> damage;
@@ -74,91 +88,103 @@ const std::string damaged = "; the file is damaged.";
 
 INSTANTIATE_TEST_SUITE_P(
     ReadCity, DamagedCity,
-    ::testing::Values(
-        Damage{"version", [](json& c) { c["version"] = "1.1"; }, "is no CityJSON 2.0" + give},
-        Damage{"noTransform", [](json& c) { c.erase("transform"); }, "has no 'transform' in it" + give},
-        Damage{"noObjects", [](json& c) { c["CityObjects"] = 3; },
-               "has a 'CityObjects' in it that is no object" + give},
-        Damage{"noVertices", [](json& c) { c["vertices"] = 3; },
-               "has a 'vertices' in it that is no list" + give},
-        Damage{"twoScales",
-               [](json& c) {
-                   c["transform"]["scale"] = {1, 1};
-               },
-               "has a 'scale' that is not three numbers" + damaged},
-        Damage{"nullScale", [](json& c) { c["transform"]["scale"][1] = nullptr; },
-               "has a 'scale' that is not three numbers" + damaged},
-        Damage{"zeroScale", [](json& c) { c["transform"]["scale"][1] = 0; },
-               "has a 'scale' that places nothing" + damaged},
-        Damage{"halfVertex", [](json& c) { c["vertices"][0][1] = 0.5; },
-               "has a vertex that is not three whole numbers" + damaged},
-        Damage{"shortVertex",
-               [](json& c) {
-                   c["vertices"][0] = {1, 2};
-               },
-               "has a vertex that is not three whole numbers" + damaged},
-        Damage{"farVertex", [](json& c) { c["vertices"][0][1] = std::int64_t{1} << 50; },
-               "has a vertex farther away than any city" + damaged},
-        Damage{"systemIsNoText", [](json& c) { c["metadata"]["referenceSystem"] = 3; },
-               "has a 'referenceSystem' in its metadata that is no text" + give},
-        Damage{"bridge", [](json& c) { c["CityObjects"]["building_1"]["type"] = "Bridge"; },
-               "has 'building_1', which is no Building" + give},
-        Damage{"noGeometry", [](json& c) { c["CityObjects"]["building_1"]["geometry"] = json::array(); },
-               "has not one geometry in building_1" + give},
-        Damage{"surface", [](json& c) { solid(c)["type"] = "MultiSurface"; },
-               "has a geometry in building_1 that is no Solid" + give},
-        Damage{"twoShells", [](json& c) { solid(c)["boundaries"].push_back(json::array()); },
-               "has not one shell in building_1" + give},
-        Damage{"fewKinds", [](json& c) { solid(c)["semantics"]["values"][0].erase(0); },
-               "does not say of each face of building_1 what it is" + damaged},
-        Damage{"noKind", [](json& c) { solid(c)["semantics"]["surfaces"][0]["type"] = "Window"; },
-               "has a face in building_1 that is neither roof nor wall nor ground" + give},
-        Damage{"kindOutOfRange", [](json& c) { solid(c)["semantics"]["values"][0][0] = 3; },
-               "has an index in building_1 that is out of range" + damaged},
-        Damage{"indexOutOfRange", [](json& c) { solid(c)["boundaries"][0][0][0][0] = 8; },
-               "has an index in building_1 that is out of range" + damaged},
-        Damage{"negativeIndex", [](json& c) { solid(c)["boundaries"][0][0][0][0] = -1; },
-               "has an index in building_1 that is out of range" + damaged},
-        Damage{"ringIsANumber", [](json& c) { solid(c)["boundaries"][0][0][0] = 5; },
-               "has a ring in building_1 that is no list" + damaged},
-        Damage{"noRing", [](json& c) { solid(c)["boundaries"][0][0] = json::array(); },
-               "has a face in building_1 without a ring" + damaged},
-        Damage{"twoCorners",
-               [](json& c) {
-                   solid(c)["boundaries"][0][0][0] = {1, 3};
-               },
-               "has a solid, building_1, that has a face of fewer than three corners" + damaged},
-        Damage{"open",
-               [](json& c) {
-                   solid(c)["boundaries"][0].erase(2);
-                   solid(c)["semantics"]["values"][0].erase(2);
-               },
-               "has a solid, building_1, that is not closed" + damaged},
-        Damage{"twice",
-               [](json& c) {
-                   for (std::size_t face = 0; face < 6; ++face) {
-                       solid(c)["boundaries"][0].push_back(json(solid(c)["boundaries"][0][face]));
-                       solid(c)["semantics"]["values"][0].push_back(
-                           json(solid(c)["semantics"]["values"][0][face]));
-                   }
-               },
-               "has a solid, building_1, that is not closed" + damaged},
-        Damage{"pitched", [](json& c) { c["vertices"][1][2] = 9500; },
-               "has a solid, building_1, that has a roof that is not level" + damaged},
-        Damage{"slope", [](json& c) { c["vertices"][0][2] = 900; },
-               "has a solid, building_1, that has a ground that is not level" + damaged},
-        Damage{"leaning",
-               [](json& c) {
-                   c["vertices"][1][0] = 7;
-                   c["vertices"][7][0] = 7;
-               },
-               "has a solid, building_1, that has a wall that is not upright" + damaged},
-        Damage{"insideOut",
-               [](json& c) {
-                   for (json& face : solid(c)["boundaries"][0])
-                       std::reverse(face[0].begin(), face[0].end());
-               },
-               "has a solid, building_1, that has a roof that faces the wrong way" + damaged}),
+    ::testing::
+        Values(
+            Damage{"version", [](json& c) { c["version"] = "1.1"; }, "is no CityJSON 2.0" + give},
+            Damage{"noTransform", [](json& c) { c.erase("transform"); }, "has no 'transform' in it" + give},
+            Damage{"noObjects", [](json& c) { c["CityObjects"] = 3; },
+                   "has a 'CityObjects' in it that is no object" + give},
+            Damage{"noVertices", [](json& c) { c["vertices"] = 3; },
+                   "has a 'vertices' in it that is no list" + give},
+            Damage{"twoScales",
+                   [](json& c) {
+                       c["transform"]["scale"] = {1, 1};
+                   },
+                   "has a 'scale' that is not three numbers" + damaged},
+            Damage{"nullScale", [](json& c) { c["transform"]["scale"][1] = nullptr; },
+                   "has a 'scale' that is not three numbers" + damaged},
+            Damage{"zeroScale", [](json& c) { c["transform"]["scale"][1] = 0; },
+                   "has a 'scale' that places nothing" + damaged},
+            Damage{"halfVertex", [](json& c) { c["vertices"][0][1] = 0.5; },
+                   "has a vertex that is not three whole numbers" + damaged},
+            Damage{"shortVertex",
+                   [](json& c) {
+                       c["vertices"][0] = {1, 2};
+                   },
+                   "has a vertex that is not three whole numbers" + damaged},
+            Damage{"farVertex", [](json& c) { c["vertices"][0][1] = std::int64_t{1} << 50; },
+                   "has a vertex farther away than any city" + damaged},
+            Damage{"systemIsNoText", [](json& c) { c["metadata"]["referenceSystem"] = 3; },
+                   "has a 'referenceSystem' in its metadata that is no text" + give},
+            Damage{"bridge", [](json& c) { c["CityObjects"]["building_1"]["type"] = "Bridge"; },
+                   "has 'building_1', which is neither a Building nor a BuildingPart" + give},
+            Damage{"orphan", [](json& c) { c["CityObjects"]["building_1"]["type"] = "BuildingPart"; },
+                   "has no 'parents' in building_1" + give},
+            Damage{"strangeParent",
+                   [](json& c) {
+                       c["CityObjects"]["building_1"]["type"] = "BuildingPart";
+                       c["CityObjects"]["building_1"]["parents"] = {"whole_1"};
+                   },
+                   "has 'building_1', a part of a building that is not there" + damaged},
+            Damage{"nothingOfItsOwn", [](json& c) { c["CityObjects"]["building_1"].erase("geometry"); },
+                   "has no 'geometry' in building_1" + give},
+            Damage{"noGeometry", [](json& c) { c["CityObjects"]["building_1"]["geometry"] = json::array(); },
+                   "has not one geometry in building_1" + give},
+            Damage{"surface", [](json& c) { solid(c)["type"] = "MultiSurface"; },
+                   "has a geometry in building_1 that is no Solid" + give},
+            Damage{"twoShells", [](json& c) { solid(c)["boundaries"].push_back(json::array()); },
+                   "has not one shell in building_1" + give},
+            Damage{"fewKinds", [](json& c) { solid(c)["semantics"]["values"][0].erase(0); },
+                   "does not say of each face of building_1 what it is" + damaged},
+            Damage{"noKind", [](json& c) { solid(c)["semantics"]["surfaces"][0]["type"] = "Window"; },
+                   "has a face in building_1 that is neither roof nor wall nor ground" + give},
+            Damage{"kindOutOfRange", [](json& c) { solid(c)["semantics"]["values"][0][0] = 3; },
+                   "has an index in building_1 that is out of range" + damaged},
+            Damage{"indexOutOfRange", [](json& c) { solid(c)["boundaries"][0][0][0][0] = 8; },
+                   "has an index in building_1 that is out of range" + damaged},
+            Damage{"negativeIndex", [](json& c) { solid(c)["boundaries"][0][0][0][0] = -1; },
+                   "has an index in building_1 that is out of range" + damaged},
+            Damage{"ringIsANumber", [](json& c) { solid(c)["boundaries"][0][0][0] = 5; },
+                   "has a ring in building_1 that is no list" + damaged},
+            Damage{"noRing", [](json& c) { solid(c)["boundaries"][0][0] = json::array(); },
+                   "has a face in building_1 without a ring" + damaged},
+            Damage{"twoCorners",
+                   [](json& c) {
+                       solid(c)["boundaries"][0][0][0] = {1, 3};
+                   },
+                   "has a solid, building_1, that has a face of fewer than three corners" + damaged},
+            Damage{"open",
+                   [](json& c) {
+                       solid(c)["boundaries"][0].erase(2);
+                       solid(c)["semantics"]["values"][0].erase(2);
+                   },
+                   "has a solid, building_1, that is not closed" + damaged},
+            Damage{"twice",
+                   [](json& c) {
+                       for (std::size_t face = 0; face < 6; ++face) {
+                           solid(c)["boundaries"][0].push_back(json(solid(c)["boundaries"][0][face]));
+                           solid(c)["semantics"]["values"][0].push_back(
+                               json(solid(c)["semantics"]["values"][0][face]));
+                       }
+                   },
+                   "has a solid, building_1, that is not closed" + damaged},
+            Damage{"pitched", [](json& c) { c["vertices"][1][2] = 9500; },
+                   "has a solid, building_1, that has a roof that is not level" + damaged},
+            Damage{"slope", [](json& c) { c["vertices"][0][2] = 900; },
+                   "has a solid, building_1, that has a ground that is not level" + damaged},
+            Damage{"leaning",
+                   [](json& c) {
+                       c["vertices"][1][0] = 7;
+                       c["vertices"][7][0] = 7;
+                   },
+                   "has a solid, building_1, that has a wall that is not upright" + damaged},
+            Damage{
+                "insideOut",
+                [](json& c) {
+                    for (json& face : solid(c)["boundaries"][0])
+                        std::reverse(face[0].begin(), face[0].end());
+                },
+                "has a solid, building_1, that has a roof that faces the wrong way" + damaged}),
     [](const auto& city) { return city.param.name; });
 
 TEST(ReadCity, refusesWhatIsNoJson) {

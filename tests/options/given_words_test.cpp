@@ -1,9 +1,12 @@
 #include "options/given_words.hpp"
 
 #include <algorithm>
+#include <map>
+#include <string>
 
 #include "dem2buildings/command_line.hpp"
 #include "options/option_scene.hpp"
+#include "options/option_table.hpp"
 #include "support/run_tool.hpp"
 
 namespace d2b::test {
@@ -47,6 +50,51 @@ TEST(GivenWords, areThoseOfFieldsThatAreSet) {
     options.detect.mask = "mask.gpkg";
     options.write.layers = Layers::contours;
     EXPECT_EQ(given_words(options), "-preset thesis -mask mask.gpkg -layers contours");
+}
+
+/// What is handed to others says what was read, but not where it lies.
+TEST(GivenWords, withoutFolders) {
+    const auto shared = [](const Options& options, const std::map<std::string, std::string>& metadata) {
+        return without_folders(metadata, options);
+    };
+    Options options =
+        options_of({"-oo", "INDEX=/home/ann/index", "-a_srs", "/home/ann/site.prj", "-cutline",
+                    "../ann/area.gpkg", "-ground", "/home/ann/dtm.tif", "-mask", "ann/mask.tif", "-ndvi",
+                    "https://ann@there.org/ndvi.tif?key=7", "-split_by",
+                    "/vsizip//home/ann/plots.zip/plots.shp", "-t_srs", "EPSG:25832", "-nln", "low/high"});
+    const auto metadata = shared(options, {{"D2B_SOURCE", "/home/ann/dem.tif"},
+                                           {"D2B_OPTIONS", given_words(options)},
+                                           {"D2B_GROUND", "/home/ann/dtm.tif"},
+                                           {"D2B_MASK", "ann/mask.tif"},
+                                           {"D2B_PRESET", "buildings"}});
+    EXPECT_EQ(metadata.at("D2B_SOURCE"), "dem.tif");
+    EXPECT_EQ(metadata.at("D2B_GROUND"), "dtm.tif");
+    EXPECT_EQ(metadata.at("D2B_MASK"), "mask.tif");
+    EXPECT_EQ(metadata.at("D2B_PRESET"), "buildings");
+    const std::string words = metadata.at("D2B_OPTIONS");
+    EXPECT_EQ(words.find("ann"), std::string::npos) << words;
+    for (const char* word : {"INDEX=index", "site.prj", "area.gpkg", "dtm.tif", "mask.tif", "ndvi.tif",
+                             "plots.shp", "EPSG:25832", "low/high"})
+        EXPECT_NE(words.find(word), std::string::npos) << word;
+    EXPECT_EQ(words.find("key=7"), std::string::npos);
+    // Names of systems have slashes, too, and so does the name of a folder that is a dataset.
+    options = options_of({"-t_srs", "ETRS89 / UTM zone 32N"});
+    EXPECT_EQ(shared(options, {{"D2B_OPTIONS", ""}, {"D2B_SOURCE", "/home/ann/tiles/"}}),
+              (std::map<std::string, std::string>{{"D2B_OPTIONS", "-t_srs 'ETRS89 / UTM zone 32N'"},
+                                                  {"D2B_SOURCE", "tiles"}}));
+}
+
+/// Whatever names a file: an option that is added to the table, too.
+TEST(GivenWords, withoutFoldersOfAnyFile) {
+    for (const OptionRow& row : option_table()) {
+        const bool reads = row.kind == OptionKind::raster || row.kind == OptionKind::polygons ||
+                           row.kind == OptionKind::dataset || row.kind == OptionKind::terrain ||
+                           row.kind == OptionKind::crs;
+        if (!reads || !row.repeats)
+            continue;
+        const Options options = options_of({"-" + row.name, "/home/ann/x"});
+        EXPECT_EQ(without_folders({{"D2B_OPTIONS", ""}}, options).at("D2B_OPTIONS"), "-" + row.name + " x");
+    }
 }
 
 TEST(GivenWords, giveTheSameOptionsAgain) {

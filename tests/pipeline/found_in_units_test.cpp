@@ -129,6 +129,30 @@ TEST_P(FoundInUnits, IsWhatIsFoundInTheWhole) {
     expect_same_rasters(whole, units);
 }
 
+/// Each town has one building with two parts, whichever units see them.
+TEST_P(FoundInUnits, PartsBelongTogetherAsInTheWhole) {
+    Scenery scenery{many_towns()};
+    Options options;
+    options.ground.max_building_width = 40;
+    options.detect.split_height = 3;
+    options.write.doubtful = GetParam().keep_doubtful;
+    Found whole;
+    find(scenery, options, {}, 2, whole);
+    Found units;
+    find(scenery, options, {0, GetParam().side}, 2, units);
+    ASSERT_EQ(whole.buildings.buildings, 4 * 14);
+    std::map<Label, Label> wholes;
+    int parts = 0;
+    for (const auto& [label, same] : same_cells(whole, units)) {
+        const Label a = whole.buildings.footprints[label].whole;
+        const Label b = units.buildings.footprints[same].whole;
+        EXPECT_EQ(wholes.emplace(a, b).first->second, b) << label;
+        parts += a != label ? 1 : 0;
+    }
+    EXPECT_EQ(parts, 14);
+    EXPECT_EQ(wholes.size(), whole.buildings.footprints.size() - 14);
+}
+
 // Of 64 cells every building is cut somewhere.
 INSTANTIATE_TEST_SUITE_P(, FoundInUnits,
                          testing::Values(UnitCase{64, false}, UnitCase{64, true}, UnitCase{150, true},

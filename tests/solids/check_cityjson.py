@@ -88,15 +88,29 @@ def shell_faults(triangles, vertices, has_border):
             yield "the surface is open within the terrain's border"
 
 
+def family_faults(things):
+    """Parts name their building, which names its parts."""
+    for name, thing in things.items():
+        for parent in thing.get("parents", []):
+            if name not in things.get(parent, {}).get("children", []):
+                yield f"{name} is no child of {parent}"
+        for child in thing.get("children", []):
+            if name not in things.get(child, {}).get("parents", []):
+                yield f"{child} is no part of {name}"
+
+
 def faults(city):
     validator = jsonschema.Draft7Validator(RULES)
     broken = [f"{'/'.join(map(str, error.path))}: {error.message[:200]}" for error in validator.iter_errors(city)]
     if broken:
         yield from broken
         return
+    yield from family_faults(city["CityObjects"])
     vertices = city["vertices"]
     used, shell = set(), []
     for name, thing in city["CityObjects"].items():
+        if "geometry" not in thing:
+            continue
         geometry = thing["geometry"][0]
         faces = geometry["boundaries"][0] if geometry["type"] == "Solid" else geometry["boundaries"]
         numbers = {i for face in faces for ring in face for i in ring}
@@ -122,7 +136,8 @@ def main(path):
     for fault in found:
         print(f"{path}: {fault}", file=sys.stderr)
     if not found:
-        kinds = collections.Counter(thing["geometry"][0]["type"] for thing in city["CityObjects"].values())
+        kinds = collections.Counter(thing["geometry"][0]["type"] for thing in city["CityObjects"].values()
+                                    if "geometry" in thing)
         print("CityJSON: " + ", ".join(f"{count} {kind}" for kind, count in kinds.items()) +
               f" of {len(city['vertices'])} vertices, all valid")
     return 1 if found else 0

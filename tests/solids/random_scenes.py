@@ -100,7 +100,7 @@ def look_at(tool, folder, given):
     wrong = (*exact_shell.edge_faults(corners, triangles), exact_shell.inverted(corners, triangles, groups),
              exact_shell.crossings(corners, triangles), len(corners) - len(np.unique(single, axis=0)),
              len(list(faults(city))))
-    return collections.Counter({"with a surface": int(bool(triangles)), "solids": len(city["CityObjects"]),
+    return collections.Counter({"with a surface": int(bool(triangles)), "solids": sum("geometry" in thing for thing in city["CityObjects"].values()),
                                 "triangles": len(triangles), LOST: len(lost)} | dict(zip(FAULTS, wrong)))
 
 

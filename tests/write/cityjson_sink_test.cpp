@@ -69,6 +69,32 @@ TEST_F(CityJsonSinkTest, writesSolids) {
     EXPECT_EQ(written(), expected) << written().dump();
 }
 
+/// A building that was divided has no geometry, and its parts have what a building has. Parts of others may
+/// come between them.
+TEST_F(CityJsonSinkTest, writesPartsOfADividedBuilding) {
+    const auto sink = open_cityjson_sink(place("a.city.json"));
+    sink->begin(meta_);
+    for (const std::int64_t id : {3, 4, 5}) {
+        SurfacePart part = solid(id, 1024 * id);
+        part.buildings[0].whole = id == 4 ? 0 : 3;
+        sink->add(part);
+        sink->end_group();
+    }
+    sink->finish();
+    const nlohmann::json objects = written()["CityObjects"];
+    EXPECT_EQ(objects.size(), 4U);
+    EXPECT_EQ(objects["whole_3"],
+              nlohmann::json::parse(R"({"type":"Building","children":["building_3","building_5"]})"));
+    EXPECT_EQ(objects["building_4"]["type"], "Building");
+    EXPECT_FALSE(objects["building_4"].contains("parents"));
+    for (const char* name : {"building_3", "building_5"}) {
+        EXPECT_EQ(objects[name]["type"], "BuildingPart");
+        EXPECT_EQ(objects[name]["parents"], nlohmann::json::array({"whole_3"}));
+        EXPECT_EQ(objects[name]["attributes"]["height"], 3.5);
+        EXPECT_EQ(objects[name]["geometry"][0]["type"], "Solid");
+    }
+}
+
 /// A city without buildings is one, and so is one without a CRS.
 TEST_F(CityJsonSinkTest, writesNoBuildings) {
     meta_.provenance.crs_wkt = "";

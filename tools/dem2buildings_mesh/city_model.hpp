@@ -21,7 +21,8 @@ struct CityBuilding {
     std::string name;        ///< its key in the file
     std::string attributes;  ///< a JSON object, "" for none
     std::vector<CityRoof> roofs;
-    std::int64_t base = 0;  ///< height of its lowest ground
+    std::int64_t base = 0;   ///< height of its lowest ground
+    std::string whole = {};  ///< key of the divided building that it is a part of; "" where it is one itself
 };
 
 /// What a CityJSON file of buildings says. Coordinates are translate + step * scale, in units of the CRS.

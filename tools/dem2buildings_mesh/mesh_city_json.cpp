@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -70,7 +71,8 @@ std::string semantics(Triangles triangles) {
 
 std::string building(const CityBuilding& of, const std::string& lod, Triangles triangles,
                      const CityVertices& vertices) {
-    return R"({"type":"Building",)" +
+    return (of.whole.empty() ? R"({"type":"Building",)"
+                             : R"({"type":"BuildingPart","parents":[)" + quoted(of.whole) + "],") +
            (of.attributes.empty() ? "" : R"("attributes":)" + of.attributes + ",") +
            R"("geometry":[{"type":"MultiSurface","lod":)" + quoted(lod) + R"(,"boundaries":)" +
            boundaries(triangles, vertices) + R"(,"semantics":)" + semantics(triangles) + "}]}";
@@ -105,6 +107,7 @@ void write_city_json(const NamedShell& shell, const TextSink& sink) {
          list(shell.frame.scale) + R"(,"translate":)" + list(shell.frame.translate) +
          "},\n\"CityObjects\":{");
     std::string comma = "\n";
+    std::map<std::string, std::string> divided;  // names of parts, by those of their buildings
     for_each_object(shell, [&](const std::string& name, Triangles triangles) {
         const std::int32_t of = triangles.front().building;
         if (!is_of_city(triangles))
@@ -114,7 +117,15 @@ void write_city_json(const NamedShell& shell, const TextSink& sink) {
                   ? relief(lod, triangles, vertices)
                   : building(shell.city.buildings[static_cast<std::size_t>(of)], lod, triangles, vertices)));
         comma = ",\n";
+        if (of >= 0 && !shell.city.buildings[static_cast<std::size_t>(of)].whole.empty()) {
+            std::string& parts = divided[shell.city.buildings[static_cast<std::size_t>(of)].whole];
+            parts += (parts.empty() ? "" : ",") + quoted(name);
+        }
     });
+    for (const auto& [name, parts] : divided) {
+        sink(comma + quoted(name) + R"(:{"type":"Building","children":[)" + parts + "]}");
+        comma = ",\n";
+    }
     sink("},\n\"vertices\":[");
     comma = "\n";
     for (const std::uint32_t used : vertices.points) {

@@ -120,10 +120,27 @@ std::vector<SolidFace> SolidReader::read(const Json& geometry) const {
     return faces;
 }
 
+/// A divided building has no geometry of its own, but its parts have.
+bool is_divided(const CityJson& file, const std::string& name, const Json& object) {
+    return file.text(object, "type", name) == "Building" && !object.contains("geometry") &&
+           object.contains("children");
+}
+
+std::string parent_of(const CityJson& file, const std::string& name, const Json& object) {
+    const Json& parents = file.array(object, "parents", name);
+    const Json& all = file.object(file.root(), "CityObjects", "it");
+    if (parents.size() != 1 || !parents[0].is_string() || !all.contains(parents[0].get<std::string>()))
+        file.refuse("has '" + name + "', a part of a building that is not there; the file is damaged");
+    return parents[0].get<std::string>();
+}
+
 CityBuilding building_of(const CityJson& file, const std::string& name, const Json& object,
                          const std::vector<SurfacePoint>& vertices, CityModel& city) {
-    if (file.text(object, "type", name) != "Building")
-        file.refuse("has '" + name + "', which is no Building; give a file that -surface has written");
+    const std::string type = file.text(object, "type", name);
+    if (type != "Building" && type != "BuildingPart")
+        file.refuse(
+            "has '" + name +
+            "', which is neither a Building nor a BuildingPart; give a file that -surface has written");
     const Json& geometries = file.array(object, "geometry", name);
     if (geometries.size() != 1)
         file.refuse("has not one geometry in " + name + "; give a file that -surface has written");
@@ -132,6 +149,8 @@ CityBuilding building_of(const CityJson& file, const std::string& name, const Js
         file.refuse("has a solid, " + name + ", that " + *fault + "; the file is damaged");
     CityBuilding building = mesh::building_of(faces);
     building.name = name;
+    if (type == "BuildingPart")
+        building.whole = parent_of(file, name, object);
     city.lod = file.text(geometries[0], "lod", name);
     if (object.contains("attributes"))
         building.attributes =
@@ -161,7 +180,8 @@ CityModel parse_city(const std::string& text, const std::string& name) {
             file.text(file.object(root, "metadata", "it"), "referenceSystem", "its metadata");
     const std::vector<SurfacePoint> vertices = vertices_of(file);
     for (const auto& [key, object] : file.object(root, "CityObjects", "it").items())
-        city.buildings.push_back(building_of(file, key, object, vertices, city));
+        if (!is_divided(file, key, object))
+            city.buildings.push_back(building_of(file, key, object, vertices, city));
     // building_2 before building_10.
     std::ranges::sort(city.buildings, [](const CityBuilding& a, const CityBuilding& b) {
         return a.name.size() != b.name.size() ? a.name.size() < b.name.size() : a.name < b.name;

@@ -45,6 +45,7 @@ struct ContourRecord {
 /// What is known of a building.
 struct BuildingRecord {
     std::int64_t id = 0;
+    std::int64_t whole = 0;  ///< of the parts that a building was divided into, the lowest id; 0: not divided
     double ground = 0;
     double roof = 0;
     double height_m = 0;

@@ -49,6 +49,7 @@ struct SurfaceTier {
 /// What a building has of a closed surface.
 struct SurfaceBuilding {
     std::int64_t id = 0;
+    std::int64_t whole = 0;  ///< of a part of a divided building, the lowest id of its parts; 0: not divided
     std::vector<FieldValue> values;          ///< one a field of SurfaceMeta::fields
     std::vector<SurfaceFace> faces;          ///< of SurfaceForm::solids
     std::vector<SurfaceTriangle> triangles;  ///< of SurfaceForm::shell

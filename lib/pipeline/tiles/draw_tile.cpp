@@ -72,7 +72,8 @@ FoundBuildings TileDrawing::found() const {
     found.labels = labels_.own(context_);
     found.buildings = joined_.sure();
     for (const JoinedBuilding& building : joined_.buildings)
-        found.add(building.ground / run_.metres(), building.confidence, building.doubt, building.parcel);
+        found.add(building.ground / run_.metres(),
+                  {.confidence = building.confidence, .doubt = building.doubt, .parcel = building.parcel});
     return found;
 }
 
