@@ -61,19 +61,18 @@ std::vector<OptionRow> surface() {
         return std::ranges::all_of(metres, [](double m) { return std::isfinite(m) && m == std::round(m); });
     };
     std::vector<OptionRow> rows;
-    OptionRow files =
-        texts_row("surface", "<file>", "", [](auto& r) -> auto& { return r.options.write.surfaces; },
-                  {.title = "Surface of the buildings",
-                   .section = DialogSection::output,
-                   .help = "Also write the buildings as closed surfaces.",
-                   .details = "The name ends in .city.json, .obj, .stl or .glb. A CityJSON has a solid a "
-                              "building, in the CRS. In the "
-                              "others, touching buildings are one block without walls between them, in "
-                              "metres from a local origin: an OBJ "
-                              "has an object a building with the groups roof, wall and ground, an STL a "
-                              "solid, a glTF (.glb) a node.",
-                   .python = Python::extract_file,
-                   .repeats = false});
+    OptionRow files = texts_row(
+        "surface", "<file>", "", [](auto& r) -> auto& { return r.options.write.surfaces; },
+        {.title = "Surface of the buildings",
+         .section = DialogSection::output,
+         .help = "Also write the buildings as closed surfaces.",
+         .details = "The name ends in .city.json, .obj, .stl or .glb. A CityJSON has a solid for each "
+                    "building, in the CRS. In the others, touching buildings are one block without "
+                    "walls between them, in metres from a local origin: an OBJ has an object for each "
+                    "building with the groups roof, wall and ground, whose colours are in a .mtl "
+                    "beside it, an STL a solid for each, and a glTF (.glb) is one mesh.",
+         .python = Python::extract_file,
+         .repeats = false});
     files.kind = OptionKind::surface;
     rows.push_back(std::move(files));
     rows.push_back(choice_row(

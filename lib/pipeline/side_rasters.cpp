@@ -18,15 +18,6 @@
 #include "write/surface_sinks.hpp"
 
 namespace d2b {
-namespace {
-
-std::unique_ptr<SurfaceSink> open_surface(const std::string& destination, const WriteOptions& write,
-                                          const std::vector<std::string>& in_use) {
-    RasterPlace place = locate_raster({destination, write.overwrite, in_use, RasterFormat::surface});
-    return open_surface_sink(std::move(place), write.surface_solids);
-}
-
-}  // namespace
 
 SideSources open_side_sources(const Options& options, const DemInfo& dem, const Callbacks& callbacks) {
     register_formats();
@@ -58,8 +49,11 @@ SideSinks open_side_sinks(const Options& options, const DemInfo& dem) {
     SideSinks sinks =
         open_scene_rasters(options, dem, {write.ground, write.height, write.canopy}, write.overwrite, in_use);
     for (const std::string& destination : write.surfaces) {
-        sinks.surfaces.push_back(open_surface(destination, write, in_use));
+        SurfacePlace place = locate_surface({destination, write.overwrite, in_use, RasterFormat::surface});
         in_use.push_back(destination);
+        if (place.materials)
+            in_use.push_back(place.materials->name);
+        sinks.surfaces.push_back(open_surface_sink(std::move(place), write.surface_solids));
     }
     if (!write.page.empty()) {
         Page page = open_page(locate_raster({write.page, write.overwrite, in_use, RasterFormat::page}),

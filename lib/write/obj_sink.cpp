@@ -1,26 +1,21 @@
 #include "write/obj_sink.hpp"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/crs.hpp"
+#include "core/number_text.hpp"
 #include "write/coordinate_text.hpp"
+#include "write/face_looks.hpp"
 #include "write/file_sink.hpp"
 #include "write/surface_file.hpp"
 
 namespace d2b {
 namespace {
-
-struct Group {
-    FaceKind kind;
-    const char* name;
-};
-constexpr std::array groups{Group{FaceKind::roof, "roof"}, Group{FaceKind::wall, "wall"},
-                            Group{FaceKind::ground, "ground"}};
 
 /// On one line, whatever is in it.
 std::string comment(const std::string& text) {
@@ -32,19 +27,25 @@ std::string comment(const std::string& text) {
 
 class ObjSink final : public FileSink<SurfaceSink> {
   public:
-    ObjSink(RasterPlace place, SurfaceSolids solids) : solids_(solids), file_(std::move(place)) {}
+    ObjSink(RasterPlace place, RasterPlace materials, SurfaceSolids solids)
+        : solids_(solids),
+          library_(materials.name.substr(materials.name.find_last_of('/') + 1)),
+          file_(std::move(place)),
+          materials_(std::move(materials)) {}
 
     [[nodiscard]] SurfaceForm form() const override { return SurfaceForm::shell; }
     void begin(const SurfaceMeta& meta) override;
     void add(const SurfacePart& part) override;
-    void prepare(CommitList& commit) override { file_.prepare(commit); }
-    [[nodiscard]] std::vector<std::string> take_warnings() override { return file_.take_warnings(); }
+    void prepare(CommitList& commit) override;
+    [[nodiscard]] std::vector<std::string> take_warnings() override;
 
   private:
     void add_building(const SurfaceBuilding& building);
 
     SurfaceSolids solids_;
+    std::string library_;  ///< name of the file of materials, without its folder
     SurfaceFile file_;
+    SurfaceFile materials_;
     std::optional<CoordinateText> text_;
     std::uint64_t before_ = 1;  ///< number of the next corner
     bool has_any_ = false;
@@ -58,6 +59,14 @@ void ObjSink::begin(const SurfaceMeta& meta) {
         file_.write(comment("crs: " + Crs(meta.provenance.crs_wkt).name()));
     for (const auto& [name, value] : meta.provenance.metadata)
         file_.write(comment(name + ": " + value));
+    file_.write("mtllib " + library_ + "\n");
+    materials_.write(comment("dem2buildings"));
+    for (const FaceLook& look : face_looks) {
+        std::string colour;
+        for (const double part : look.colour)
+            colour += " " + number_text(part);
+        materials_.write("newmtl " + std::string(look.name) + "\nKd" + colour + "\nillum 1\n");
+    }
 }
 
 void ObjSink::add(const SurfacePart& part) {
@@ -77,10 +86,11 @@ void ObjSink::add_building(const SurfaceBuilding& building) {
     else if (!has_any_)
         text = "o buildings\n";
     has_any_ = true;
-    for (const Group& group : groups) {
-        text += std::string("g ") + group.name + "\n";
+    for (std::size_t kind = 0; kind < face_looks.size(); ++kind) {
+        const std::string name = face_looks[kind].name;
+        text += "g " + name + "\nusemtl " + name + "\n";
         for (const SurfaceTriangle& triangle : building.triangles)
-            if (triangle.kind == group.kind) {
+            if (triangle.kind == static_cast<FaceKind>(kind)) {
                 text += "f";
                 for (const std::uint32_t corner : triangle.corners)
                     text += " " + std::to_string(before_ + corner);
@@ -90,10 +100,22 @@ void ObjSink::add_building(const SurfaceBuilding& building) {
     file_.write(text);
 }
 
+void ObjSink::prepare(CommitList& commit) {
+    materials_.prepare(commit);
+    file_.prepare(commit);
+}
+
+std::vector<std::string> ObjSink::take_warnings() {
+    std::vector<std::string> warnings = file_.take_warnings();
+    const std::vector<std::string> more = materials_.take_warnings();
+    warnings.insert(warnings.end(), more.begin(), more.end());
+    return warnings;
+}
+
 }  // namespace
 
-std::unique_ptr<SurfaceSink> open_obj_sink(RasterPlace place, SurfaceSolids solids) {
-    return std::make_unique<ObjSink>(std::move(place), solids);
+std::unique_ptr<SurfaceSink> open_obj_sink(RasterPlace place, RasterPlace materials, SurfaceSolids solids) {
+    return std::make_unique<ObjSink>(std::move(place), std::move(materials), solids);
 }
 
 }  // namespace d2b

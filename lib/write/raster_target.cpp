@@ -44,6 +44,8 @@ FormatWords words_of(RasterFormat format) {
             return {"a picture is written as", "no PNG, SVG or PDF"};
         case RasterFormat::surface:
             return {"a surface is written as", "no surface of this format"};
+        case RasterFormat::materials:
+            return {"the materials of an OBJ are written as", "no library of materials (MTL)"};
         case RasterFormat::page:
             return {"a page is written as", "no page of dem2buildings"};
         case RasterFormat::geotiff:
@@ -113,6 +115,8 @@ bool is_of(RasterFormat format, const RasterPlace& place) {
         return begins_a_picture(beginning_of(place.path));
     if (format == RasterFormat::surface)
         return begins_a_surface(*surface_format_of(place.name), beginning_of(place.path));
+    if (format == RasterFormat::materials)
+        return begins_materials(beginning_of(place.path));
     if (format == RasterFormat::page)
         return begins_a_page(beginning_of(place.path));
     const std::array<const char*, 2> drivers{"GTiff", nullptr};

@@ -7,12 +7,12 @@
 namespace d2b {
 
 /// What a file beside the layers is.
-enum class RasterFormat { geotiff, picture, surface, page };
+enum class RasterFormat { geotiff, picture, surface, materials, page };
 
 /// Where a raster is to go.
 struct RasterTarget {
-    /// A file name that ends in .tif or .tiff, in .png, .svg or .pdf, .html, or as surface_format_of() knows
-    /// it.
+    /// A file name that ends in .tif or .tiff, in .png, .svg or .pdf, .html, .mtl, or as surface_format_of()
+    /// knows it.
     std::string destination;
     bool overwrite = false;
     std::vector<std::string> in_use;  ///< names of what else the run reads and writes

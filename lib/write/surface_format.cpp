@@ -4,13 +4,13 @@
 #include <array>
 #include <cctype>
 #include <cstddef>
+#include <span>
 
 namespace d2b {
 namespace {
 
 /// The first word of a line says what the line holds; lines of comments and empty ones may come first.
-bool begins_an_obj(std::string_view text) {
-    constexpr std::array<std::string_view, 9> words{"v", "vn", "vt", "f", "o", "g", "s", "mtllib", "usemtl"};
+bool begins_with_word(std::string_view text, std::span<const std::string_view> words) {
     while (!text.empty()) {
         const std::string_view line = text.substr(0, text.find('\n'));
         text.remove_prefix(std::min(text.size(), line.size() + 1));
@@ -19,6 +19,11 @@ bool begins_an_obj(std::string_view text) {
             return std::ranges::find(words, word) != words.end();
     }
     return true;  // comments alone
+}
+
+bool begins_an_obj(std::string_view text) {
+    constexpr std::array<std::string_view, 9> words{"v", "vn", "vt", "f", "o", "g", "s", "mtllib", "usemtl"};
+    return begins_with_word(text, words);
 }
 
 /// Its type is most often the first of its names.
@@ -64,6 +69,20 @@ std::optional<SurfaceFormat> surface_format_of(const std::string& name) {
 
 bool begins_a_surface(SurfaceFormat format, std::string_view beginning) {
     return std::ranges::find(surface_rows, format, &SurfaceRow::format)->begins(beginning);
+}
+
+std::string materials_name(const std::string& obj) {
+    const std::size_t base = obj.find_last_of('/') + 1;  // 0 where there is no folder
+    std::string name = obj.substr(0, obj.size() - std::string_view(".obj").size()) + ".mtl";
+    for (std::size_t i = base; i < name.size(); ++i)
+        if (static_cast<unsigned char>(name[i]) < ' ' || name[i] == '\\')
+            name[i] = '_';
+    return name;
+}
+
+bool begins_materials(std::string_view beginning) {
+    constexpr std::array<std::string_view, 1> words{"newmtl"};
+    return begins_with_word(beginning, words);
 }
 
 std::string surface_formats_advice(const std::string& name) {

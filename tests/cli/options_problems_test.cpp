@@ -116,6 +116,7 @@ TEST_F(OptionEffect, write_problems__addsToTheLayer) {
     std::ranges::replace(arguments, std::string("-overwrite"), std::string("-append"));
     arguments.insert(arguments.begin(), {"-surface_origin", "391000", "5820000", "0"});
     std::filesystem::remove(path("s.obj"));
+    std::filesystem::remove(path("s.mtl"));
     run_well(arguments);
     const Layer problems = layer("out.gpkg", "problems");
     ASSERT_EQ(problems.records.size(), 2U);

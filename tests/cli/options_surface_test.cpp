@@ -137,6 +137,20 @@ TEST_F(OptionEffect, surface__isTheSameWhateverTheThreads) {
     }
 }
 
+/// What a surface says of its source and options names files without their folders.
+TEST_F(OptionEffect, surface__holdsNoPathOfTheUsers) {
+    write(path("secret_mask.tif"), town_raster(std::vector<double>(MadeTown::surface().size(), 1)));
+    find({"-mask", path("secret_mask.tif"), "-surface", path("town.obj"), "-surface", path("town.stl"),
+          "-surface", path("town.glb"), "-surface", path("town.city.json")});
+    for (const std::string name : {"town.obj", "town.mtl", "town.stl", "town.glb", "town.city.json"}) {
+        const std::string bytes = read_bytes(path(name));
+        EXPECT_GT(bytes.size(), 50U);
+        EXPECT_EQ(bytes.find(path("").substr(0, path("").size() - 1)), std::string::npos) << name;
+    }
+    EXPECT_NE(read_bytes(path("town.obj")).find("\nmtllib town.mtl\n"), std::string::npos);
+    EXPECT_NE(read_bytes(path("town.obj")).find("# D2B_MASK: secret_mask.tif\n"), std::string::npos);
+}
+
 /// Solids as they stand in the layer, in its coordinates, with its attributes.
 TEST_F(OptionEffect, surface__asCityJson) {
     find({"-split_height", "3", "-surface", "town.city.json"});
@@ -166,10 +180,16 @@ TEST_F(OptionEffect, surface__asCityJson) {
             EXPECT_TRUE(attributes.contains(field)) << field;
     }
     EXPECT_EQ(city.root["CityObjects"]["building_1"]["geometry"][0]["lod"], "1.3");
+    // The tower and its podium are one building, the others are not divided.
+    ASSERT_EQ(city.parts.size(), 1U);
+    const auto& [whole, parts] = *city.parts.begin();
+    EXPECT_EQ(parts.size(), layer.records.size() - 2);
+    EXPECT_EQ("building_" + whole.substr(std::string("whole_").size()), *std::ranges::min_element(parts));
     find({"-surface", "town.city.json", "-fields", "osm"});
-    const ReadCityJson whole = read_cityjson(path("town.city.json"));
-    EXPECT_EQ(whole.root["CityObjects"]["building_1"]["geometry"][0]["lod"], "1.2");
-    EXPECT_TRUE(whole.attributes(1).contains("building:levels"));
+    const ReadCityJson undivided = read_cityjson(path("town.city.json"));
+    EXPECT_EQ(undivided.root["CityObjects"]["building_1"]["geometry"][0]["lod"], "1.2");
+    EXPECT_TRUE(undivided.attributes(1).contains("building:levels"));
+    EXPECT_TRUE(undivided.parts.empty());
 }
 
 /// Of tiers a solid is their union.

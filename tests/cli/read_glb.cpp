@@ -2,6 +2,8 @@
 #include <cstdint>
 #include <fstream>
 #include <iterator>
+#include <set>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -49,35 +51,49 @@ class GlbReader {
         EXPECT_EQ(root_.at("asset").at("version"), "2.0");
         ReadObj glb;
         glb.comments.push_back(root_.at("asset").at("extras").dump());
-        for (const Json& number : root_.at("scenes").at(0).at("nodes")) {
-            const Json& node = root_.at("nodes").at(number.get<std::size_t>());
-            glb.comments.push_back(node.at("extras").dump());
-            for (const Json& primitive :
-                 root_.at("meshes").at(node.at("mesh").get<std::size_t>()).at("primitives")) {
-                const auto material = primitive.at("material").get<std::size_t>();
-                glb.groups[node.at("name").get<std::string>() + "/" +
-                           root_.at("materials").at(material).at("name").get<std::string>()] =
-                    triangles(primitive);
-            }
+        EXPECT_EQ(root_.at("scenes").at(0).at("nodes"), Json::array({0}));
+        EXPECT_EQ(root_.at("nodes").size(), 1U);
+        EXPECT_EQ(root_.at("meshes").size(), 1U);
+        const Json& buildings = root_.at("nodes").at(0).at("extras").at("buildings");
+        for (const Json& building : buildings)
+            glb.comments.push_back(building.at("attributes").dump());
+        std::set<std::size_t> materials;
+        for (const Json& primitive : root_.at("meshes").at(0).at("primitives")) {
+            const auto material = primitive.at("material").get<std::size_t>();
+            EXPECT_TRUE(materials.insert(material).second) << "two primitives of one material";
+            const std::string group = "/" + root_.at("materials").at(material).at("name").get<std::string>();
+            for (const auto& [building, triangle] : triangles(primitive))
+                glb.groups[buildings.at(building).at("name").get<std::string>() + group].push_back(triangle);
         }
         return glb;
     }
 
   private:
+    /// Where the numbers of an accessor begin.
     [[nodiscard]] std::size_t begin(const Json& accessor, int type, int stride) const {
         EXPECT_EQ(accessor.at("componentType"), type);
         const Json& view = root_.at("bufferViews").at(accessor.at("bufferView").get<std::size_t>());
-        EXPECT_LE(accessor.at("byteOffset").get<int>() + accessor.at("count").get<int>() * stride,
-                  view.at("byteLength").get<int>());
-        return bin_ + view.value("byteOffset", std::size_t{0}) + accessor.at("byteOffset").get<std::size_t>();
+        const auto offset = accessor.value("byteOffset", std::size_t{0});
+        EXPECT_LE(offset + accessor.at("count").get<std::size_t>() * static_cast<std::size_t>(stride),
+                  view.at("byteLength").get<std::size_t>());
+        return bin_ + view.value("byteOffset", std::size_t{0}) + offset;
     }
-    [[nodiscard]] std::vector<ReadObj::Triangle> triangles(const Json& primitive) const {
-        const Json& positions =
-            root_.at("accessors").at(primitive.at("attributes").at("POSITION").get<std::size_t>());
-        const Json& indices = root_.at("accessors").at(primitive.at("indices").get<std::size_t>());
+    /// With the place of the building that all corners of each belong to.
+    [[nodiscard]] std::vector<std::pair<std::size_t, ReadObj::Triangle>> triangles(
+        const Json& primitive) const {
+        const auto accessor = [&](const Json& number) -> const Json& {
+            return root_.at("accessors").at(number.get<std::size_t>());
+        };
+        const Json& positions = accessor(primitive.at("attributes").at("POSITION"));
+        const Json& features = accessor(primitive.at("attributes").at("_FEATURE_ID_0"));
+        const Json& indices = accessor(primitive.at("indices"));
+        EXPECT_EQ(features.at("count"), positions.at("count"));
+        EXPECT_EQ(features.at("type"), "SCALAR");
         const std::size_t at = begin(positions, 5126, 12);
         const std::size_t numbers = begin(indices, 5125, 4);
-        std::vector<ReadObj::Triangle> triangles(indices.at("count").get<std::size_t>() / 3);
+        const std::size_t places = begin(features, 5126, 4);
+        std::vector<std::pair<std::size_t, ReadObj::Triangle>> triangles(
+            indices.at("count").get<std::size_t>() / 3);
         for (std::size_t i = 0; i < 3 * triangles.size(); ++i) {
             const std::size_t corner = bytes_.number(numbers + 4 * i);
             EXPECT_LT(corner, positions.at("count").get<std::size_t>());
@@ -87,7 +103,12 @@ class GlbReader {
                 EXPECT_GE(p[axis], positions.at("min").at(axis).get<float>());
                 EXPECT_LE(p[axis], positions.at("max").at(axis).get<float>());
             }
-            triangles[i / 3][i % 3] = {p[0], -p[2], p[1]};
+            const auto building =
+                static_cast<std::size_t>(std::bit_cast<float>(bytes_.number(places + 4 * corner)));
+            auto& [of, triangle] = triangles[i / 3];
+            EXPECT_TRUE(i % 3 == 0 || of == building) << "a triangle of two buildings";
+            of = building;
+            triangle[i % 3] = {p[0], -p[2], p[1]};
         }
         return triangles;
     }

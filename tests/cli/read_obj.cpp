@@ -122,6 +122,12 @@ ReadObj read_obj(const std::string& path) {
                 corner = corners.at(number - 1);
             }
             obj.groups[object + "/" + group].push_back(triangle);
+        } else if (word == "mtllib") {
+            words >> obj.materials;
+        } else if (word == "usemtl") {
+            std::string material;
+            words >> material;
+            EXPECT_EQ(material, group);
         } else {
             ADD_FAILURE() << line;
         }

@@ -13,6 +13,7 @@ struct ReadObj {
     using Triangle = std::array<Corner, 3>;
 
     std::vector<std::string> comments;
+    std::string materials;  ///< the file of an OBJ that has them
     /// The triangles of each group of each object: "building_7/roof".
     std::map<std::string, std::vector<Triangle>> groups;
 
@@ -35,9 +36,10 @@ struct ReadObj {
 /// normal is not that of its facet.
 [[nodiscard]] ReadObj read_stl(const std::string& path);
 
-/// A binary glTF, with z up as in the others: groups are nodes and the materials of their primitives,
-/// comments the extras of the asset and then of each node, as JSON. Fails the test where it is none of
-/// version 2.0, or a number in it is not that of anything.
+/// A binary glTF, with z up as in the others: groups are buildings and the materials of their triangles,
+/// comments the extras of the asset and then the attributes of each building, as JSON. Fails the test where
+/// it is none of version 2.0, has more than a primitive for each material, or has a number that is not that
+/// of anything.
 [[nodiscard]] ReadObj read_glb(const std::string& path);
 
 }  // namespace d2b::test

@@ -355,6 +355,7 @@ class Page(unittest.TestCase):
                 self.assertEqual(browser.run("return document.querySelector('h1').textContent"), place.name)
                 browser.press("help")
                 self.assertIn(dem.name, browser.text("source"))
+                self.assertNotIn(str(self.folder), str(browser.run("return window.dem2buildings.town.about.metadata")))
                 self.quiet(browser)
 
 

@@ -35,12 +35,15 @@ new GLTFLoader().parse(bytes.buffer, '', (model) => {{
   renderer.setSize(innerWidth, innerHeight);
   document.body.appendChild(renderer.domElement);
   renderer.render(scene, camera);
-  const buildings = [];
-  for (const node of model.scene.children) {{
-    const around = new THREE.Box3().setFromObject(node);
-    buildings.push({{name: node.name, fields: node.userData, low: around.min.toArray(), high: around.max.toArray()}});
-  }}
-  window.shown = {{buildings, asset: model.asset, drawn: renderer.info.render.triangles}};
+  const [node] = model.scene.children;
+  const buildings = node.userData.buildings.map(({{name, attributes}}) => ({{name, attributes, box: new THREE.Box3()}}));
+  const {{position, _feature_id_0: places}} = node.children[0].geometry.attributes;
+  for (let i = 0; i < places.count; ++i)
+    buildings[places.getX(i)].box.expandByPoint(new THREE.Vector3().fromBufferAttribute(position, i));
+  window.shown = {{
+    buildings: buildings.map(({{name, attributes, box}}) =>
+        ({{name, fields: attributes, low: box.min.toArray(), high: box.max.toArray()}})),
+    asset: model.asset, drawn: renderer.info.render.triangles, calls: renderer.info.render.calls}};
   document.documentElement.dataset.ready = 'yes';
 }}, (error) => console.error(error.message));
 """
@@ -60,7 +63,7 @@ class Viewer(unittest.TestCase):
         cls.page.write_text(f"<!doctype html><meta charset='utf-8'><body style='margin: 0'><script id='model' type='text/plain'>"
                             f"{model}</script><script src='bundle.js'></script>")
         layers = ogr.Open(str(cls.folder / "town.gpkg"))
-        cls.layer = {feature["id"]: (feature["p70"], feature["p90"], feature.geometry().GetEnvelope())
+        cls.layer = {feature["id"]: (feature["volume_m3"] / feature["area_m2"], feature["p90"], feature.geometry().GetEnvelope())
                      for feature in layers.GetLayerByName("buildings")}
 
     @classmethod
@@ -78,15 +81,16 @@ class Viewer(unittest.TestCase):
         self.assertGreater(len(self.layer), 5)
         for building in shown["buildings"]:
             number = building["fields"]["id"]
-            p70, p90, (west, right, south, top) = self.layer[number]
+            mean, p90, (west, right, south, top) = self.layer[number]
             self.assertEqual(building["name"], f"building_{number}")
             self.assertEqual(building["fields"]["p90"], p90)
             # x to the east, y up, z to the south.
-            self.assertGreaterEqual(building["high"][1] - building["low"][1], p70 - 0.01)
+            self.assertGreaterEqual(building["high"][1] - building["low"][1], 0.999 * mean - 0.01)
             for found, expected in ((building["low"][0] + east, west), (building["high"][0] + east, right),
                                     (north - building["high"][2], south), (north - building["low"][2], top)):
                 self.assertAlmostEqual(found, expected, delta=0.05)
         self.assertGreater(shown["drawn"], 12 * len(self.layer))
+        self.assertEqual(shown["calls"], 3)  # roofs, walls, grounds
         # Roofs and walls have colours of their own.
         colours = sorted(picture.getcolors(picture.width * picture.height), reverse=True)
         self.assertGreater(sum(count for count, colour in colours if colour != (255, 255, 255)), 0.1 * picture.width * picture.height)

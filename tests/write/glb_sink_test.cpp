@@ -25,7 +25,7 @@ class GlbSinkTest : public SurfaceSinkCase {
     }
 };
 
-TEST_F(GlbSinkTest, writesANodeABuilding) {
+TEST_F(GlbSinkTest, writesAPrimitiveAMaterial) {
     const auto sink = open_glb_sink(place("a.glb"));
     EXPECT_EQ(sink->form(), SurfaceForm::shell);
     sink->begin(meta_);
@@ -46,32 +46,37 @@ TEST_F(GlbSinkTest, writesANodeABuilding) {
     const auto expected = nlohmann::json::parse(R"({
 "asset":{"version":"2.0","generator":"dem2buildings",
          "extras":{"origin":[1000,2010,7],"crs":"ETRS89 / UTM zone 32N","D2B_SOURCE":"a\nb\\.tif"}},
-"scene":0,"scenes":[{"nodes":[0,1]}],
-"nodes":[{"name":"building_7","mesh":0,"extras":{"id":7,"height":12.5}},
-         {"name":"building_8","mesh":1,"extras":{"id":8,"height":null}}],
-"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1,"material":1},
-                         {"attributes":{"POSITION":0},"indices":2,"material":2}]},
-          {"primitives":[{"attributes":{"POSITION":3},"indices":4,"material":0}]}],
-"buffers":[{"byteLength":132}],
+"scene":0,"scenes":[{"nodes":[0]}],
+"nodes":[{"name":"buildings","mesh":0,"extras":{"buildings":[
+           {"name":"building_7","attributes":{"id":7,"height":12.5}},
+           {"name":"building_8","attributes":{"id":8,"height":null}}]}}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0,"_FEATURE_ID_0":1},"indices":2,"material":0},
+                         {"attributes":{"POSITION":0,"_FEATURE_ID_0":1},"indices":3,"material":1},
+                         {"attributes":{"POSITION":0,"_FEATURE_ID_0":1},"indices":4,"material":2}]}],
+"buffers":[{"byteLength":160}],
 "bufferViews":[{"buffer":0,"byteLength":84,"byteStride":12,"target":34962},
-               {"buffer":0,"byteOffset":84,"byteLength":48,"target":34963}]})");
+               {"buffer":0,"byteOffset":84,"byteLength":28,"byteStride":4,"target":34962},
+               {"buffer":0,"byteOffset":112,"byteLength":48,"target":34963}]})");
     const auto json = nlohmann::json::parse(all.substr(20, json_size));
     for (const auto& [name, value] : expected.items())
         EXPECT_EQ(json[name], value) << json[name].dump();
     ASSERT_EQ(json["accessors"].size(), 5U);
-    EXPECT_EQ(json["accessors"][3],
-              nlohmann::json::parse(R"({"bufferView":0,"byteOffset":48,"componentType":5126,
-"count":3,"type":"VEC3","min":[0.25,0,9],"max":[0.25048828125,0.25,10]})"));
+    EXPECT_EQ(json["accessors"][0], nlohmann::json::parse(R"({"bufferView":0,"componentType":5126,
+"count":7,"type":"VEC3","min":[0.25,0,9],"max":[0.75,0.25,10]})"));
+    EXPECT_EQ(json["accessors"][1],
+              nlohmann::json::parse(R"({"bufferView":1,"componentType":5126,"count":7,"type":"SCALAR"})"));
     EXPECT_EQ(json["accessors"][4],
               nlohmann::json::parse(
-                  R"({"bufferView":1,"byteOffset":36,"componentType":5125,"count":3,"type":"SCALAR"})"));
+                  R"({"bufferView":2,"byteOffset":36,"componentType":5125,"count":3,"type":"SCALAR"})"));
     EXPECT_EQ(json["materials"].size(), 3U);
     // y is up, z to the south.
     const std::string bin = all.substr(20 + json_size + 8);
     EXPECT_EQ(numbers<float>(bin.substr(0, 36)),
               (std::vector<float>{0.25F, 0, 10, 0.75F, 0, 10, 0.25F, 0.25F, 9}));
-    EXPECT_EQ(numbers<std::uint32_t>(bin.substr(84)),
-              (std::vector<std::uint32_t>{0, 1, 3, 1, 2, 3, 0, 2, 1, 0, 2, 1}));
+    // Four corners of the first building, three of the second, and their triangles by kind.
+    EXPECT_EQ(numbers<float>(bin.substr(84, 28)), (std::vector<float>{0, 0, 0, 0, 1, 1, 1}));
+    EXPECT_EQ(numbers<std::uint32_t>(bin.substr(112)),
+              (std::vector<std::uint32_t>{4, 6, 5, 0, 1, 3, 1, 2, 3, 0, 2, 1}));
 }
 
 /// The scene needs something to show.
@@ -93,9 +98,9 @@ TEST_F(GlbSinkTest, refusesWhatIsTooLong) {
         "(-srcwin, -projwin or -te), or write an OBJ.";
     const auto at_once = open_glb_sink(place("a.glb"), 1500);
     at_once->begin(meta_);
-    for (int i = 0; i < 11; ++i)
+    for (int i = 0; i < 9; ++i)
         at_once->add(part(2 * i));
-    EXPECT_EQ(thrown<OutputError>([&] { at_once->add(part(22)); }), too_long);
+    EXPECT_EQ(thrown<OutputError>([&] { at_once->add(part(18)); }), too_long);
     const auto in_the_end = open_glb_sink(place("a.glb"), 1500);
     in_the_end->begin(meta_);
     in_the_end->add(part(1));

@@ -25,6 +25,18 @@ TEST_F(StlSinkTest, writesASolidABuilding) {
     EXPECT_TRUE(lines.ends_with("endloop\nendfacet\nendsolid building_8\n"));
 }
 
+TEST_F(StlSinkTest, writesOneSolidForAll) {
+    const auto sink = open_stl_sink(place("a.stl"), SurfaceSolids::one);
+    sink->begin(meta_);
+    sink->add(part(7));
+    sink->add(part(12));
+    sink->finish();
+    const std::string lines = bytes("a.stl");
+    EXPECT_TRUE(lines.starts_with("solid buildings origin 1000 2010 7\nfacet"));
+    EXPECT_TRUE(lines.ends_with("endfacet\nendsolid buildings\n"));
+    EXPECT_EQ(lines.find("solid", 5), lines.rfind("endsolid") + 3);
+}
+
 /// An STL cannot hold nothing.
 TEST_F(StlSinkTest, writesNoFileWithoutBuildings) {
     for (const bool replaces : {false, true}) {

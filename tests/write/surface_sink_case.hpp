@@ -21,6 +21,9 @@ class SurfaceSinkCase : public WriteTest {
     [[nodiscard]] RasterPlace place(const std::string& name, bool overwrite = false) const {
         return locate_raster({path(name), overwrite, {}, RasterFormat::surface});
     }
+    [[nodiscard]] RasterPlace materials(const std::string& name, bool overwrite = false) const {
+        return locate_raster({path(name), overwrite, {}, RasterFormat::materials});
+    }
     /// Half of a tetrahedron, in two buildings: what is in it is not looked at.
     static SurfacePart part(std::int64_t id) {
         SurfacePart part;

@@ -10,7 +10,13 @@ namespace d2b::test {
 namespace {
 
 /// Of each format.
-class EachSurfaceSink : public SurfaceSinkCase, public ::testing::WithParamInterface<std::string> {};
+class EachSurfaceSink : public SurfaceSinkCase, public ::testing::WithParamInterface<std::string> {
+  protected:
+    [[nodiscard]] std::unique_ptr<SurfaceSink> open(bool overwrite = false) const {
+        return open_surface_sink(locate_surface({path(GetParam()), overwrite, {}, RasterFormat::surface}),
+                                 SurfaceSolids::each);
+    }
+};
 
 INSTANTIATE_TEST_SUITE_P(Formats, EachSurfaceSink,
                          ::testing::Values("a.city.json", "a.glb", "a.obj", "a.stl"));
@@ -18,22 +24,51 @@ INSTANTIATE_TEST_SUITE_P(Formats, EachSurfaceSink,
 /// Nothing is left of one that is not finished, however much was written.
 TEST_P(EachSurfaceSink, isThereWholeOrNotAtAll) {
     {
-        const auto sink = open_surface_sink(place(GetParam()));
+        const auto sink = open();
         sink->begin(meta_);
         for (int i = 0; i < 20000; ++i)
             sink->add(part(i));
-        EXPECT_LE(entries().size(), 1U);  // a hidden folder
+        EXPECT_LE(entries().size(), 2U);  // hidden folders
     }
     EXPECT_EQ(entries(), Names{});
 }
 
 TEST_P(EachSurfaceSink, aFileThatHasChangedMeanwhileIsLeftAlone) {
-    const auto sink = open_surface_sink(place(GetParam()));
+    const auto sink = open();
     put(GetParam(), "of somebody else");
     sink->begin(meta_);
     sink->add(part(1));
     EXPECT_NE(thrown<OutputError>([&] { sink->finish(); }).find(GetParam()), std::string::npos);
     EXPECT_EQ(bytes(GetParam()), "of somebody else");
+}
+
+/// The materials of an OBJ stand in a file beside it, which is replaced with it and by nothing else.
+TEST_F(SurfaceSinkCase, materialsGoWithTheirObj) {
+    const auto located = [&](bool overwrite) {
+        return locate_surface({path("a.obj"), overwrite, {}, RasterFormat::surface});
+    };
+    EXPECT_FALSE(locate_surface({path("a.stl"), false, {}, RasterFormat::surface}).materials);
+    put("a.mtl", "Dear diary\n");
+    EXPECT_EQ(thrown<OptionError>([&] { static_cast<void>(located(false)); }),
+              "\"" + path("a.mtl") + "\" exists; give another name, or -overwrite to replace it.");
+    EXPECT_EQ(thrown<OptionError>([&] { static_cast<void>(located(true)); }),
+              "\"" + path("a.mtl") + "\" exists and is no library of materials (MTL); remove it first.");
+    put("a.mtl", "# by hand\nnewmtl red\n");
+    const auto sink = open_surface_sink(located(true), SurfaceSolids::each);
+    sink->begin(meta_);
+    sink->add(part(1));
+    EXPECT_EQ(bytes("a.mtl"), "# by hand\nnewmtl red\n");
+    sink->finish();
+    EXPECT_NE(bytes("a.mtl").find("newmtl roof"), std::string::npos);
+    EXPECT_EQ(entries(), (Names{"a.mtl", "a.obj"}));
+}
+
+TEST(SurfaceFormats, materialsHaveTheNameOfTheirObj) {
+    EXPECT_EQ(materials_name("a/b.c/Town 1.OBJ"), "a/b.c/Town 1.mtl");
+    // A line of an OBJ would end there, or go on on the next one.
+    EXPECT_EQ(materials_name("a\\b/a\nb\\.obj"), "a\\b/a_b_.mtl");
+    EXPECT_TRUE(begins_materials("# x\n\nnewmtl a\n"));
+    EXPECT_FALSE(begins_materials("Kd 1 0 0\n"));
 }
 
 TEST(SurfaceFormats, byTheEndOfAName) {
