@@ -32,13 +32,13 @@ std::string cells_have(std::int64_t cells, const std::string& raster) {
            (cells == 1 ? " has " : " have ");
 }
 
-void ValueCounts::add(double value) {
-    ++cells_;
+void ValueCounts::add(double value, std::int64_t cells) {
+    cells_ += cells;
     lowest_ = std::min(lowest_, value);
     highest_ = std::max(highest_, value);
     if (many_)
         return;
-    ++counts_[value];
+    counts_[value] += cells;
     many_ = counts_.size() > most_values;
     if (many_)
         counts_.clear();
@@ -82,6 +82,13 @@ std::optional<SharedValue> ValueCounts::most() const {
     const auto& [value, cells] =
         *std::ranges::max_element(counts_, {}, [](const auto& count) { return count.second; });
     return SharedValue{value, cells};
+}
+
+std::optional<std::int64_t> ValueCounts::cells_of(double value) const {
+    if (many_)
+        return {};
+    const auto found = counts_.find(value);
+    return found == counts_.end() ? 0 : found->second;
 }
 
 std::string ValueCounts::text(const std::string& raster) const {

@@ -20,8 +20,8 @@ struct SharedValue {
 /// own count as long as there are few.
 class ValueCounts {
   public:
-    /// @param value finite
-    void add(double value);
+    /// @param value finite @param cells that have it
+    void add(double value, std::int64_t cells = 1);
     void merge(const ValueCounts& other);
 
     void save(ByteWriter& writer) const;
@@ -30,6 +30,8 @@ class ValueCounts {
     [[nodiscard]] std::int64_t cells() const { return cells_; }
     /// The value that most cells have, the lowest of several such; nothing where there are many values.
     [[nodiscard]] std::optional<SharedValue> most() const;
+    /// How many have a value; nothing where there are many values.
+    [[nodiscard]] std::optional<std::int64_t> cells_of(double value) const;
     /// "12 cells of 'dem.tif' have the elevation -9999", or "have elevations from -32768 to -9999 (10 of them
     /// -9999)".
     [[nodiscard]] std::string text(const std::string& raster) const;

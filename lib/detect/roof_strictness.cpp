@@ -61,7 +61,7 @@ std::int64_t common_cells(const Mask& a, const Mask& b) {
 std::optional<double> roof_strictness(const Scene& scene, const DetectOptions& options, double smallest_m2,
                                       const SurfaceQuality& quality, const JudgedObjects& first,
                                       Executor& threads) {
-    const Mask buildings = sure_roofs(first, quality.filled, threads);
+    const Mask buildings = sure_roofs(first, quality.unseen(), threads);
     if (step_sharpness(scene.surface, buildings, threads) < least_sharp)
         return std::nullopt;
     const std::vector<RoofSample> samples =

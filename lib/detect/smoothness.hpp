@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "detect/scene.hpp"
@@ -22,6 +23,13 @@ struct SurfaceQuality {
     double filled = 0;      ///< share of the cells that no pulse met, see filled_share()
     double strictness = 1;  ///< factor on the limits of clean data, see roof_strictness()
     double allowance = 1;   ///< factor on what is added to them for thin points
+    /// The step that elevations were rounded to, metres, where that is so coarse that cells of a crown are
+    /// equal and those of a slope are not; else 0.
+    double rounded_to = 0;
+
+    /// Share of the cells whose smoothness says nothing: where elevations are rounded, as many as where
+    /// points are thin.
+    [[nodiscard]] double unseen() const { return rounded_to > 0 ? std::max(filled, 0.08) : filled; }
 };
 
 /// Second differences below these are smooth, metres.

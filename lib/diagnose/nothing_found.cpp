@@ -43,6 +43,16 @@ std::string left_out(const Search& search, bool stricter) {
 
 }  // namespace
 
+std::string search_ground_doubt(const Search& search) {
+    const GroundMode mode = search.plan.ground;
+    if (std::string text = missing_ground_doubt(search.islands, mode, search.dem.name); !text.empty())
+        return text;
+    // Heights of roofs alone, whose ground is NoData, are as high as buildings.
+    if (mode == GroundMode::none && search.islands.narrow_most())
+        return {};
+    return ground_doubt(search.fit, mode, search.plan.asked.ground.terrain);
+}
+
 std::string why_nothing_was_found(const Search& search) {
     const DemInfo& dem = search.dem;
     const DetectOptions& detect = search.plan.asked.detect;
@@ -55,7 +65,7 @@ std::string why_nothing_was_found(const Search& search) {
             return extent_doubt(dem.name, dem.window.cols * search.cell.across,
                                 dem.window.rows * search.cell.down * search.cell.sine);
         },
-        [&] { return ground_doubt(search.fit, search.plan.ground, search.plan.asked.ground.terrain); },
+        [&] { return search_ground_doubt(search); },
         [&] { return left_out(search, true); },
         [&] { return surface_doubt(search.fit, dem.name); },
         [&] { return slope_doubt(search.slope, dem.name); },

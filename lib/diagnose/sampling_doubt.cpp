@@ -1,5 +1,8 @@
 #include "diagnose/sampling_doubt.hpp"
 
+#include <cmath>
+
+#include "core/number_text.hpp"
 #include "diagnose/words.hpp"
 
 namespace d2b {
@@ -30,6 +33,18 @@ std::string blur_doubt(const SamplingReport& report, double side) {
            "), as in surfaces from satellites or of finer cells than their data, so gaps and courtyards "
            "narrower than that are closed, and corners and small houses lost; use a surface whose walls fall "
            "within two cells";
+}
+
+std::string rounding_doubt(const SamplingReport& report, double metres) {
+    constexpr double least_m = 0.5;
+    constexpr double rounding = 1e-6;
+    const double step = report.value_step.value_or(0) * metres;
+    if (step < least_m - rounding)
+        return {};
+    return "elevations are rounded to steps of " + number_text(std::round(step * 100) / 100) +
+           " m, so a roof may be as rough as a crown, and low buildings, small parts and heights are "
+           "uncertain by "
+           "as much; use elevations that are rounded to centimetres, or not at all";
 }
 
 }  // namespace d2b

@@ -15,4 +15,7 @@ namespace d2b {
 /// That walls are smeared: they fall over more than 2.5 cells. Likewise.
 [[nodiscard]] std::string blur_doubt(const SamplingReport& report, double side);
 
+/// That elevations were rounded to half a metre or more. Likewise. @param metres in the vertical unit
+[[nodiscard]] std::string rounding_doubt(const SamplingReport& report, double metres);
+
 }  // namespace d2b

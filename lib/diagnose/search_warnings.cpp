@@ -7,6 +7,7 @@
 #include "diagnose/parcel_fit.hpp"
 #include "diagnose/place_doubt.hpp"
 #include "diagnose/sampling_doubt.hpp"
+#include "diagnose/side_doubt.hpp"
 #include "diagnose/warn_of.hpp"
 
 namespace d2b {
@@ -16,7 +17,16 @@ void warn_of_search(const Search& search, bool found_any, Context& context) {
     if (report.valid_points == 0)
         return;
     warn_of(ndvi_doubt(search.sides, search.plan.asked), context);
-    const std::string ground = ground_doubt(search.fit, search.plan.ground, search.plan.asked.ground.terrain);
+    if (search.plan.ground == GroundMode::given) {
+        const auto points = static_cast<double>(search.dem.window.points());
+        const TerrainGap gap{report.valid_points, search.fit.cells(),
+                             std::llround(search.terrain_outside * points),
+                             cells_for(search.plan.building_m2, search.cell)};
+        warn_of(terrain_gap_doubt(gap, search.dem.name, search.plan.asked.ground.terrain), context);
+    }
+    if (search.sampling)
+        warn_of(rounding_doubt(*search.sampling, report.units.vertical_metres), context);
+    const std::string ground = search_ground_doubt(search);
     const std::string doubt = ground.empty() ? surface_doubt(search.fit, search.dem.name) : ground;
     // What is no surface, or stands on another ground, has no walls that could be smeared.
     if (search.sampling && doubt.empty()) {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "diagnose/words.hpp"
+
 namespace d2b {
 namespace {
 
@@ -35,6 +37,19 @@ std::string empty_side_doubt(const SidesKnown& known, const Options& options) {
                "where "
                "buildings may be";
     return {};
+}
+
+std::string terrain_gap_doubt(const TerrainGap& gap, const std::string& dem, const std::string& terrain) {
+    const std::int64_t missing = gap.cells - gap.known;
+    // How much lies outside is measured on a lattice of places.
+    const std::int64_t told = gap.outside + gap.outside / 50;
+    if (gap.known == 0 || missing < gap.fewest || missing <= told)
+        return {};
+    return percent(static_cast<double>(missing) / static_cast<double>(gap.cells)) + " of the cells of '" +
+           dem + "' that have an elevation have none in the terrain '" + terrain +
+           "'; there is no ground there, and buildings are cut off or missing, so fill its NoData, for "
+           "example "
+           "with gdal_fillnodata.py, or leave -ground out to have the ground estimated";
 }
 
 std::string ndvi_doubt(const SidesKnown& known, const Options& options) {

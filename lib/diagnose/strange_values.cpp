@@ -1,6 +1,8 @@
 #include "diagnose/strange_values.hpp"
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "core/number_text.hpp"
 #include "dem2buildings/error.hpp"
@@ -21,7 +23,10 @@ class Strange {
     void refuse_most(const ValueCounts& outside, std::int64_t valid) const;
     void warn_of_outside(const ValueCounts& outside) const;
     void warn_of_spikes(const ValueCounts& spikes) const;
-    void warn_of_shared(const StrangeValues& strange, std::int64_t cells) const;
+    void warn_of_undeclared(const StrangeValues& strange, const UndeclaredValues& undeclared) const;
+    /// @param told values that have been warned of
+    void warn_of_shared(const StrangeValues& strange, std::int64_t cells,
+                        const std::vector<SharedValue>& told) const;
     void warn_of_set_aside(std::int64_t cells) const;
 
   private:
@@ -89,9 +94,23 @@ void Strange::warn_of_spikes(const ValueCounts& spikes) const {
                   " treated as no data" + (most ? "; " + nodata_advice(most->value) : "") + ".");
 }
 
-void Strange::warn_of_shared(const StrangeValues& strange, std::int64_t cells) const {
+void Strange::warn_of_undeclared(const StrangeValues& strange, const UndeclaredValues& undeclared) const {
+    for (const SharedValue& taken : undeclared.taken) {
+        const std::int64_t cells = strange.undeclared.cells_of(taken.value).value_or(taken.cells);
+        context_.warn(undeclared_text({taken.value, cells}, name_) +
+                      ", so they are treated as no data; declare that with -snodata " +
+                      stored_text(taken.value, info_) + ", or keep the elevation with -inodata.");
+    }
+    for (const SharedValue& named : undeclared.named)
+        context_.warn(undeclared_text(named, name_) + "; if it stands for no data, give -snodata " +
+                      stored_text(named.value, info_) + ", and if not, -inodata.");
+}
+
+void Strange::warn_of_shared(const StrangeValues& strange, std::int64_t cells,
+                             const std::vector<SharedValue>& told) const {
     for (const auto& [value, sharing] : strange.bins.shared(cells))
-        if (info_.set_aside_nodata != value)
+        if (info_.set_aside_nodata != value &&
+            std::ranges::find(told, value, &SharedValue::value) == told.end())
             context_.warn(cells_have(sharing, name_) + "the elevation " + value_text(value) + ", more than " +
                           number_text(ValueBins::apart_m) + " m from any other; " + nodata_advice(value) +
                           ".");
@@ -109,10 +128,12 @@ void Strange::warn_of_set_aside(std::int64_t cells) const {
 
 }  // namespace
 
-void report_strange_values(const StrangeValues& strange, std::int64_t valid, const DemInfo& info,
+void report_strange_values(const StrangeValues& strange, std::int64_t valid,
+                           const UndeclaredValues& undeclared, const DemInfo& info,
                            const ReadOptions& options, Context& context) {
     RunReport& report = context.report;
     report.count(Reason::elevation_outside_range, strange.outside.cells());
+    report.count(Reason::elevation_undeclared, strange.undeclared.cells());
     report.count(Reason::elevation_above_neighbours, strange.spikes.cells());
     report.count(Reason::elevation_not_roof, strange.spires);
     const Strange of(info, options, context);
@@ -121,7 +142,8 @@ void report_strange_values(const StrangeValues& strange, std::int64_t valid, con
     of.warn_of_outside(strange.outside);
     of.warn_of_set_aside(strange.set_aside_nodata);
     of.warn_of_spikes(strange.spikes);
-    of.warn_of_shared(strange, within);
+    of.warn_of_undeclared(strange, undeclared);
+    of.warn_of_shared(strange, within, undeclared.named);
 }
 
 }  // namespace d2b

@@ -129,7 +129,11 @@ void SamplingOfRows::add(RowBand band) {
     std::vector<std::uint8_t> here;
     std::vector<std::uint8_t> below;
     find_rough(band.begin, here);
+    const std::int32_t stride = step_stride(own_.rows, own_.cols);
     for (std::int32_t r = band.begin; r < band.end; ++r) {
+        if (r % stride == 0)
+            sampling_.values.add(scene_.surface.row(r).subspan(static_cast<std::size_t>(own_.col),
+                                                               static_cast<std::size_t>(own_.cols)));
         find_rough(r + 1, below);
         add_pairs(r, here, below);
         std::swap(here, below);
@@ -187,6 +191,7 @@ void SurfaceSampling::merge(const SurfaceSampling& other) {
     steps += other.steps;
     falls += other.falls;
     steepest += other.steepest;
+    values.merge(other.values);
 }
 
 void add_sampling(const Scene& scene, const Detection& detection, double min_height, const Window& own,
@@ -198,7 +203,7 @@ void add_sampling(const Scene& scene, const Detection& detection, double min_hei
                                     }));
 }
 
-SamplingReport sampling_report(const SurfaceSampling& sampling) {
+SamplingReport sampling_report(const SurfaceSampling& sampling, double metres) {
     SamplingReport report;
     if (sampling.rough.all * least_rough >= sampling.built)
         report.filled_share = filled_share(sampling.rough);
@@ -207,6 +212,8 @@ SamplingReport sampling_report(const SurfaceSampling& sampling) {
     if (sampling.steps >= fewest_steps)
         report.step_width_cells =
             tenths * blur_of(static_cast<double>(sampling.falls) / static_cast<double>(sampling.steepest));
+    if (const std::optional<double> step = value_step(sampling.values))
+        report.value_step = neat_step(*step / metres);
     return report;
 }
 

@@ -8,6 +8,7 @@
 #include "detect/detection.hpp"
 #include "detect/filled_share.hpp"
 #include "detect/scene.hpp"
+#include "detect/value_step.hpp"
 
 namespace d2b {
 
@@ -21,6 +22,7 @@ struct SurfaceSampling {
     std::int64_t steps = 0;     ///< places where a building ends in one
     std::int64_t falls = 0;     ///< of these together, over all that is looked at, mm
     std::int64_t steepest = 0;  ///< of these together, the largest between two neighbours, mm
+    StepCounts values;          ///< differences between neighbours
 
     void merge(const SurfaceSampling& other);
 };
@@ -39,7 +41,8 @@ void add_sampling(const Scene& scene, const Detection& detection, double min_hei
 /// chance there are fewer of them than is said. A wall that a normal distribution of standard deviation s has
 /// blurred is 2.56 s wide between a tenth and nine tenths of its height; how much of its fall lies between
 /// two cells follows from s, and so s from that. Found within 15 % on walls along rows and columns that were
-/// blurred by 1 to 2.5 cells.
-[[nodiscard]] SamplingReport sampling_report(const SurfaceSampling& sampling);
+/// blurred by 1 to 2.5 cells. For the step of the values see value_step().
+/// @param metres in the vertical unit of the raster
+[[nodiscard]] SamplingReport sampling_report(const SurfaceSampling& sampling, double metres);
 
 }  // namespace d2b

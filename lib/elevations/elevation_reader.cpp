@@ -104,7 +104,7 @@ ElevationBand ElevationReader::get(const Window& part, std::vector<double>&& buf
         band.elevations.reserve(band.shape.size());
     } else {
         band = read(part, std::move(buffer));
-        limit(band.elevations, rules_.limits);
+        limit(band.elevations, rules_);
     }
     for (std::size_t i = band_with(part.row); i < shapes_.size() && shapes_[i].first_row < part.end_row();
          ++i) {
@@ -147,8 +147,9 @@ ElevationSurvey ElevationReader::survey(const SiftRules& rules,
     const Window& window = source_.info().window;
     const Window counted = of.value_or(window);
     rules_ = rules;
+    kept_.forget();
     decided_.emplace(context_.make_spool());
-    ElevationSurvey survey{{}, StrangeValues(rules)};
+    ElevationSurvey survey{{}, StrangeValues(rules), {}};
     SpikeSeams seams;
     std::size_t settled = 0;
     bool first = true;
@@ -173,11 +174,30 @@ ElevationSurvey ElevationReader::survey(const SiftRules& rules,
             const std::vector<Spike> before = seams.add(band, std::move(seen.spikes));
             if (!std::exchange(first, false))
                 settle(before, shapes_[settled++].first_row, counted, survey);
+            if (!of)
+                add_border(band, survey.border);
             done(band);
         });
     settle(seams.finish(), settled < shapes_.size() ? shapes_[settled].first_row : 0, counted, survey);
     take_spikes_out();
     return survey;
+}
+
+void ElevationReader::add_border(const ElevationBand& band, BorderCells& border) const {
+    const Window& window = source_.info().window;
+    const auto whole_row = [&](std::int32_t i) {
+        return std::vector(band.row(i).begin(), band.row(i).end());
+    };
+    if (band.shape.rows == 0 || band.shape.cols == 0)
+        return;
+    if (band.shape.first_row == window.row)
+        border.top = whole_row(0);
+    if (band.shape.first_row + band.shape.rows == window.end_row())
+        border.bottom = whole_row(band.shape.rows - 1);
+    for (std::int32_t i = 0; i < band.shape.rows; ++i) {
+        border.left.push_back(band.row(i).front());
+        border.right.push_back(band.row(i).back());
+    }
 }
 
 void ElevationReader::settle(const std::vector<Spike>& spikes, std::int32_t first_row, const Window& counted,

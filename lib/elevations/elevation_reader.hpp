@@ -11,6 +11,7 @@
 #include "core/band.hpp"
 #include "core/context.hpp"
 #include "core/grid.hpp"
+#include "core/undeclared_values.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "elevations/band_buffers.hpp"
 #include "elevations/band_cells.hpp"
@@ -24,6 +25,7 @@ namespace d2b {
 struct ElevationSurvey {
     ElevationStatistics statistics;  ///< of what is valid
     StrangeValues strange;
+    BorderCells border{};  ///< of the window, where the survey is of all of it
 };
 
 /// Bands of rows of a source, more than once: kept after the first pass where they fit in memory, else read
@@ -35,7 +37,7 @@ class ElevationReader {
 
     [[nodiscard]] std::size_t bands() const { return shapes_.size(); }
 
-    /// The first pass, without which every value is an elevation.
+    /// The first pass, without which every value is an elevation. Once more it is as if it were the first.
     /// @param done called for each band, from the first row to the last, on this thread
     /// @param of cells that the survey is of; nothing: all. Of others it is decided what they are: all of
     /// them, where the window is empty
@@ -135,6 +137,7 @@ class ElevationReader {
     void settle(const std::vector<Spike>& spikes, std::int32_t first_row, const Window& counted,
                 ElevationSurvey& survey);
     void take_spikes_out();
+    void add_border(const ElevationBand& band, BorderCells& border) const;
 
     DemSource& source_;
     Context& context_;

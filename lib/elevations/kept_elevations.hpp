@@ -23,6 +23,8 @@ class KeptElevations {
     /// Whether all bands are kept.
     [[nodiscard]] bool complete() const { return complete_; }
 
+    /// What is kept: the next pass is to keep its bands anew, where they fit.
+    void forget() { complete_ = false; }
     void begin(std::size_t bands, Executor& threads);
     /// Keeps a band as floats, on any thread. @return what is to be put else; empty: nothing
     [[nodiscard]] std::vector<double> keep(const ElevationBand& band);

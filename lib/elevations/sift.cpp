@@ -50,9 +50,26 @@ void take_out(std::span<double> values, const ElevationLimits& limits, ValueCoun
         }
 }
 
+void take_undeclared_out(std::span<double> values, const std::vector<double>& undeclared,
+                         ValueCounts& counts) {
+    for (const double none : undeclared) {
+        const std::int64_t cells = std::ranges::count(values, none);
+        if (cells == 0)
+            continue;
+        counts.add(none, cells);
+        std::ranges::replace(values, none, invalid);
+    }
+}
+
+/// What is no elevation by its value alone.
+struct NoElevations {
+    ValueCounts& outside;
+    ValueCounts& undeclared;
+};
+
 /// Some cells of a row. @param seen null where nothing is noted of them @param steep gets where spikes may be
 void sift_cells(ElevationBand& band, const Stretch& cells, const SiftRules& rules, StrangeValues* seen,
-                ValueCounts& outside, std::vector<Stretch>& steep) {
+                const NoElevations& none, std::vector<Stretch>& steep) {
     constexpr std::int32_t stretch = 64;  // columns
     for (std::int32_t begin = cells.begin; begin < cells.end; begin += stretch) {
         const std::int32_t end = std::min(begin + stretch, cells.end);
@@ -62,7 +79,11 @@ void sift_cells(ElevationBand& band, const Stretch& cells, const SiftRules& rule
         const std::span<double> values(band.elevations.data() + first, static_cast<std::size_t>(end - begin));
         Extremes of = extremes_of(values);
         if (of.known > 0 && !(rules.limits.hold(of.lowest) && rules.limits.hold(of.highest))) {
-            take_out(values, rules.limits, outside);
+            take_out(values, rules.limits, none.outside);
+            of = extremes_of(values);
+        }
+        if (!rules.undeclared.empty()) {
+            take_undeclared_out(values, rules.undeclared, none.undeclared);
             of = extremes_of(values);
         }
         if (of.known == 0)
@@ -82,6 +103,7 @@ void sift_cells(ElevationBand& band, const Stretch& cells, const SiftRules& rule
 
 void StrangeValues::merge(const StrangeValues& other) {
     outside.merge(other.outside);
+    undeclared.merge(other.undeclared);
     spikes.merge(other.spikes);
     spires += other.spires;
     set_aside_nodata += other.set_aside_nodata;
@@ -90,6 +112,7 @@ void StrangeValues::merge(const StrangeValues& other) {
 
 void StrangeValues::save(ByteWriter& writer) const {
     outside.save(writer);
+    undeclared.save(writer);
     spikes.save(writer);
     writer.put(spires);
     writer.put(set_aside_nodata);
@@ -98,15 +121,18 @@ void StrangeValues::save(ByteWriter& writer) const {
 
 void StrangeValues::load(ByteReader& reader) {
     outside = ValueCounts::load(reader);
+    undeclared = ValueCounts::load(reader);
     spikes = ValueCounts::load(reader);
     spires = reader.take<std::int64_t>();
     set_aside_nodata = reader.take<std::int64_t>();
     bins.load(reader);
 }
 
-void limit(std::vector<double>& elevations, const ElevationLimits& limits) {
+void limit(std::span<double> elevations, const SiftRules& rules) {
     for (double& z : elevations)
-        z = limits.hold(z) ? z : invalid;
+        z = rules.limits.hold(z) ? z : invalid;
+    for (const double none : rules.undeclared)
+        std::ranges::replace(elevations, none, invalid);
 }
 
 std::vector<Stretch> sift(ElevationBand& band, const SiftRules& rules, StrangeValues& seen) {
@@ -117,13 +143,15 @@ std::vector<Stretch> sift(ElevationBand& band, const SiftRules& rules, StrangeVa
                           const Window& of) {
     std::vector<Stretch> steep;
     ValueCounts nobodys;
+    const NoElevations uncounted{nobodys, nobodys};
+    const NoElevations counted{seen.outside, seen.undeclared};
     for (std::int32_t row = 0; row < band.shape.rows; ++row) {
         const bool noted = row >= of.row && row < of.end_row();
         const std::int32_t first = noted ? of.col : band.shape.cols;
         const std::int32_t end = noted ? of.end_col() : band.shape.cols;
-        sift_cells(band, {row, 0, first}, rules, nullptr, nobodys, steep);
-        sift_cells(band, {row, first, end}, rules, &seen, seen.outside, steep);
-        sift_cells(band, {row, end, band.shape.cols}, rules, nullptr, nobodys, steep);
+        sift_cells(band, {row, 0, first}, rules, nullptr, uncounted, steep);
+        sift_cells(band, {row, first, end}, rules, &seen, counted, steep);
+        sift_cells(band, {row, end, band.shape.cols}, rules, nullptr, uncounted, steep);
     }
     return steep;
 }

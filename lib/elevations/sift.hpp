@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/band.hpp"
@@ -19,6 +20,7 @@ struct SiftRules {
     SpikeRules spikes;
     double metres = 1;                       ///< in a vertical unit
     std::optional<double> set_aside_nodata;  ///< as DemInfo has it
+    std::vector<double> undeclared{};        ///< values that stand for no data, see UndeclaredValues
 };
 
 /// What was seen of cells that may be no elevations. A mergeable reduction.
@@ -30,14 +32,15 @@ struct StrangeValues {
     void load(ByteReader& reader);
 
     ValueCounts outside;                ///< of the limits
+    ValueCounts undeclared;             ///< values that stand for no data
     ValueCounts spikes;                 ///< that are no elevations
     std::int64_t spires = 0;            ///< spikes that are, but no roofs
     std::int64_t set_aside_nodata = 0;  ///< cells that have that elevation
     ValueBins bins;                     ///< of all within the limits, spikes too
 };
 
-/// Makes NaN of all elevations outside of the limits.
-void limit(std::vector<double>& elevations, const ElevationLimits& limits);
+/// Makes NaN of all elevations outside of the limits, and of those that stand for no data.
+void limit(std::span<double> elevations, const SiftRules& rules);
 
 /// The same, and notes what it sees on the way, which costs little more than a look at each elevation.
 /// @return where cells may be spikes: nowhere else are they

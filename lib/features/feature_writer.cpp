@@ -133,7 +133,7 @@ void FeatureWriter::add_building(std::size_t contour, DrawnContour& drawn) {
     if (!places().contours)
         context_.report.vertices += vertices_of(made.parts);
     BuildingRecord& record = drawn.building_record;
-    if (input_.plan.detects_buildings() && !doubtful)
+    if (!doubtful)
         odd_heights_.note(record, drawn.record);
     write(*places().of_building(doubtful), building_attributes(input_.plan.asked.detect.is_split_by()),
           record, std::move(made), drawn.record.threshold);

@@ -145,7 +145,9 @@ std::vector<OptionRow> input() {
              "elevations are never valid, with or without this option."}));
     rows.push_back(switch_row("inodata", [](auto& r) -> auto& { return r.options.read.ignore_nodata; },
                               {.title = "Treat the NoData value as an elevation",
-                               .help = "Treat the input's NoData value as an elevation."}));
+                               .help = "Treat the input's NoData value as an elevation.",
+                               .details = "So are values that seem to be NoData without being declared: many "
+                                          "cells along the edge share them, a step from all else."}));
     for (OptionRow& row : windows())
         rows.push_back(std::move(row));
     rows.push_back(vertical_unit());

@@ -33,6 +33,7 @@ class UnitSum {
         found_.sides.merge(here.sides);
         found_.parcels.merge(here.parcels);
         found_.sampling.merge(here.sampling);
+        found_.islands.merge(here.islands);
         const Label more = merger_.add(here.objects);
         UnitEdges edges = edges_of(unit, here.labels);
         edges.add(more);

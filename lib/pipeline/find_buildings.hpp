@@ -24,6 +24,7 @@ struct FoundBuildings {
     SidesKnown sides;
     ParcelFit parcels;
     SurfaceSampling sampling;
+    ValidIslands islands;
 
     [[nodiscard]] Label count() const { return static_cast<Label>(footprints.size() - 1); }
     /// The labels of a band of the window. From any thread.

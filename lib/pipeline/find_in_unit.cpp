@@ -96,9 +96,12 @@ FoundInUnit find_in_unit(const UnitSearch& search, const Unit& unit) {
     Context& context = search.context;
     Executor& threads = threads_of(search);
     const Window own = own_in_seen(unit);
-    FoundInUnit found{{}, {}, GroundFit(options.detect.min_height), {}, {false, false, false}, {}, {}};
+    FoundInUnit found{{}, {}, GroundFit(options.detect.min_height), {}, {false, false, false}, {}, {}, {}};
     SeenSurface seen_surface(search.reader, unit.seen, frame.metres, threads);
     const MetreGrid& surface = seen_surface.elevations();
+    if (search.plan.ground != GroundMode::given)
+        add_islands(surface, frame.cell, own, search.plan.building_m2, options.ground.max_building_width,
+                    found.islands, threads);
     MetreGrid terrain = terrain_of(search, unit.seen, seen_surface);
     add_fit(surface, terrain, own, found.fit, threads);
     add_slope(terrain, frame.cell, unit.seen.row - frame.window.row, own, found.slope, threads);

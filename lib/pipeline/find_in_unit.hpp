@@ -12,6 +12,7 @@
 #include "diagnose/parcel_fit.hpp"
 #include "diagnose/side_doubt.hpp"
 #include "diagnose/surface_sampling.hpp"
+#include "diagnose/valid_islands.hpp"
 #include "elevations/elevation_reader.hpp"
 #include "options/run_plan.hpp"
 
@@ -43,6 +44,7 @@ struct FoundInUnit {
     SidesKnown sides;
     ParcelFit parcels;
     SurfaceSampling sampling;
+    ValidIslands islands;
 };
 
 /// Estimates or reads the terrain, detects buildings above it, and writes the rasters that are asked for. The

@@ -58,17 +58,21 @@ std::size_t buildings_up_to(Label last, const ContourList& contours) {
     return buildings;
 }
 
+double share_outside(const DemSource* terrain) {
+    return terrain == nullptr ? 0 : terrain->share_outside();
+}
+
 void warn_of_result(const RunSetup& setup, const LevelPlan& plan, std::size_t buildings,
                     const SearchFacts* facts, Context& context) {
     warn_of(empty_result(plan, buildings, setup.dem, context.report), context);
     if (facts != nullptr && setup.plan.asked.detect.is_split_by())
         context.report.parcels = parcel_report(facts->parcels, setup.cell);
     if (facts != nullptr)
-        context.report.sampling = sampling_report(facts->sampling);
+        context.report.sampling = sampling_report(facts->sampling, context.report.units.vertical_metres);
     if (facts != nullptr)
         warn_of_search({setup.dem, setup.plan, context.report, facts->fit, facts->sides, setup.cell,
                         setup.crs.kind() != Crs::Kind::none, facts->slope, context.report.parcels,
-                        context.report.sampling},
+                        context.report.sampling, facts->islands, facts->terrain_outside},
                        buildings > 0, context);
 }
 

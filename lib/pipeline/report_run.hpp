@@ -12,6 +12,7 @@
 #include "diagnose/parcel_fit.hpp"
 #include "diagnose/side_doubt.hpp"
 #include "diagnose/surface_sampling.hpp"
+#include "diagnose/valid_islands.hpp"
 #include "levels/level_plan.hpp"
 #include "pipeline/run_setup.hpp"
 #include "trace/contour_list.hpp"
@@ -37,7 +38,12 @@ struct SearchFacts {
     SidesKnown sides;
     ParcelFit parcels;
     SurfaceSampling sampling;
+    ValidIslands islands;
+    double terrain_outside = 0;  ///< share of the window outside of the terrain model that is given
 };
+/// @param terrain may be null
+[[nodiscard]] double share_outside(const DemSource* terrain);
+
 /// Warns where nothing was found, and of what makes doubtful what was. @param facts null where nothing was
 /// searched
 void warn_of_result(const RunSetup& setup, const LevelPlan& plan, std::size_t buildings,

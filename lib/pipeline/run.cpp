@@ -50,16 +50,28 @@ auto within(Context& context, double begin, double end, const Work& work) {
 }
 
 /// What is an elevation, and the statistics of what is.
-ElevationStatistics collect_statistics(ElevationReader& reader, const Options& options, const DemInfo& info,
+ElevationStatistics collect_statistics(ElevationReader& reader, const RunSetup& setup, DemSource& source,
                                        Context& context) {
+    const Options& options = setup.plan.asked;
+    const DemInfo& info = setup.dem;
     // The thesis preset takes elevations as they are.
-    const SiftRules rules =
+    SiftRules rules =
         sift_rules(options.read, detects_buildings(options), info, context.report.units.vertical_metres);
-    const ElevationSurvey survey = reader.survey(rules, [&](const ElevationBand& band) {
-        context.progress(static_cast<double>(band.shape.first_row + band.shape.rows - info.window.row) /
-                         info.window.rows);
-    });
-    report_strange_values(survey.strange, survey.statistics.moments.n, info, options.read, context);
+    const auto survey_all = [&] {
+        return reader.survey(rules, [&](const ElevationBand& band) {
+            context.progress(static_cast<double>(band.shape.first_row + band.shape.rows - info.window.row) /
+                             info.window.rows);
+        });
+    };
+    ElevationSurvey survey = survey_all();
+    const UndeclaredValues undeclared =
+        undeclared_values(source, options, rules, setup.cell_m(), &survey.border, context);
+    if (!undeclared.taken.empty()) {
+        rules.undeclared = undeclared.values();
+        survey = survey_all();
+    }
+    report_strange_values(survey.strange, survey.statistics.moments.n, undeclared, info, options.read,
+                          context);
     return survey.statistics;
 }
 
@@ -96,8 +108,8 @@ Searched search_levels(ElevationReader& reader, const RunSetup& setup, const Sou
     const Milestones& at = milestones(decided);
     const double metres = context.report.units.vertical_metres;
     Searched searched;
-    searched.statistics = within(
-        context, 0, at.read, [&] { return collect_statistics(reader, decided.asked, setup.dem, context); });
+    searched.statistics =
+        within(context, 0, at.read, [&] { return collect_statistics(reader, setup, sources.dem, context); });
     pass_warnings(sources, sinks, context);
     if (lattice != nullptr)
         set_heights(*lattice, searched.statistics.range(), sinks);
@@ -184,7 +196,13 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
     const Label last_building = found ? found->buildings : std::numeric_limits<Label>::max();
     std::optional<SearchFacts> facts;
     if (found)
-        facts = SearchFacts{found->fit, found->slope, found->sides, found->parcels, found->sampling};
+        facts = SearchFacts{found->fit,
+                            found->slope,
+                            found->sides,
+                            found->parcels,
+                            found->sampling,
+                            found->islands,
+                            share_outside(sources.terrain)};
     warn_of_result(setup, plan, buildings_up_to(last_building, *contours), facts ? &*facts : nullptr,
                    context);
     Outliner outliner = draw_outlines(*contours, setup, context);

@@ -26,7 +26,8 @@ SideSources open_side_sources(const Options& options, const DemInfo& dem, const 
     if (options.ground.mode == GroundMode::given) {
         const UnitReport units = resolve_units(grid, Crs(grid.crs_wkt), options.read.vertical_unit);
         sources.terrain = open_terrain(options.ground.terrain, grid, units.vertical_metres,
-                                       elevation_limits(options.read, units.vertical_metres), callbacks);
+                                       elevation_limits(options.read, units.vertical_metres), callbacks,
+                                       {.keeps_undeclared = options.read.ignore_nodata});
     }
     if (!options.detect.mask.empty())
         sources.mask = open_mask(options.detect.mask, options.detect.mask_layer, grid, callbacks);

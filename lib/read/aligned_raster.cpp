@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <limits>
 #include <utility>
+#include <vector>
 
+#include "core/undeclared_values.hpp"
 #include "dem2buildings/error.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/raster_crs.hpp"
@@ -38,6 +40,40 @@ DemInfo on_grid(DemInfo grid, const DemInfo& raster) {
     grid.name = raster.name;
     grid.driver = raster.driver;
     return grid;
+}
+
+/// The cells of a raster that a window of a DEM lies in, by places along its edge.
+Window cells_around(const GridTransform& transform, const Window& window, const DemInfo& raster) {
+    constexpr int steps = 64;
+    std::vector<Position> edge;
+    for (int i = 0; i <= steps; ++i) {
+        const double col = window.col + static_cast<double>(i) / steps * window.cols;
+        const double row = window.row + static_cast<double>(i) / steps * window.rows;
+        edge.insert(edge.end(), {{col, static_cast<double>(window.row)},
+                                 {col, static_cast<double>(window.end_row())},
+                                 {static_cast<double>(window.col), row},
+                                 {static_cast<double>(window.end_col()), row}});
+    }
+    transform.to_raster(edge);
+    double left = raster.cols;
+    double right = 0;
+    double top = raster.rows;
+    double bottom = 0;
+    for (const Position& p : edge)
+        if (std::isfinite(p.x) && std::isfinite(p.y)) {
+            left = std::min(left, p.x);
+            right = std::max(right, p.x);
+            top = std::min(top, p.y);
+            bottom = std::max(bottom, p.y);
+        }
+    constexpr double near = 1e-3;  // of a cell: the same cells stay the same
+    const auto whole = [](double place, std::int32_t most) {
+        return static_cast<std::int32_t>(std::clamp(place, 0.0, static_cast<double>(most)));
+    };
+    const std::int32_t row = whole(std::floor(top + near), raster.rows);
+    const std::int32_t col = whole(std::floor(left + near), raster.cols);
+    return {row, col, std::max(0, whole(std::ceil(bottom - near), raster.rows) - row),
+            std::max(0, whole(std::ceil(right - near), raster.cols) - col)};
 }
 
 std::string percent_text(double share) {
@@ -82,9 +118,23 @@ void AlignedRaster::place(const DemInfo& grid, Resampling resampling) {
         warnings_.add("The " + name_ + " has a coordinate reference system and " + dem_ +
                       " has none; coordinates of both are taken as the same.");
     offset_ = whole_cell_offset(transform, info_);
+    used_ = cells_around(transform, info_.window, raster_);
     if (!offset_)
         warper_ = std::make_unique<ValueWarper>(reader_, raster_, info_, std::move(transform), resampling,
                                                 warnings_);
+}
+
+UndeclaredValues AlignedRaster::take_undeclared_out(double step, const ElevationLimits& limits) {
+    if (used_.points() == 0)
+        return {};
+    const ReadValues read = [&](const Window& part, std::span<double> values) {
+        reader_.read_part(part, values, warnings_);
+        for (double& value : values)
+            value = limits.hold(value) ? value : std::numeric_limits<double>::quiet_NaN();
+    };
+    UndeclaredValues found = find_undeclared(used_, read_border(used_, read), {step, 0}, read);
+    reader_.take_out(found.values());
+    return found;
 }
 
 void AlignedRaster::refuse_elsewhere() const {

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "core/undeclared_values.hpp"
 #include "core/warnings.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "read/band_reader.hpp"
@@ -36,9 +37,16 @@ class AlignedRaster {
     /// Warns where a part of the window lies outside of the raster. @param consequence "there is no ground"
     void warn_of_gaps(const std::string& consequence) const;
 
+    /// Of the window.
+    [[nodiscard]] double share_outside() const { return 1 - covered_; }
+
     /// As BandReader::take_only() and counts().
     void take_only(const ElevationLimits& limits) { reader_.take_only(limits); }
     [[nodiscard]] const LimitCounts& counts() const { return reader_.counts(); }
+    /// From now on values that stand for no data without being declared are not valid. @param step, limits in
+    /// the band's unit @throws InputError
+    /// @return also those that stay
+    UndeclaredValues take_undeclared_out(double step, const ElevationLimits& limits);
     [[nodiscard]] double stored(double value) const { return reader_.stored(value); }
 
     /// As DemSource::read(), in the band's unit, scale and offset applied. @throws InputError
@@ -58,6 +66,7 @@ class AlignedRaster {
     DemInfo info_;
     BandReader reader_;
     double covered_ = 0;
+    Window used_;  ///< cells of the raster around the window of the DEM
     std::optional<CellOffset> offset_;
     std::unique_ptr<ValueWarper> warper_;  ///< where there is no offset
     std::vector<double> part_;

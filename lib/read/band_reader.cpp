@@ -42,6 +42,17 @@ std::string path_of(GDALRasterBandH band) {
     return dataset == nullptr ? "" : GDALGetDescription(dataset);
 }
 
+/// The first alpha band beside a band, or null.
+GDALRasterBandH alpha_beside(GDALRasterBandH band) {
+    const GDALDatasetH dataset = GDALGetBandDataset(band);
+    const int bands = dataset == nullptr ? 0 : GDALGetRasterCount(dataset);
+    for (int i = 1; i <= bands; ++i)
+        if (GDALRasterBandH other = GDALGetRasterBand(dataset, i);
+            other != band && GDALGetRasterColorInterpretation(other) == GCI_AlphaBand)
+            return other;
+    return nullptr;
+}
+
 /// What is masked in a band of floats whose mask is that of its NoData; nothing where it is another one.
 std::optional<double> masked_value(GDALRasterBandH band) {
     const GDALDataType type = GDALGetRasterDataType(band);
@@ -96,7 +107,10 @@ BandReader::BandReader(GDALRasterBandH band, const ReadOptions& options, DemInfo
             ", which give no elevations; correct them, for example with gdal_edit.py -scale -offset.");
     const int flags = GDALGetMaskFlags(band_);
     const bool replaced = options.nodata && (flags & GMF_NODATA) != 0;
-    masked_ = !options.ignore_nodata && !replaced && (flags & GMF_ALL_VALID) == 0;
+    // GDAL makes a mask of an alpha band of bytes alone, and divides one of 16 bits by 257.
+    alpha_ = options.ignore_nodata ? nullptr : alpha_beside(band_);
+    const bool is_alpha = alpha_ != nullptr && (flags & GMF_ALPHA) != 0;
+    masked_ = !options.ignore_nodata && !replaced && !is_alpha && (flags & GMF_ALL_VALID) == 0;
     single_precision_ = GDALGetRasterDataType(band_) == GDT_Float32;
     mask_nodata_ = masked_value(band_);
     if (options.nodata)
@@ -146,6 +160,8 @@ void BandReader::read_part(const Window& part, std::span<double> elevations, War
     }
     if (!told || is_scaled())
         make_elevations(elevations, asks_mask);
+    if (alpha_ != nullptr)
+        take_transparent_out(part, elevations, warnings);
     if (counted_)
         take_out(part, elevations);
 }
@@ -171,8 +187,22 @@ void BandReader::make_elevations(std::span<double> values, bool masked) const {
     }
 }
 
+void BandReader::take_transparent_out(const Window& part, std::span<double> values, Warnings& warnings) {
+    alpha_values_.resize(values.size());
+    load(alpha_, GDT_Float64, part, alpha_values_.data(), warnings);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (alpha_values_[i] == 0)
+            values[i] = std::numeric_limits<double>::quiet_NaN();
+}
+
 void BandReader::take_only(const ElevationLimits& limits) {
     limits_ = limits;
+    counted_.emplace(info_.rows);
+}
+
+void BandReader::take_out(std::vector<double> undeclared) {
+    undeclared_ = std::move(undeclared);
+    counts_ = {};
     counted_.emplace(info_.rows);
 }
 
@@ -185,13 +215,15 @@ void BandReader::take_out(const Window& part, std::span<double> elevations) {
                 count(row[static_cast<std::size_t>(col - part.col)]);
         });
         for (double& value : row)
-            if (!limits_.hold(value))
+            if (!limits_.hold(value) || std::ranges::find(undeclared_, value) != undeclared_.end())
                 value = std::numeric_limits<double>::quiet_NaN();
     }
 }
 
 void BandReader::count(double value) {
-    if (limits_.hold(value))
+    if (std::ranges::find(undeclared_, value) != undeclared_.end())
+        counts_.undeclared.add(value);
+    else if (limits_.hold(value))
         ++counts_.within;
     else if (!std::isnan(value))
         counts_.outside.add(value);

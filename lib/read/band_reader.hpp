@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/elevation_limits.hpp"
@@ -19,6 +20,7 @@ namespace d2b {
 struct LimitCounts {
     std::int64_t within = 0;
     ValueCounts outside;
+    ValueCounts undeclared;  ///< values that stand for no data, see UndeclaredValues
 };
 
 /// A NoData value as a band of 32-bit floats would hold it. Decimal texts of the largest float may lie a
@@ -26,9 +28,9 @@ struct LimitCounts {
 [[nodiscard]] double as_single(double value);
 
 /// Reads elevations of one band: scale and offset applied, NaN where a value is not valid.
-/// Valid is what is finite and what the band's mask (NoData, mask of the dataset, alpha above 0) lets
-/// through. options.nodata takes the place of the file's NoData value and is compared with values as stored;
-/// options.ignore_nodata sets every mask aside.
+/// Valid is what is finite and what the band's mask (NoData, mask of the dataset) and an alpha band of any
+/// type let through, where 0 is invalid and any other value valid. options.nodata takes the place of the
+/// file's NoData value and is compared with values as stored; options.ignore_nodata sets every mask aside.
 class BandReader {
   public:
     /// @param band belongs to a dataset that must outlive the reader
@@ -38,6 +40,8 @@ class BandReader {
 
     /// From now on values outside of these are not valid, and are counted.
     void take_only(const ElevationLimits& limits);
+    /// Nor are values that stand for no data from now on, and counts begin anew. @pre take_only()
+    void take_out(std::vector<double> undeclared);
     /// What has been read so far of that, each cell once.
     [[nodiscard]] const LimitCounts& counts() const { return counts_; }
     /// Before scale and offset.
@@ -57,11 +61,14 @@ class BandReader {
     void count(double value);
     [[nodiscard]] bool is_scaled() const { return scale_ != 1 || offset_ != 0; }
     void make_elevations(std::span<double> values, bool masked) const;
+    /// Makes NaN of what the alpha band has 0 for.
+    void take_transparent_out(const Window& part, std::span<double> values, Warnings& warnings);
     void load(GDALRasterBandH band, GDALDataType type, const Window& part, void* values,
               Warnings& warnings) const;
     [[nodiscard]] std::int32_t chunk_rows() const;
 
     GDALRasterBandH band_;
+    GDALRasterBandH alpha_ = nullptr;  ///< of the same dataset; null where there is none, or it is ignored
     DemInfo info_;
     double scale_ = 1;
     double offset_ = 0;
@@ -70,7 +77,9 @@ class BandReader {
     bool single_precision_ = false;
     std::optional<double> nodata_;  ///< set where the user's own takes effect
     std::vector<std::uint8_t> mask_;
+    std::vector<double> alpha_values_;
     ElevationLimits limits_;
+    std::vector<double> undeclared_;
     LimitCounts counts_;
     std::optional<SeenCells> counted_;  ///< not set where nothing is counted
 };

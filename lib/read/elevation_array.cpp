@@ -62,7 +62,6 @@ void require_array_options(const ReadOptions& options, const std::string& name) 
     const std::string given = options.band != 1               ? "-b"
                               : !options.open_options.empty() ? "-oo"
                               : !options.drivers.empty()      ? "-if"
-                              : options.ignore_nodata         ? "-inodata"
                                                               : "";
     if (!given.empty())
         throw OptionError(given + " says how a file is read and means nothing for '" + name +

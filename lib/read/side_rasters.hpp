@@ -19,6 +19,14 @@ namespace d2b {
 /// A window that was made around the terrain model, in another CRS, has gaps that mean nothing.
 enum class TerrainGaps { warned_of, expected };
 
+/// How a terrain model is read.
+struct TerrainReading {
+    TerrainGaps gaps = TerrainGaps::warned_of;  ///< whether the share of the window outside is warned of
+    /// Whether values that seem to stand for no data without being declared (core/undeclared_values.hpp) are
+    /// elevations.
+    bool keeps_undeclared = false;
+};
+
 /// A terrain model. Elevations are in the vertical unit of the DEM, so that equal files give equal numbers:
 /// those of another unit (the band's, else the vertical CRS's, else the DEM's own) are converted, vertical
 /// datums are not, with a warning. Between centres of cells, values are interpolated linearly; finer terrain
@@ -27,13 +35,12 @@ enum class TerrainGaps { warned_of, expected };
 /// (DemSource::cells_outside_range); when all of the window has been read it is warned of.
 /// @param dem_vertical_metres metres in one vertical unit of the DEM
 /// @param limits of elevations, in the DEM's vertical unit
-/// @param gaps whether the share of the window that lies outside is warned of
 /// @throws InputError also when reading: more than half of the values are outside of the limits
 [[nodiscard]] std::unique_ptr<DemSource> open_terrain(const std::string& path, const DemInfo& grid,
                                                       double dem_vertical_metres,
                                                       const ElevationLimits& limits,
                                                       const Callbacks& callbacks = {},
-                                                      TerrainGaps gaps = TerrainGaps::warned_of);
+                                                      const TerrainReading& reading = {});
 
 /// Where to look: 1 inside, 0 outside, never NaN. Polygons, the centres of cells inside of any of which are
 /// inside; or a raster, where all that is neither 0 nor invalid is inside, with the value of the cell in

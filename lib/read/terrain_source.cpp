@@ -1,8 +1,10 @@
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "core/crs.hpp"
 #include "core/number_text.hpp"
+#include "core/undeclared_values.hpp"
 #include "core/units.hpp"
 #include "dem2buildings/error.hpp"
 #include "read/aligned_raster.hpp"
@@ -33,16 +35,18 @@ std::string height_reference(const std::string& wkt) {
 class TerrainSource final : public WarningSource {
   public:
     TerrainSource(const std::string& path, const DemInfo& grid, double dem_metres,
-                  const ElevationLimits& limits, TerrainGaps gaps, std::unique_ptr<Warnings> own)
+                  const ElevationLimits& limits, const TerrainReading& reading, std::unique_ptr<Warnings> own)
         : WarningSource(std::move(own)),
           raster_("terrain", path, grid, Resampling::bilinear, warnings()),
+          dem_metres_(dem_metres),
+          undecided_(!reading.keeps_undeclared),
           read_(grid.window.rows),
           unread_(grid.window.points()) {
         if (const auto unit = vertical_unit(raster_.raster()))
             factor_ = unit->metres / dem_metres;
         limits_ = limits.times(1 / factor_);
         raster_.take_only(limits_);
-        if (gaps == TerrainGaps::warned_of)
+        if (reading.gaps == TerrainGaps::warned_of)
             raster_.warn_of_gaps("there is no ground");
         const std::string here = height_reference(raster_.raster().crs_wkt);
         const std::string dem = height_reference(grid.crs_wkt);
@@ -56,24 +60,40 @@ class TerrainSource final : public WarningSource {
     [[nodiscard]] const DemInfo& info() const override { return raster_.info(); }
 
     void read(const Window& part, std::span<double> elevations) override {
+        if (std::exchange(undecided_, false))
+            decide_undeclared();
         raster_.read(part, elevations);
         if (factor_ != 1)
             for (double& elevation : elevations)
                 elevation *= factor_;
         if (is_last(part))
-            judge_outside();
+            judge();
     }
+    [[nodiscard]] double share_outside() const override { return raster_.share_outside(); }
     [[nodiscard]] std::int64_t cells_outside_range() const override {
-        return raster_.counts().outside.cells();
+        return raster_.counts().outside.cells() + raster_.counts().undeclared.cells();
     }
 
   private:
     /// Whether it is with this part that all of the window has been read.
     [[nodiscard]] bool is_last(const Window& part);
+    void judge() {
+        judge_outside();
+        judge_undeclared();
+    }
     void judge_outside();
+    void judge_undeclared();
+    void decide_undeclared();
+    /// A value as gdal_edit.py wants it.
+    [[nodiscard]] std::string declaring(double value) const {
+        return "declare that with gdal_edit.py -a_nodata " + value_text(raster_.stored(value));
+    }
 
     AlignedRaster raster_;
     double factor_ = 1;
+    double dem_metres_;
+    bool undecided_;  ///< which values stand for no data
+    std::vector<double> taken_;
     ElevationLimits limits_;
     SeenCells read_;
     std::int64_t unread_;  ///< cells of the window
@@ -89,7 +109,8 @@ bool TerrainSource::is_last(const Window& part) {
 }
 
 void TerrainSource::judge_outside() {
-    const auto& [within, outside] = raster_.counts();
+    const std::int64_t within = raster_.counts().within;
+    const ValueCounts& outside = raster_.counts().outside;
     if (outside.cells() == 0)
         return;
     const std::string what = outside.text("the " + raster_.name()) + ", outside of the range from " +
@@ -107,10 +128,28 @@ void TerrainSource::judge_outside() {
 
 }  // namespace
 
+void TerrainSource::judge_undeclared() {
+    const ValueCounts& undeclared = raster_.counts().undeclared;
+    for (const double value : taken_)
+        if (const std::int64_t cells = undeclared.cells_of(value).value_or(0); cells > 0)
+            warnings().add(undeclared_text({value, cells}, "the " + raster_.name()) +
+                           ", so they are treated as no data; " + declaring(value) +
+                           ", or keep the elevation with -inodata.");
+}
+
+void TerrainSource::decide_undeclared() {
+    const UndeclaredValues found =
+        raster_.take_undeclared_out(UndeclaredRules::step_m / (factor_ * dem_metres_), limits_);
+    taken_ = found.values();
+    for (const SharedValue& named : found.named)
+        warnings().add(undeclared_text(named, "the " + raster_.name()) + "; if it stands for no data, " +
+                       declaring(named.value) + ", and if not, give -inodata.");
+}
+
 std::unique_ptr<DemSource> open_terrain(const std::string& path, const DemInfo& grid,
                                         double dem_vertical_metres, const ElevationLimits& limits,
-                                        const Callbacks& callbacks, TerrainGaps gaps) {
-    return std::make_unique<TerrainSource>(path, grid, dem_vertical_metres, limits, gaps,
+                                        const Callbacks& callbacks, const TerrainReading& reading) {
+    return std::make_unique<TerrainSource>(path, grid, dem_vertical_metres, limits, reading,
                                            std::make_unique<Warnings>(callbacks.on_warning));
 }
 

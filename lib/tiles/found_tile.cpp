@@ -127,6 +127,7 @@ void FoundFacts::merge(const FoundFacts& other) {
     terrain_outside += other.terrain_outside;
     parcels.merge(other.parcels);
     sampling.merge(other.sampling);
+    islands.merge(other.islands);
     tally.merge(other.tally);
     for (const std::string& text : other.warnings)
         if (std::ranges::find(warnings, text) == warnings.end())
@@ -142,6 +143,7 @@ void FoundFacts::save(ByteWriter& writer) const {
     writer.put(terrain_outside);
     writer.put(parcels);
     writer.put(sampling);
+    writer.put(islands);
     writer.put(tally);
     writer.put(static_cast<std::uint64_t>(warnings.size()));
     for (const std::string& text : warnings)
@@ -158,6 +160,7 @@ void FoundFacts::load(ByteReader& reader) {
     terrain_outside = reader.take<std::int64_t>();
     parcels = reader.take<ParcelFit>();
     sampling = reader.take<SurfaceSampling>();
+    islands = reader.take<ValidIslands>();
     tally = reader.take<Tally>();
     warnings.resize(reader.take_count(sizeof(std::uint64_t)));
     for (std::string& text : warnings)

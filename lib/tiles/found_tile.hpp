@@ -14,6 +14,7 @@
 #include "diagnose/parcel_fit.hpp"
 #include "diagnose/side_doubt.hpp"
 #include "diagnose/surface_sampling.hpp"
+#include "diagnose/valid_islands.hpp"
 #include "elevations/elevation_reader.hpp"
 
 namespace d2b {
@@ -41,7 +42,7 @@ struct FoundUnit {
 /// What holds for all that a tile, or the whole, was searched for.
 struct FoundFacts {
     explicit FoundFacts(const SiftRules& rules, double min_height)
-        : survey{{}, StrangeValues(rules)}, fit(min_height) {}
+        : survey{{}, StrangeValues(rules), {}}, fit(min_height) {}
     void merge(const FoundFacts& other);
     void save(ByteWriter& writer) const;
     /// Takes what facts under the same rules saved. @throws BrokenRecord
@@ -55,6 +56,7 @@ struct FoundFacts {
                                        ///< some count more than once
     ParcelFit parcels;
     SurfaceSampling sampling;
+    ValidIslands islands;
     Tally tally;
     std::vector<std::string> warnings;
 };

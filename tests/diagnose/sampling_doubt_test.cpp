@@ -30,5 +30,24 @@ TEST(SamplingDoubt, IsOfSmearedWalls) {
         "houses lost; use a surface whose walls fall within two cells");
 }
 
+TEST(SamplingDoubt, IsOfRoundedElevations) {
+    const auto doubt = [](double step, double metres) {
+        SamplingReport report;
+        report.value_step = step;
+        return rounding_doubt(report, metres);
+    };
+    EXPECT_EQ(rounding_doubt({}, 1), "");
+    EXPECT_EQ(doubt(0.01, 1), "");
+    EXPECT_EQ(doubt(0.25, 1), "");
+    EXPECT_EQ(doubt(1, 0.3048), "") << "a foot";
+    EXPECT_NE(doubt(2, 0.3048), "");
+    EXPECT_NE(doubt(50, 0.01), "");
+    EXPECT_EQ(
+        doubt(0.5, 1),
+        "elevations are rounded to steps of 0.5 m, so a roof may be as rough as a crown, and low buildings, "
+        "small parts and heights are uncertain by as much; use elevations that are rounded to centimetres, "
+        "or not at all");
+}
+
 }  // namespace
 }  // namespace d2b

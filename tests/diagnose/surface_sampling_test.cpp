@@ -31,7 +31,7 @@ struct Found {
         add_sampling(scene, detection, 2, own, sampling, test::threads());
         return sampling;
     }
-    [[nodiscard]] SamplingReport report() const { return sampling_report(counted()); }
+    [[nodiscard]] SamplingReport report() const { return sampling_report(counted(), 1); }
 };
 
 /// Of a wall at 0, blurred by a normal distribution.
@@ -124,7 +124,7 @@ TEST(SurfaceSampling, OfAModelsCornersNothingFollows) {
     for (const std::int64_t built : {10, 11}) {
         SurfaceSampling sampling = found.counted();
         sampling.built = built * sampling.rough.all;
-        EXPECT_EQ(sampling_report(sampling).points_per_cell.has_value(), built == 10);
+        EXPECT_EQ(sampling_report(sampling, 1).points_per_cell.has_value(), built == 10);
     }
 }
 

@@ -78,6 +78,61 @@ TEST(SearchWarnings, ATerrainModelThatDoesNotFit) {
     EXPECT_EQ(beginnings(lower, 40), Texts{"The terrain 'dtm.tif' lies 3.1 m below t"});
 }
 
+TEST(SearchWarnings, ATerrainModelWithNoDataWhereTheSurfaceHasNone) {
+    WithTerrain gap(0);
+    std::vector<double> ground = MadeTown::terrain();
+    for (int row = 0; row < MadeTown::rows; ++row)
+        for (int col = 0; col < 17; ++col)
+            ground[MadeTown::index(row, col)] = unknown;
+    MemorySource ground_with_gap = MadeTown::source(ground);
+    gap.terrain = &ground_with_gap;
+    expect_warning(
+        gap,
+        "10 % of the cells of 'memory' that have an elevation have none in the terrain 'dtm.tif'; there "
+        "is no ground there, and buildings are cut off or missing, so fill its NoData, for example with "
+        "gdal_fillnodata.py, or leave -ground out to have the ground estimated.");
+    std::vector<double> surface = MadeTown::surface();
+    for (std::size_t i = 0; i < surface.size(); ++i)
+        if (std::isnan(ground[i]))
+            surface[i] = unknown;
+    TownRun both(surface);
+    both.options.ground.mode = GroundMode::given;
+    both.options.ground.terrain = "dtm.tif";
+    both.terrain = &ground_with_gap;
+    both.run();
+    EXPECT_EQ(both.report.warnings, Texts{});
+}
+
+TEST(SearchWarnings, ARasterWhoseGroundIsNoData) {
+    std::vector<double> z = MadeTown::heights();
+    for (double& height : z)
+        if (height < 2)
+            height = unknown;
+    TownRun heights(z);
+    heights.run();
+    EXPECT_TRUE(std::ranges::any_of(heights.report.warnings, [](const std::string& said) {
+        return said.find("has elevations in ") != std::string::npos &&
+               said.find("-ground none") != std::string::npos;
+    }));
+    TownRun right(z);
+    right.options.ground.mode = GroundMode::none;
+    right.run();
+    EXPECT_EQ(right.report.warnings, Texts{});
+    EXPECT_EQ(right.count(), 3U);
+}
+
+TEST(SearchWarnings, ElevationsThatWereRounded) {
+    std::vector<double> z = MadeTown::surface();
+    for (double& each : z)
+        each = std::floor(each);
+    TownRun rounded(z);
+    rounded.run();
+    EXPECT_EQ(rounded.report.sampling.value().value_step, 1);
+    EXPECT_TRUE(std::ranges::any_of(rounded.report.warnings, [](const std::string& said) {
+        return said.starts_with("Elevations are rounded to steps of 1 m");
+    }));
+}
+
 TEST(SearchWarnings, ElevationsTakenAsHeights) {
     TownRun town;
     town.options.ground.mode = GroundMode::none;

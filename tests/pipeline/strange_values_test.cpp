@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/number_text.hpp"
 #include "core/value_counts.hpp"
 #include "options/option_table.hpp"
 #include "pipeline/made_town.hpp"
@@ -282,6 +283,94 @@ TEST(StrangeValues, HeightsThatCannotBeAreWarnedOfWithTheElevationThatMakesThem)
                        said.find(" has an elevation of -30; ") != std::string::npos;
             }));
         }
+}
+
+TEST(StrangeValues, ThesisBuildingsThatCannotBeAreWarnedOfAsWell) {
+    Options options;
+    options.preset = Preset::thesis;
+    TownWith high(patch(8), 3000);
+    Result result;
+    run_on(high, options, result);
+    EXPECT_TRUE(std::ranges::any_of(result.report.warnings, [](const std::string& said) {
+        return said.find(" more than 1000 m high: building ") != std::string::npos &&
+               said.find(" has an elevation of 3000; give the value that stands for no data with -snodata") !=
+                   std::string::npos;
+    }));
+}
+
+/// The town at 20 m, where an edge of it has a value. @param metres in a vertical unit
+struct TownWithCollar : MemorySource {
+    explicit TownWithCollar(double value, double metres = 1)
+        : MemorySource(MadeTown::rows, MadeTown::cols, elevations(value, metres)) {
+        edit().name = "town.tif";
+        edit().crs_wkt = Crs("EPSG:25833").wkt();
+        edit().transform = {500000, 1, 0, 5000000, 0, -1};
+    }
+    static constexpr int cells = 20 * MadeTown::cols;  ///< the last rows
+    static std::vector<double> elevations(double value, double metres) {
+        std::vector<double> z = MadeTown::surface();
+        for (double& each : z)
+            each = (each - 80) / metres;
+        std::fill(z.end() - cells, z.end(), value);
+        return z;
+    }
+};
+
+class Collar : public testing::TestWithParam<double> {};
+INSTANTIATE_TEST_SUITE_P(All, Collar, testing::Values(0, 255, -1, 1e-3));
+
+TEST_P(Collar, IsAsIfItWereDeclared) {
+    for (const Preset preset : every_preset)
+        for (const double metres : {1.0, 0.3048}) {
+            Options options;
+            options.preset = preset;
+            options.read.vertical_unit = number_text(metres);
+            TownWithCollar declared(none, metres);
+            Result clean;
+            run_on(declared, options, clean);
+            EXPECT_EQ(clean.report.warnings, std::vector<std::string>());
+            TownWithCollar undeclared(GetParam(), metres);
+            Result result;
+            run_on(undeclared, options, result);
+            expect_same_features(result, clean);
+            EXPECT_EQ(result.report.counted(Reason::elevation_undeclared), TownWithCollar::cells);
+            EXPECT_EQ(result.report.valid_points, clean.report.valid_points);
+            const std::string value = value_text(GetParam());
+            ASSERT_EQ(result.report.warnings.size(), 1U);
+            EXPECT_EQ(
+                result.report.warnings[0],
+                std::to_string(TownWithCollar::cells) + " cells of 'town.tif' have the elevation " + value +
+                    ", lie at its edge, and all around is at least 2 m higher or lower, so they are treated "
+                    "as no data; declare that with -snodata " +
+                    value + ", or keep the elevation with -inodata.");
+        }
+}
+
+TEST(StrangeValues, ACollarStaysWithInodata) {
+    Options options;
+    options.read.ignore_nodata = true;
+    TownWithCollar town(0);
+    Result result;
+    run_on(town, options, result);
+    EXPECT_EQ(result.report.counted(Reason::elevation_undeclared), 0);
+    EXPECT_EQ(result.report.minimum, 0);
+    EXPECT_EQ(result.report.valid_points, MadeTown::rows * MadeTown::cols);
+}
+
+TEST(StrangeValues, ANarrowCollarIsNamed) {
+    std::vector<Cell> cells;
+    for (int row = 0; row < MadeTown::rows; ++row)
+        for (int col = 0; col < 3; ++col)
+            cells.push_back({row, col});
+    TownWith town(cells, 60);  // some 40 m below the ground
+    Result result;
+    run_on(town, {}, result);
+    ASSERT_GE(result.report.warnings.size(), 1U);
+    EXPECT_EQ(
+        result.report.warnings[0],
+        "420 cells of 'town.tif' have the elevation 60, lie at its edge, and all around is at least 2 m "
+        "higher or lower; if it stands for no data, give -snodata 60, and if not, -inodata.");
+    EXPECT_EQ(result.report.valid_points, MadeTown::rows * MadeTown::cols);
 }
 
 TEST(StrangeValues, TheNumberOfThreadsDoesNotMatter) {

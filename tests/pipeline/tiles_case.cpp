@@ -67,6 +67,7 @@ void expect_same(const RunReport& a, const RunReport& b) {
         EXPECT_EQ(a.sampling->filled_share, b.sampling->filled_share);
         EXPECT_EQ(a.sampling->points_per_cell, b.sampling->points_per_cell);
         EXPECT_EQ(a.sampling->step_width_cells, b.sampling->step_width_cells);
+        EXPECT_EQ(a.sampling->value_step, b.sampling->value_step);
     }
     ASSERT_EQ(a.levels.size(), b.levels.size());
     for (std::size_t i = 0; i < a.levels.size(); ++i) {

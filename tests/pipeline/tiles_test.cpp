@@ -59,6 +59,27 @@ void place_somehow(MemorySource& dem, unsigned seed) {
     dem.edit().crs_wkt = Crs("EPSG:4326").wkt();
 }
 
+/// What stands for no data without being declared is decided of the whole window before a tile is found.
+TEST(Tiles, UndeclaredNoDataIsThatOfOneRun) {
+    for (const Preset preset : {Preset::buildings, Preset::thesis}) {
+        MemorySource dem = random_town(3, {270, 330, 60, false, false});
+        test::place_in_utm(dem, 1);
+        std::vector<double> values(static_cast<std::size_t>(dem.info().window.points()));
+        dem.read(dem.info().window, values);
+        for (int row = 0; row < 270; ++row)
+            for (int col = 0; col < 330; ++col)
+                if (row + col < 150)
+                    values[static_cast<std::size_t>(row * 330 + col)] = -100;
+        MemorySource collared(270, 330, values);
+        test::place_in_utm(collared, 1);
+        Options options = preset == Preset::buildings ? options_of(3) : Options();
+        options.preset = preset;
+        Result whole;
+        test::expect_same_in_tiles({collared}, options, {0, 90}, {2, true, false, 2}, whole);
+        EXPECT_EQ(whole.report.counted(Reason::elevation_undeclared), 150 * 151 / 2);
+    }
+}
+
 class RandomTownInTiles : public testing::TestWithParam<unsigned> {};
 
 TEST_P(RandomTownInTiles, IsThatOfOneRun) {

@@ -153,7 +153,7 @@ class Arrays(PythonCase):
         self.assertEqual(bounds(found.buildings), (391015, 5820015, 391025, 5820030))
 
     def test_options_of_files(self):
-        for option in ({"b": 2}, {"oo": "A=B"}, {"input_format": "GTiff"}, {"inodata": True}):
+        for option in ({"b": 2}, {"oo": "A=B"}, {"input_format": "GTiff"}):
             name = next(iter(option))
             with self.assertRaisesRegex(dem2buildings.OptionError, f"^{name}= says how a file is read"):
                 find(block(), **option)

@@ -100,5 +100,44 @@ TEST_F(TerrainLimits, whereMostAreNoneItIsRefused) {
             "the range with -zrange.");
 }
 
+TEST_F(TerrainLimits, undeclaredNoDataIsNoElevationAndSaidSo) {
+    for (const double cell : {1.0, 0.98}) {
+        terrain_with(60, 0, cell, cell == 1 ? 0 : 0.1);  // three rows
+        warnings_.clear();
+        for (const double z : terrain())
+            EXPECT_TRUE(std::isnan(z) || std::abs(z - 100) < 1e-9) << z;
+        EXPECT_EQ(outside_range_, 60);
+        ASSERT_FALSE(warnings().empty());
+        EXPECT_EQ(
+            warnings().back(),
+            "60 cells of the terrain " + quoted("side.tif") +
+                " have the elevation 0, lie at its edge, and all around is at least 2 m higher or lower, so "
+                "they are treated as no data; declare that with gdal_edit.py -a_nodata 0, or keep the "
+                "elevation with -inodata.");
+    }
+    terrain_with(60, 0);
+    const auto kept =
+        open_terrain(path("side.tif"), grid_, 1, on_land, callbacks_, {.keeps_undeclared = true});
+    std::vector<double> row(20);
+    kept->read(whole_rows(*kept, 0, 1), row);
+    expect_values(row, std::vector<double>(20, 0));
+}
+
+TEST_F(TerrainLimits, lessOfItIsNamedAlone) {
+    RasterSpec spec{
+        .cols = 40, .rows = 40, .type = GDT_Float32, .transform = {{500000, 0.5, 0, 5538650, 0, -0.5}}};
+    spec.values.assign(1600, 100);
+    std::fill_n(spec.values.begin(), 80, 0);
+    write(path("side.tif"), spec);
+    EXPECT_LT(terrain().front(), 60);
+    EXPECT_EQ(outside_range_, 0);
+    ASSERT_EQ(warnings().size(), 1U);
+    EXPECT_EQ(
+        warnings()[0],
+        "80 cells of the terrain " + quoted("side.tif") +
+            " have the elevation 0, lie at its edge, and all around is at least 2 m higher or lower; if it "
+            "stands for no data, declare that with gdal_edit.py -a_nodata 0, and if not, give -inodata.");
+}
+
 }  // namespace
 }  // namespace d2b::test

@@ -1,4 +1,7 @@
+#include <array>
 #include <limits>
+#include <optional>
+#include <string>
 
 #include <cpl_conv.h>
 
@@ -117,6 +120,46 @@ TEST_F(ReadValidity, alphaAboveZeroIsValid) {
         CE_None);
     GDALClose(dataset);
     expect_values(values("dem.tif"), {none, 20, 30});
+}
+
+/// A raster of three elevations with an alpha band of the same type.
+void write_with_alpha(const std::string& path, GDALDataType type, std::array<double, 3> alpha,
+                      std::optional<double> nodata = {}) {
+    const GDALDatasetH dataset =
+        create(path, {.cols = 3, .type = type, .values = {10, 20, 30}, .nodata = nodata, .bands = 2});
+    const GDALRasterBandH band = GDALGetRasterBand(dataset, 2);
+    ASSERT_EQ(GDALSetRasterColorInterpretation(band, GCI_AlphaBand), CE_None);
+    ASSERT_EQ(GDALRasterIO(band, GF_Write, 0, 0, 3, 1, alpha.data(), 3, 1, GDT_Float64, 0, 0), CE_None);
+    GDALClose(dataset);
+}
+
+TEST_F(ReadValidity, alphaOfAnyTypeIsTheMask) {
+    for (const GDALDataType type :
+         {GDT_Byte, GDT_UInt16, GDT_Int16, GDT_UInt32, GDT_Int32, GDT_Float32, GDT_Float64}) {
+        SCOPED_TRACE(GDALGetDataTypeName(type));
+        write_with_alpha(path("dem.tif"), type, {0, 1, 255});
+        expect_values(values("dem.tif"), {none, 20, 30});
+        options_.ignore_nodata = true;
+        expect_values(values("dem.tif"), {10, 20, 30});
+        options_.ignore_nodata = false;
+    }
+    write_with_alpha(path("dem.tif"), GDT_Float32, {0, 0.001, 1});
+    expect_values(values("dem.tif"), {none, 20, 30});
+}
+
+TEST_F(ReadValidity, alphaAndNoDataBothTakeOut) {
+    write_with_alpha(path("dem.tif"), GDT_Float32, {0, 1, 1}, 30);
+    expect_values(values("dem.tif"), {none, 20, none});
+    options_.nodata = 20;  // takes the place of the NoData value, not of the alpha band
+    expect_values(values("dem.tif"), {none, none, 30});
+}
+
+TEST_F(ReadValidity, alphaIsNotScaledAway) {
+    write_with_alpha(path("dem.tif"), GDT_Float32, {0, 1, 1});
+    const GDALDatasetH dataset = GDALOpen(path("dem.tif").c_str(), GA_Update);
+    GDALSetRasterScale(GDALGetRasterBand(dataset, 1), 2);
+    GDALClose(dataset);
+    expect_values(values("dem.tif"), {none, 40, 60});
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ RunReport filled() {
     report.seconds[0] = 0.25;
     report.surface = SurfaceReport{{391000, 5820000, -3}, 5, 4, 100, 184};
     report.cuts = {{1, 2.5}, {2, 0.75}};
-    report.sampling = SamplingReport{0.25, 1.5, {}};
+    report.sampling = SamplingReport{0.25, 1.5, {}, 0.25};
     report.peak_memory_bytes[static_cast<std::size_t>(Stage::write)] = 1LL << 40;
     report.warnings = {"first", "second"};
     return report;
@@ -58,8 +58,10 @@ TEST(JsonReport, readsBackAsItWas) {
     EXPECT_FALSE(Json::parse(json_report({})).contains("surface"));
     EXPECT_EQ(json["cuts"], Json::parse(R"([{"level":1,"rmse_m":2.5},{"level":2,"rmse_m":0.75}])"));
     EXPECT_FALSE(Json::parse(json_report({})).contains("cuts"));
-    EXPECT_EQ(json["sampling"],
-              Json::parse(R"({"filled_share":0.25,"points_per_cell":1.5,"step_width_cells":null})"));
+    EXPECT_EQ(
+        json["sampling"],
+        Json::parse(
+            R"({"filled_share":0.25,"points_per_cell":1.5,"step_width_cells":null,"value_step":0.25})"));
     EXPECT_FALSE(Json::parse(json_report({})).contains("sampling"));
     EXPECT_EQ(json["input"], (Json{{"name", "in \"quoted\".tif"},
                                    {"driver", "GTiff"},

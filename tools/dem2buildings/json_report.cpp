@@ -103,7 +103,8 @@ Json number_of(const std::optional<double>& number) {
 Json sampling_of(const SamplingReport& sampling) {
     return {{"filled_share", sampling.filled_share},
             {"points_per_cell", number_of(sampling.points_per_cell)},
-            {"step_width_cells", number_of(sampling.step_width_cells)}};
+            {"step_width_cells", number_of(sampling.step_width_cells)},
+            {"value_step", number_of(sampling.value_step)}};
 }
 
 Json dropped_of(const RunReport& report) {

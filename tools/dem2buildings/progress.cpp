@@ -63,6 +63,7 @@ const std::vector<Part>& parts() {
         {"changed for a flow solver", "place", "", {Reason::flow_changed}},
         {"left as they are", "place", "that a flow solver cannot take", {Reason::flow_left}},
         {"no elevation", "cell", "outside of -zrange", {Reason::elevation_outside_range}},
+        {"no elevation", "cell", "of NoData that is not declared", {Reason::elevation_undeclared}},
         {"no elevation", "cell", "far above all around", {Reason::elevation_above_neighbours}},
         {"no elevation", "cell", "of the terrain", {Reason::terrain_outside_range}},
         {"no roof", "cell", "far above all around", {Reason::elevation_not_roof}},

@@ -56,6 +56,13 @@ std::string from_json(const std::string& text) {
     return bytes;
 }
 
+Json json_of(const std::vector<SharedValue>& values) {
+    Json all = Json::array();
+    for (const SharedValue& one : values)
+        all.push_back({{"value", one.value}, {"cells", one.cells}});
+    return all;
+}
+
 Json json_of(const TilePlan& plan, const TileCost& cost) {
     Json words = Json::array();
     for (const std::string& word : plan.words)
@@ -73,6 +80,8 @@ Json json_of(const TilePlan& plan, const TileCost& cost) {
             {"layers", layer_words[static_cast<std::size_t>(plan.layers)]},
             {"window", {plan.window.row, plan.window.col, plan.window.rows, plan.window.cols}},
             {"files", files},
+            {"nodata_values", json_of(plan.undeclared.taken)},
+            {"doubtful_values", json_of(plan.undeclared.named)},
             {"expected",
              {{"find_seconds_a_tile", cost.find_seconds},
               {"draw_seconds_a_tile", cost.draw_seconds},
@@ -98,6 +107,13 @@ Window window_of(const Json& json) {
     return {at(0), at(1), at(2), at(3)};
 }
 
+std::vector<SharedValue> values_of(const Json& json) {
+    std::vector<SharedValue> values;
+    for (const Json& one : json)
+        values.push_back({one.at("value").get<double>(), whole(one.at("cells"), 0, max_whole)});
+    return values;
+}
+
 TilePlan plan_of(const Json& json) {
     TilePlan plan;
     for (const Json& word : json.at("arguments"))
@@ -115,6 +131,7 @@ TilePlan plan_of(const Json& json) {
         plan.files.push_back({from_json(file.at("name").get<std::string>()),
                               whole(file.at("bytes"), min_whole, max_whole),
                               whole(file.at("modified"), min_whole, max_whole)});
+    plan.undeclared = {values_of(json.at("nodata_values")), values_of(json.at("doubtful_values"))};
     return plan;
 }
 
@@ -165,7 +182,8 @@ KnownPlan plan_from(const std::filesystem::path& work, const std::string& bytes)
     } catch (const std::out_of_range&) {
         refuse(path, no_plan);
     }
-    known.work = {work, digest_of(std::as_bytes(std::span(bytes))), known.plan.side, {}};
+    known.work = {
+        work, digest_of(std::as_bytes(std::span(bytes))), known.plan.side, {}, known.plan.undeclared};
     return known;
 }
 

@@ -23,6 +23,7 @@ struct TilePlan {
     std::int64_t tiles = 0;
     Window window;  ///< of the source
     std::vector<SourceFile> files;
+    UndeclaredValues undeclared = {};  ///< of the source
 };
 
 /// What a tile is expected to take, with one thread.

@@ -104,7 +104,7 @@ void plan(const TileCommand& command, const Callbacks& callbacks) {
         mosaic.emplace(command.list, work, options.read.band);
     const Inputs inputs = open_inputs(options, callbacks);
     const auto sink = open_sink(options.write, callbacks);
-    TileRun run({work, 0, command.side, {}}, options, inputs.sources(), *sink, callbacks);
+    TileRun run({work, 0, command.side, {}, {}}, options, inputs.sources(), *sink, callbacks);
     const TilePlan plan{command.words,
                         std::filesystem::current_path().string(),
                         run.setup().plan.layers,
@@ -112,7 +112,8 @@ void plan(const TileCommand& command, const Callbacks& callbacks) {
                         command.side,
                         run.tiles().count(),
                         run.window(),
-                        files_behind(options)};
+                        files_behind(options),
+                        run.undeclared()};
     const TileCost cost = cost_of(run.tiles(), run.setup().plan.detects_buildings());
     require_no_other(work, plan);
     if (!std::filesystem::exists(work / "plan.json"))

@@ -75,6 +75,8 @@ class DemSource {
     /// What reading it has shown since the last call, a sentence each, for the run to warn of. Called from
     /// the thread that called run(), while others may read.
     [[nodiscard]] virtual std::vector<std::string> take_warnings() { return {}; }
+    /// Of a terrain model, the share of the window that lies outside of it.
+    [[nodiscard]] virtual double share_outside() const { return 0; }
     /// Of a terrain model, cells that are not valid because no elevation can be what they hold, of those that
     /// have been read.
     [[nodiscard]] virtual std::int64_t cells_outside_range() const { return 0; }

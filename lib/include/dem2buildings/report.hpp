@@ -38,6 +38,7 @@ enum class Reason {
     crown_cells,                 ///< cells of such crowns
     building_not_tall,           ///< its p90 is below the smallest height of a building
     elevation_outside_range,     ///< no elevation: outside of what occurs on land, or of -zrange
+    elevation_undeclared,        ///< no elevation: what many cells along the edge share, a step from all else
     elevation_above_neighbours,  ///< no elevation: far above all around it
     elevation_not_roof,          ///< above all around it: not the height of a building
     terrain_outside_range,       ///< no elevation of the terrain model
@@ -49,7 +50,7 @@ enum class Reason {
     flow_left,                   ///< the same, left as it is
     part_merged,                 ///< cut off by parcels, but too small or narrow: with its neighbour
 };
-inline constexpr std::array<std::string_view, 28> reason_names{"threshold_not_above_minimum",
+inline constexpr std::array<std::string_view, 29> reason_names{"threshold_not_above_minimum",
                                                                "threshold_not_below_maximum",
                                                                "threshold_repeated",
                                                                "contour_short",
@@ -67,6 +68,7 @@ inline constexpr std::array<std::string_view, 28> reason_names{"threshold_not_ab
                                                                "crown_cells",
                                                                "building_not_tall",
                                                                "elevation_outside_range",
+                                                               "elevation_undeclared",
                                                                "elevation_above_neighbours",
                                                                "elevation_not_roof",
                                                                "terrain_outside_range",
@@ -147,6 +149,8 @@ struct SamplingReport {
     std::optional<double> points_per_cell;   ///< nothing where they are too many to be told
     std::optional<double> step_width_cells;  ///< over which a wall falls from nine tenths of its height to
                                              ///< one; nothing where there are too few walls
+    std::optional<double> value_step;        ///< that elevations were rounded to, in the raster's vertical
+                                             ///< unit; nothing where they were not
 };
 
 /// What stages count. Threads that work at the same time have one each.

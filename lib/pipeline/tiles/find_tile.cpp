@@ -44,6 +44,7 @@ void find_units(TileRun& run, std::int64_t tile, PartSource& part, ElevationRead
         facts.sides.merge(here.sides);
         facts.parcels.merge(here.parcels);
         facts.sampling.merge(here.sampling);
+        facts.islands.merge(here.islands);
         found.units.push_back(found_unit(placed.unit, std::move(here)));
     }
     finish_tile_rasters(run, tile, rasters);

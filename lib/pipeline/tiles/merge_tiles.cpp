@@ -87,7 +87,13 @@ void merge_drawn(TileRun& run, FeatureSink& features, PartNumbers* parts, Commit
     const RecordMaker records(*drawn.left, {drawn.plan, fixed, drawn.footprints, run.metres(),
                                             lattice_frame(run.window(), setup.plan.trace)});
     report_levels(drawn.plan, drawn.levels, report);
-    const SearchFacts search{facts.fit, facts.slope, facts.sides, facts.parcels, facts.sampling};
+    const SearchFacts search{facts.fit,
+                             facts.slope,
+                             facts.sides,
+                             facts.parcels,
+                             facts.sampling,
+                             facts.islands,
+                             share_outside(run.sources().terrain)};
     warn_of_result(setup, drawn.plan, static_cast<std::size_t>(drawn.buildings), &search, context);
     const Outliner outliner = draw_outlines(*drawn.left, setup, context);
     const FeatureInput input =

@@ -16,10 +16,19 @@ TileRun::TileRun(const TileWork& work, const Options& options, const Sources& so
       context_(callbacks),
       setup_(set_up_run(options, sources.dem.info(), features, context_)),
       units_(unit_grid(setup_.plan, setup_.dem.window, setup_.cell, work.units)),
-      tiles_(units_, work.side) {}
+      tiles_(units_, work.side) {
+    if (!work_.undeclared)
+        work_.undeclared =
+            undeclared_values(sources.dem, setup_.plan.asked,
+                              d2b::sift_rules(setup_.plan.asked.read, false, setup_.dem, metres()),
+                              setup_.cell_m(), nullptr, context_);
+}
 
 SiftRules TileRun::sift_rules() const {
-    return d2b::sift_rules(setup_.plan.asked.read, setup_.plan.detects_buildings(), setup_.dem, metres());
+    SiftRules rules =
+        d2b::sift_rules(setup_.plan.asked.read, setup_.plan.detects_buildings(), setup_.dem, metres());
+    rules.undeclared = undeclared().values();
+    return rules;
 }
 
 FoundFacts TileRun::no_facts() const {

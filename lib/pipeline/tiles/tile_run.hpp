@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/context.hpp"
+#include "core/undeclared_values.hpp"
 #include "dem2buildings/run.hpp"
 #include "elevations/sift.hpp"
 #include "pipeline/run_setup.hpp"
@@ -21,6 +23,8 @@ struct TileWork {
     std::uint64_t plan = 0;  ///< digest of the plan
     std::int32_t side = 1;   ///< units of a tile in a row, and rows
     UnitSize units = {};
+    /// What plan has found; nothing where each step finds it again.
+    std::optional<UndeclaredValues> undeclared = {};
 };
 
 /// What a step begins with: the run is set up as one on the whole is.
@@ -41,6 +45,8 @@ class TileRun {
     [[nodiscard]] Context& context() { return context_; }
     [[nodiscard]] const Window& window() const { return setup_.dem.window; }
     [[nodiscard]] double metres() const { return context_.report.units.vertical_metres; }
+    /// Values of the window that stand for no data without being declared.
+    [[nodiscard]] const UndeclaredValues& undeclared() const { return *work_.undeclared; }
     [[nodiscard]] SiftRules sift_rules() const;
     [[nodiscard]] FoundFacts no_facts() const;
 

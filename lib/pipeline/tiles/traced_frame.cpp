@@ -16,8 +16,8 @@ TracedFrame traced_frame(const TileRun& run, const FoundFacts& facts, Context& c
 FoundFacts tell_frame(TileRun& run, FeatureSink& features) {
     Context& context = run.context();
     FoundFacts facts = run.load_frame();
-    report_strange_values(facts.survey.strange, facts.survey.statistics.moments.n, run.setup().dem,
-                          run.setup().plan.asked.read, context);
+    report_strange_values(facts.survey.strange, facts.survey.statistics.moments.n, run.undeclared(),
+                          run.setup().dem, run.setup().plan.asked.read, context);
     for (const std::string& text : facts.warnings)
         context.warn(text);
     pass_warnings(run.sources(), {features}, context);

@@ -1,0 +1,91 @@
+#include "diagnose/valid_islands.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/row_bands.hpp"
+#include "detect/regions.hpp"
+
+namespace d2b {
+namespace {
+
+constexpr std::int64_t least_missing = 20;  // one cell in so many
+/// One or two pieces may be a small part of a surface, cut out of it.
+constexpr std::int64_t fewest_islands = 3;
+
+struct Box {
+    std::int32_t first_row;
+    std::int32_t end_row;
+    std::int32_t begin;
+    std::int32_t end;
+};
+
+Mask known_cells(const MetreGrid& surface, const Window& own, Executor& threads) {
+    Mask known = Mask::unset(own.rows, own.cols, threads);
+    for_row_bands(threads, own.rows, own.cols, [&](RowBand band) {
+        for (std::int32_t r = band.begin; r < band.end; ++r) {
+            const float* row = surface.row(own.row + r).data() + own.col;
+            std::ranges::transform(row, row + own.cols, known.row(r).data(),
+                                   [](float z) { return static_cast<std::uint8_t>(z == z ? 1 : 0); });
+        }
+    });
+    return known;
+}
+
+std::vector<Box> boxes_of(const Regions& regions) {
+    std::vector<Box> boxes(regions.cells.size(), Box{-1, 0, 0, 0});
+    for (std::int32_t r = 0; r < regions.rows; ++r)
+        for (const RegionRun& run : regions.row(r)) {
+            Box& box = boxes[run.label];
+            if (box.first_row < 0)
+                box = {r, r + 1, run.begin, run.end};
+            box.end_row = r + 1;
+            box.begin = std::min(box.begin, run.begin);
+            box.end = std::max(box.end, run.end);
+        }
+    return boxes;
+}
+
+}  // namespace
+
+void ValidIslands::merge(const ValidIslands& other) {
+    cells += other.cells;
+    narrow += other.narrow;
+    islands += other.islands;
+    largest = std::max(largest, other.largest);
+}
+
+void add_islands(const MetreGrid& surface, const CellSize& cell, const Window& own, double smallest_m2,
+                 double widest_m, ValidIslands& islands, Executor& threads) {
+    const Mask known = known_cells(surface, own, threads);
+    const std::int64_t cells = std::ranges::count(known.values, std::uint8_t{1});
+    ValidIslands here{cells, 0, 0, 0};
+    if (least_missing * (own.points() - cells) >= own.points()) {
+        const Regions regions = connected_regions(known, 1, cells_for(smallest_m2, cell), threads);
+        const std::vector<Box> boxes = boxes_of(regions);
+        for (Label label = 1; label < boxes.size(); ++label) {
+            const Box& box = boxes[label];
+            if (std::min((box.end_row - box.first_row) * cell.down * cell.sine,
+                         (box.end - box.begin) * cell.across) > widest_m)
+                continue;
+            here.narrow += regions.cells[label];
+            ++here.islands;
+            here.largest = std::max(here.largest, regions.cells[label]);
+        }
+    }
+    islands.merge(here);
+}
+
+std::string missing_ground_doubt(const ValidIslands& islands, GroundMode mode, const std::string& dem) {
+    if (mode != GroundMode::automatic || !islands.narrow_most() || islands.islands < fewest_islands ||
+        2 * islands.largest > islands.cells)
+        return {};
+    return "'" + dem + "' has elevations in " + std::to_string(islands.islands) +
+           " pieces as wide as buildings and NoData around them, so roofs are taken for the ground; give "
+           "-ground none where its values are heights above the ground, or a terrain model with -ground "
+           "where "
+           "they are elevations";
+}
+
+}  // namespace d2b

@@ -1,0 +1,148 @@
+#include "core/undeclared_values.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace d2b {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr std::int32_t side = 100;
+
+/// Elevations of 100 x 100 cells.
+std::vector<double> grid(const std::function<double(int, int)>& at) {
+    std::vector<double> values;
+    for (int r = 0; r < side; ++r)
+        for (int c = 0; c < side; ++c)
+            values.push_back(at(r, c));
+    return values;
+}
+
+/// Ground at some 20 m, uneven to the last bit, with a house.
+double land(int r, int c) {
+    const bool house = r >= 70 && r < 82 && c >= 60 && c < 75;
+    return 20 + 0.01 * std::sin(7.0 * r + 3.0 * c) + (house ? 8 : 0);
+}
+
+UndeclaredValues found_in(const std::vector<double>& values, double step = 2, double breadth = 60) {
+    const Window window{5, 7, side, side};
+    const ReadValues read = [&](const Window& part, std::span<double> to) {
+        for (std::int32_t r = 0; r < part.rows; ++r)
+            std::copy_n(
+                values.begin() + std::ptrdiff_t{part.row - window.row + r} * side + part.col - window.col,
+                part.cols, to.begin() + std::ptrdiff_t{r} * part.cols);
+    };
+    return find_undeclared(window, read_border(window, read), {step, breadth}, read);
+}
+
+/// What is taken for no data in land of which a part has a value.
+std::vector<double> taken(const std::function<bool(int, int)>& is_in, double value) {
+    return found_in(grid([&](int r, int c) { return is_in(r, c) ? value : land(r, c); })).values();
+}
+
+TEST(UndeclaredValues, AreTakenAtAnyElevation) {
+    for (const double value : {0.0, 255.0, -1.0, 1e-3, 8000.0, 17.0}) {
+        const std::vector<double> one{value};
+        EXPECT_EQ(taken([](int, int c) { return c < 12; }, value), one);
+        EXPECT_EQ(taken([](int r, int c) { return r + c < 50; }, value), one);
+        EXPECT_EQ(
+            taken([](int r, int c) { return std::abs(r + c - 99) > 60 || std::abs(r - c) > 60; }, value),
+            one);
+        EXPECT_EQ(taken([](int r, int c) { return std::hypot(r - 49.5, c - 49.5) > 45; }, value), one);
+    }
+    EXPECT_TRUE(taken([](int, int c) { return c < 12; }, 19).empty()) << "a step of 1 m";
+}
+
+TEST(UndeclaredValues, AreCountedWhereTheyReachTheEdge) {
+    const UndeclaredValues found = found_in(
+        grid([](int r, int c) { return c < 12 || (r > 90 && r < 95 && c > 90 && c < 95) ? 0 : land(r, c); }));
+    ASSERT_EQ(found.taken.size(), 1U);
+    EXPECT_EQ(found.taken[0].cells, 1200);
+    EXPECT_TRUE(found.named.empty());
+}
+
+TEST(UndeclaredValues, SmallerOnesAreNamedAlone) {
+    for (const int columns : {1, 9}) {
+        const UndeclaredValues found =
+            found_in(grid([&](int r, int c) { return c < columns ? 0 : land(r, c); }));
+        EXPECT_TRUE(found.taken.empty());
+        ASSERT_EQ(found.named.size(), 1U);
+        EXPECT_EQ(found.named[0].value, 0);
+        EXPECT_EQ(found.named[0].cells, 100 * columns);
+    }
+    EXPECT_TRUE(found_in(grid([](int r, int c) { return c < 1 && r < 99 ? 0 : land(r, c); })).none());
+}
+
+TEST(UndeclaredValues, SeveralAreTakenAtATime) {
+    const UndeclaredValues found = found_in(grid([](int r, int c) {
+        return c < 15 ? 0 : c >= 85 ? 255 : r < 2 ? -7 : land(r, c);
+    }));
+    EXPECT_EQ(found.values().size(), 2U);
+    EXPECT_EQ(found.named.size(), 1U);
+}
+
+TEST(UndeclaredValues, CellsOfDeclaredNoDataCountForNothing) {
+    const UndeclaredValues found = found_in(grid([](int r, int c) {
+        return c >= 20 && c < 70 && r > 2 ? none : c < 6 ? 0 : land(r, c);
+    }));
+    ASSERT_EQ(found.taken.size(), 1U);  // 600 of 5,150 valid cells
+    EXPECT_EQ(found.taken[0].cells, 600);
+}
+
+TEST(UndeclaredValues, ASeaWithAShoreStays) {
+    const auto coast = [](double slope) {
+        return found_in(grid([=](int r, int c) {
+            return c < 40 ? 0 : slope * (c - 39) + 0.01 * std::sin(7.0 * r + 3.0 * c) + 0.02;
+        }));
+    };
+    EXPECT_TRUE(coast(0.1).none());
+    EXPECT_TRUE(coast(1).none());
+    // A quay along two thirds of it.
+    EXPECT_TRUE(found_in(grid([](int r, int c) {
+                    return c < 40 ? 0
+                                  : (r < 66 ? 4 : 0.2) + 0.1 * (c - 40) + 0.01 * std::sin(7.0 * r + 3.0 * c);
+                })).none());
+}
+
+TEST(UndeclaredValues, APlainWithHousesStays) {
+    const auto houses = [](int r, int c) { return r % 25 > 8 && r % 25 < 20 && c % 30 > 8 && c % 30 < 24; };
+    EXPECT_TRUE(found_in(grid([&](int r, int c) { return houses(r, c) ? land(r, c) : 0; })).none());
+    EXPECT_TRUE(found_in(grid([&](int r, int c) { return houses(r, c) ? 9 : 0; })).none());
+    const auto one = [](int r, int c) { return r > 30 && r < 70 && c > 20 && c < 70; };
+    EXPECT_TRUE(found_in(grid([&](int r, int c) { return one(r, c) ? land(r, c) : 0; })).none());
+}
+
+TEST(UndeclaredValues, WhatDoesNotReachTheEdgeStays) {
+    EXPECT_TRUE(found_in(grid([](int r, int c) {
+                    return r > 20 && r < 80 && c > 20 && c < 80 ? 0 : land(r, c);
+                })).none());
+    EXPECT_TRUE(found_in(std::vector<double>(side * side, 0)).none());
+    EXPECT_TRUE(found_in(std::vector<double>(side * side, none)).none());
+}
+
+TEST(UndeclaredValues, OfAModelNothingStandsOnNeedNotSurroundMuch) {
+    const std::vector<double> values = grid([](int r, int c) { return r + c < 150 ? 0 : land(r, c); });
+    EXPECT_EQ(found_in(values, 2, 0).taken.size(), 1U);
+}
+
+TEST(UndeclaredValues, ALevelTerrainIsLand) {
+    const auto found = [](int columns) {
+        return found_in(grid([=](int, int c) { return c < columns ? 0 : 300; }), 2, 0);
+    };
+    ASSERT_EQ(found(50).taken.size(), 1U);
+    EXPECT_EQ(found(50).taken[0].value, 0);
+    ASSERT_EQ(found(4).named.size(), 1U);
+    EXPECT_EQ(found(4).named[0].value, 0);
+    EXPECT_TRUE(found(4).taken.empty());
+}
+
+TEST(UndeclaredValues, RoundedElevationsHaveNone) {
+    EXPECT_TRUE(found_in(grid([](int r, int c) { return std::floor(20 + 0.05 * r + 0.03 * c); })).none());
+}
+
+}  // namespace
+}  // namespace d2b
