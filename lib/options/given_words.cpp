@@ -88,11 +88,16 @@ std::string words_of(const OptionRow& row, const Request& request, bool with_fol
     return words;
 }
 
+/// The points of -write_problems depend on the surfaces that are made and on what they are made of.
+bool shapes_problems(const OptionRow& row, const Options& options) {
+    return options.write.problems && row.name.starts_with("surface");
+}
+
 std::string words_of(const Options& options, bool with_folders) {
     const Request request{options, {}};
     std::string words;
     for (const OptionRow& row : option_table())
-        if (row.repeats && row.is_given(request))
+        if ((row.repeats || shapes_problems(row, options)) && row.is_given(request))
             words += (words.empty() ? "" : " ") + words_of(row, request, with_folders);
     return words;
 }

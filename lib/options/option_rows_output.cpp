@@ -148,8 +148,7 @@ std::vector<OptionRow> also_written() {
          .help = "Also write a layer of points where outlines stood in the way of a surface.",
          .details =
              "Each has its kind, its buildings, its size before and after, and whether it was changed or "
-             "left. Its name is problems, or that of -nln with _problems after it.",
-         .repeats = false}));
+             "left. Its name is problems, or that of -nln with _problems after it."}));
     rows.push_back(text_row("write_ground", OptionKind::geotiff, "<file.tif>",
                             [](auto& r) -> auto& { return r.options.write.ground; },
                             {.title = "Terrain as a GeoTIFF",

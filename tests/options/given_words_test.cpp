@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 
 #include "dem2buildings/command_line.hpp"
@@ -107,8 +108,46 @@ TEST(GivenWords, giveTheSameOptionsAgain) {
             continue;
         const std::string words = given_words(options_of(option.words()));
         EXPECT_EQ(given_words(options_of(split(words))), words) << option.text();
-        EXPECT_EQ(words.empty(), !find_option(option.name)->repeats) << option.text();
     }
+}
+
+/// All that the words leave out is about files beside the layers, or about the run and not its result.
+TEST(GivenWords, leaveOutWhatChangesNoLayer) {
+    const std::set<std::string> left_out{
+        "append",  "overwrite",    "page",         "preview",       "preview_size", "q",
+        "json",    "write_canopy", "sweep",        "write_ground",  "write_height", "threads",
+        "surface", "surface_of",   "surface_roof", "surface_origin"};
+    for (const OptionRow& row : option_table())
+        EXPECT_EQ(!row.repeats,
+                  left_out.contains(row.name) || row.hidden || row.name == "help" || row.name == "version")
+            << row.name;
+}
+
+/// Every option of the table that was given, with its values; those of the surface where problems are
+/// written.
+TEST(GivenWords, keepEveryOptionWithItsValues) {
+    for (const OptionCase& option : option_cases()) {
+        if (option.name == "sweep")
+            continue;
+        const Request given{options_of(option.words()), {}};
+        const Request kept{options_of(split(given_words(given.options))), {}};
+        const bool with_surface = given.options.write.problems;
+        for (const OptionRow& row : option_table())
+            if (row.repeats || (with_surface && row.name.starts_with("surface"))) {
+                EXPECT_EQ(row.is_given(kept), row.is_given(given)) << row.name << " in " << option.text();
+                EXPECT_EQ(row.texts(kept), row.texts(given)) << row.name << " in " << option.text();
+            }
+    }
+}
+
+TEST(GivenWords, nameTheSurfaceWhereItsProblemsAreWritten) {
+    EXPECT_EQ(
+        given_words(options_of({"-surface", "a.obj", "-surface", "b.city.json", "-surface_of", "contours",
+                                "-surface_origin", "1", "2", "3", "-write_problems"})),
+        "-write_problems -surface a.obj -surface b.city.json -surface_of contours -surface_origin 1 2 3");
+    EXPECT_EQ(given_words(options_of({"-surface", "a.obj", "-flow_ready", "3"})), "-flow_ready 3");
+    EXPECT_EQ(given_words(options_of({"-flow_ready", "3", "-write_problems"})),
+              "-flow_ready 3 -write_problems");
 }
 
 using Provenances = OptionScene;
@@ -122,10 +161,10 @@ TEST_F(Provenances, repeatTheRun) {
         ASSERT_EQ(outcome.error, "") << option.text();
         const Outcome again = outcome_of(split(outcome.options));
         EXPECT_EQ(again.options, outcome.options);
-        // A raster, or a layer beside the others.
-        const bool beside = !find_option(option.name)->repeats ||
-                            std::ranges::find(option.with, "-write_problems") != option.with.end();
+        // A raster or a surface beside the layers, which come first.
+        const bool beside = !find_option(option.name)->repeats;
         EXPECT_EQ(again.written == outcome.written, !beside) << option.text();
+        EXPECT_TRUE(outcome.written.starts_with(again.written)) << option.text();
     }
     const Texts many{"-b",
                      "2",
