@@ -36,21 +36,6 @@ int shift(void* argument, int to_source, int count, double* x, double* y, double
     return TRUE;
 }
 
-ClipBox box_of(const PixelPolygon& polygon) {
-    constexpr double inf = std::numeric_limits<double>::infinity();
-    ClipBox box{inf, inf, -inf, -inf};
-    for (const WorldRing& ring : polygon)
-        for (const Position& p : ring)
-            box = {std::min(box.left, p.x), std::min(box.bottom, p.y), std::max(box.right, p.x),
-                   std::max(box.top, p.y)};
-    return box;
-}
-
-bool meets(const ClipBox& box, const Window& w) {
-    return box.right > w.col && box.left < static_cast<double>(w.col) + w.cols && box.top > w.row &&
-           box.bottom < static_cast<double>(w.row) + w.rows;
-}
-
 /// GDAL counts cells in 32 bits; what is farther away than any side is long makes no difference.
 ClipBox countable(const Window& w) {
     constexpr double room = 1e8;

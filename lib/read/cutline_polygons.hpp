@@ -7,6 +7,7 @@
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/sinks.hpp"
 #include "read/placed_layer.hpp"
+#include "read/ring_clip.hpp"
 
 namespace d2b {
 
@@ -19,8 +20,12 @@ using PixelPolygon = std::vector<WorldRing>;
 /// out.
 /// @param info georeferencing of the DEM
 /// @throws InputError: cannot be opened or read, no polygons, a CRS where the DEM has none, not transformable
-/// @throws OptionError: no such layer
+/// @throws OptionError: no such layer. Polygons near the window that are not valid are warned of
 [[nodiscard]] std::vector<PixelPolygon> read_cutline(const PolygonPlace& place, const DemInfo& info,
                                                      Warnings& warnings);
+
+/// Around all rings, in pixel coordinates.
+[[nodiscard]] ClipBox box_of(const PixelPolygon& polygon);
+[[nodiscard]] bool meets(const ClipBox& box, const Window& window);
 
 }  // namespace d2b

@@ -30,7 +30,7 @@ OGRLayerH layer_of(GDALDatasetH dataset, const PolygonPlace& place, Warnings& wa
 
 TransformOwner transform_to_dem(OGRSpatialReferenceH from, const PolygonPlace& place, const DemInfo& info,
                                 Warnings& warnings) {
-    if (from == nullptr) {
+    if (wkt_of(from).empty()) {
         if (!info.crs_wkt.empty())
             warnings.add("The " + place.name() +
                          " has no coordinate reference system; its coordinates are taken as the DEM's.");

@@ -30,10 +30,19 @@ std::string wkt_from_user(const std::string& text) {
     return wkt;
 }
 
+/// GDAL makes these of the numbers 0 and -1 by which a GeoPackage says that it does not know, and writes them
+/// on into other files. The degrees of the first are none.
+bool stands_for_none(OGRSpatialReferenceH crs) {
+    const char* name = OSRGetName(crs);
+    return name != nullptr && OSRGetAuthorityCode(crs, nullptr) == nullptr &&
+           (EQUAL(name, "Undefined geographic SRS") || EQUAL(name, "Undefined Cartesian SRS") ||
+            EQUAL(name, "Undefined SRS"));
+}
+
 }  // namespace
 
 std::string wkt_of(OGRSpatialReferenceH crs) {
-    if (crs == nullptr || OGRSpatialReference::FromHandle(crs)->IsEmpty() != FALSE)
+    if (crs == nullptr || OGRSpatialReference::FromHandle(crs)->IsEmpty() != FALSE || stands_for_none(crs))
         return {};
     constexpr std::array<const char*, 3> options{"FORMAT=WKT2_2019", "MULTILINE=NO", nullptr};
     char* text = nullptr;

@@ -20,7 +20,8 @@ void set_crs(const std::string& own_wkt, const std::string& user_crs, DemInfo& i
 /// The same from a dataset.
 void read_crs(GDALDatasetH dataset, const std::string& user_crs, DemInfo& info, Warnings& warnings);
 
-/// As WKT; "" where it is null, empty or cannot be written so.
+/// As WKT; "" where it is null, empty, stands for an unknown one (as in a GeoPackage) or cannot be written
+/// so.
 [[nodiscard]] std::string wkt_of(OGRSpatialReferenceH crs);
 
 /// The CRS without its heights, axes in GIS order: heights play no part where cells are placed, and could

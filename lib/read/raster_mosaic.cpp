@@ -70,7 +70,7 @@ Listed listed(const std::string& name, int band) {
     if (const double nodata = GDALGetRasterNoDataValue(raster.band, &known); known != FALSE)
         here.nodata = nodata;
     here.unit = GDALGetRasterUnitType(raster.band);
-    if (OGRSpatialReferenceH crs = GDALGetSpatialRef(dataset); crs != nullptr)
+    if (OGRSpatialReferenceH crs = GDALGetSpatialRef(dataset); !wkt_of(crs).empty())
         here.crs.reset(OSRClone(crs));
     return here;
 }

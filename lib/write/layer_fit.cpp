@@ -4,6 +4,7 @@
 
 #include "dem2buildings/error.hpp"
 #include "read/gdal_messages.hpp"
+#include "read/raster_crs.hpp"
 
 namespace d2b {
 
@@ -15,8 +16,10 @@ std::string srs_name(OGRSpatialReferenceH srs) {
 }
 
 bool same_srs(OGRSpatialReferenceH a, OGRSpatialReferenceH b) {
-    if (a == nullptr || b == nullptr)
-        return a == b;
+    const bool has_a = !wkt_of(a).empty();
+    const bool has_b = !wkt_of(b).empty();
+    if (!has_a || !has_b)
+        return has_a == has_b;
     const std::array<const char*, 3> options{"IGNORE_DATA_AXIS_TO_SRS_AXIS_MAPPING=YES",
                                              "CRITERION=EQUIVALENT_EXCEPT_AXIS_ORDER_GEOGCRS", nullptr};
     return OSRIsSameEx(a, b, options.data()) != FALSE;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <filesystem>
 
 #include <ogr_api.h>
 
@@ -116,6 +117,39 @@ TEST_F(ReadCutline, invalidPointsStayInvalid) {
     write(path("dem.tif"), spec_);
     write_cutline({polygon(box("500014", "5538656", "500036", "5538674"))});
     expect_values(valid(), {21, 23});
+}
+
+/// Of a bow-tie with its waist at (500030, 5538660) two triangles are inside, as of two parcels; far from
+/// the window nobody needs to know.
+TEST_F(ReadCutline, whatIsNotValidIsTakenByTheEvenOddRuleWithAWarning) {
+    const std::string tie =
+        "[[500000,5538690],[500060,5538630],[500060,5538690],[500000,5538630],"
+        "[500000,5538690]]";
+    const std::string far_tie =
+        "[[600000,5538690],[600060,5538630],[600060,5538690],[600000,5538630],"
+        "[600000,5538690]]";
+    write_cutline({polygon(tie)});
+    EXPECT_EQ(valid().size(), 18U);
+    EXPECT_EQ(warnings_,
+              (std::vector<std::string>{
+                  "A polygon of the cutline '" + path("cut.geojson") +
+                  "' is not valid, and is taken for what an odd number of its rings encloses; make "
+                  "it valid, for example by ogr2ogr -makevalid."}));
+    warnings_.clear();
+    write_cutline({polygon(tie), polygon(tie), polygon(far_tie)});
+    EXPECT_EQ(valid().size(), 18U);
+    EXPECT_EQ(warnings_, (std::vector<std::string>{
+                             "2 polygons of the cutline '" + path("cut.geojson") +
+                             "' are not valid, and are taken for what an odd number of their rings encloses; "
+                             "make them valid, for example by ogr2ogr -makevalid."}));
+    warnings_.clear();
+    // Polygons of one feature may overlap: each is taken by itself.
+    const std::string box_west = box("500000", "5538670", "500030", "5538690");
+    const std::string box_east = box("500010", "5538680", "500040", "5538690");
+    write_cutline({R"({"type":"MultiPolygon","coordinates":[[)" + box_west + "],[" + box_east + "]]}",
+                   polygon(far_tie)});
+    EXPECT_EQ(valid().size(), 7U);
+    EXPECT_TRUE(warnings_.empty());
 }
 
 TEST_F(ReadCutline, holesAreOutside) {
@@ -342,6 +376,40 @@ TEST_F(ReadCutline, neitherHasACrs) {
     expect_values(valid(), {0});
     ASSERT_EQ(warnings_.size(), 1U);
     expect_has(warnings_[0], path("dem.tif") + "' has no coordinate reference system");
+}
+
+/// A GeoPackage says by the numbers 0 and -1 that it knows no CRS, and GDAL makes up one for each.
+TEST_F(ReadCutline, aGeoPackageWithoutACrsIsTakenAsOtherFilesWithoutOne) {
+    for (const char* number : {"0", "-1"}) {
+        const std::string file = path("cut.gpkg");
+        const GDALDatasetH dataset =
+            GDALCreate(GDALGetDriverByName("GPKG"), file.c_str(), 0, 0, 0, GDT_Unknown, nullptr);
+        const OGRLayerH layer = GDALDatasetCreateLayer(dataset, "cut", nullptr, wkbPolygon, nullptr);
+        const OGRFeatureH feature = OGR_F_Create(OGR_L_GetLayerDefn(layer));
+        OGRGeometryH geometry = nullptr;
+        std::string text =
+            "POLYGON((500000 5538690,500010 5538690,500010 5538680,500000 5538680,500000 "
+            "5538690))";
+        char* cursor = text.data();
+        ASSERT_EQ(OGR_G_CreateFromWkt(&cursor, nullptr, &geometry), OGRERR_NONE);
+        OGR_F_SetGeometryDirectly(feature, geometry);
+        ASSERT_EQ(OGR_L_CreateFeature(layer, feature), OGRERR_NONE);
+        OGR_F_Destroy(feature);
+        for (const char* table : {"gpkg_contents", "gpkg_geometry_columns"})
+            GDALDatasetExecuteSQL(dataset,
+                                  ("UPDATE " + std::string(table) + " SET srs_id = " + number).c_str(),
+                                  nullptr, nullptr);
+        GDALClose(dataset);
+        options_.cutline = file;
+        expect_values(valid(), {0});
+        EXPECT_EQ(warnings_,
+                  (std::vector<std::string>{
+                      "The cutline '" + file +
+                      "' has no coordinate reference system; its coordinates are taken as the DEM's."}))
+            << number;
+        warnings_.clear();
+        std::filesystem::remove(file);
+    }
 }
 
 TEST_F(ReadCutline, thereIsNoWayBetweenTheSystems) {
