@@ -34,9 +34,11 @@ class Crs {
     [[nodiscard]] Kind kind() const;
     [[nodiscard]] std::string name() const;  ///< "" for none
     [[nodiscard]] std::string wkt() const;   ///< WKT2:2019, "" for none
-    /// "https://www.opengis.net/def/crs/EPSG/0/25833", of the whole, else of its horizontal part; "" where
-    /// neither has a code of an authority.
+    /// "https://www.opengis.net/def/crs/EPSG/0/7415", of the whole, with its heights; "" where neither the
+    /// CRS nor PROJ's database has a code of an authority for it.
     [[nodiscard]] std::string url() const;
+    /// The same of its horizontal part.
+    [[nodiscard]] std::string horizontal_url() const;
     /// Of the horizontal axes; empty where they are angles, or there is no CRS.
     [[nodiscard]] std::optional<LengthUnit> horizontal_unit() const;
     /// Units of the horizontal axes in a full circle of longitude; 0 where they are lengths, or there is no

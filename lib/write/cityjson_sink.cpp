@@ -104,9 +104,14 @@ void CityJsonSink::begin(const SurfaceMeta& meta) {
     meta_ = meta;
     const Crs crs(meta.provenance.crs_wkt);
     url_ = crs.url();
-    if (url_.empty() && crs.kind() != Crs::Kind::none)
+    if (url_.empty() && crs.kind() != Crs::Kind::none) {
+        url_ = crs.horizontal_url();
         file_.warn("A CityJSON names its CRS by the code of an authority, and '" + crs.name() +
-                   "' has none; the file does not say what its CRS is.");
+                   "' has none; the file " +
+                   (url_.empty() ? "does not say what its CRS is."
+                                 : "names the horizontal part alone, and does not say what its heights are "
+                                   "measured from."));
+    }
     const Json transform{{"scale", meta.frame.scale}, {"translate", meta.frame.translate}};
     file_.write("{\"type\":\"CityJSON\",\"version\":\"2.0\",\n\"transform\":" + json_text(transform) +
                 ",\n\"CityObjects\":{");

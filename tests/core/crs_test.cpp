@@ -54,10 +54,27 @@ TEST(Crs, HasTheUrlOfItsCode) {
     EXPECT_EQ(Crs("EPSG:25832").url(), epsg + "25832");
     EXPECT_EQ(Crs("EPSG:7415").url(), epsg + "7415");
     EXPECT_EQ(Crs(Crs("EPSG:25832").wkt()).url(), epsg + "25832");
-    EXPECT_EQ(Crs("EPSG:25832+7837").url(), epsg + "25832");  // this pair has none of its own
     EXPECT_EQ(Crs("ESRI:102003").url(), "https://www.opengis.net/def/crs/ESRI/0/102003");
     EXPECT_EQ(Crs("+proj=tmerc +lon_0=9 +ellps=GRS80 +type=crs").url(), "");
+    EXPECT_EQ(Crs("+proj=tmerc +lon_0=9 +ellps=GRS80 +type=crs").horizontal_url(), "");
     EXPECT_EQ(Crs().url(), "");
+    EXPECT_EQ(Crs().horizontal_url(), "");
+}
+
+/// The EPSG's register: 7415, 5555, 5698 and 7405 are these pairs; 25832 with DHHN2016 has no number.
+TEST(Crs, HasTheUrlOfAnEqualCompound) {
+    const std::string epsg = "https://www.opengis.net/def/crs/EPSG/0/";
+    for (const auto& [pair, code] : {std::pair<const char*, const char*>{"EPSG:28992+5709", "7415"},
+                                     {"EPSG:25832+5783", "5555"},
+                                     {"EPSG:2154+5720", "5698"},
+                                     {"EPSG:27700+5701", "7405"}})
+        EXPECT_EQ(Crs(Crs(pair).wkt()).url(), epsg + code) << pair;
+    EXPECT_EQ(Crs("EPSG:25832+7837").url(), "");
+    EXPECT_EQ(Crs("EPSG:25832+7837").horizontal_url(), epsg + "25832");
+    EXPECT_EQ(Crs("EPSG:7415").horizontal_url(), epsg + "28992");
+    std::string bare = Crs("EPSG:25832").wkt();  // as in a file that states no codes
+    bare.replace(bare.rfind(R"(,ID["EPSG",25832])"), std::string::npos, "]");
+    EXPECT_EQ(Crs(bare).url(), epsg + "25832");
 }
 
 TEST(Crs, ReadsEveryNotation) {

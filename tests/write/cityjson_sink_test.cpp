@@ -140,6 +140,25 @@ TEST_F(CityJsonSinkTest, saysWhereACrsHasNoCode) {
     EXPECT_FALSE(written()["metadata"].contains("referenceSystem"));
 }
 
+/// A GeoTIFF keeps the codes of the parts, and the file names the pair; what has no number is warned of.
+TEST_F(CityJsonSinkTest, namesTheDatumOfTheHeights) {
+    const auto written_of = [&](const char* crs, Names warnings) {
+        meta_.provenance.crs_wkt = crs;
+        const auto sink = open_cityjson_sink(place("a.city.json"));
+        sink->begin(meta_);
+        sink->finish();
+        EXPECT_EQ(sink->take_warnings(), warnings) << crs;
+        return written()["metadata"]["referenceSystem"].get<std::string>();
+    };
+    EXPECT_EQ(written_of("EPSG:28992+5709", {}), "https://www.opengis.net/def/crs/EPSG/0/7415");
+    EXPECT_EQ(
+        written_of("EPSG:25832+7837",
+                   {"A CityJSON names its CRS by the code of an authority, and 'ETRS89 / UTM zone 32N + "
+                    "DHHN2016 height' has none; the file names the horizontal part alone, and does not "
+                    "say what its heights are measured from."}),
+        "https://www.opengis.net/def/crs/EPSG/0/25832");
+}
+
 TEST_F(CityJsonSinkTest, refusesTwoUnits) {
     const auto sink = open_cityjson_sink(place("a.city.json"));
     meta_.frame.vertical_metres = 0.3048;

@@ -18,13 +18,32 @@
 namespace d2b {
 namespace {
 
-/// As the OGC names it; "" where it has no code.
-std::string url_of(const PJ* crs) {
+/// As the OGC names it; "" where it says no code itself.
+std::string stated_url(const PJ* crs) {
     const char* authority = proj_get_id_auth_name(crs, 0);
     const char* code = proj_get_id_code(crs, 0);
     if (authority == nullptr || code == nullptr)
         return "";
     return "https://www.opengis.net/def/crs/" + std::string(authority) + "/0/" + code;
+}
+
+/// The same where PROJ's database has a code for an equal CRS: a GeoTIFF keeps the codes of the parts of a
+/// compound alone.
+std::string found_url(PJ_CONTEXT* context, const PJ* crs) {
+    constexpr int equal = 90;  // per cent: the names may differ, nothing else
+    int* confidence = nullptr;
+    PJ_OBJ_LIST* matches = proj_identify(context, crs, nullptr, nullptr, &confidence);
+    std::string url;
+    for (int i = 0; i < proj_list_get_count(matches) && confidence[i] >= equal && url.empty(); ++i)
+        url = stated_url(PjPtr(proj_list_get(context, matches, i)).get());
+    proj_int_list_destroy(confidence);
+    proj_list_destroy(matches);
+    return url;
+}
+
+std::string url_of(PJ_CONTEXT* context, const PJ* crs) {
+    const std::string stated = stated_url(crs);
+    return stated.empty() ? found_url(context, crs) : stated;
 }
 
 }  // namespace
@@ -43,9 +62,6 @@ void Crs::Impl::read(std::string_view text) {
     horizontal = horizontal_part(pj_context, given.get());
     const PjPtr base = unbound(pj_context, PjPtr(proj_clone(pj_context, horizontal.get())));
     kind = kind_of(pj_context, base.get());
-    url = url_of(given.get());
-    if (url.empty())
-        url = url_of(base.get());
     const std::optional<AxisUnit> unit = axis_unit(pj_context, base.get(), 0);
     if (kind == Kind::geographic && unit)
         angular_unit = to_degrees(unit->factor);
@@ -75,8 +91,19 @@ std::string Crs::name() const {
 std::string Crs::wkt() const {
     return impl_->wkt;
 }
+// PROJ's database is searched when it is asked for, because most runs write no such name.
 std::string Crs::url() const {
-    return impl_->url;
+    if (impl_->wkt.empty())
+        return "";
+    const ProjContext context;
+    return url_of(context.get(), unbound(context.get(), parse_crs(context, impl_->wkt)).get());
+}
+std::string Crs::horizontal_url() const {
+    if (impl_->wkt.empty())
+        return "";
+    const ProjContext context;
+    PjPtr horizontal = horizontal_part(context.get(), parse_crs(context, impl_->wkt).get());
+    return url_of(context.get(), unbound(context.get(), std::move(horizontal)).get());
 }
 std::optional<LengthUnit> Crs::horizontal_unit() const {
     return impl_->horizontal_unit;

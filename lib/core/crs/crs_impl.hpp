@@ -19,7 +19,6 @@ struct Crs::Impl {
     Kind kind = Kind::none;
     std::string name;
     std::string wkt;
-    std::string url;
     std::optional<LengthUnit> horizontal_unit;
     std::optional<LengthUnit> vertical_unit;
     std::unique_ptr<const LonLat> lon_lat;  ///< null where it is not on an ellipsoid; to be copied
