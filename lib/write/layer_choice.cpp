@@ -1,6 +1,7 @@
 #include "write/layer_choice.hpp"
 
 #include "dem2buildings/error.hpp"
+#include "write/laundered_name.hpp"
 
 namespace d2b {
 
@@ -9,6 +10,22 @@ namespace {
 std::string stem_of(const std::string& destination) {
     const std::string file = destination.substr(destination.find_last_of('/') + 1);
     return file.substr(0, file.find_last_of('.'));
+}
+
+std::string suffix_of(LayerRole role, Layers layers) {
+    switch (role) {
+        case LayerRole::doubtful:
+            return "_doubtful";
+        case LayerRole::rejected:
+            return "_rejected";
+        case LayerRole::problems:
+            return "_problems";
+        case LayerRole::contours:
+            return layers == Layers::both ? "_contours" : "";
+        case LayerRole::buildings:
+            break;
+    }
+    return "";
 }
 
 }  // namespace
@@ -26,16 +43,8 @@ Layers resolve_layers(const WriteOptions& options, const VectorFormat& format) {
 }
 
 std::string name_of(const WriteOptions& options, const VectorFormat& format, LayerRole role, Layers layers) {
-    if (!options.layer_name.empty()) {
-        if (role == LayerRole::doubtful)
-            return options.layer_name + "_doubtful";
-        if (role == LayerRole::rejected)
-            return options.layer_name + "_rejected";
-        if (role == LayerRole::problems)
-            return options.layer_name + "_problems";
-        return options.layer_name +
-               (layers == Layers::both && role == LayerRole::contours ? "_contours" : "");
-    }
+    if (!options.layer_name.empty())
+        return laundered_name(options.layer_name, suffix_of(role, layers), format, options);
     const bool file_is_layer = !format.several_layers && !is_stream(options.destination) &&
                                !is_connection(format.driver, options.destination);
     std::string stem = stem_of(options.destination);

@@ -14,8 +14,8 @@ namespace d2b {
 
 /// The name of a layer: -nln, with "_contours" after it for the contours where both layers are written, and
 /// "_doubtful", "_rejected" and "_problems" for what is that; without -nln "buildings", "contours",
-/// "doubtful", "rejected" or "problems", or the stem of the file where a file is a layer. @param layers what
-/// resolve_layers() gave
+/// "doubtful", "rejected" or "problems", or the stem of the file where a file is a layer. As the driver will
+/// call it (laundered_name.hpp). @param layers what resolve_layers() gave
 [[nodiscard]] std::string name_of(const WriteOptions& options, const VectorFormat& format, LayerRole role,
                                   Layers layers);
 

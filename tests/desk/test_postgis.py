@@ -97,6 +97,28 @@ class PostGis(PostGisCase):
         self.assertEqual(self.end(self.start("-overwrite", "-fields", "urock", "-layers", "buildings")), (0, ""))
         self.assertIn("CREATE UNIQUE INDEX", self.sql("SELECT indexdef FROM pg_indexes WHERE tablename = 'buildings'"))
 
+    def test_names_that_are_laundered_are_replaced_and_added_to(self):
+        expected = {"town-2026": "town_2026", "ort#1": "ort_1", "O'Hara": "o_hara", 'a "quote"': 'a "quote"',
+                    "Town": "town", "b" * 54: "b" * 54, "c" * 60: "c" * 60, "d" * 80: None, "\u00e4" * 40: None,
+                    "two words": "two words", "part (1)": "part _1_"}
+        for name, table in expected.items():
+            with self.subTest(name):
+                before = set(self.sql("SELECT tablename FROM pg_tables WHERE schemaname = 'public'").split("\n"))
+                counts = []
+                for mode in ((), ("-overwrite",), ("-append",), ("-overwrite",)):
+                    self.assertEqual(self.end(self.start(*mode, "-nln", name)), (0, ""))
+                    made = sorted(set(self.sql("SELECT tablename FROM pg_tables WHERE schemaname = 'public'")
+                                      .split("\n")) - before)
+                    self.assertEqual(len(made), 2, made)
+                    if table is not None:
+                        self.assertIn(table, made)
+                    counts.append([int(self.rows_and_ids('"' + one.replace('"', '""') + '"')[1]) for one in made])
+                once = counts[0]
+                self.assertEqual(sorted(once), sorted(self.once.values()))
+                self.assertEqual(counts, [once, once, [2 * n for n in once], once])
+                self.expect_refused("give -overwrite", "-nln", name, status=2)
+                self.sql("DROP TABLE " + ", ".join('"' + one.replace('"', '""') + '"' for one in made))
+
     def test_what_cannot_be_is_refused_before_the_work(self):
         for database in ("plain", "closed"):
             self.sql(f"DROP DATABASE IF EXISTS {database}", database="postgres")
