@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "core/stage_clock.hpp"
@@ -41,12 +42,23 @@ FeatureWriter::FeatureWriter(const FeatureInput& input, const RecordMaker& recor
 
 void FeatureWriter::begin() {
     std::vector<LayerSpec> layers = input_.layers.layers;
+    if (CoordinateRounding rounding = sink_.rounding(); rounding.to != CoordinateRounding::To::nothing)
+        rounded_.emplace(std::move(rounding), !input_.plan.asked.outline.disjoint, context_.threads->stop());
     if (places().rejected)
         rejected_.emplace(input_, *places().rejected);
     give_styles(layers, input_, context_.report.units.vertical_metres);
     const StageClock clock(context_.report, Stage::write);
     sink_.begin(layers, input_.provenance);
     next_id_ = next_building_ = sink_.first_id();
+}
+
+void FeatureWriter::round(RoundedPolygons::Layer layer, std::int64_t id, std::int64_t parent_id,
+                          FeaturePolygon& made) {
+    const char* const what = layer == RoundedPolygons::Layer::buildings ? "building " : "contour ";
+    if (!rounded_ || !rounded_->round(layer, id, parent_id, what + std::to_string(id), made.parts))
+        return;
+    made.status = OutlineStatus::repaired;
+    context_.report.count(Reason::polygon_repaired);
 }
 
 template <typename Record>
@@ -127,6 +139,8 @@ void FeatureWriter::add_building(std::size_t contour, DrawnContour& drawn) {
         rejected_->note(contour, LayerRole::buildings, drawn.building_record.id, made);
     if (made.parts.empty())
         return;
+    round(RoundedPolygons::Layer::buildings, drawn.building_record.id, 0, made);
+    drawn.building_record.status = made.status;
     ++(doubtful ? context_.report.doubtful : context_.report.buildings);
     if (!doubtful)
         add_length(made, context_.report.building_outlines);
@@ -147,6 +161,7 @@ bool FeatureWriter::add_contour(std::size_t contour, DrawnContour& drawn) {
         rejected_->note(contour, LayerRole::contours, drawn.record.id, *drawn.contour);
     if (drawn.contour->parts.empty())
         return false;
+    round(RoundedPolygons::Layer::contours, drawn.record.id, drawn.record.parent_id, *drawn.contour);
     ++context_.report.contours;
     add_length(*drawn.contour, context_.report.contour_outlines);
     context_.report.vertices += vertices_of(drawn.contour->parts);
@@ -181,7 +196,9 @@ void FeatureWriter::finish() {
     warn_of_traced();
     torn_.finish(spoken_name(input_.target_crs, input_.plan.asked.outline.target_crs), context_);
     if (rejected_)
-        rejected_->write(drawer_.makers(), sink_, context_);
+        rejected_->write(drawer_.makers(), sink_, rounded_ ? &*rounded_ : nullptr, context_);
+    if (rounded_)
+        rounded_->finish();
     for (PolygonMaker& maker : drawer_.makers())
         context_.report.merge(maker.tally());
     const double rmse = stack_ ? input_.compare(*stack_).rms(input_.fixed) : rmse_.value();

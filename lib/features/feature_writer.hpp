@@ -12,6 +12,7 @@
 #include "features/contour_drawer.hpp"
 #include "features/invalid_warnings.hpp"
 #include "features/rejected_layer.hpp"
+#include "features/rounded_polygons.hpp"
 #include "features/torn_warnings.hpp"
 #include "features/write_features.hpp"
 
@@ -52,6 +53,8 @@ class FeatureWriter {
     void add_building(std::size_t contour, DrawnContour& drawn);
     /// @return whether it is in its layer
     bool add_contour(std::size_t contour, DrawnContour& drawn);
+    /// As the destination will write it.
+    void round(RoundedPolygons::Layer layer, std::int64_t id, std::int64_t parent_id, FeaturePolygon& made);
     void warn_of_traced();
     /// Of the stacks that end at each level, where that is asked for.
     void add_to_cuts(const DrawnContour& drawn);
@@ -71,6 +74,7 @@ class FeatureWriter {
     std::int64_t next_id_ = 1;
     std::int64_t next_building_ = 1;
     std::optional<RejectedLayer> rejected_;
+    std::optional<RoundedPolygons> rounded_;  // where the destination rounds coordinates
     InvalidWarnings invalid_;
     OddHeights odd_heights_;
     TornWarnings torn_;

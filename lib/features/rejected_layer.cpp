@@ -58,7 +58,8 @@ RejectedLayer::Drawn RejectedLayer::draw(std::size_t i, PolygonMaker& maker) con
     return drawn;
 }
 
-void RejectedLayer::write(std::vector<PolygonMaker>& makers, FeatureSink& sink, Context& context) const {
+void RejectedLayer::write(std::vector<PolygonMaker>& makers, FeatureSink& sink, RoundedPolygons* rounded,
+                          Context& context) const {
     constexpr std::size_t piece = 64;
     const std::size_t count = input_.contours.rejected().size() + changed_.size();
     std::int64_t id = sink.first_id();
@@ -73,9 +74,15 @@ void RejectedLayer::write(std::vector<PolygonMaker>& makers, FeatureSink& sink, 
                                   const StageClock clock(context.report, Stage::write);
                                   for (Drawn& one : drawn) {
                                       one.record.id = id++;
-                                      if (!one.made.parts.empty())
-                                          sink.add(layer_, {field_values(rejected_attributes(), one.record),
-                                                            std::move(one.made.parts), 0, one.record});
+                                      if (one.made.parts.empty())
+                                          continue;
+                                      if (rounded != nullptr)
+                                          rounded->round(
+                                              RoundedPolygons::Layer::rejected, one.record.id, 0,
+                                              "feature " + std::to_string(one.record.id) + " of the rejected",
+                                              one.made.parts);
+                                      sink.add(layer_, {field_values(rejected_attributes(), one.record),
+                                                        std::move(one.made.parts), 0, one.record});
                                   }
                               });
 }

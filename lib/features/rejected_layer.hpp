@@ -6,6 +6,7 @@
 
 #include "dem2buildings/sinks.hpp"
 #include "features/polygon_maker.hpp"
+#include "features/rounded_polygons.hpp"
 #include "features/write_features.hpp"
 
 namespace d2b {
@@ -19,8 +20,10 @@ class RejectedLayer {
     /// Takes a contour down where its polygon is not what was asked for.
     void note(std::size_t contour, LayerRole role, std::int64_t id, const FeaturePolygon& made);
     /// Writes what the filters dropped and filled, in the order of keys, and then what was taken down.
-    /// @param makers one a thread @throws OutputError
-    void write(std::vector<PolygonMaker>& makers, FeatureSink& sink, Context& context) const;
+    /// @param makers one per thread @param rounded null where the destination does not round
+    /// @throws OutputError
+    void write(std::vector<PolygonMaker>& makers, FeatureSink& sink, RoundedPolygons* rounded,
+               Context& context) const;
 
   private:
     struct Changed {

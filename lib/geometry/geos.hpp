@@ -25,6 +25,15 @@ class Geos {
     /// The polygonal part of GEOS's structural repair, which keeps the areas that are covered once. Oriented
     /// as WorldPolygon says. @throws GeometryError
     [[nodiscard]] std::vector<WorldPolygon> repaired(const std::vector<WorldPolygon>& polygons);
+    /// The polygons with all corners on the multiples of a step, without what collapses there; valid.
+    /// @throws GeometryError
+    [[nodiscard]] std::vector<WorldPolygon> on_grid(const std::vector<WorldPolygon>& polygons, double step);
+    /// Whether each of `inner` lies in `outer`, borders included, but for what rounding coordinates to
+    /// doubles makes of corners on a border. @throws GeometryError
+    [[nodiscard]] std::vector<bool> covered(const std::vector<WorldPolygon>& outer,
+                                            const std::vector<std::vector<WorldPolygon>>& inner);
+    /// Whether two share more than their borders, likewise. @throws GeometryError
+    [[nodiscard]] bool overlap(const std::vector<WorldPolygon>& one, const std::vector<WorldPolygon>& other);
     /// `whole` less `parts`, which lie in it and share only whole edges or points with its rings and each
     /// other: then no new point arises, and the result is exact on the lattice. @throws GeometryError
     [[nodiscard]] std::vector<FinePolygon> difference(const FinePolygon& whole,

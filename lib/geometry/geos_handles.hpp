@@ -13,6 +13,14 @@ struct GeometryDeleter {
 };
 using GeometryPtr = std::unique_ptr<GEOSGeometry, GeometryDeleter>;
 
+struct PreparedDeleter {
+    GEOSContextHandle_t context = nullptr;
+    void operator()(const GEOSPreparedGeometry* geometry) const {
+        GEOSPreparedGeom_destroy_r(context, geometry);
+    }
+};
+using PreparedPtr = std::unique_ptr<const GEOSPreparedGeometry, PreparedDeleter>;
+
 struct ContextDeleter {
     void operator()(GEOSContextHandle_t context) const { GEOS_finish_r(context); }
 };

@@ -43,9 +43,9 @@ std::string last_name(std::string name) {
     return name.substr(name.find_last_of('/') + 1);
 }
 
-bool names_a_source(OptionKind kind) {
+bool names_a_file(OptionKind kind) {
     return kind == OptionKind::raster || kind == OptionKind::polygons || kind == OptionKind::dataset ||
-           kind == OptionKind::terrain;
+           kind == OptionKind::terrain || kind == OptionKind::surface;
 }
 
 /// Whether a text that is most often none of a file names one.
@@ -59,7 +59,7 @@ bool is_path(const std::string& text) {
 
 /// The value of an option, or what stands behind NAME= in it.
 std::string without_folder(const OptionRow& row, const std::string& text) {
-    if (names_a_source(row.kind))
+    if (names_a_file(row.kind))
         return last_name(text);
     if (row.kind != OptionKind::text && row.kind != OptionKind::crs)
         return text;

@@ -38,7 +38,12 @@ bool has(GDALDatasetH dataset, const char* capability) {
 }  // namespace
 
 DatasetWriter::DatasetWriter(WriteTarget target, const VectorFormat& format, const WriteOptions& options)
-    : target_(std::move(target)), format_(format), options_(options) {}
+    : target_(std::move(target)), format_(format), options_(options) {
+    // From GDAL 3.10 on that driver puts the name of a placemark into a field "id" of ours, which holds
+    // numbers.
+    if (format_.name == "LIBKML")
+        no_id_field_.emplace("LIBKML_ID_FIELD", "placemark_id");
+}
 
 DatasetWriter::~DatasetWriter() {
     const GdalMessages quiet;

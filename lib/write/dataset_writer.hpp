@@ -10,6 +10,7 @@
 #include "dem2buildings/options.hpp"
 #include "dem2buildings/sinks.hpp"
 #include "write/commit_guard.hpp"
+#include "write/config_option.hpp"
 #include "write/layer_counts.hpp"
 #include "write/layer_writer.hpp"
 #include "write/users_objects.hpp"
@@ -74,6 +75,7 @@ class DatasetWriter {
     WriteTarget target_;
     const VectorFormat& format_;
     const WriteOptions& options_;
+    std::optional<ConfigOption> no_id_field_;
     Mode mode_ = Mode::create;
     std::string path_;
     CommitGuard guard_;  ///< goes after the dataset

@@ -8,6 +8,7 @@
 #include "dem2buildings/open_sinks.hpp"
 #include "read/start_gdal.hpp"
 #include "write/config_option.hpp"
+#include "write/coordinate_rounding.hpp"
 #include "write/crs_misfit.hpp"
 #include "write/dataset_writer.hpp"
 #include "write/existing_dataset.hpp"
@@ -58,6 +59,9 @@ class OgrFeatureSink final : public FileSink<FeatureSink> {
         writer_->add(layer, feature);
         require_written();
     }
+    [[nodiscard]] CoordinateRounding rounding() const override {
+        return rounding_.value_or(CoordinateRounding());
+    }
     void prepare(CommitList& commit) override;
     [[nodiscard]] std::vector<std::string> take_warnings() override { return warnings_.take(); }
     [[nodiscard]] std::int64_t first_id() const override { return writer_ ? writer_->first_id() : 1; }
@@ -86,6 +90,7 @@ class OgrFeatureSink final : public FileSink<FeatureSink> {
     Destination destination_;
     std::optional<ExistingDataset> existing_;
     bool writes_virtual_files_;
+    std::optional<CoordinateRounding> rounding_ = CoordinateRounding();  ///< nothing: in a way of its own
     StopRequest stop_;
     Warnings warnings_;
     std::optional<PendingFiles> files_;
@@ -123,8 +128,11 @@ void OgrFeatureSink::require_crs(const std::string& wkt, const std::string& name
 void OgrFeatureSink::rehearse(std::span<const LayerSpec> layers, const Provenance& provenance,
                               const Position& place) {
     const Draft draft{destination_, format_, options_, layers, provenance, place};
+    const bool is_exact = format_.transactions || is_connection(format_.driver, destination_.path);
     if (mode() == DatasetWriter::Mode::extend) {
         rehearse_adding(draft);
+        if (!is_exact)
+            rounding_ = coordinate_rounding(draft, true);
         return;
     }
     // What has no surprises is not tried: it would take longer than a small raster.
@@ -134,6 +142,8 @@ void OgrFeatureSink::rehearse(std::span<const LayerSpec> layers, const Provenanc
         writes_virtual_files_ = rehearse_creating(draft) && writes_virtual_files_;
     if (mode() == DatasetWriter::Mode::replace)
         rehearse_replacing(draft);
+    if (!is_exact)
+        rounding_ = coordinate_rounding(draft, false);
 }
 
 void OgrFeatureSink::begin(std::span<const LayerSpec> layers, const Provenance& provenance) {
@@ -194,6 +204,8 @@ void OgrFeatureSink::prepare(CommitList& commit) {
         keep_users_styles(staging.dataset(), destination_.path, existing_.has_value());
         staging.seal();
         verify_counts(target_, format_, staging.dataset().string(), writer_->counts());
+        if (!rounding_)
+            warn_of_invalid(target_, format_, staging.dataset().string());
         staging.sync();
         commit.add(*files_);
     } else if (!is_stream(destination_.name)) {

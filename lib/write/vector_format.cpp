@@ -84,6 +84,18 @@ GDALDriverH driver_by_destination(const std::string& destination) {
         some_formats() + ", ...");
 }
 
+/// Drivers of vector tiles (MVT, PMTiles, MBTiles) are those that have levels of zoom.
+void refuse_tiles(GDALDriverH driver, const std::string& destination) {
+    const std::string options = metadata(driver, GDAL_DMD_CREATIONOPTIONLIST);
+    if (options.find("name='MAXZOOM'") == std::string::npos &&
+        options.find("name=\"MAXZOOM\"") == std::string::npos)
+        return;
+    throw OptionError("\"" + destination + "\" would hold tiles (format " + GDALGetDriverShortName(driver) +
+                      "), which cut polygons at their borders and move corners onto a coarse grid, so that "
+                      "nothing can be read back as it was; write a GeoPackage, and make tiles of it with "
+                      "ogr2ogr.");
+}
+
 }  // namespace
 
 VectorFormat format_for(const WriteOptions& options) {
@@ -94,6 +106,7 @@ VectorFormat format_for(const WriteOptions& options) {
     format.driver =
         options.format.empty() ? driver_by_destination(options.destination) : driver_by_name(options.format);
     format.name = GDALGetDriverShortName(format.driver);
+    refuse_tiles(format.driver, options.destination);
     FormatProbe probe = probe_format(format.driver, options.destination);
     format.several_layers = probe.several_layers;
     format.transactions = probe.transactions;

@@ -21,7 +21,7 @@ struct VectorFormat {
 };
 
 /// By -f, or by the destination's extension or prefix; the first driver registered for it, as ogr2ogr does.
-/// @throws OptionError naming formats that can be used
+/// @throws OptionError naming formats that can be used; also for tiles, which give nothing back as it was
 [[nodiscard]] VectorFormat format_for(const WriteOptions& options);
 
 /// By this driver alone. @param access GDAL_OF_READONLY or GDAL_OF_UPDATE @return null where it cannot

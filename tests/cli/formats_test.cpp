@@ -1,4 +1,7 @@
 #include <cmath>
+#include <cstddef>
+#include <set>
+#include <string>
 
 #include <cpl_vsi.h>
 
@@ -54,6 +57,32 @@ class Formats : public CliTest {
         expect_as_reference(layer("out.gpkg", "contours"), "contours");
     }
 };
+
+/// A placemark has a name that no other has, and a number in its layer, whichever driver writes it.
+TEST_F(Formats, kmlNamesEachPlacemarkOnce) {
+    for (const char* driver : {"KML", "LIBKML"}) {
+        if (GDALGetDriverByName(driver) == nullptr)
+            continue;
+        const std::string file = std::string(driver) + ".kml";
+        run_well({"-q", "-fl", "34", "-f", driver, "--", sample("nodata.tif"), file});  // without a warning
+        const std::string text = read_bytes(path(file));
+        std::set<std::string> names;
+        std::size_t count = 0;
+        const std::string tag = "<Placemark id=\"";
+        for (std::size_t at = text.find(tag); at != std::string::npos; at = text.find(tag, at + 1)) {
+            names.insert(text.substr(at, text.find('>', at) - at));
+            ++count;
+        }
+        EXPECT_EQ(names.size(), count) << driver;
+        for (const char* name : {"buildings", "contours"}) {
+            const Layer reference = layer("reference.gpkg", name);
+            const Layer found = layer(file, name);
+            EXPECT_EQ(found.records.size(), reference.records.size());
+            for (const Record& expected : reference.records)
+                EXPECT_NO_THROW(static_cast<void>(found.where("id", expected.number("id"))));
+        }
+    }
+}
 
 TEST_F(Formats, geoPackage) {
     EXPECT_EQ(layer_names(path("reference.gpkg")), (std::vector<std::string>{"buildings", "contours"}));

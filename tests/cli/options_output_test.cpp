@@ -86,6 +86,42 @@ TEST_F(OptionEffect, lco) {
               "0");
 }
 
+/// Cells of 0.25 m with a part of 0.25 by 0.5 m on a block of 10 m, turned by a -t_srs of its own kind: none
+/// is left of the part at whole metres, and with a digit more all stands.
+TEST_F(OptionEffect, lco__thatRoundsCoordinates) {
+    RasterSpec spec = blocks();
+    spec.transform = std::array<double, 6>{391000.1, 0.25, 0, 5820000.1, 0, -0.25};
+    spec.values.assign(600, 0.0);
+    fill(spec, 3, 16, 3, 22, 10);
+    fill(spec, 8, 8, 9, 10, 20);
+    write(path("fine.tif"), spec);
+    const auto run_with = [&](const std::string& precision) {
+        return run({"-q", "-overwrite", "-preset", "thesis", "-fl", "5", "15", "-nf", "0", "-layers",
+                    "contours", "-lco", "COORDINATE_PRECISION=" + precision, "--", "fine.tif",
+                    "out.geojson"});
+    };
+    const ToolResult refused = run_with("0");
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_EQ(
+        refused.err,
+        "ERROR: -lco COORDINATE_PRECISION=0 rounds coordinates so far that a polygon is lost or runs into "
+        "another: contour 3; the coarsest precision that keeps all is 1 decimal.\n");
+    EXPECT_FALSE(std::filesystem::exists(path("out.geojson")));
+    const ToolResult kept = run_with("1");
+    EXPECT_EQ(kept.status, 0) << kept.err;
+    const Layer stack = layer("out.geojson", "out");
+    ASSERT_EQ(stack.records.size(), 3U);
+    for (const Record& record : stack.records)
+        EXPECT_TRUE(OGR_G_IsValid(record.geometry()));
+    // The north-west corner of the part lies 2.25 m to the east and 2 m to the south of that of the raster.
+    EXPECT_NE(stack.records[2].wkt().find("391002.4 5819998.1"), std::string::npos) << stack.records[2].wkt();
+    // Whole metres keep what lies on whole metres.
+    run_well({"-q", "-fl", "5", "-layers", "contours", "-lco", "COORDINATE_PRECISION=0", "blocks.tif",
+              "whole.geojson"});
+    run_well({"-q", "-fl", "5", "-layers", "contours", "blocks.tif", "exact.geojson"});
+    EXPECT_EQ(layer("whole.geojson", "whole").records.size(), layer("exact.geojson", "exact").records.size());
+}
+
 TEST_F(OptionEffect, nln) {
     trace({"-nln", "houses"});
     EXPECT_EQ(layer_names(path("out.gpkg")), (Names{"houses", "houses_contours"}));

@@ -134,10 +134,15 @@ TEST_F(OutputErrors, aViewThatNeedsAFieldThatGoes) {
 TEST_F(OutputErrors, formatsThatTakeNoPolygonsOrGiveNoneBack) {
     failed_at_once("Cannot write \"out.map\": writing feature 1 of layer \"out\" failed (", "out.map",
                    {"-f", "WAsP", "-layers", "buildings"});
-    failed_at_once(
-        "Cannot write \"out.mvt\": reading the result back failed (GDAL gives no reason); write "
-        "another format, such as GeoPackage.",
-        "out.mvt");
+    for (const char* tiles : {"MVT", "PMTiles", "MBTiles"})
+        if (GDALGetDriverByName(tiles) != nullptr &&
+            GDALGetMetadataItem(GDALGetDriverByName(tiles), GDAL_DCAP_CREATE_LAYER, nullptr) != nullptr)
+            failed(2,
+                   "\"out.tiles\" would hold tiles (format " + std::string(tiles) +
+                       "), which cut polygons at their borders and move corners onto a coarse grid, so that "
+                       "nothing can be read back as it was; write a GeoPackage, and make tiles of it with "
+                       "ogr2ogr.",
+                   "out.tiles", {"-f", tiles});
 }
 
 TEST_F(OutputErrors, foldersWithForeignFiles) {

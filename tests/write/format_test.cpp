@@ -1,3 +1,11 @@
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <cpl_conv.h>
+#include <cpl_string.h>
+
 #include "dem2buildings/open_sinks.hpp"
 #include "write/layer_choice.hpp"
 #include "write/vector_format.hpp"
@@ -130,6 +138,96 @@ TEST_F(FormatTest, LayerNames) {
     const WriteOptions folder = named("city", "ESRI Shapefile");
     EXPECT_EQ(name_of(folder, LayerRole::contours, Layers::both), "contours");
     EXPECT_EQ(name_of(folder, LayerRole::doubtful, Layers::both), "doubtful");
+}
+
+/// Of both drivers GDAL says that letters become small, and ' - # become _.
+TEST_F(FormatTest, LayersAreCalledAsTheDriverLaundersThem) {
+    WriteOptions options = named("a.sqlite");
+    options.layer_name = "Town-2026";
+    EXPECT_EQ(name_of(options, LayerRole::buildings, Layers::both), "town_2026");
+    EXPECT_EQ(name_of(options, LayerRole::contours, Layers::both), "town_2026_contours");
+    options.layer_options = {"LAUNDER=NO"};
+    EXPECT_EQ(name_of(options, LayerRole::buildings, Layers::both), "Town-2026");
+    options = named("a.gpkg");
+    options.layer_name = "Town-2026";
+    EXPECT_EQ(name_of(options, LayerRole::buildings, Layers::both), "Town-2026");
+    if (GDALGetDriverByName("PostgreSQL") == nullptr)
+        return;
+    options = named("PG:dbname=town");
+    for (const auto& [name, laundered] : {std::pair<const char*, const char*>{"Town-2026", "town_2026"},
+                                          {"ort#1", "ort_1"},
+                                          {"o'hara's", "o_hara_s"},
+                                          {"part (1)", "part _1_"},
+                                          {"say \"hi\"", "say \"hi\""},
+                                          {"\xC3\x84rger", "\xC3\x84rger"}}) {
+        options.layer_name = name;
+        EXPECT_EQ(name_of(options, LayerRole::buildings, Layers::both), laundered);
+        EXPECT_EQ(name_of(options, LayerRole::contours, Layers::both), std::string(laundered) + "_contours");
+    }
+    options.layer_options = {"LAUNDER=NO"};
+    options.layer_name = "Town-2026";
+    EXPECT_EQ(name_of(options, LayerRole::buildings, Layers::both), "Town-2026");
+}
+
+/// PostgreSQL keeps 63 bytes of a name, three of them for the key: no layer may get the name of another.
+TEST_F(FormatTest, LongNamesStayApartInPostgreSql) {
+    if (GDALGetDriverByName("PostgreSQL") == nullptr)
+        return;
+    WriteOptions options = named("PG:dbname=town");
+    const auto names = [&](const std::string& name) {
+        options.layer_name = name;
+        return Names{name_of(options, LayerRole::buildings, Layers::both),
+                     name_of(options, LayerRole::contours, Layers::both),
+                     name_of(options, LayerRole::doubtful, Layers::both)};
+    };
+    EXPECT_EQ(names(std::string(51, 'a'))[1], std::string(51, 'a') + "_contours");
+    EXPECT_EQ(names(std::string(60, 'a'))[0], std::string(60, 'a'));
+    std::set<std::string> all;
+    for (const char* end : {"x", "y", "\xC3\xA4", "\xC3\xA4\xC3\xA4"})
+        for (const std::size_t length : {55, 62, 63, 64, 80})
+            for (const std::string& name : names(std::string(length, 'a') + end)) {
+                EXPECT_LE(name.size(), 60U);
+                EXPECT_TRUE(CPLIsUTF8(name.c_str(), -1)) << name;
+                all.insert(name);
+            }
+    EXPECT_EQ(all.size(), 4U * 5U * 3U);
+    EXPECT_TRUE(names(std::string(80, 'a'))[1].ends_with("_contours"));
+    // A character of two bytes is not cut.
+    std::string umlauts;
+    for (int i = 0; i < 40; ++i)
+        umlauts += "\xC3\xA4";
+    for (const std::string& name : names(umlauts))
+        EXPECT_TRUE(CPLIsUTF8(name.c_str(), -1)) << name;
+}
+
+/// How a driver rounds is what its documentation says of its options.
+TEST_F(FormatTest, KnowsHowCoordinatesAreRounded) {
+    const auto rounding = [&](const std::string& name, const Names& layer_options) {
+        WriteOptions options = to(name);
+        options.layer_options = layer_options;
+        Provenance of_degrees = provenance();
+        of_degrees.crs_wkt = wkt_of(4326);
+        const auto sink = open_sink(options, callbacks_);
+        sink->rehearse(std::vector<LayerSpec>{layer_spec("buildings")}, of_degrees, {13.4, 52.5});
+        return sink->rounding();
+    };
+    using To = CoordinateRounding::To;
+    const auto expect = [&](const CoordinateRounding& found, To to, int digits, const std::string& cause) {
+        EXPECT_EQ(found.to, to);
+        EXPECT_EQ(found.digits, digits);
+        EXPECT_EQ(found.cause, cause);
+    };
+    expect(rounding("a.gpkg", {}), To::nothing, 0, "");
+    expect(rounding("a.fgb", {}), To::nothing, 0, "");
+    expect(rounding("a.shp", {}), To::nothing, 0, "");
+    expect(rounding("a.geojson", {"COORDINATE_PRECISION=3"}), To::decimals, 3, "-lco COORDINATE_PRECISION=3");
+    expect(rounding("a.geojson", {"RFC7946=YES"}), To::decimals, 7, "-lco RFC7946=YES");
+    expect(rounding("a.geojsonl", {"COORDINATE_PRECISION=5"}), To::decimals, 5,
+           "-lco COORDINATE_PRECISION=5");
+    CPLSetThreadLocalConfigOption("OGR_WKT_PRECISION", "6");
+    expect(rounding("a.csv", {"GEOMETRY=AS_WKT"}), To::significant_digits, 6,
+           "The configuration option OGR_WKT_PRECISION=6");
+    CPLSetThreadLocalConfigOption("OGR_WKT_PRECISION", nullptr);
 }
 
 TEST_F(FormatTest, NamesOfAllLayersThatAreWritten) {

@@ -78,6 +78,18 @@ struct Feature {
     std::optional<Position> place = {};  ///< of a layer of points, in place of the parts
 };
 
+/// How a destination rounds the coordinates that it gets.
+struct CoordinateRounding {
+    enum class To {
+        nothing,             ///< every coordinate is kept as it is
+        decimals,            ///< a number of digits behind the point
+        significant_digits,  ///< a number of digits from the first that is not 0
+    };
+    To to = To::nothing;
+    int digits = 0;
+    std::string cause = {};  ///< what messages name: "-lco COORDINATE_PRECISION=5"
+};
+
 /// What a dataset says of itself.
 struct Provenance {
     std::string crs_wkt;                          ///< of the coordinates that are written; "" for none
@@ -111,6 +123,8 @@ class FeatureSink {
     virtual void begin(std::span<const LayerSpec> layers, const Provenance& provenance) = 0;
     /// @param layer index into the layers that begin() got @throws OutputError
     virtual void add(std::size_t layer, const Feature& feature) = 0;
+    /// Known once rehearse() has been called.
+    [[nodiscard]] virtual CoordinateRounding rounding() const { return {}; }
     /// Told before prepare() or finish() what the run has done.
     virtual void take_report(const RunReport& /*report*/) {}
     /// Makes the result visible, all of it or nothing. @throws OutputError

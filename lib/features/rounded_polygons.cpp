@@ -1,0 +1,224 @@
+#include "features/rounded_polygons.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+#include <utility>
+
+#include "dem2buildings/error.hpp"
+#include "geometry/box.hpp"
+#include "geometry/box_tree.hpp"
+
+namespace d2b {
+namespace {
+
+constexpr int finest = 17;  // digits: a double has no more
+
+/// Whether a rounding moves corners by more than some nanometres on the ground, whatever the unit.
+bool is_coarse(const CoordinateRounding& rounding) {
+    return rounding.digits < (rounding.to == CoordinateRounding::To::decimals ? 13 : 15);
+}
+
+/// Decimals that a coordinate keeps; may be negative.
+int decimals_of(double coordinate, const CoordinateRounding& rounding) {
+    if (rounding.to == CoordinateRounding::To::decimals || coordinate == 0)
+        return rounding.digits;
+    return rounding.digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(coordinate))));
+}
+
+double to_decimals(double coordinate, int decimals) {
+    constexpr double whole = 9007199254740992.0;  // 2^53, from which on every double is a whole number
+    const double power = std::pow(10.0, std::abs(decimals));
+    if (decimals < 0)
+        return std::round(coordinate / power) * power;
+    // A quotient of whole numbers is the double that is nearest to the decimal fraction, as when it is read.
+    return decimals > 22 || std::abs(coordinate) * power >= whole ? coordinate
+                                                                  : std::round(coordinate * power) / power;
+}
+
+WorldRing rounded_ring(const WorldRing& ring, const CoordinateRounding& rounding) {
+    WorldRing result;
+    for (const Position& p : ring)
+        if (const Position q{rounded(p.x, rounding), rounded(p.y, rounding)};
+            result.empty() || !(result.back() == q))
+            result.push_back(q);
+    while (result.size() > 1 && result.back() == result.front())
+        result.pop_back();
+    return result;
+}
+
+/// Twice its area, in steps that leave no rounding of their own where the ring is small.
+bool is_flat(const WorldRing& ring) {
+    double sum = 0;
+    for (std::size_t i = 1; i + 1 < ring.size(); ++i)
+        sum += (ring[i].x - ring[0].x) * (ring[i + 1].y - ring[0].y) -
+               (ring[i + 1].x - ring[0].x) * (ring[i].y - ring[0].y);
+    return ring.size() < 3 || sum == 0;
+}
+
+/// The step of the coarsest coordinate: a multiple of the steps of all.
+double step_of(const std::vector<WorldPolygon>& parts, const CoordinateRounding& rounding) {
+    int decimals = std::numeric_limits<int>::max();
+    for (const WorldPolygon& part : parts)
+        for (const Position& p : part.exterior)
+            decimals = std::min({decimals, decimals_of(p.x, rounding), decimals_of(p.y, rounding)});
+    return std::pow(10.0, -decimals);
+}
+
+}  // namespace
+
+double rounded(double coordinate, const CoordinateRounding& rounding) {
+    return rounding.to == CoordinateRounding::To::nothing
+               ? coordinate
+               : to_decimals(coordinate, decimals_of(coordinate, rounding));
+}
+
+RoundedPolygons::RoundedPolygons(CoordinateRounding rounding, bool is_stacked, StopRequest stop)
+    : rounding_(std::move(rounding)),
+      is_stacked_(is_stacked),
+      is_coarse_(is_coarse(rounding_)),
+      stop_(stop),
+      geos_(std::move(stop)) {}
+
+/// @return nothing where a polygon is lost
+RoundedPolygons::Parts RoundedPolygons::as_rounded(const Parts& exact, const CoordinateRounding& rounding,
+                                                   bool& mended) {
+    mended = false;
+    Parts result;
+    for (const WorldPolygon& part : exact) {
+        WorldPolygon& made = result.emplace_back();
+        made.exterior = rounded_ring(part.exterior, rounding);
+        if (is_flat(made.exterior))
+            return {};
+        for (const WorldRing& hole : part.interiors)
+            if (WorldRing ring = rounded_ring(hole, rounding); !is_flat(ring))
+                made.interiors.push_back(std::move(ring));
+        if (part.exterior == made.exterior && part.interiors == made.interiors)
+            made.arcs = part.arcs;
+    }
+    if (geos_.invalidity(result).empty())
+        return result;
+    mended = true;
+    try {
+        return geos_.on_grid(exact, step_of(exact, rounding));
+    } catch (const GeometryError&) {
+        return {};
+    }
+}
+
+bool RoundedPolygons::round(Layer layer, std::int64_t id, std::int64_t parent_id, std::string name,
+                            std::vector<WorldPolygon>& parts) {
+    bool mended = false;
+    bool moved = false;
+    const auto moves = [&](const WorldRing& ring) {
+        return std::ranges::any_of(ring, [&](const Position& p) {
+            return rounded(p.x, rounding_) != p.x || rounded(p.y, rounding_) != p.y;
+        });
+    };
+    for (const WorldPolygon& part : parts)
+        moved = moved || moves(part.exterior) || std::ranges::any_of(part.interiors, moves);
+    Parts exact = parts;
+    if (moved) {
+        Parts made = as_rounded(parts, rounding_, mended);
+        if (!made.empty())
+            parts = std::move(made);
+    }
+    any_moved_ = any_moved_ || moved;
+    if (is_coarse_)
+        items_.push_back({layer, id, parent_id, std::move(name), std::move(exact)});
+    return mended;
+}
+
+void RoundedPolygons::find_overlaps(const std::vector<Parts>& shapes, Layer layer, Harm& harm) {
+    std::vector<std::size_t> members;
+    std::vector<Box> boxes;
+    for (std::size_t i = 0; i < items_.size(); ++i)
+        if (items_[i].layer == layer && !shapes[i].empty()) {
+            members.push_back(i);
+            boxes.push_back(box_of(shapes[i]));
+        }
+    const BoxTree tree(boxes);
+    const bool siblings_alone = layer == Layer::contours && is_stacked_;
+    for (std::size_t k = 0; k < members.size(); ++k) {
+        stop_.check();
+        const std::size_t i = members[k];
+        bool harmed = false;
+        tree.query(boxes[k], [&](std::size_t other) {
+            const std::size_t j = members[other];
+            if (harmed || j <= i || (siblings_alone && items_[i].parent_id != items_[j].parent_id))
+                return;
+            harmed = geos_.overlap(shapes[i], shapes[j]) && !geos_.overlap(items_[i].exact, items_[j].exact);
+        });
+        if (harmed)
+            harm.add(items_[i].name);
+    }
+}
+
+void RoundedPolygons::find_escapes(const std::vector<Parts>& shapes, Harm& harm) {
+    std::unordered_map<std::int64_t, std::size_t> places;
+    std::unordered_map<std::int64_t, std::vector<std::size_t>> children;
+    std::vector<std::int64_t> parents;  // in the order of the contours
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+        if (items_[i].layer != Layer::contours || shapes[i].empty())
+            continue;
+        places.emplace(items_[i].id, i);
+        auto& list = children[items_[i].parent_id];
+        if (list.empty())
+            parents.push_back(items_[i].parent_id);
+        list.push_back(i);
+    }
+    for (const std::int64_t parent : parents) {
+        const auto place = places.find(parent);
+        if (place == places.end())
+            continue;
+        std::vector<Parts> inner;
+        for (const std::size_t i : children[parent])
+            inner.push_back(shapes[i]);
+        const std::vector<bool> inside = geos_.covered(shapes[place->second], inner);
+        for (std::size_t k = 0; k < inside.size(); ++k)
+            if (const Item& item = items_[children[parent][k]];
+                !inside[k] && geos_.covered(items_[place->second].exact, {item.exact}).front())
+                harm.add(item.name);
+    }
+}
+
+RoundedPolygons::Harm RoundedPolygons::harm_of(const CoordinateRounding& rounding) {
+    Harm harm;
+    std::vector<Parts> shapes;
+    for (const Item& item : items_) {
+        bool mended = false;
+        shapes.push_back(as_rounded(item.exact, rounding, mended));
+        if (shapes.back().empty())
+            harm.add(item.name);
+    }
+    find_overlaps(shapes, Layer::buildings, harm);
+    find_overlaps(shapes, Layer::contours, harm);
+    if (is_stacked_)
+        find_escapes(shapes, harm);
+    return harm;
+}
+
+void RoundedPolygons::finish() {
+    if (!any_moved_ || items_.empty())
+        return;
+    const Harm harm = harm_of(rounding_);
+    if (harm.count == 0)
+        return;
+    CoordinateRounding finer = rounding_;
+    while (++finer.digits < finest && harm_of(finer).count > 0) {
+    }
+    const bool decimals = rounding_.to == CoordinateRounding::To::decimals;
+    throw OptionError(
+        rounding_.cause + " rounds coordinates so far that " +
+        (harm.count == 1
+             ? "a polygon is lost or runs into another: "
+             : std::to_string(harm.count) + " polygons are lost or run into others, the first of them ") +
+        harm.first +
+        (finer.digits < finest
+             ? "; the coarsest precision that keeps all is " + std::to_string(finer.digits) +
+                   (decimals ? finer.digits == 1 ? " decimal." : " decimals." : " significant digits.")
+             : "; write another format, such as GeoPackage."));
+}
+
+}  // namespace d2b
