@@ -6,6 +6,7 @@
 #include <cpl_conv.h>
 #include <cpl_string.h>
 
+#include "dem2buildings/error.hpp"
 #include "dem2buildings/open_sinks.hpp"
 #include "write/layer_choice.hpp"
 #include "write/vector_format.hpp"
