@@ -144,6 +144,7 @@ TEST_F(CityJsonSinkTest, saysWhereACrsHasNoCode) {
 TEST_F(CityJsonSinkTest, namesTheDatumOfTheHeights) {
     const auto written_of = [&](const char* crs, Names warnings) {
         meta_.provenance.crs_wkt = crs;
+        std::filesystem::remove(path("a.city.json"));
         const auto sink = open_cityjson_sink(place("a.city.json"));
         sink->begin(meta_);
         sink->finish();

@@ -225,10 +225,8 @@ TEST_F(FormatTest, KnowsHowCoordinatesAreRounded) {
     expect(rounding("a.geojson", {"RFC7946=YES"}), To::decimals, 7, "-lco RFC7946=YES");
     expect(rounding("a.geojsonl", {"COORDINATE_PRECISION=5"}), To::decimals, 5,
            "-lco COORDINATE_PRECISION=5");
-    CPLSetThreadLocalConfigOption("OGR_WKT_PRECISION", "6");
-    expect(rounding("a.csv", {"GEOMETRY=AS_WKT"}), To::significant_digits, 6,
-           "The configuration option OGR_WKT_PRECISION=6");
-    CPLSetThreadLocalConfigOption("OGR_WKT_PRECISION", nullptr);
+    // Fifteen significant digits, two of them before the point.
+    expect(rounding("a.csv", {}), To::decimals, 13, "The format CSV");
 }
 
 TEST_F(FormatTest, NamesOfAllLayersThatAreWritten) {
