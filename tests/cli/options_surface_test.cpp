@@ -18,6 +18,14 @@ void expect_closed(const ReadObj& obj) {
     EXPECT_EQ(obj.flat_triangles(), 0);
 }
 
+/// What a surface says whatever its name is: an OBJ names its materials after itself.
+std::string nameless(const std::string& file) {
+    std::string bytes = read_bytes(file);
+    if (const std::size_t line = bytes.find("\nmtllib "); line != std::string::npos)
+        bytes.erase(line, bytes.find('\n', line + 1) - line);
+    return bytes;
+}
+
 /// Of the layer, in the plane of the CRS.
 double areas(const Layer& buildings) {
     double sum = 0;
@@ -56,10 +64,7 @@ TEST_F(OptionEffect, surface) {
         const double mean = record.number("volume_m3") / record.number("area_m2");
         EXPECT_NEAR(high - low, mean, 0.001 * mean + 0.001);
     }
-    std::ifstream one(path("town.obj"));
-    std::ifstream other(path("again.obj"));
-    EXPECT_TRUE(
-        std::equal(std::istreambuf_iterator<char>(one), {}, std::istreambuf_iterator<char>(other), {}));
+    EXPECT_EQ(nameless(path("town.obj")), nameless(path("again.obj")));
 }
 
 /// A tower on its podium, divided: two buildings in one block.
@@ -131,9 +136,9 @@ TEST_F(OptionEffect, surface__isTheSameWhateverTheThreads) {
         find(arguments);
     }
     for (const std::string& ending : endings) {
-        const std::string one = read_bytes(path("1" + ending));
+        const std::string one = nameless(path("1" + ending));
         EXPECT_GT(one.size(), 1000U);
-        EXPECT_TRUE(one == read_bytes(path("4" + ending))) << ending;
+        EXPECT_TRUE(one == nameless(path("4" + ending))) << ending;
     }
 }
 
@@ -215,7 +220,7 @@ TEST_F(OptionEffect, surface__doesNotDependOnLayers) {
     const auto without_comments = [](std::istream& in) {
         std::vector<std::string> lines;
         for (std::string line; std::getline(in, line);)
-            if (!line.starts_with("#"))
+            if (!line.starts_with("#") && !line.starts_with("mtllib "))
                 lines.push_back(line);
         return lines;
     };
@@ -264,7 +269,7 @@ TEST_F(OptionEffect, surface_roof) {
         EXPECT_NEAR(blocks.volume_of(solid), volume, 0.001 * volume) << solid.buildings[0].id;
     }
     find({"-surface", "town.obj"});
-    EXPECT_EQ(read_bytes(path("town.obj")), read_bytes(path("mean.obj")));
+    EXPECT_EQ(nameless(path("town.obj")), nameless(path("mean.obj")));
     for (const std::string roof : {"p50", "p70", "p90", "p95"}) {
         find({"-surface", "town.obj", "-surface_roof", roof});
         const ReadObj obj = read_obj(path("town.obj"));

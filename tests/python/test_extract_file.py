@@ -44,7 +44,9 @@ class ExtractFile(PythonCase):
         program = [str(self.folder / f"program_{name}") for name in names]
         self.program(TOWN, *PART_OPTIONS, "-surface_of", "contours", *(text for name in program for text in ("-surface", name)))
         for name, same in zip(names, program):
-            self.assertEqual(self.target(name).read_bytes(), pathlib.Path(same).read_bytes(), name)
+            # An OBJ names its materials after itself.
+            expected = pathlib.Path(same).read_bytes().replace(b"mtllib program_", b"mtllib ")
+            self.assertEqual(self.target(name).read_bytes(), expected, name)
 
     def test_a_terrain_and_a_mask(self):
         ground = self.target("ground.tif")

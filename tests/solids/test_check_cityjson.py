@@ -32,6 +32,21 @@ class Rules(unittest.TestCase):
         empty = dict(CUBE, CityObjects={}, vertices=[])
         self.assertEqual(list(check_cityjson.faults(empty)), [])
 
+    def test_parts_and_their_building_name_each_other(self):
+        part = dict(CUBE["CityObjects"]["building_1"], type="BuildingPart", parents=["whole_1"])
+        whole = {"type": "Building", "children": ["building_1"]}
+        objects = {"building_1": part, "whole_1": whole}
+        self.assertEqual(list(check_cityjson.faults(dict(CUBE, CityObjects=objects))), [])
+        for words, change in (
+                ("building_1 is no child of whole_1", {"whole_1": dict(whole, children=["other"])}),
+                ("building_1 is no part of whole_1", {"building_1": dict(part, parents=["whole_2"])}),
+                ("CityObjects/whole_1", {"whole_1": {"type": "Building"}}),
+                ("CityObjects/whole_1", {"whole_1": dict(part, type="Building", children=["building_1"])}),
+                ("CityObjects/building_1", {"building_1": {key: part[key] for key in part if key != "parents"}})):
+            with self.subTest(words):
+                found = " ".join(check_cityjson.faults(dict(CUBE, CityObjects=dict(objects, **change))))
+                self.assertIn(words, found)
+
     def test_what_is_broken_is_found(self):
         def faces(solid):
             return solid["boundaries"][0]
