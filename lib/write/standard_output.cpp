@@ -19,6 +19,8 @@ namespace d2b {
 namespace {
 
 std::FILE*& stream() {
+    // GDAL has one /vsistdout/ in a process, too, and does not say where it goes.
+    // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
     static std::FILE* chosen = stdout;
     return chosen;
 }
@@ -60,9 +62,9 @@ bool has_room(int file, std::uint64_t bytes) {
 
 }  // namespace
 
-void set_standard_output(std::FILE* to) {
-    stream() = to;
-    VSIStdoutSetRedirection(std::fwrite, to);
+void set_standard_output(std::FILE* output) {
+    stream() = output;
+    VSIStdoutSetRedirection(std::fwrite, output);
 }
 
 void refuse_lost_output() {

@@ -11,7 +11,7 @@ namespace d2b {
 
 /// Where /vsistdout/ writes to from now on, in the whole process: stdout, or another stream, which leaves
 /// stdout to what GDAL's drivers print.
-void set_standard_output(std::FILE* stream);
+void set_standard_output(std::FILE* output);
 
 /// @throws OutputError: not all that was written to stdout is there
 [[noreturn]] void refuse_lost_output();

@@ -39,7 +39,7 @@ TileNumbers write_all(const FeatureInput& input, const RecordMaker& records, Dra
                 writer.number(numbers, all[i]);
                 if (parts != nullptr) {
                     parts->set_tile(drawn.tiles[input.contours.head(k * piece + i).label]);
-                    parts->keep(all[i]);
+                    parts->keep_contour(all[i]);
                 }
                 writer.add_numbered(numbers, k * piece + i, std::move(all[i]));
             }

@@ -15,7 +15,7 @@ void PartNumbers::add(std::size_t layer, const Feature& feature) {
     whole_.layers[layer].add(tile_, feature.parts);
 }
 
-void PartNumbers::keep(const DrawnContour& drawn) {
+void PartNumbers::keep_contour(const DrawnContour& drawn) {
     ByteWriter writer;
     save(drawn, writer);
     kept_[tile_].push_back(append(*spool_, writer));

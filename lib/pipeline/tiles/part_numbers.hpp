@@ -28,7 +28,7 @@ class PartNumbers final : public FeatureSink, public PendingResult {
     /// The tile that the next features are of.
     void set_tile(std::int64_t tile) { tile_ = tile; }
     /// A contour of that tile that merge has drawn and numbered. @throws OutputError the spool has no room
-    void keep(const DrawnContour& drawn);
+    void keep_contour(const DrawnContour& drawn);
     /// Writes what each tile must know. @param numbers of what each tile has drawn @throws OutputError
     void write(const TileRun& run, const TileNumbers& numbers, int levels);
 
