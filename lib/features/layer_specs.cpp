@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "attributes/attribute_table.hpp"
+#include "core/utf8_text.hpp"
 
 namespace d2b {
 
@@ -14,7 +15,7 @@ LayerSpecs layer_specs(const RunPlan& plan, const std::string& source, const std
     LayerSpecs specs;
     const auto add = [&](LayerRole role, const char* title, const std::string& description,
                          std::vector<FieldSpec> fields, bool arcs) {
-        specs.layers.push_back({sink.layer_name(role, plan.layers), title, description + source,
+        specs.layers.push_back({sink.layer_name(role, plan.layers), title, description + utf8_text(source),
                                 std::move(fields), write.with_z, arcs});
         return specs.layers.size() - 1;
     };

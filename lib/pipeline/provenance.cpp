@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/number_text.hpp"
+#include "core/utf8_text.hpp"
 #include "dem2buildings/version.hpp"
 #include "options/given_words.hpp"
 #include "options/option_checks.hpp"
@@ -54,6 +55,8 @@ Provenance make_provenance(const RunPlan& plan, const DemInfo& info, const Crs& 
     };
     provenance.metadata.merge(decisions(plan));
     std::erase_if(provenance.metadata, [](const auto& item) { return item.second.empty(); });
+    for (auto& [name, value] : provenance.metadata)
+        value = utf8_text(value);
     return provenance;
 }
 

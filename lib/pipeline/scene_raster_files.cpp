@@ -1,6 +1,7 @@
 #include "pipeline/scene_raster_files.hpp"
 
 #include "core/crs.hpp"
+#include "core/utf8_text.hpp"
 #include "dem2buildings/version.hpp"
 #include "options/given_words.hpp"
 #include "write/geotiff_sink.hpp"
@@ -22,9 +23,9 @@ SideSinks open_scene_rasters(const Options& options, const DemInfo& dem, const S
         RasterMeta meta;
         meta.description = what;
         meta.elevations = elevations;
-        meta.metadata = {{"D2B_VERSION", std::string(version)}, {"D2B_SOURCE", grid.name}};
+        meta.metadata = {{"D2B_VERSION", std::string(version)}, {"D2B_SOURCE", utf8_text(grid.name)}};
         if (const std::string words = given_words(options); !words.empty())
-            meta.metadata.emplace("D2B_OPTIONS", words);
+            meta.metadata.emplace("D2B_OPTIONS", utf8_text(words));
         auto sink = open_geotiff_sink({destination, overwrite, in_use}, grid, meta);
         in_use.push_back(destination);
         return sink;

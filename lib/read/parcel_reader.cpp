@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/utf8_text.hpp"
 #include "dem2buildings/error.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/parcel_cells.hpp"
@@ -168,8 +169,9 @@ void ParcelReader::require_some(const DemInfo& grid) {
 std::string ParcelReader::text_of(OGRFeatureH feature) const {
     if (field_ < 0)
         return std::to_string(OGR_F_GetFID(feature));
-    return OGR_F_IsFieldSetAndNotNull(feature, field_) != FALSE ? OGR_F_GetFieldAsString(feature, field_)
-                                                                : std::string();
+    if (OGR_F_IsFieldSetAndNotNull(feature, field_) == FALSE)
+        return {};
+    return utf8_text(OGR_F_GetFieldAsString(feature, field_));
 }
 
 PixelParcel ParcelReader::parcel_of(OGRFeatureH feature, OGRGeometryH geometry) {

@@ -5,6 +5,7 @@
 #include <ogr_spatialref.h>
 
 #include "core/crs.hpp"
+#include "core/utf8_text.hpp"
 #include "dem2buildings/error.hpp"
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
@@ -48,7 +49,8 @@ std::string wkt_of(OGRSpatialReferenceH crs) {
     char* text = nullptr;
     const OGRErr status = OSRExportToWktEx(crs, &text, options.data());
     const std::unique_ptr<char, GdalRelease<void*, VSIFree>> owner(text);
-    return status == OGRERR_NONE && text != nullptr ? text : "";
+    // Names in the keys of a GeoTIFF or in a .prj may be in any encoding.
+    return status == OGRERR_NONE && text != nullptr ? utf8_text(text) : "";
 }
 
 void set_crs(const std::string& own_wkt, const std::string& user_crs, DemInfo& info, Warnings& warnings) {

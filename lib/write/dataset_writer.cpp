@@ -6,6 +6,7 @@
 #include <thread>
 #include <utility>
 
+#include "core/utf8_text.hpp"
 #include "dem2buildings/error.hpp"
 #include "write/database_turn.hpp"
 #include "write/existing_dataset.hpp"
@@ -61,7 +62,12 @@ void DatasetWriter::open(const std::string& path, Mode mode) {
     OgrCall call(target_);
     path_ = path;
     if (mode == Mode::create) {
-        const NameValueList options(options_.dataset_options);
+        NameValueList options(options_.dataset_options);
+        // A GML names the file of its schema, and could not be read where that name is not UTF-8.
+        const std::string file = std::filesystem::path(path).filename().string();
+        if (format_.name == "GML" && utf8_text(file) != file && !options.has("XSISCHEMA") &&
+            !options.has("XSISCHEMAURI"))
+            options.set("XSISCHEMA", "OFF");
         dataset_.reset(GDALCreate(format_.driver, path.c_str(), 0, 0, 0, GDT_Unknown, options.get()));
         call.check(dataset_ != nullptr, "creating the " + format_.name + " dataset");
     } else {

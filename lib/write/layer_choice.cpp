@@ -1,5 +1,6 @@
 #include "write/layer_choice.hpp"
 
+#include "core/utf8_text.hpp"
 #include "dem2buildings/error.hpp"
 #include "write/laundered_name.hpp"
 
@@ -44,10 +45,10 @@ Layers resolve_layers(const WriteOptions& options, const VectorFormat& format) {
 
 std::string name_of(const WriteOptions& options, const VectorFormat& format, LayerRole role, Layers layers) {
     if (!options.layer_name.empty())
-        return laundered_name(options.layer_name, suffix_of(role, layers), format, options);
+        return laundered_name(utf8_text(options.layer_name), suffix_of(role, layers), format, options);
     const bool file_is_layer = !format.several_layers && !is_stream(options.destination) &&
                                !is_connection(format.driver, options.destination);
-    std::string stem = stem_of(options.destination);
+    std::string stem = utf8_text(stem_of(options.destination));
     if (file_is_layer && !stem.empty())
         return stem;
     switch (role) {

@@ -1,23 +1,37 @@
 #pragma once
 
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <cpl_string.h>
 
+#include "core/utf8_text.hpp"
 #include "read/gdal_handles.hpp"
 
 namespace d2b {
 
 using FieldOwner = GdalOwner<OGRFieldDefnH, OGR_Fld_Destroy>;
 
-/// A NULL-terminated list of NAME=VALUE, as GDAL takes them.
+/// Whether the value of an option of GDAL's formats is the name of a file or folder, as with TEMPORARY_DIR.
+[[nodiscard]] inline bool names_a_file(std::string_view option) {
+    const std::string name(option.substr(0, option.find('=')));
+    constexpr std::array endings{"DIR", "FILE", "FILENAME", "PATH"};
+    for (const std::string_view ending : endings)
+        if (name.size() >= ending.size() && EQUAL(name.c_str() + name.size() - ending.size(), ending.data()))
+            return true;
+    return false;
+}
+
+/// A NULL-terminated list of NAME=VALUE, as GDAL takes them. Values become text of results, so they are
+/// UTF-8; names of files keep their bytes.
 class NameValueList {
   public:
     NameValueList() = default;
     explicit NameValueList(const std::vector<std::string>& items) {
         for (const auto& item : items)
-            list_.AddString(item.c_str());
+            list_.AddString((names_a_file(item) ? item : utf8_text(item)).c_str());
     }
     [[nodiscard]] bool has(const char* name) const { return list_.FetchNameValue(name) != nullptr; }
     void set(const char* name, const std::string& value) { list_.SetNameValue(name, value.c_str()); }

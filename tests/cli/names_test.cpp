@@ -1,0 +1,91 @@
+#include <filesystem>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/cli_test_case.hpp"
+
+namespace d2b::test {
+namespace {
+
+/// Names that are not UTF-8, as archives of another time unpack: "Gebäude" in Latin-1.
+class Names : public CliTest {
+  protected:
+    void SetUp() override {
+        CliTest::SetUp();
+        write(path(dem_), blocks());
+    }
+    /// All bytes of all files in the folder but the DEM, and the files' own names.
+    [[nodiscard]] std::string written() const {
+        std::string bytes;
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_))
+            if (entry.is_regular_file() && entry.path().filename() != dem_)
+                bytes += read_bytes(entry.path().string());
+        return bytes;
+    }
+    void expect_text(const std::string& of) const {
+        const std::string bytes = written();
+        EXPECT_NE(bytes.find(readable_), std::string::npos) << of;
+        EXPECT_EQ(bytes.find(raw_), std::string::npos) << of;
+    }
+
+    const std::string raw_ = "Geb\xE4ude";
+    const std::string readable_ = "Geb\xEF\xBF\xBDude";
+    const std::string dem_ = raw_ + ".tif";
+};
+
+TEST_F(Names, areTextInEveryFormat) {
+    for (const char* extension : {".gpkg", ".sqlite", ".geojson", ".fgb", ".kml", ".jml", ".gml"}) {
+        const std::string file = raw_ + extension;
+        run_well({"-q", "-layers", "buildings", "-nln", raw_, dem_, file});
+        EXPECT_TRUE(std::filesystem::exists(path(file)));
+        expect_text(file);
+        EXPECT_FALSE(layer(file, readable_).records.empty()) << file;
+        for (const std::string& name : entries())
+            if (name != dem_)
+                std::filesystem::remove(path(name));
+    }
+}
+
+TEST_F(Names, ofFilesAreTextBesideThem) {
+    run_well({"-q", "-surface", raw_ + ".obj", "-surface", raw_ + ".glb", "-surface", raw_ + ".city.json",
+              "-preview", raw_ + ".svg", dem_, raw_ + ".gpkg"});
+    for (const char* extension : {".obj", ".glb", ".city.json", ".svg", ".gpkg"})
+        EXPECT_TRUE(std::filesystem::exists(path(raw_ + extension))) << extension;
+    expect_text("what is written beside");
+}
+
+TEST_F(Names, ofASingleShapefileKeepTheirBytes) {
+    run_well({"-q", "-layers", "buildings", dem_, raw_ + ".shp"});
+    for (const char* extension : {".shp", ".dbf", ".qml"})
+        EXPECT_TRUE(std::filesystem::exists(path(raw_ + extension))) << extension;
+}
+
+TEST_F(Names, inOptionsOfFormatsAreText) {
+    std::filesystem::create_directory(path(raw_));
+    run_well({"-q", "-lco", "DESCRIPTION=" + raw_, "-lco", "TEMPORARY_DIR=" + path(raw_), "-layers",
+              "buildings", dem_, "town.fgb"});
+    run_well({"-q", "-lco", "IDENTIFIER=" + raw_, "-lco", "DESCRIPTION=" + raw_, "-layers", "buildings", dem_,
+              "town.gpkg"});
+    expect_text("-lco");
+}
+
+TEST_F(Names, inFieldsOfParcelsAreText) {
+    write_text(path("parcels.csv"), "name,WKT\n\"" + raw_ + "\",\"POLYGON ((0 0,30 0,30 -20,0 -20,0 0))\"\n");
+    const ToolResult result =
+        run({"-q", "-preset", "buildings", "-ground", "none", "-min_height", "3", "-min_area", "10",
+             "-split_by", "parcels.csv", "-split_field", "name", dem_, "town.gpkg"});
+    EXPECT_EQ(result.status, 0) << result.err;
+    expect_text("-split_field");
+}
+
+TEST_F(Names, ofLayersAreFoundAgain) {
+    run_well({"-q", "-nln", raw_, dem_, "town.gpkg"});
+    run_well({"-q", "-nln", raw_, "-append", dem_, "town.gpkg"});
+    const std::size_t twice = layer("town.gpkg", readable_).records.size();
+    run_well({"-q", "-nln", raw_, "-overwrite", dem_, "town.gpkg"});
+    EXPECT_EQ(2 * layer("town.gpkg", readable_).records.size(), twice);
+}
+
+}  // namespace
+}  // namespace d2b::test
