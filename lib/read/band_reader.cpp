@@ -11,6 +11,7 @@
 #include "core/number_text.hpp"
 #include "core/processors.hpp"
 #include "dem2buildings/error.hpp"
+#include "read/fetch_gate.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/source_advice.hpp"
 #include "read/window.hpp"
@@ -93,6 +94,7 @@ double as_single(double value) {
 BandReader::BandReader(GDALRasterBandH band, const ReadOptions& options, DemInfo info, Warnings& warnings)
     : band_(band), info_(std::move(info)) {
     const GdalMessages messages(path_of(band_), info_.name);
+    const FetchGate gate(GDALGetBandDataset(band_));
     if (options.nodata && options.ignore_nodata)
         throw OptionError("-snodata and -inodata exclude each other; give only one of them.");
     int known = FALSE;
@@ -233,6 +235,7 @@ void BandReader::load(GDALRasterBandH band, GDALDataType type, const Window& par
                       Warnings& warnings) const {
     const std::string path = path_of(band_);
     const GdalMessages messages(path, info_.name);
+    const FetchGate gate(GDALGetBandDataset(band_));
     const NoBigReads no_big_reads;
     const CPLErr status = GDALRasterIOEx(band, GF_Read, part.col, part.row, part.cols, part.rows, values,
                                          part.cols, part.rows, type, 0, 0, nullptr);

@@ -4,6 +4,7 @@
 #include "dem2buildings/error.hpp"
 #include "read/aligned_raster.hpp"
 #include "read/cutline_mask.hpp"
+#include "read/fetch_gate.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/side_rasters.hpp"
 #include "read/warning_source.hpp"
@@ -63,9 +64,8 @@ class PolygonMask final : public WarningSource {
 /// Whether a dataset has layers and no bands.
 bool is_vector(const std::string& path) {
     const GdalMessages messages;
-    const DatasetOwner dataset(
-        GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
-                   nullptr, nullptr, nullptr));
+    const DatasetOwner dataset =
+        open_gated(path, GDAL_OF_RASTER | GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR);
     if (!dataset)
         throw InputError("The mask '" + path +
                          "' cannot be opened as a raster or as polygons: " + messages.reason_for(path) + ".");

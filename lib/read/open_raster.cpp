@@ -1,6 +1,7 @@
 #include "read/open_raster.hpp"
 
 #include "dem2buildings/error.hpp"
+#include "read/fetch_gate.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/header_claims.hpp"
 #include "read/source_advice.hpp"
@@ -25,8 +26,8 @@ DatasetOwner open_dataset(const ReadOptions& options, const std::string& path, W
     const GdalMessages messages(path, options.source);
     const StringList drivers(options.drivers);
     const StringList open_options(options.open_options);
-    DatasetOwner dataset(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
-                                    drivers.get(), open_options.get(), nullptr));
+    DatasetOwner dataset = open_gated(path, GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
+                                      drivers.get(), open_options.get());
     if (!dataset)
         throw InputError("'" + options.source + "' cannot be opened as a raster: " +
                          messages.reason_for(options.source) + unopened_advice(path) + ".");

@@ -12,6 +12,7 @@
 #include <cpl_vsi.h>
 #include <gdal.h>
 
+#include "read/fetch_gate.hpp"
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/standard_input.hpp"
@@ -51,8 +52,7 @@ std::string_view archive_prefix(const std::string& path, const std::string& head
 }
 
 bool opens_as(unsigned kind, const std::string& path) {
-    return DatasetOwner(GDALOpenEx(path.c_str(), kind | GDAL_OF_READONLY, nullptr, nullptr, nullptr)) !=
-           nullptr;
+    return open_gated(path, kind | GDAL_OF_READONLY) != nullptr;
 }
 
 /// The first raster in an archive; "" where there is none.

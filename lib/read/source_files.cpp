@@ -9,6 +9,7 @@
 #include <cpl_vsi.h>
 
 #include "core/warnings.hpp"
+#include "read/fetch_gate.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/open_raster.hpp"
 #include "read/start_gdal.hpp"
@@ -30,6 +31,7 @@ bool is_vrt(const std::string& name) {
 /// @return the VRTs among the files of a dataset that were not known before
 std::vector<std::string> add_files(GDALDatasetH dataset, std::set<std::string>& names) {
     std::vector<std::string> vrts;
+    const FetchGate gate(dataset);
     const CPLStringList files(GDALGetFileList(dataset));
     for (int i = 0; i < files.size(); ++i)
         if (const std::string name = files[i]; names.insert(name).second && is_vrt(name))
@@ -41,7 +43,7 @@ std::vector<std::string> add_files(GDALDatasetH dataset, std::set<std::string>& 
 std::vector<SourceFile> all_stated(std::set<std::string> names, std::vector<std::string> vrts) {
     // GDAL lists the files of a VRT, but not those of the VRTs among them.
     while (!vrts.empty()) {
-        const DatasetOwner inner(GDALOpenEx(vrts.back().c_str(), GDAL_OF_RASTER, nullptr, nullptr, nullptr));
+        const DatasetOwner inner = open_gated(vrts.back(), GDAL_OF_RASTER);
         vrts.pop_back();
         if (inner)
             std::ranges::copy(add_files(inner.get(), names), std::back_inserter(vrts));
@@ -73,8 +75,7 @@ std::vector<SourceFile> side_files(const Options& options) {
         if (path.empty())
             continue;
         const GdalMessages messages;
-        const DatasetOwner dataset(
-            GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_VECTOR, nullptr, nullptr, nullptr));
+        const DatasetOwner dataset = open_gated(path, GDAL_OF_RASTER | GDAL_OF_VECTOR);
         std::set<std::string> names{path};
         std::vector<std::string> vrts =
             dataset ? add_files(dataset.get(), names) : std::vector<std::string>();

@@ -3,14 +3,14 @@
 #include <cstddef>
 
 #include "dem2buildings/error.hpp"
+#include "read/fetch_gate.hpp"
 #include "read/gdal_messages.hpp"
 
 namespace d2b {
 
 DatasetOwner open_vector_dataset(const std::string& path, const std::string& complaint, Warnings& warnings) {
     const GdalMessages messages;
-    DatasetOwner dataset(GDALOpenEx(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
-                                    nullptr, nullptr, nullptr));
+    DatasetOwner dataset = open_gated(path, GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR);
     if (!dataset)
         throw InputError(complaint + ": " + messages.reason_for(path) + ".");
     messages.pass_all(warnings);

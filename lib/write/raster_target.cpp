@@ -10,6 +10,7 @@
 
 #include "dem2buildings/error.hpp"
 #include "preview/picture_format.hpp"
+#include "read/fetch_gate.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/start_gdal.hpp"
 #include "write/destination.hpp"
@@ -83,7 +84,8 @@ bool part_of(const std::string& path, const std::string& dataset_name) {
     if (!fs::exists(dataset_name, error))  // neither pipes nor connections are opened
         return false;
     const GdalMessages quiet;
-    const DatasetOwner dataset(GDALOpenEx(dataset_name.c_str(), GDAL_OF_READONLY, nullptr, nullptr, nullptr));
+    const DatasetOwner dataset = open_gated(dataset_name, GDAL_OF_READONLY);
+    const FetchGate gate(dataset_name);
     const CPLStringList files(dataset ? GDALGetFileList(dataset.get()) : nullptr);
     for (int i = 0; i < files.Count(); ++i)
         if (same_file(path, files[i]))
@@ -120,8 +122,7 @@ bool is_of(RasterFormat format, const RasterPlace& place) {
     if (format == RasterFormat::page)
         return begins_a_page(beginning_of(place.path));
     const std::array<const char*, 2> drivers{"GTiff", nullptr};
-    return DatasetOwner(GDALOpenEx(place.path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers.data(),
-                                   nullptr, nullptr)) != nullptr;
+    return open_gated(place.path, GDAL_OF_RASTER | GDAL_OF_READONLY, drivers.data()) != nullptr;
 }
 
 void check_local(const RasterPlace& place, RasterFormat format) {

@@ -11,6 +11,7 @@
 #include <ogr_api.h>
 
 #include "dem2buildings/error.hpp"
+#include "read/fetch_gate.hpp"
 #include "write/format_probe.hpp"
 
 namespace d2b {
@@ -119,7 +120,7 @@ VectorFormat format_for(const WriteOptions& options) {
 DatasetOwner open_dataset(const VectorFormat& format, const std::string& path, unsigned access) {
     const std::array<const char*, 2> only{format.name.c_str(), nullptr};
     const auto open = [&](const std::string& name) {
-        return DatasetOwner(GDALOpenEx(name.c_str(), GDAL_OF_VECTOR | access, only.data(), nullptr, nullptr));
+        return open_gated(name, GDAL_OF_VECTOR | access, only.data());
     };
     DatasetOwner dataset = open(path);
     // Where there is one feature, it takes the file for plain GeoJSON, unless it is told.

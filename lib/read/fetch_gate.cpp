@@ -1,0 +1,158 @@
+#include "read/fetch_gate.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include <cpl_conv.h>
+#include <cpl_error.h>
+#include <cpl_http.h>
+#include <cpl_string.h>
+#include <cpl_vsi.h>
+
+namespace d2b {
+namespace {
+
+/// Formats of files that consist of the addresses of others.
+constexpr std::array<const char*, 17> lists_of_addresses{
+    "VRT",    "OGR_VRT", "GTI",      "WMS",      "WMTS", "WCS",   "WFS", "OAPIF", "OGCAPI",
+    "STACTA", "STACIT",  "PLMOSAIC", "PLSCENES", "EEDA", "EEDAI", "CSW", nullptr};
+
+/// What names of GDAL's begin with where a server is meant.
+constexpr std::array services{
+    "WMS:", "WMTS:",    "WCS:",     "WFS:",      "OAPIF:",    "OGCAPI:", "STACTA:",     "STACIT:",
+    "CSW:", "EEDA:",    "EEDAI:",   "PLMOSAIC:", "PLSCENES:", "CARTO:",  "AMIGOCLOUD:", "NGW:",
+    "ES:",  "ELASTIC:", "COUCHDB:", "CLOUDANT:", "GNM:",      "DAAS:"};
+/// They may stand within others: /vsizip//vsicurl/...
+constexpr std::array stores{"/vsicurl", "/vsis3",    "/vsigs",      "/vsiaz",  "/vsiadls",
+                            "/vsioss",  "/vsiswift", "/vsiwebhdfs", "/vsihdfs"};
+
+constexpr const char* allowed_file = "CPL_VSIL_CURL_ALLOWED_FILENAME";
+
+bool begins_with(const std::string& name, const char* beginning) {
+    return EQUALN(name.c_str(), beginning, std::string_view(beginning).size());
+}
+
+/// "host:80" of the first address in a text; "" where there is none.
+std::string server_in(const std::string& text) {
+    for (const std::string_view scheme : {"http://", "https://", "ftp://"})
+        if (const auto at = text.find(scheme); at != std::string::npos) {
+            const auto begin = at + scheme.size();
+            return text.substr(begin, text.find_first_of("/?#&\"'<> ", begin) - begin);
+        }
+    return "";
+}
+
+bool is_list_of_addresses(const std::string& name) {
+    VSIStatBufL status;
+    // Streams are read once: who looks at their beginning takes it away.
+    const bool looks = name.starts_with('<') ||
+                       (VSIStatExL(name.c_str(), &status, VSI_STAT_EXISTS_FLAG | VSI_STAT_NATURE_FLAG) == 0 &&
+                        VSI_ISREG(status.st_mode) != 0);
+    return looks && GDALIdentifyDriverEx(name.c_str(), GDAL_OF_RASTER | GDAL_OF_VECTOR,
+                                         lists_of_addresses.data(), nullptr) != nullptr;
+}
+
+/// Whether what is fetched is to be read as the definition of a CRS: OSRImportFromUrl() says so.
+bool asks_for_a_crs(CSLConstList options) {
+    const char* headers = CSLFetchNameValue(options, "HEADERS");
+    return headers != nullptr && std::string_view(headers).find("ogcwkt") != std::string_view::npos;
+}
+
+CPLHTTPResult* refused(const char* address) {
+    CPLError(CE_Warning, CPLE_AppDefined,
+             "the file refers to %s, which is not fetched: only addresses that you name are", address);
+    auto* const result = static_cast<CPLHTTPResult*>(CPLCalloc(1, sizeof(CPLHTTPResult)));
+    result->nStatus = 1;
+    result->pszErrBuf = CPLStrdup("the address is not fetched");
+    return result;
+}
+
+CPLHTTPResult* pass_or_refuse(const char* address, CSLConstList options, GDALProgressFunc /*progress*/,
+                              void* /*of_progress*/, CPLHTTPFetchWriteFunc /*write*/, void* /*of_write*/,
+                              void* gate) {
+    const bool passes = !asks_for_a_crs(options) && static_cast<FetchGate*>(gate)->lets_through(address);
+    return passes ? nullptr : refused(address);  // GDAL fetches what gets no answer here
+}
+
+/// The pictures of such a KML lie anywhere, and its driver fetches them by a way that nothing holds back.
+bool is_super_overlay(const std::string& name) {
+    const std::array<const char*, 2> only{"KMLSUPEROVERLAY", nullptr};
+    VSIStatBufL status;
+    return VSIStatExL(name.c_str(), &status, VSI_STAT_EXISTS_FLAG | VSI_STAT_NATURE_FLAG) == 0 &&
+           VSI_ISREG(status.st_mode) != 0 &&
+           GDALIdentifyDriverEx(name.c_str(), GDAL_OF_RASTER, only.data(), nullptr) != nullptr;
+}
+
+CPLStringList other_drivers(const char* without) {
+    CPLStringList names;
+    for (int i = 0; i < GDALGetDriverCount(); ++i)
+        if (const char* name = GDALGetDriverShortName(GDALGetDriver(i)); !EQUAL(name, without))
+            names.AddString(name);
+    return names;
+}
+
+}  // namespace
+
+FetchGate::Fetching FetchGate::named_by(const std::string& name) {
+    if (std::ranges::any_of(services, [&](const char* service) { return begins_with(name, service); }))
+        return Fetching::any;
+    const bool text = name.starts_with('{') || name.starts_with('<');
+    if (!text && !server_in(name).empty())
+        return Fetching::one_server;
+    if (!text &&
+        std::ranges::any_of(stores, [&](const char* store) { return name.find(store) != std::string::npos; }))
+        return Fetching::any;
+    return Fetching::none;
+}
+
+FetchGate::FetchGate(const std::string& name) : name_(name), fetching_(named_by(name)) {
+    if (fetching_ == Fetching::none && is_list_of_addresses(name))
+        fetching_ = Fetching::any;
+    close();
+}
+
+FetchGate::FetchGate(GDALDatasetH dataset)
+    : name_(dataset != nullptr ? GDALGetDescription(dataset) : ""), fetching_(named_by(name_)) {
+    const GDALDriverH driver = dataset != nullptr ? GDALGetDatasetDriver(dataset) : nullptr;
+    const std::string format = driver != nullptr ? GDALGetDriverShortName(driver) : "";
+    if (std::ranges::any_of(lists_of_addresses,
+                            [&](const char* list) { return list != nullptr && format == list; }))
+        fetching_ = Fetching::any;
+    close();
+}
+
+void FetchGate::close() {
+    CPLHTTPPushFetchCallback(pass_or_refuse, this);
+    if (const char* before = CPLGetThreadLocalConfigOption(allowed_file, nullptr))
+        file_before_ = before;
+    // Of the files on servers that GDAL reads a part at a time, none has this name.
+    if (fetching_ == Fetching::none)
+        CPLSetThreadLocalConfigOption(allowed_file, "none");
+}
+
+FetchGate::~FetchGate() {
+    if (fetching_ == Fetching::none)
+        CPLSetThreadLocalConfigOption(allowed_file, file_before_ ? file_before_->c_str() : nullptr);
+    CPLHTTPPopFetchCallback();
+}
+
+bool FetchGate::lets_through(const std::string& address) const {
+    return fetching_ == Fetching::any ||
+           (fetching_ == Fetching::one_server && server_in(address) == server_in(name_));
+}
+
+DatasetOwner open_gated(const std::string& name, unsigned flags, const char* const* drivers,
+                        const char* const* open_options) {
+    const FetchGate gate(name);
+    const bool any_raster =
+        drivers == nullptr && ((flags & GDAL_OF_RASTER) != 0 || (flags & GDAL_OF_VECTOR) == 0);
+    CPLStringList others;
+    if (any_raster && gate.lets_nothing_through() && is_super_overlay(name)) {
+        others = other_drivers("KMLSUPEROVERLAY");
+        drivers = others.List();
+    }
+    return DatasetOwner(GDALOpenEx(name.c_str(), flags, drivers, open_options, nullptr));
+}
+
+}  // namespace d2b
