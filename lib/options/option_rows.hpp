@@ -40,7 +40,7 @@ struct Columns {
     std::vector<std::string> aliases{};
     PresetScope scope{};
     Python python = Python::everywhere;
-    std::string python_name{};  ///< where Python cannot spell the name
+    std::string python_name{};  ///< where Python cannot spell the name, or has a better one
     bool repeats = true;
     std::string item{};
 };

@@ -142,7 +142,8 @@ std::vector<OptionRow> input() {
          .help = "Value that stands for no data, in place of the input's own.",
          .details =
              "It is compared with the values as stored, before the band's scale and offset. NaN and infinite "
-             "elevations are never valid, with or without this option."}));
+             "elevations are never valid, with or without this option.",
+         .python_name = "nodata"}));
     rows.push_back(switch_row("inodata", [](auto& r) -> auto& { return r.options.read.ignore_nodata; },
                               {.title = "Treat the NoData value as an elevation",
                                .help = "Treat the input's NoData value as an elevation.",

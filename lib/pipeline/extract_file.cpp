@@ -37,10 +37,10 @@ std::vector<SurfaceSink*> pointers(const std::vector<std::unique_ptr<SurfaceSink
 
 }  // namespace
 
-Inputs open_inputs(const Options& options, const Callbacks& callbacks) {
+Inputs open_inputs(const Options& options, const Callbacks& callbacks, const SideArrays& arrays) {
     Inputs inputs;
     inputs.dem = open_source(options, callbacks);
-    inputs.side = open_side_sources(options, inputs.dem->info(), callbacks);
+    inputs.side = open_side_sources(options, inputs.dem->info(), callbacks, arrays);
     return inputs;
 }
 
@@ -57,10 +57,10 @@ Callbacks remembering(const Callbacks& callbacks, std::vector<std::string>& hear
 }
 
 RunReport extract_file(const Options& options, const Callbacks& callbacks,
-                       const ReportReader<RunReport>& reader) {
+                       const ReportReader<RunReport>& reader, const SideArrays& arrays) {
     std::vector<std::string> warnings;
     const Callbacks heard = remembering(callbacks, warnings);
-    const Inputs inputs = open_inputs(options, heard);
+    const Inputs inputs = open_inputs(options, heard, arrays);
     const auto sink = open_sink(options.write, heard);
     const SideSinks side = open_side_sinks(options, inputs.dem->info());
     Preview preview(options, *sink, inputs.dem->info());

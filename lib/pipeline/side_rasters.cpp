@@ -1,12 +1,15 @@
 #include "read/side_rasters.hpp"
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/crs.hpp"
 #include "core/units.hpp"
+#include "dem2buildings/error.hpp"
 #include "dem2buildings/open_sinks.hpp"
 #include "dem2buildings/open_sources.hpp"
 #include "elevations/sift_rules.hpp"
@@ -18,21 +21,44 @@
 #include "write/surface_sinks.hpp"
 
 namespace d2b {
+namespace {
 
-SideSources open_side_sources(const Options& options, const DemInfo& dem, const Callbacks& callbacks) {
+std::string shape_text(std::int32_t rows, std::int32_t cols) {
+    return "(" + std::to_string(rows) + ", " + std::to_string(cols) + ")";
+}
+
+/// @param option that names it
+SideRaster side_raster(const std::string& option, const std::string& name,
+                       const std::optional<ElevationArray>& array, const DemInfo& dem) {
+    if (!array)
+        return {name};
+    if (array->rows != dem.rows || array->cols != dem.cols)
+        throw OptionError("-" + option + " has the shape " + shape_text(array->rows, array->cols) + " and '" +
+                          dem.name + "' the shape " + shape_text(dem.rows, dem.cols) +
+                          "; give an array with one value per cell of the DEM.");
+    return {name, &*array};
+}
+
+}  // namespace
+
+SideSources open_side_sources(const Options& options, const DemInfo& dem, const Callbacks& callbacks,
+                              const SideArrays& arrays) {
     register_formats();
     const DemInfo grid = in_its_crs(dem, options);
     SideSources sources;
     if (options.ground.mode == GroundMode::given) {
         const UnitReport units = resolve_units(grid, Crs(grid.crs_wkt), options.read.vertical_unit);
-        sources.terrain = open_terrain(options.ground.terrain, grid, units.vertical_metres,
-                                       elevation_limits(options.read, units.vertical_metres), callbacks,
-                                       {.keeps_undeclared = options.read.ignore_nodata});
+        sources.terrain =
+            open_terrain(side_raster("ground", options.ground.terrain, arrays.terrain, grid), grid,
+                         units.vertical_metres, elevation_limits(options.read, units.vertical_metres),
+                         callbacks, {.keeps_undeclared = options.read.ignore_nodata});
     }
     if (!options.detect.mask.empty())
-        sources.mask = open_mask(options.detect.mask, options.detect.mask_layer, grid, callbacks);
+        sources.mask = open_mask(side_raster("mask", options.detect.mask, arrays.mask, grid),
+                                 options.detect.mask_layer, grid, callbacks);
     if (!options.detect.ndvi.empty())
-        sources.ndvi = open_ndvi(options.detect.ndvi, grid, callbacks);
+        sources.ndvi =
+            open_ndvi(side_raster("ndvi", options.detect.ndvi, arrays.ndvi, grid), grid, callbacks);
     const DetectOptions& detect = options.detect;
     if (!detect.split_by.empty())
         sources.parcels =

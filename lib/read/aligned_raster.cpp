@@ -9,6 +9,7 @@
 
 #include "core/undeclared_values.hpp"
 #include "dem2buildings/error.hpp"
+#include "read/array_raster.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/raster_crs.hpp"
 #include "read/raster_transform.hpp"
@@ -86,14 +87,17 @@ std::string percent_text(double share) {
 
 }  // namespace
 
-AlignedRaster::AlignedRaster(const std::string& role, const std::string& path, const DemInfo& grid,
+AlignedRaster::AlignedRaster(const std::string& role, const SideRaster& raster, const DemInfo& grid,
                              Resampling resampling, Warnings& warnings)
     : warnings_(warnings),
-      name_(role + " '" + path + "'"),
+      name_(role + " '" + raster.path + "'"),
       dem_("'" + grid.name + "'"),
-      standard_input_(keep_standard_input(path)),
-      file_(open_first_band(path, standard_input_ ? standard_input_->path() : path, warnings)),
-      raster_(describe(file_, path, warnings)),
+      standard_input_(raster.array == nullptr ? keep_standard_input(raster.path) : nullptr),
+      file_(raster.array != nullptr
+                ? array_raster(*raster.array, grid)
+                : open_first_band(raster.path, standard_input_ ? standard_input_->path() : raster.path,
+                                  warnings)),
+      raster_(describe(file_, raster.path, warnings)),
       info_(on_grid(grid, raster_)),
       reader_(file_.band, {}, raster_, warnings) {
     if (raster_.georeferenced != grid.georeferenced) {

@@ -12,6 +12,7 @@
 #include "read/band_reader.hpp"
 #include "read/grid_fit.hpp"
 #include "read/open_raster.hpp"
+#include "read/side_rasters.hpp"
 #include "read/standard_input.hpp"
 #include "read/value_warper.hpp"
 
@@ -25,7 +26,7 @@ class AlignedRaster {
     /// @param role what messages call the raster: "terrain"
     /// @throws InputError: cannot be opened, of no use as a raster, nothing in the window, only one of the
     /// two is georeferenced, no operation between the CRSs
-    AlignedRaster(const std::string& role, const std::string& path, const DemInfo& grid,
+    AlignedRaster(const std::string& role, const SideRaster& raster, const DemInfo& grid,
                   Resampling resampling, Warnings& warnings);
 
     /// "terrain 'dtm.tif'"

@@ -1,14 +1,19 @@
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
 #include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "core/number_text.hpp"
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/open_sources.hpp"
+#include "read/array_raster.hpp"
 #include "read/band_reader.hpp"
 #include "read/cutline_mask.hpp"
+#include "read/gdal_messages.hpp"
 #include "read/raster_crs.hpp"
 #include "read/raster_transform.hpp"
 #include "read/start_gdal.hpp"
@@ -83,6 +88,22 @@ DemInfo describe(const ElevationArray& array, const ReadOptions& options, Warnin
     return info;
 }
 
+/// Of a part, NaN where a value is masked or not finite.
+void read_valid(const ElevationArray& array, const Window& part, std::span<double> values) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    read_values(array, part, values.data());
+    for (double& value : values)
+        if (!std::isfinite(value))
+            value = none;
+    if (array.masked.first == nullptr)
+        return;
+    double* value = values.data();
+    for (std::int32_t row = part.row; row < part.row + part.rows; ++row)
+        for (std::int32_t col = part.col; col < part.col + part.cols; ++col, ++value)
+            if (*at(array.masked, row, col) != std::byte{0})
+                *value = none;
+}
+
 class ArrayDemSource final : public DemSource {
   public:
     ArrayDemSource(const ElevationArray& array, const ReadOptions& options, Warnings& warnings)
@@ -97,32 +118,54 @@ class ArrayDemSource final : public DemSource {
 
     void read(const Window& part, std::span<double> elevations) override {
         require_part(info_, part, elevations.size());
-        read_values(array_, part, elevations.data());
-        for (double& value : elevations)
-            if (!std::isfinite(value) || value == nodata_)
-                value = std::numeric_limits<double>::quiet_NaN();
-        take_out_masked(part, elevations.data());
+        read_valid(array_, part, elevations);
+        if (nodata_)
+            std::ranges::replace(elevations, *nodata_, std::numeric_limits<double>::quiet_NaN());
         if (cutline_)
             cutline_->apply(part, elevations);
     }
 
   private:
-    void take_out_masked(const Window& part, double* elevations) const {
-        if (array_.masked.first == nullptr)
-            return;
-        for (std::int32_t row = part.row; row < part.row + part.rows; ++row)
-            for (std::int32_t col = part.col; col < part.col + part.cols; ++col, ++elevations)
-                if (*at(array_.masked, row, col) != std::byte{0})
-                    *elevations = std::numeric_limits<double>::quiet_NaN();
-    }
-
     ElevationArray array_;
     DemInfo info_;
     std::unique_ptr<CutlineMask> cutline_;
     std::optional<double> nodata_;
 };
 
+/// Throws where there is no room for a raster.
+DatasetOwner empty_raster(const DemInfo& grid, GDALDataType type) {
+    const GdalMessages messages;
+    DatasetOwner dataset(GDALCreate(GDALGetDriverByName("MEM"), "", grid.cols, grid.rows, 1, type, nullptr));
+    if (!dataset)
+        throw InputError("There is no room for a copy of an array of " + std::to_string(grid.rows) +
+                         " rows and " + std::to_string(grid.cols) + " columns (" + messages.reason() +
+                         "); use a part of it.");
+    return dataset;
+}
+
 }  // namespace
+
+OpenRaster array_raster(const ElevationArray& array, const DemInfo& grid) {
+    const bool exact_in_single = array.type == ValueType::float32 || array.type == ValueType::int8 ||
+                                 array.type == ValueType::uint8 || array.type == ValueType::int16 ||
+                                 array.type == ValueType::uint16;
+    OpenRaster raster{empty_raster(grid, exact_in_single ? GDT_Float32 : GDT_Float64), nullptr};
+    const GdalMessages quiet;
+    if (AffineTransform transform = grid.transform; grid.georeferenced)
+        GDALSetGeoTransform(raster.dataset.get(), transform.data());
+    if (const CrsOwner crs = horizontal_crs(grid.crs_wkt))
+        GDALSetSpatialRef(raster.dataset.get(), crs.get());
+    raster.band = GDALGetRasterBand(raster.dataset.get(), 1);
+    GDALSetRasterNoDataValue(raster.band, std::numeric_limits<double>::quiet_NaN());
+    std::vector<double> row(static_cast<std::size_t>(grid.cols));
+    for (std::int32_t i = 0; i < grid.rows; ++i) {
+        read_valid(array, {i, 0, 1, grid.cols}, row);
+        if (GDALRasterIO(raster.band, GF_Write, 0, i, grid.cols, 1, row.data(), grid.cols, 1, GDT_Float64, 0,
+                         0) != CE_None)
+            throw InputError("'" + array.name + "' cannot be copied: " + quiet.reason() + ".");
+    }
+    return raster;
+}
 
 std::unique_ptr<DemSource> open_dem(const ElevationArray& array, const ReadOptions& options,
                                     const Callbacks& callbacks) {

@@ -16,8 +16,8 @@ namespace {
 
 class RasterMask final : public WarningSource {
   public:
-    RasterMask(const std::string& path, const DemInfo& grid, std::unique_ptr<Warnings> own)
-        : WarningSource(std::move(own)), raster_("mask", path, grid, Resampling::nearest, warnings()) {
+    RasterMask(const SideRaster& mask, const DemInfo& grid, std::unique_ptr<Warnings> own)
+        : WarningSource(std::move(own)), raster_("mask", mask, grid, Resampling::nearest, warnings()) {
         warnings().hold();
     }
 
@@ -74,16 +74,17 @@ bool is_vector(const std::string& path) {
 
 }  // namespace
 
-std::unique_ptr<DemSource> open_mask(const std::string& path, const std::string& layer, const DemInfo& grid,
+std::unique_ptr<DemSource> open_mask(const SideRaster& mask, const std::string& layer, const DemInfo& grid,
                                      const Callbacks& callbacks) {
+    const std::string& path = mask.path;
     auto warnings = std::make_unique<Warnings>(callbacks.on_warning);
     // What comes in on the standard input can be opened once; GDAL reads no rasters from there by itself.
-    if (!is_standard_input(path) && is_vector(path))
+    if (mask.array == nullptr && !is_standard_input(path) && is_vector(path))
         return std::make_unique<PolygonMask>(PolygonPlace{"mask", "mask_layer", path, layer}, grid,
                                              std::move(warnings));
     if (!layer.empty())
         throw OptionError("The mask '" + path + "' is a raster and has no layers; leave out -mask_layer.");
-    return std::make_unique<RasterMask>(path, grid, std::move(warnings));
+    return std::make_unique<RasterMask>(mask, grid, std::move(warnings));
 }
 
 }  // namespace d2b

@@ -15,8 +15,8 @@ constexpr double rounding = 1e-6;  // single precision, and scales such as 1/100
 
 class NdviSource final : public WarningSource {
   public:
-    NdviSource(const std::string& path, const DemInfo& grid, std::unique_ptr<Warnings> own)
-        : WarningSource(std::move(own)), raster_("NDVI", path, grid, Resampling::bilinear, warnings()) {
+    NdviSource(const SideRaster& raster, const DemInfo& grid, std::unique_ptr<Warnings> own)
+        : WarningSource(std::move(own)), raster_("NDVI", raster, grid, Resampling::bilinear, warnings()) {
         raster_.warn_of_gaps("nothing is known of vegetation");
         // Of another product every row tells, and a run should not fail at its end.
         std::vector<double> row(static_cast<std::size_t>(grid.window.cols));
@@ -45,9 +45,9 @@ class NdviSource final : public WarningSource {
 
 }  // namespace
 
-std::unique_ptr<DemSource> open_ndvi(const std::string& path, const DemInfo& grid,
+std::unique_ptr<DemSource> open_ndvi(const SideRaster& raster, const DemInfo& grid,
                                      const Callbacks& callbacks) {
-    return std::make_unique<NdviSource>(path, grid, std::make_unique<Warnings>(callbacks.on_warning));
+    return std::make_unique<NdviSource>(raster, grid, std::make_unique<Warnings>(callbacks.on_warning));
 }
 
 }  // namespace d2b

@@ -2,10 +2,12 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "core/elevation_limits.hpp"
 #include "dem2buildings/callbacks.hpp"
 #include "dem2buildings/dem_source.hpp"
+#include "dem2buildings/open_sources.hpp"
 
 namespace d2b {
 
@@ -15,6 +17,16 @@ namespace d2b {
 /// bit. A raster or DEM without a CRS is taken in the coordinates of the other, with a warning.
 /// @throws InputError (all of them): cannot be opened or read, nothing in the window, a transform that is
 /// singular or missing, no operation between the CRSs
+
+/// A raster that accompanies a DEM: a file, or values in memory on the DEM's grid.
+struct SideRaster {
+    // One who has a name has all.
+    SideRaster(std::string file) : path(std::move(file)) {}  // NOLINT(google-explicit-constructor)
+    SideRaster(std::string name, const ElevationArray* values) : path(std::move(name)), array(values) {}
+
+    std::string path;  ///< or the name of the array
+    const ElevationArray* array = nullptr;
+};
 
 /// A window that was made around the terrain model, in another CRS, has gaps that mean nothing.
 enum class TerrainGaps { warned_of, expected };
@@ -36,7 +48,7 @@ struct TerrainReading {
 /// @param dem_vertical_metres metres in one vertical unit of the DEM
 /// @param limits of elevations, in the DEM's vertical unit
 /// @throws InputError also when reading: more than half of the values are outside of the limits
-[[nodiscard]] std::unique_ptr<DemSource> open_terrain(const std::string& path, const DemInfo& grid,
+[[nodiscard]] std::unique_ptr<DemSource> open_terrain(const SideRaster& raster, const DemInfo& grid,
                                                       double dem_vertical_metres,
                                                       const ElevationLimits& limits,
                                                       const Callbacks& callbacks = {},
@@ -47,13 +59,13 @@ struct TerrainReading {
 /// which a centre lies. What is not covered is outside.
 /// @param layer of the polygons; "" for the first that has geometries @throws OptionError: no such layer, or
 /// a raster, which has none
-[[nodiscard]] std::unique_ptr<DemSource> open_mask(const std::string& path, const std::string& layer,
+[[nodiscard]] std::unique_ptr<DemSource> open_mask(const SideRaster& mask, const std::string& layer,
                                                    const DemInfo& grid, const Callbacks& callbacks = {});
 
 /// The normalised difference vegetation index, resampled as terrain is. Scaled products (bytes, 16-bit
 /// integers) are understood by scale and offset of the band. A value outside of [-1, 1] is refused when it is
 /// read, and at once where one is in the middle row of the window.
-[[nodiscard]] std::unique_ptr<DemSource> open_ndvi(const std::string& path, const DemInfo& grid,
+[[nodiscard]] std::unique_ptr<DemSource> open_ndvi(const SideRaster& raster, const DemInfo& grid,
                                                    const Callbacks& callbacks = {});
 
 }  // namespace d2b

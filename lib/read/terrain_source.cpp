@@ -34,10 +34,10 @@ std::string height_reference(const std::string& wkt) {
 
 class TerrainSource final : public WarningSource {
   public:
-    TerrainSource(const std::string& path, const DemInfo& grid, double dem_metres,
+    TerrainSource(const SideRaster& raster, const DemInfo& grid, double dem_metres,
                   const ElevationLimits& limits, const TerrainReading& reading, std::unique_ptr<Warnings> own)
         : WarningSource(std::move(own)),
-          raster_("terrain", path, grid, Resampling::bilinear, warnings()),
+          raster_("terrain", raster, grid, Resampling::bilinear, warnings()),
           dem_metres_(dem_metres),
           undecided_(!reading.keeps_undeclared),
           read_(grid.window.rows),
@@ -146,10 +146,10 @@ void TerrainSource::decide_undeclared() {
                        declaring(named.value) + ", and if not, give -inodata.");
 }
 
-std::unique_ptr<DemSource> open_terrain(const std::string& path, const DemInfo& grid,
+std::unique_ptr<DemSource> open_terrain(const SideRaster& raster, const DemInfo& grid,
                                         double dem_vertical_metres, const ElevationLimits& limits,
                                         const Callbacks& callbacks, const TerrainReading& reading) {
-    return std::make_unique<TerrainSource>(path, grid, dem_vertical_metres, limits, reading,
+    return std::make_unique<TerrainSource>(raster, grid, dem_vertical_metres, limits, reading,
                                            std::make_unique<Warnings>(callbacks.on_warning));
 }
 

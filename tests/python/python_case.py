@@ -36,6 +36,25 @@ def block(dtype="float64", rows=40, cols=50):
     return dem
 
 
+# ETRS89 / UTM zone 33N, which is EPSG:25833, as Esri writes it.
+UTM_33 = ('PROJCS["ETRS_1989_UTM_Zone_33N",GEOGCS["GCS_ETRS_1989",DATUM["D_ETRS_1989",SPHEROID["GRS_1980",6378137.0,'
+          '298.257222101]],PRIMEM["Greenwich",0.0],UNIT["Degree",0.0174532925199433]],PROJECTION["Transverse_Mercator"],'
+          'PARAMETER["False_Easting",500000.0],PARAMETER["False_Northing",0.0],PARAMETER["Central_Meridian",15.0],'
+          'PARAMETER["Scale_Factor",0.9996],PARAMETER["Latitude_Of_Origin",0.0],UNIT["Meter",1.0]]')
+
+
+def write_grid(path, array):
+    """Writes an Esri grid in the coordinates of PLACE. @param path bytes, or a pathlib.Path @return the path"""
+    x, width, _, y, _, height = PLACE["transform"]
+    rows, cols = array.shape
+    with open(path, "w") as file:
+        file.write(f"ncols {cols}\nnrows {rows}\nxllcorner {x}\nyllcorner {y + rows * height}\ncellsize {width}\n")
+        file.writelines(" ".join(repr(float(value)) for value in row) + "\n" for row in array)
+    with open(os.path.splitext(path)[0] + (b".prj" if isinstance(path, bytes) else ".prj"), "w") as file:
+        file.write(UTM_33)
+    return path
+
+
 def geopackage_wkb(blob):
     """The WKB in a geometry of a GeoPackage, which begins with a header and an envelope."""
     envelope = {0: 0, 1: 32, 2: 48, 3: 48, 4: 64}[blob[3] >> 1 & 7]

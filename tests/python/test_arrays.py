@@ -51,7 +51,7 @@ class Arrays(PythonCase):
         for dem in (numpy.zeros(5), numpy.zeros((2, 3, 4)), numpy.float64(3)):
             with self.subTest(dem=dem), self.assertRaisesRegex(TypeError, "two dimensions"):
                 find(dem)
-        for dem in ([[1, 2], [3, 4]], None, 3, b"dem.tif"):
+        for dem in ([[1, 2], [3, 4]], None, 3):
             with self.subTest(dem=dem), self.assertRaisesRegex(TypeError, "a path or a NumPy array"):
                 dem2buildings.extract(dem)
         for shape in ((0, 5), (5, 0)):

@@ -44,6 +44,22 @@ class Listening(PythonCase):
             dem2buildings.extract(large(), progress=lambda share: False, **TOWN)
         self.assertLess(time.monotonic() - begin, 5)
 
+    def test_what_is_false_ends_the_run(self):
+        shares = []
+        for answer in (numpy.float32(0.5) < numpy.float32(0.2), numpy.array(False), 0):
+            with self.subTest(answer=repr(answer)), self.assertRaises(dem2buildings.Cancelled):
+                dem2buildings.extract(large(), progress=lambda share, answer=answer: shares.append(share) or answer, **TOWN)
+        self.assertEqual(len(shares), 3)
+
+    def test_what_is_true_or_nothing_goes_on(self):
+        for answer in (None, True, numpy.True_, 1, "on"):
+            with self.subTest(answer=repr(answer)):
+                dem2buildings.extract(block(), progress=lambda share, answer=answer: answer, **PLACE)
+
+    def test_what_is_neither_true_nor_false_ends_the_run(self):
+        with self.assertRaisesRegex(ValueError, "ambiguous"):
+            dem2buildings.extract(block(), progress=lambda share: numpy.array([True, False]), **PLACE)
+
     def test_what_progress_raises_ends_the_run(self):
         calls = []
 

@@ -39,7 +39,7 @@ class Options(PythonCase):
                 self.assertTrue(option.argument.isidentifier(), option)
         arguments = {option.name: option.argument for option in _options.EXTRACT_FILE}
         self.assertEqual({name: argument for name, argument in arguments.items() if name != argument},
-                         {"3d": "with_z", "if": "input_format", "a_srs": "crs"})
+                         {"3d": "with_z", "if": "input_format", "a_srs": "crs", "snodata": "nodata"})
 
     def test_any_other_name_is_a_type_error(self):
         for name in ("lodd", "q", "json", "overwrite", "arcs", "3d", "a_srs", "of"):
@@ -64,6 +64,7 @@ class Options(PythonCase):
         self.assertEqual(texts("fl", numpy.array([10, 20.5])), [["10.0", "20.5"]])
         self.assertEqual(texts("fl", 10), [["10"]])
         self.assertEqual(texts("mask", pathlib.Path("a/b.shp")), [["a/b.shp"]])
+        self.assertEqual(texts("mask", b"a/b.shp"), [["a/b.shp"]])
         self.assertEqual(texts("crs", 25833), [["EPSG:25833"]])
         self.assertEqual(texts("t_srs", types.SimpleNamespace(to_wkt=lambda: "LOCAL_CS[]")), [["LOCAL_CS[]"]])
         self.assertEqual(texts("dsco", {"VERSION": 1.4, "A": "B"}), [["VERSION=1.4"], ["A=B"]])

@@ -9,7 +9,7 @@ namespace {
 namespace py = pybind11;
 
 [[noreturn]] void refuse_type(const py::array& values) {
-    throw py::type_error("Elevations must be float32, float64 or integers, not " +
+    throw py::type_error("The values of an array must be float32, float64 or integers, not " +
                          py::str(values.dtype()).cast<std::string>() + "; convert them with astype().");
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "core/utf8_text.hpp"
 #include "dem2buildings/error.hpp"
 
 namespace d2b {
@@ -16,7 +17,8 @@ namespace py = pybind11;
 
 void raise(const char* type, const std::string& text) {
     const py::object error = py::module_::import("dem2buildings._errors").attr(type);
-    PyErr_SetString(error.ptr(), text.c_str());
+    // Names in a message may be any bytes, and a text of Python's is UTF-8.
+    PyErr_SetString(error.ptr(), utf8_text(text).c_str());
 }
 
 void translate(std::exception_ptr failure) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <pybind11/numpy.h>
@@ -25,6 +26,9 @@ namespace d2b {
 namespace {
 
 namespace py = pybind11;
+using PyArray = std::pair<py::array, std::optional<py::array>>;  ///< values, and what is masked
+/// By the option that each stands for.
+using PyArrays = std::map<std::string, PyArray>;
 using Opener = std::function<std::unique_ptr<DemSource>(const ReadOptions&, const Callbacks&)>;
 
 /// What extract() gives back, before it has the names that Python users see.
@@ -38,11 +42,24 @@ Callbacks callbacks_of(const PythonEars& ears) {
     return {ears.warn, ears.progress, ears.stop, [] { return std::make_unique<FileSpool>(); }, {}};
 }
 
-Extraction extract(const Options& options, const Opener& open, const PythonEars& ears) {
+/// @param beside which must outlive what is returned
+SideArrays side_arrays(const PyArrays& beside) {
+    SideArrays arrays;
+    for (const auto& [option, array] : beside) {
+        std::optional<ElevationArray>& place = option == "ground" ? arrays.terrain
+                                               : option == "mask" ? arrays.mask
+                                                                  : arrays.ndvi;
+        place = elevation_array("array", array.first, array.second, std::nullopt);
+    }
+    return arrays;
+}
+
+Extraction extract(const Options& options, const Opener& open, const SideArrays& beside,
+                   const PythonEars& ears) {
     std::vector<std::string> warnings;
     const Callbacks callbacks = remembering(callbacks_of(ears), warnings);
     const auto source = open(options.read, callbacks);
-    const SideSources side = open_side_sources(options, source->info(), callbacks);
+    const SideSources side = open_side_sources(options, source->info(), callbacks, beside);
     CollectingSink sink;
     RunReport report =
         run(options, {*source, side.terrain.get(), side.mask.get(), side.ndvi.get(), side.parcels.get()},
@@ -51,29 +68,31 @@ Extraction extract(const Options& options, const Opener& open, const PythonEars&
     return {sink.collected(), sink.provenance(), json_report(report)};
 }
 
-py::tuple extract_listening(const GivenOptions& given, const py::object& listener, const Opener& open,
-                            const std::string& source) {
+py::tuple extract_listening(const GivenOptions& given, const PyArrays& beside, const py::object& listener,
+                            const Opener& open, const std::string& source) {
     Options options = options_of(given);
     options.read.source = source;
+    const SideArrays arrays = side_arrays(beside);
     Extraction result;
-    run_listening(listener, [&](const PythonEars& ears) { result = extract(options, open, ears); });
+    run_listening(listener, [&](const PythonEars& ears) { result = extract(options, open, arrays, ears); });
     return py::make_tuple(result.layers, result.provenance.crs_wkt, result.provenance.metadata,
                           result.report);
 }
 
-py::tuple extract_path(const std::string& path, const GivenOptions& given, const py::object& listener) {
+py::tuple extract_path(const std::string& path, const GivenOptions& given, const PyArrays& beside,
+                       const py::object& listener) {
     return extract_listening(
-        given, listener,
+        given, beside, listener,
         [](const ReadOptions& options, const Callbacks& callbacks) { return open_dem(options, callbacks); },
         path);
 }
 
 py::tuple extract_array(const py::array& values, const std::optional<py::array>& mask,
                         const std::optional<std::array<double, 6>>& transform, const GivenOptions& given,
-                        const py::object& listener) {
+                        const PyArrays& beside, const py::object& listener) {
     const ElevationArray array = elevation_array("array", values, mask, transform);
     return extract_listening(
-        given, listener,
+        given, beside, listener,
         [&](const ReadOptions& options, const Callbacks& callbacks) {
             return open_dem(array, options, callbacks);
         },
@@ -82,14 +101,15 @@ py::tuple extract_array(const py::array& values, const std::optional<py::array>&
 
 /// @return the report as JSON
 std::string extract_to_file(const std::string& source, const std::string& destination,
-                            const GivenOptions& given, const py::object& listener) {
+                            const GivenOptions& given, const PyArrays& beside, const py::object& listener) {
     require_other_file(source, destination);
     Options options = options_of(given);
     options.read.source = source;
     options.write.destination = destination;
+    const SideArrays arrays = side_arrays(beside);
     std::string report;
     run_listening(listener, [&](const PythonEars& ears) {
-        report = json_report(extract_file(options, callbacks_of(ears)));
+        report = json_report(extract_file(options, callbacks_of(ears), {}, arrays));
     });
     return report;
 }

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/utf8_text.hpp"
 #include "dem2buildings/error.hpp"
 
 namespace d2b {
@@ -73,17 +74,26 @@ class Mailbox {
     std::atomic<bool> stop_ = false;
 };
 
+/// Whether what a progress function returned lets the run go on: nothing, or what is true. A comparison of
+/// NumPy's numbers gives False of NumPy's own.
+bool goes_on(const py::object& answer) {
+    if (answer.is_none())
+        return true;
+    const int truth = PyObject_IsTrue(answer.ptr());
+    if (truth < 0)
+        throw py::error_already_set();
+    return truth != 0;
+}
+
 /// @throws pybind11::error_already_set where a warning is an error, a signal raises, or the progress function
 /// does @return whether to go on
 bool tell(const News& news, const py::object& listener) {
     if (PyErr_CheckSignals() != 0)
         throw py::error_already_set();
     for (const std::string& text : news.warnings)
-        listener.attr("warn")(text);
+        listener.attr("warn")(utf8_text(text));
     const py::object progress = listener.attr("progress");
-    if (news.share && !progress.is_none())
-        return !progress(*news.share).is(py::bool_(false));
-    return true;
+    return !news.share || progress.is_none() || goes_on(progress(*news.share));
 }
 
 }  // namespace

@@ -20,7 +20,8 @@ struct Inputs {
 };
 
 /// @throws InputError; OptionError, also where source and destination were given in the wrong order
-[[nodiscard]] Inputs open_inputs(const Options& options, const Callbacks& callbacks = {});
+[[nodiscard]] Inputs open_inputs(const Options& options, const Callbacks& callbacks = {},
+                                 const SideArrays& arrays = {});
 
 /// The same callbacks, told of each warning once, which is then in `heard` as well. @param heard must outlive
 /// them
@@ -28,8 +29,9 @@ struct Inputs {
 
 /// The whole job on files: reads what the options name and writes the destination, and all that they name
 /// beside it. These show together, when all of them are complete, or not at all (see CommitList).
+/// @param arrays that stand for rasters which the options name
 /// @return the report of the run, with all that was warned of from opening the source on @throws Error
 RunReport extract_file(const Options& options, const Callbacks& callbacks = {},
-                       const ReportReader<RunReport>& reader = {});
+                       const ReportReader<RunReport>& reader = {}, const SideArrays& arrays = {});
 
 }  // namespace d2b

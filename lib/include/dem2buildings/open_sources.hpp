@@ -35,9 +35,9 @@ struct ElevationArray {
     std::int32_t rows = 0;
     std::int32_t cols = 0;
     ValueType type = ValueType::float64;
-    StridedValues values;  ///< need not be aligned
-    StridedValues masked;  ///< bytes, not 0 where a point is not valid; there may be none
-    std::optional<AffineTransform> transform;
+    StridedValues values;                      ///< need not be aligned
+    StridedValues masked;                      ///< bytes, not 0 where a point is not valid; there may be none
+    std::optional<AffineTransform> transform;  ///< of a DEM
 };
 
 /// The array as a DEM: nothing of it is copied. NaN and infinite values are not valid. Windows, the cutline,
@@ -56,8 +56,17 @@ struct SideSources {
     std::unique_ptr<ParcelSource> parcels;
 };
 
-/// A terrain model, a mask, an NDVI and parcels, on the grid of the DEM. @throws InputError, OptionError
+/// Rasters in memory that stand for those that the options name: one value per cell of the whole DEM, whose
+/// transform and CRS they have. Elevations are in the DEM's vertical unit. They are copied.
+struct SideArrays {
+    std::optional<ElevationArray> terrain;
+    std::optional<ElevationArray> mask;
+    std::optional<ElevationArray> ndvi;
+};
+
+/// A terrain model, a mask, an NDVI and parcels, on the grid of the DEM. @throws InputError; OptionError,
+/// also where an array has not the rows and columns of the DEM
 [[nodiscard]] SideSources open_side_sources(const Options& options, const DemInfo& dem,
-                                            const Callbacks& callbacks = {});
+                                            const Callbacks& callbacks = {}, const SideArrays& arrays = {});
 
 }  // namespace d2b

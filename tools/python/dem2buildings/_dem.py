@@ -3,14 +3,19 @@
 import numpy
 
 
-def elevations(dem):
+def is_array(value):
+    """Whether it is an array, of NumPy or another package, and not a number of NumPy's."""
+    return hasattr(value, "__array__") and not isinstance(value, numpy.generic)
+
+
+def elevations(dem, argument="dem"):
     """The values and the mask of an array; the mask is None where nothing is masked. Copies nothing unless the bytes
     of the values are in the order of another machine."""
     if not hasattr(dem, "__array__"):
-        raise TypeError(f"dem must be a path or a NumPy array, not {type(dem).__name__}")
+        raise TypeError(f"{argument} must be a path or a NumPy array, not {type(dem).__name__}")
     array = numpy.asanyarray(dem)
     if array.ndim != 2:
-        raise TypeError(f"dem must have two dimensions, rows and columns, not {array.ndim}")
+        raise TypeError(f"{argument} must have two dimensions, rows and columns, not {array.ndim}")
     mask = numpy.ma.getmask(array)
     values = numpy.ma.getdata(array)
     native = values.dtype.newbyteorder("=")

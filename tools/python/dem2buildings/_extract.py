@@ -6,7 +6,7 @@ import os
 import warnings
 
 from . import _core
-from ._dem import elevations, six_terms
+from ._dem import elevations, is_array, six_terms
 from ._errors import Error
 from ._options import EXTRACT, EXTRACT_FILE, SCORE
 from ._result import Result
@@ -42,7 +42,12 @@ def extract(dem, *, transform=None, progress=None, **options):
         same corner, 0, -height of a cell) where north is up; or an affine.Affine, as rasterio has it. Without it
         coordinates are columns and, upwards, rows.
     progress: called some times a second with the share that is done, 0 to 1, by the thread that calls; the run ends
-        with Cancelled where it returns False.
+        with Cancelled where it returns False, or anything that is false but None.
+    ground, mask, ndvi: a path, or an array with the shape of the DEM and its transform; ground in the DEM's vertical
+        unit. They are copied.
+
+    Paths are what os.fsencode() takes: str, bytes or os.PathLike. Where the name of a file is not UTF-8, texts of the
+    result have U+FFFD for what cannot be read.
 
     Doubts about the result are Python warnings, and in the report. Ctrl-C ends the run. Other threads of Python go on
     meanwhile.
@@ -56,14 +61,15 @@ def extract(dem, *, transform=None, progress=None, **options):
     >>> found.buildings.columns["height"]
     array([12.])
     """
+    arrays = _beside(options)
     given = EXTRACT.given(options)
     ears = _Ears(EXTRACT, progress)
     with ears.errors():
-        if isinstance(dem, (str, os.PathLike)):
+        if isinstance(dem, (str, bytes, os.PathLike)):
             if transform is not None:
                 raise TypeError("transform is for an array; a path has its own")
-            return Result(*_core.extract_path(os.fspath(dem), given, ears))
-        return Result(*_core.extract_array(*elevations(dem), six_terms(transform), given, ears))
+            return Result(*_core.extract_path(os.fsencode(dem), given, arrays, ears))
+        return Result(*_core.extract_array(*elevations(dem), six_terms(transform), given, arrays, ears))
 
 
 @EXTRACT_FILE.describe
@@ -73,7 +79,7 @@ def extract_file(src, dst, *, progress=None, **options):
     src: a path of anything that GDAL opens
     dst: a path of any format that GDAL writes, by its extension. It keeps its old content or gets the new, never half
         of it. An existing one is refused without overwrite or append.
-    progress: as for extract()
+    progress, ground, mask, ndvi: as for extract()
 
     Returns the report, a dict. Warnings, Ctrl-C and other threads are as with extract().
 
@@ -83,9 +89,11 @@ def extract_file(src, dst, *, progress=None, **options):
     >>> report["output"]["buildings"]
     3
     """
+    arrays = _beside(options)
+    given = EXTRACT_FILE.given(options)
     ears = _Ears(EXTRACT_FILE, progress)
     with ears.errors():
-        return json.loads(_core.extract_file(os.fspath(src), os.fspath(dst), EXTRACT_FILE.given(options), ears))
+        return json.loads(_core.extract_file(os.fsencode(src), os.fsencode(dst), given, arrays, ears))
 
 
 @SCORE.describe
@@ -106,9 +114,19 @@ def score(found, reference, **options):
         return json.loads(_core.score(_side(found), _side(reference), SCORE.given(options), ears))
 
 
+def _beside(options):
+    """The arrays among the options, as the compiled part takes them. A word stands for each: it is in messages and in
+    the metadata of the result."""
+    arrays = {name: elevations(options[name], name) for name in ("ground", "mask", "ndvi") if is_array(options.get(name))}
+    options.update(dict.fromkeys(arrays, "array"))
+    # True and False are 1 and 0.
+    return {name: (values.view("uint8") if values.dtype == bool else values, mask)
+            for name, (values, mask) in arrays.items()}
+
+
 def _side(footprints):
     if not isinstance(footprints, Result):
-        return os.fspath(footprints)
+        return os.fsencode(footprints)
     if footprints.buildings is None:
         raise ValueError("The result has no buildings to compare; extract them with layers='both'.")
     return footprints.buildings

@@ -12,6 +12,10 @@ import textwrap
 from . import _core
 
 
+# Arguments that had another name; that is still taken.
+_FORMER_NAMES = {"snodata": "nodata"}
+
+
 @dataclasses.dataclass(frozen=True)
 class Option:
     """A row of the table of options."""
@@ -51,11 +55,17 @@ class Option:
         return simple.get(kind, "path") + (", one or several" if several else "")
 
     @property
+    def is_path(self):
+        """Whether its value is the name of a file or dataset."""
+        return self.hint.startswith("_Path")
+
+    @property
     def _repeatable(self):
         return self.row.get("repeatable", False)
 
     def texts(self, value):
-        """The value as the program would be given it: a list of lists, one each time the option is given."""
+        """The value as the program would be given it: a list of lists of str, one each time the option is given. Bytes
+        of a path that are not text stand there as os.fsdecode() has them."""
         kind = self.row["kind"]
         if kind == "switch":
             if not isinstance(value, bool):
@@ -71,8 +81,14 @@ class Option:
             raise TypeError(f"{self.argument} takes one value, not {value!r}")
         return [[text] for text in texts]
 
+    def encoded(self, text):
+        """The bytes of one of these texts: of a path those of its name, else UTF-8."""
+        return os.fsencode(text) if self.is_path else text.encode("utf-8", "surrogateescape")
+
     def _text(self, value):
-        if isinstance(value, (str, os.PathLike)):
+        if self.is_path and isinstance(value, (str, bytes, os.PathLike)):
+            return os.fsdecode(value)
+        if isinstance(value, (str, os.PathLike)) and isinstance(os.fspath(value), str):
             return os.fspath(value)
         if self.row["kind"] == "crs":
             return _crs_text(self.argument, value)
@@ -106,16 +122,17 @@ class OptionSet:
         return iter(self._options.values())
 
     def given(self, values):
-        """What the program would be given: pairs of names and texts. None stands for what is not given."""
+        """What the program would be given: pairs of names and values in bytes. None stands for what is not given."""
         pairs = []
         for argument, value in values.items():
+            argument = _FORMER_NAMES.get(argument, argument)
             if argument not in self._options:
                 near = difflib.get_close_matches(argument, self._options, 1)
                 hint = f"; did you mean {near[0]!r}?" if near else ""
                 raise TypeError(f"{self._function}() has no argument {argument!r}{hint}")
             if value is not None:
                 option = self._options[argument]
-                pairs += [(option.name, texts) for texts in option.texts(value)]
+                pairs += [(option.name, [option.encoded(text) for text in texts]) for texts in option.texts(value)]
         return pairs
 
     def describe(self, function):

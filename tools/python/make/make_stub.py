@@ -22,7 +22,8 @@ class _HasWkt(Protocol):
 class _HasGdalTerms(Protocol):
     def to_gdal(self) -> tuple[float, float, float, float, float, float]: ...
 
-_Path = str | PathLike[str]
+_Path = str | bytes | PathLike[str] | PathLike[bytes]
+_Raster = _Path | numpy.ndarray[Any, Any]
 _Crs = str | int | _HasWkt
 _Texts = str | Sequence[str] | Mapping[str, object]
 
@@ -77,6 +78,9 @@ OWN = {
     "progress": "Callable[[float], object] | None",
     "src": "_Path",
     "dst": "_Path",
+    "ground": "_Raster | None",
+    "mask": "_Raster | None",
+    "ndvi": "_Raster | None",
     "found": "_Path | Result",
     "reference": "_Path | Result",
 }
