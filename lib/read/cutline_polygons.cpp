@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "dem2buildings/error.hpp"
+#include "read/fetch_gate.hpp"
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/polygon_geometry.hpp"
@@ -78,6 +79,7 @@ bool meets(const ClipBox& box, const Window& w) {
 
 std::vector<PixelPolygon> read_cutline(const PolygonPlace& place, const DemInfo& info, Warnings& warnings) {
     const std::string name = place.name();
+    const FetchGate gate(place.path);
     const DatasetOwner dataset =
         open_vector_dataset(place.path, "The " + name + " cannot be opened", warnings);
     const OGRLayerH layer = layer_of(dataset.get(), place, warnings);

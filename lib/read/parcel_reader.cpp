@@ -9,6 +9,7 @@
 
 #include "core/utf8_text.hpp"
 #include "dem2buildings/error.hpp"
+#include "read/fetch_gate.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/parcel_cells.hpp"
 #include "read/placed_layer.hpp"
@@ -109,6 +110,7 @@ class ParcelReader final : public ParcelSource {
     PolygonPlace place_;
     Warnings warnings_;
     AffineTransform grid_;
+    std::optional<FetchGate> gate_;  ///< while this is made
     DatasetOwner dataset_;
     OGRLayerH layer_;
     int field_;
@@ -122,6 +124,7 @@ ParcelReader::ParcelReader(const ParcelChoice& choice, const DemInfo& grid, cons
     : place_(place_of(choice)),
       warnings_(callbacks.on_warning),
       grid_(grid.transform),
+      gate_(std::in_place, place_.path),
       dataset_(open_vector_dataset(place_.path, "The " + place_.name() + " cannot be opened", warnings_)),
       layer_(layer_of(dataset_.get(), place_, warnings_)),
       field_(field_of(layer_, choice)) {
@@ -134,6 +137,7 @@ ParcelReader::ParcelReader(const ParcelChoice& choice, const DemInfo& grid, cons
     projector_.emplace(to_dem_.get(), grid_, place_.name());
     require_some(grid);
     warnings_.hold();
+    gate_.reset();  // later reads may come from other threads
 }
 
 void ParcelReader::filter_by(const Window& part) {
@@ -196,6 +200,7 @@ PixelParcel ParcelReader::parcel_of(OGRFeatureH feature, OGRGeometryH geometry) 
 }
 
 void ParcelReader::read(const Window& part, std::span<ParcelCell> cells) {
+    const FetchGate gate(dataset_.get());
     std::ranges::fill(cells, ParcelCell());
     filter_by(part);
     std::vector<PixelParcel> parcels;
@@ -214,6 +219,7 @@ std::string_view ParcelReader::name(std::int64_t parcel) {
     auto known = names_.find(parcel);
     if (known == names_.end()) {
         const GdalMessages messages;
+        const FetchGate gate(dataset_.get());
         const FeatureOwner feature(OGR_L_GetFeature(layer_, parcel));
         if (!feature)
             throw InputError("Feature " + std::to_string(parcel) + " of the " + place_.name() +

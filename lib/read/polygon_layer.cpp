@@ -9,6 +9,7 @@
 
 #include "core/number_from_chars.hpp"
 #include "dem2buildings/error.hpp"
+#include "read/fetch_gate.hpp"
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/polygon_geometry.hpp"
@@ -78,10 +79,12 @@ DatasetOwner open_polygons(const std::string& path, Warnings& warnings) {
 }  // namespace
 
 std::vector<std::string> layer_names(const std::string& dataset, Warnings& warnings) {
+    const FetchGate gate(dataset);
     return geometry_layers(open_polygons(dataset, warnings).get());
 }
 
 PolygonLayer read_polygon_layer(const LayerChoice& choice, Warnings& warnings) {
+    const FetchGate gate(choice.dataset);
     const DatasetOwner dataset = open_polygons(choice.dataset, warnings);
     const OGRLayerH layer = pick_layer(dataset.get(), choice);
     const int height = pick_height(layer, choice);

@@ -31,11 +31,11 @@ class Fetches : public FaultyTest {
         std::filesystem::remove(counter);
         return asked;
     }
-    /// In the coordinates of blocks(): rows and columns of metres from 0 on.
+    /// A square degree around blocks(): a GeoJSON without a CRS is one of longitudes and latitudes.
     static std::string geojson(const std::string& crs) {
         return R"({"type": "FeatureCollection", "crs": )" + crs +
                R"(, "features": [{"type": "Feature", "properties": {"a": 1}, "geometry": {"type": "Polygon",
-            "coordinates": [[[0, -300], [300, -300], [300, 300], [0, 300], [0, -300]]]}}]})";
+            "coordinates": [[[13, 52], [14, 52], [14, 53], [13, 53], [13, 52]]]}}]})";
     }
     [[nodiscard]] std::string link(const std::string& name = "link.geojson") const {
         write_text(path(name), geojson(R"({"type": "link", "properties": {"href": ")" + std::string(server) +
@@ -63,11 +63,12 @@ TEST_F(Fetches, aFileThatRefersToAnAddressAsPolygons) {
             url +
             R"(/wfs?SERVICE=WFS&amp;REQUEST=DescribeFeatureType&amp;TYPENAME=foo:a&amp;VERSION=1.1.0">)"
             R"(<gml:featureMember><foo:a gml:id="a.0"><foo:geom><gml:Polygon><gml:exterior><gml:LinearRing>)"
-            R"(<gml:posList>0 -300 300 -300 300 300 0 300 0 -300</gml:posList></gml:LinearRing></gml:exterior>)"
+            R"(<gml:posList>391000 5819700 391300 5819700 391300 5820000 391000 5820000 391000 5819700</gml:posList></gml:LinearRing></gml:exterior>)"
             R"(</gml:Polygon></foo:geom></foo:a></gml:featureMember></wfs:FeatureCollection>)");
     for (const std::string& file : std::vector<std::string>{link(), "url.geojson", "features.gml"})
         for (const char* option : {"-cutline", "-mask", "-split_by"}) {
             SCOPED_TRACE(file + " " + option);
+            std::filesystem::remove(path("features.gfs"));  // which GDAL leaves, and then asks no more
             const Asked run = asked({"-q", "-overwrite", option, file, "dem.tif", "out.gpkg"});
             EXPECT_EQ(run.result.status, 0) << run.result.err;
             EXPECT_EQ(run.questions, 0);
