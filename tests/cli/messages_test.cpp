@@ -41,9 +41,8 @@ TEST_F(Messages, swappedFileNames) {
 
 TEST_F(Messages, sourcesThatAreNoRasters) {
     const std::string points =
-        "; it is a cloud of points, of which a raster must be made first, for example with pdal "
-        "(writers.gdal) "
-        "or gdal_grid.";
+        "; it is a cloud of points, of which a raster of the highest points must be made first, for example "
+        "with tools/points/highest_points.js of dem2buildings or with PDAL (writers.gdal).";
     write_text(path("scan.laz"), "LASF\x00\x00");
     write_text(path("scan"), "LASF and so on");
     write_text(path("SCAN.LAS"), "");
