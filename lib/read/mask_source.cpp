@@ -62,13 +62,14 @@ class PolygonMask final : public WarningSource {
 };
 
 /// Whether a dataset has layers and no bands.
-bool is_vector(const std::string& path) {
+bool is_vector(const std::string& path, Warnings& warnings) {
     const GdalMessages messages;
     const DatasetOwner dataset =
         open_gated(path, GDAL_OF_RASTER | GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR);
     if (!dataset)
         throw InputError("The mask '" + path +
                          "' cannot be opened as a raster or as polygons: " + messages.reason_for(path) + ".");
+    messages.pass_warnings(warnings);  // some are said of the first opening alone
     return GDALGetRasterCount(dataset.get()) == 0 && GDALDatasetGetLayerCount(dataset.get()) > 0;
 }
 
@@ -79,7 +80,7 @@ std::unique_ptr<DemSource> open_mask(const SideRaster& mask, const std::string& 
     const std::string& path = mask.path;
     auto warnings = std::make_unique<Warnings>(callbacks.on_warning);
     // What comes in on the standard input can be opened once; GDAL reads no rasters from there by itself.
-    if (mask.array == nullptr && !is_standard_input(path) && is_vector(path))
+    if (mask.array == nullptr && !is_standard_input(path) && is_vector(path, *warnings))
         return std::make_unique<PolygonMask>(PolygonPlace{"mask", "mask_layer", path, layer}, grid,
                                              std::move(warnings));
     if (!layer.empty())

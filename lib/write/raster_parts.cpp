@@ -76,7 +76,7 @@ std::string window_text(const char* name, std::int32_t row, std::int32_t col, co
 std::string part_text(const RasterPart& part) {
     // With what GDAL would else open every part for.
     const std::string side = std::to_string(GeoTiffFile::tile);
-    return "    <SimpleSource><SourceFilename relativeToVRT=\"1\">" + xml_text(part.file) +
+    return "    <SimpleSource><SourceFilename relativeToVRT=\"1\">" + xml_file_name(part.file) +
            "</SourceFilename><SourceBand>1</SourceBand><SourceProperties RasterXSize=\"" +
            std::to_string(part.cells.cols) + "\" RasterYSize=\"" + std::to_string(part.cells.rows) +
            "\" DataType=\"Float32\" BlockXSize=\"" + side + "\" BlockYSize=\"" + side + "\"/>" +

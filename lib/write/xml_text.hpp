@@ -7,11 +7,11 @@
 
 namespace d2b {
 
-/// Text for an element or a quoted attribute of XML. XML 1.0 cannot hold control characters, which become
-/// blanks, nor what is not UTF-8, which becomes U+FFFD.
-[[nodiscard]] inline std::string xml_text(std::string_view text) {
+/// For an element or a quoted attribute of XML that names a file, whose bytes it keeps: who reads it opens
+/// the file by them. Control characters, which XML 1.0 cannot hold, become blanks.
+[[nodiscard]] inline std::string xml_file_name(std::string_view name) {
     std::string escaped;
-    for (const char letter : utf8_text(text)) {
+    for (const char letter : name) {
         if (letter == '&')
             escaped += "&amp;";
         else if (letter == '<')
@@ -24,6 +24,11 @@ namespace d2b {
             escaped += static_cast<unsigned char>(letter) < 0x20 && letter != '\n' ? ' ' : letter;
     }
     return escaped;
+}
+
+/// The same for text: what is not UTF-8, which XML cannot hold either, becomes U+FFFD.
+[[nodiscard]] inline std::string xml_text(std::string_view text) {
+    return xml_file_name(utf8_text(text));
 }
 
 }  // namespace d2b

@@ -45,7 +45,7 @@ TEST_F(Names, areTextInEveryFormat) {
         run_well(arguments);
         EXPECT_EQ(written().find(raw_), std::string::npos);
         ASSERT_FALSE(layer_names(path(file)).empty());
-        EXPECT_EQ(layer(file, layer_names(path(file)).front()).records.size(), 3U);
+        EXPECT_FALSE(layer(file, layer_names(path(file)).front()).records.empty());
         for (const std::string& name : entries())
             if (name != dem_)
                 std::filesystem::remove(path(name));
@@ -82,6 +82,7 @@ TEST_F(Names, inFieldsOfParcelsAreText) {
         run({"-q", "-preset", "buildings", "-ground", "none", "-min_height", "3", "-min_area", "10",
              "-split_by", "parcels.csv", "-split_field", "name", dem_, "town.gpkg"});
     EXPECT_EQ(result.status, 0) << result.err;
+    std::filesystem::remove(path("parcels.csv"));
     expect_text("-split_field");
 }
 

@@ -181,6 +181,20 @@ TEST_F(TilesTool, writesPartsWithTheNumbersOfOneRun) {
         {"plan", "-overwrite", "-f", "FlatGeobuf", sample("town.tif"), "parts", "again"});
 }
 
+/// A mosaic finds its parts by the bytes of their names.
+TEST_F(TilesTool, writesPartsUnderNamesThatAreNotUtf8) {
+    const std::string name = "ground_\xE4";
+    run_well({"-q", "-write_ground", "ground.tif", sample("town.tif"), "one.gpkg"});
+    well({"plan", "-q", "-write_ground", name + ".vrt", sample("town.tif"), "parts.gpkg", "work"});
+    for (const Arguments& step :
+         {Arguments{"find", "work", "0"}, {"join", "work"}, {"draw", "work", "0"}, {"merge", "-q", "work"}})
+        well(step);
+    run_well({"-q", "-ground", "ground.tif", sample("town.tif"), "by_one.gpkg"});
+    run_well({"-q", "-ground", name + ".vrt", sample("town.tif"), "by_parts.gpkg"});
+    EXPECT_EQ(layer("by_parts.gpkg", "buildings").records.size(),
+              layer("by_one.gpkg", "buildings").records.size());
+}
+
 TEST_F(TilesTool, writesNoPartsOfOneFile) {
     well({"plan", "-q", sample("town.tif"), "a.gpkg", "work"});
     expect_refused(
