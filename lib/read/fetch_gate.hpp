@@ -16,8 +16,8 @@ namespace d2b {
 /// named:
 /// - a name with an address, or of a cloud's store, lets GDAL ask that server;
 /// - formats that are lists of addresses (VRT, WMS, WFS and their like) name servers in the user's stead.
-/// A CRS is never fetched. The gate works in its own thread for as long as it lives; gates may nest, and drivers
-/// that open what they list late need one while they are read, too.
+/// A CRS is never fetched. The gate works in its own thread for as long as it lives; gates may nest, and
+/// drivers that open what they list late need one while they are read, too.
 class FetchGate {
   public:
     /// @param name of a dataset, as the user gave it

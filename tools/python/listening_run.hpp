@@ -15,7 +15,8 @@ struct PythonEars {
 
 /// Calls `work` on a thread of its own, with the interpreter free. Meanwhile the calling thread, which holds
 /// the interpreter's lock before and after, hears signals such as Ctrl-C and passes on what the run says,
-/// some times a second. What Python raises there, and a progress function that returns what is false but not None, ends the work.
+/// some times a second. What Python raises there, and a progress function that returns what is false but not
+/// None, ends the work.
 /// @param listener an object with a method warn(text) and an attribute progress, a callable or None
 /// @throws what Python raised, else what the work threw
 void run_listening(const pybind11::object& listener, const std::function<void(const PythonEars&)>& work);
