@@ -30,13 +30,13 @@ std::map<std::string, std::string> contents_of(const fs::path& folder) {
     return contents;
 }
 
+}  // namespace
+
 void fill(RasterSpec& spec, int row, int last_row, int col, int last_col, double z) {
     for (int r = row; r <= last_row; ++r)
         for (int c = col; c <= last_col; ++c)
             spec.values[static_cast<std::size_t>(r * spec.cols + c)] = z;
 }
-
-}  // namespace
 
 void CliTest::SetUpTestSuite() {
     GDALAllRegister();

@@ -51,6 +51,8 @@ class CliTest : public ::testing::Test {
 /// at 8. Traced through points above 5 the buildings have areas of 63, 6 and 1 and rings of 32, 10 and 4
 /// points; above 15 there is one of 12 and 14.
 [[nodiscard]] RasterSpec blocks();
+/// Gives cells of a raster an elevation, from a row and a column to the last ones.
+void fill(RasterSpec& spec, int row, int last_row, int col, int last_col, double z);
 
 /// Where the file is not, the test is skipped with this message.
 [[nodiscard]] std::string missing_shared(const std::string& file);
