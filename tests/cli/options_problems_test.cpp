@@ -25,7 +25,7 @@ RasterSpec touching_blocks() {
 }
 
 /// Twelve blocks of 4 x 4 cells, 20 m high, stand where nothing else is known, below each other, and one
-/// beside them on level ground.
+/// beside them on ground.
 RasterSpec blocks_without_ground() {
     constexpr std::size_t rows = 74;
     constexpr std::size_t cols = 16;
@@ -38,7 +38,9 @@ RasterSpec blocks_without_ground() {
             for (std::size_t col = left; col < left + width; ++col)
                 spec.values[row * cols + col] = z;
     };
-    put(0, 8, rows, 8, 0);
+    // Not level, because one value along the border is undeclared NoData.
+    for (std::size_t row = 0; row < rows; ++row)
+        put(row, 8, 1, 8, row % 2 == 0 ? -0.5 : -0.25);
     put(2, 10, 4, 4, 20);
     for (std::size_t i = 0; i < 12; ++i)
         put(2 + 6 * i, 2, 4, 4, 20);
