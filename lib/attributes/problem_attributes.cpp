@@ -19,7 +19,8 @@ constexpr std::array problem_table{
         "is "
         "shorter than -flow_ready, in m; flow_angle: a corner that is too sharp, in degrees; flow_touch: "
         "corners "
-        "that touched, and how far they are apart now, in m; flow_crossing: outlines that cross",
+        "that touched, and how far they are apart now, in m; flow_crossing: outlines that cross; flow_step: "
+        "roofs beside each other that differ by less than -min_wall, in m",
         [](const ProblemRecord& r) -> FieldValue { return std::string(r.kind); }},
     Attribute<ProblemRecord>{"building", "Building", FieldType::integer, Unit::none,
                              "id of the building; of the lowest, where there are several",

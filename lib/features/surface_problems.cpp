@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <set>
 
 namespace d2b {
@@ -62,6 +63,29 @@ std::vector<PlacedProblem> surface_problems(const SurfaceCluster& cluster, const
         record.building = building.id;
         record.before = building.area_m2;
         problems.push_back({record, position_of(*building.corner, frame)});
+    }
+    return problems;
+}
+
+std::vector<PlacedProblem> step_problems(const SurfaceCluster& cluster, const std::vector<RoofStep>& steps,
+                                         const SurfaceFrame& frame) {
+    std::vector<PlacedProblem> problems;
+    const double metres = frame.scale[2] * frame.vertical_metres;
+    for (const RoofStep& step : steps) {
+        std::set<std::int64_t> ids;
+        for (const std::int32_t contour : step.contours)
+            ids.insert(cluster
+                           .buildings[static_cast<std::size_t>(
+                               cluster.contours[static_cast<std::size_t>(contour)].building)]
+                           .id);
+        ProblemRecord record;
+        record.kind = "flow_step";
+        record.building = *ids.begin();
+        record.other = ids.size() > 1 ? *std::next(ids.begin()) : 0;
+        record.before = static_cast<double>(step.before) * metres;
+        record.after = static_cast<double>(step.after) * metres;
+        record.changed = step.after == 0;
+        problems.push_back({record, position_of(step.place, frame)});
     }
     return problems;
 }

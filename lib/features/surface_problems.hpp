@@ -4,6 +4,7 @@
 
 #include "features/problem_layer.hpp"
 #include "features/surface_cluster.hpp"
+#include "surface/level_roofs.hpp"
 
 namespace d2b {
 
@@ -16,5 +17,10 @@ void add_left_out(const DrawnCluster& drawn, const MadeSurfaces& made, std::vect
                                                           const MadeSurfaces& made,
                                                           const std::vector<LostBuilding>& lost,
                                                           const SurfaceFrame& frame);
+
+/// Steps between roofs that were lower than -min_wall, and what became of them.
+[[nodiscard]] std::vector<PlacedProblem> step_problems(const SurfaceCluster& cluster,
+                                                       const std::vector<RoofStep>& steps,
+                                                       const SurfaceFrame& frame);
 
 }  // namespace d2b

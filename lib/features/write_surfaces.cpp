@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,6 +18,7 @@
 #include "features/surface_problems.hpp"
 #include "geometry/geos.hpp"
 #include "options/given_words.hpp"
+#include "surface/level_roofs.hpp"
 
 namespace d2b {
 namespace {
@@ -36,6 +38,8 @@ struct GroupSurfaces {
     std::vector<SurfacePart> tiers;
     std::vector<LostBuilding> lost;
     std::vector<PlacedProblem> problems;  // where they are asked for
+    std::int64_t steps_changed = 0;       // between roofs, lower than -min_wall
+    std::int64_t steps_left = 0;          // likewise
 };
 
 /// @param records by ascending ids
@@ -109,10 +113,12 @@ class SurfaceWriter {
     std::span<SurfaceSink* const> sinks_;
     Context& context_;
     SurfaceForms forms_;
+    std::int64_t least_step_ = 0;  // between roofs, in steps of height; 0: any
     bool has_tiers_ = false;
     std::vector<SurfaceRoom> rooms_;
     SurfaceReport report_;
     std::int64_t lost_ = 0;
+    std::int64_t steps_left_ = 0;
 };
 
 SurfaceWriter::SurfaceWriter(const SurfaceInput& input, std::span<SurfaceSink* const> sinks, Context& context)
@@ -129,6 +135,8 @@ SurfaceWriter::SurfaceWriter(const SurfaceInput& input, std::span<SurfaceSink* c
         rooms_.push_back({output_transform(features.crs, features.target_crs, features.georeference,
                                            features.window, context.threads->stop()),
                           Geos(context.threads->stop())});
+    least_step_ =
+        std::llround(features.plan.asked.outline.shortest_wall() / (frame.scale[2] * frame.vertical_metres));
     report_.origin = input.lattice.frame().origin;
 }
 
@@ -141,8 +149,13 @@ void SurfaceWriter::make_closed(std::span<const std::uint32_t> group, SurfaceRoo
             context_.threads->stop());
     };
     result.made = made_of(drawn.cluster);
-    if (fits_volumes() && !result.made.mends.empty() &&
-        fit_roofs(roof_areas(drawn.cluster, result.made), drawn.cluster))
+    const bool moved = fits_volumes() && !result.made.mends.empty() &&
+                       fit_roofs(roof_areas(drawn.cluster, result.made), drawn.cluster);
+    // Last, because roofs that are one must not be moved apart again.
+    const std::vector<RoofStep> steps = level_roofs(drawn.cluster, least_step_);
+    result.steps_left = std::ranges::count_if(steps, [](const RoofStep& step) { return step.after > 0; });
+    result.steps_changed = std::ssize(steps) - result.steps_left;
+    if (moved || result.steps_changed > 0)
         result.made = made_of(drawn.cluster);
     const auto attributes = building_attributes(input_.features.plan.asked.detect.is_split_by());
     fill_values(drawn.buildings, attributes, result.made.solids);
@@ -150,8 +163,11 @@ void SurfaceWriter::make_closed(std::span<const std::uint32_t> group, SurfaceRoo
     result.lost = std::move(drawn.lost);
     add_left_out(drawn, result.made, result.lost);
     std::ranges::sort(result.lost, {}, &LostBuilding::id);
-    if (input_.problems != nullptr)
+    if (input_.problems != nullptr) {
         result.problems = surface_problems(drawn.cluster, result.made, result.lost, input_.lattice.frame());
+        std::ranges::move(step_problems(drawn.cluster, steps, input_.lattice.frame()),
+                          std::back_inserter(result.problems));
+    }
 }
 
 /// What is lost is told once, where surfaces are made as well.
@@ -203,6 +219,9 @@ void SurfaceWriter::warn_of_lost(const std::vector<LostBuilding>& lost) {
 
 void SurfaceWriter::add(GroupSurfaces&& group) {
     count(group.made);
+    context_.report.count(Reason::flow_changed, group.steps_changed);
+    context_.report.count(Reason::flow_left, group.steps_left);
+    steps_left_ += group.steps_left;
     warn_of_lost(group.lost);
     if (input_.problems != nullptr)
         input_.problems->note(std::move(group.problems));
@@ -220,6 +239,12 @@ void SurfaceWriter::finish() {
     if (lost_ > most_lost_named)
         context_.warn(std::to_string(lost_ - most_lost_named) + " more buildings are not in the " + whole() +
                       ".");
+    if (steps_left_ > 0)
+        context_.warn(
+            std::to_string(steps_left_) +
+            (steps_left_ == 1 ? " step between roofs is" : " steps between roofs are") +
+            " lower than -min_wall and left, since one roof would move more than 1 % of the volume of a "
+            "block; -write_problems shows where.");
     for (SurfaceRoom& room : rooms_)
         context_.report.merge(room.tally);
     if (has_closed())
