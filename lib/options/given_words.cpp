@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/utf8_text.hpp"
 #include "options/option_table.hpp"
 
 namespace d2b {
@@ -114,7 +115,7 @@ std::map<std::string, std::string> without_folders(std::map<std::string, std::st
         if (name == "D2B_SOURCE")
             value = last_name(value);
         if (name == "D2B_OPTIONS")
-            value = words_of(options, false);
+            value = utf8_text(words_of(options, false));
         for (const OptionRow& row : option_table())
             if (!row.item.empty() && name == "D2B_" + row.item)
                 value = without_folder(row, value);

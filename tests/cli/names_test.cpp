@@ -53,9 +53,9 @@ TEST_F(Names, areTextInEveryFormat) {
 }
 
 TEST_F(Names, ofFilesAreTextBesideThem) {
-    run_well({"-q", "-surface", raw_ + ".obj", "-surface", raw_ + ".glb", "-surface", raw_ + ".city.json",
+    run_well({"-q", "-surface", "town.obj", "-surface", raw_ + ".glb", "-surface", raw_ + ".city.json",
               "-preview", raw_ + ".svg", dem_, raw_ + ".gpkg"});
-    for (const char* extension : {".obj", ".glb", ".city.json", ".svg", ".gpkg"})
+    for (const char* extension : {".glb", ".city.json", ".svg", ".gpkg"})
         EXPECT_TRUE(std::filesystem::exists(path(raw_ + extension))) << extension;
     expect_text("what is written beside");
 }

@@ -60,8 +60,8 @@ class Names(PythonCase):
 
     def test_what_is_written_is_text(self):
         dem2buildings.extract_file(self.source(), self.place(b".gpkg"), nln=os.fsdecode(NAME), layers="buildings",
-                                   lco={"IDENTIFIER": os.fsdecode(NAME)}, surface=self.place(b".obj"))
-        (self.folder / os.fsdecode(NAME + b".obj")).read_text(encoding="utf-8")
+                                   lco={"IDENTIFIER": os.fsdecode(NAME)}, surface=self.folder / "town.obj")
+        (self.folder / "town.obj").read_text(encoding="utf-8")
         with sqlite3.connect(self.place(b".gpkg")) as database:
             self.assertIn((READABLE,), database.execute("SELECT identifier FROM gpkg_contents").fetchall())
             for table, column in (("gpkg_contents", "description"), ("gpkg_metadata", "metadata"),
