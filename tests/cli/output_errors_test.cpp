@@ -189,7 +189,7 @@ TEST_F(OutputErrors, fullDiskOnStdout) {
     // A report is a part of the result.
     preset_ = "";
     expect_error(1, sentence, {"-json", "dem.tif", "out.gpkg"}, full);
-    expect_error(1, sentence, {"-sweep", "-preview", "sheet.png", "dem.tif"}, full);
+    expect_error(1, sentence, {"-sweep", "lod=2..3", "-preview", "sheet.png", "dem.tif"}, full);
     run_well({"-q", "-surface", "city.glb", "dem.tif", "out.gpkg"});
     write(path("dem.tif"), higher_blocks());
     expect_error(1, sentence, {"-overwrite", "-json", "-surface", "city.glb", "dem.tif", "out.gpkg"}, full);
@@ -209,7 +209,7 @@ TEST_F(OutputErrors, aSummaryThatIsLost) {
         std::filesystem::remove(path("out.gpkg"));
     };
     const auto in_shell = [&](const std::string& command, const Arguments& options) {
-        Arguments all{"bash", "-c", command, "bash", D2B_TOOL};
+        Arguments all{"bash", "-c", command, "bash", D2B_TOOL, "-preset", "thesis"};
         all.insert(all.end(), options.begin(), options.end());
         return run_tool(all, {.working_directory = folder_.string()});
     };

@@ -16,13 +16,15 @@ class TilesTool : public CliTest {
         CliTest::SetUp();
         preset_ = "";
     }
-    [[nodiscard]] ToolResult tiles(const Arguments& arguments, const std::optional<Kill>& kill = {}) const {
+    [[nodiscard]] ToolResult tiles(const Arguments& arguments, const std::optional<Kill>& kill = {},
+                                   const std::string& stdout_file = "") const {
         Arguments command{D2B_TILES_TOOL};
         command.insert(command.end(), arguments.begin(), arguments.end());
         ToolSetup setup;
         setup.working_directory = folder_.string();
         setup.environment = {date_};
         setup.kill = kill;
+        setup.stdout_file = stdout_file;
         return run_tool(command, setup);
     }
     std::string well(const Arguments& arguments) const {
@@ -79,6 +81,38 @@ TEST_F(TilesTool, givesTheBytesOfOneRun) {
         for (const char* name : {"work", "tiles.gpkg", "one.gpkg"})
             std::filesystem::remove_all(path(name));
     }
+}
+
+/// A report is a part of the result: merge can be run again.
+TEST_F(TilesTool, aReportThatIsLost) {
+    for (const Arguments& destination : {Arguments{"tiles.gpkg"}, Arguments{"-f", "FlatGeobuf", "tiles"}}) {
+        Arguments plan{"plan", "-q", "-te", "391100", "5820100", "391400", "5820300", sample("town.tif")};
+        plan.insert(plan.end(), destination.begin(), destination.end());
+        plan.emplace_back("work");
+        well(plan);
+        for (const Arguments& step :
+             {Arguments{"find", "work", "0"}, Arguments{"join", "work"}, Arguments{"draw", "work", "0"}})
+            well(step);
+        const std::vector<std::string> before = entries();
+        const ToolResult lost = tiles({"merge", "-json", "work"}, {}, "/dev/full");
+        EXPECT_EQ(lost.status, 1);
+        EXPECT_EQ(lost.err,
+                  "ERROR: Cannot write to stdout; check whether the disk is full or the reader has gone.\n");
+        if (destination.size() == 1) {
+            EXPECT_EQ(entries(), before);
+        }
+        EXPECT_TRUE(well({"merge", "-json", "work"}).starts_with("{"));
+        for (const char* name : {"work", "tiles.gpkg", "tiles"})
+            std::filesystem::remove_all(path(name));
+    }
+    well({"plan", "-q", sample("town.tif"), "tiles.gpkg", "work"});
+    for (const Arguments& step :
+         {Arguments{"find", "work", "0"}, Arguments{"join", "work"}, Arguments{"draw", "work", "0"}})
+        well(step);
+    const ToolResult told = tiles({"merge", "work"}, {}, "/dev/full");
+    EXPECT_EQ(told.status, 0);
+    EXPECT_EQ(told.err, "Warning: The summary could not be written to stdout; the result is whole.\n");
+    EXPECT_TRUE(std::filesystem::exists(path("tiles.gpkg")));
 }
 
 TEST_F(TilesTool, readsAListOfRasters) {

@@ -4,8 +4,10 @@ import os
 import pathlib
 import random
 import re
+import resource
 import signal
 import subprocess
+import tempfile
 import time
 import unittest
 
@@ -168,6 +170,28 @@ class PostGis(PostGisCase):
         self.assertEqual(status, 1)
         self.assertRegex(said, r"\AERROR: Cannot write [^\n]+\.\n\Z")
         self.assertEqual(self.content(), before)
+
+    def test_files_that_do_not_fit_leave_the_layers(self):
+        before = self.content()
+        with tempfile.TemporaryDirectory() as folder:
+            model = pathlib.Path(folder) / "city.glb"
+            command = [TOOL, "-q", "-overwrite", "-lod", "6", "-surface", str(model), str(SOURCE / "sample_dems/town.tif"),
+                       f"PG:host={self.folder} user=planner dbname=city"]
+            run = subprocess.run(command, capture_output=True, text=True, preexec_fn=lambda: resource.setrlimit(
+                resource.RLIMIT_FSIZE, (20_000, 20_000)))
+            self.assertEqual(run.returncode, 1, run.stderr)
+            self.assertEqual(run.stderr, f'ERROR: Cannot write "{model}": File too large.\n')
+            self.assertEqual(self.content(), before)
+            self.assertEqual(os.listdir(folder), [])
+            with open("/dev/full", "w") as full:
+                run = subprocess.run([*command, "-json"], stdout=full, stderr=subprocess.PIPE, text=True)
+            self.assertEqual(run.returncode, 1, run.stderr)
+            self.assertIn("Cannot write to stdout", run.stderr)
+            self.assertEqual(self.content(), before)
+            self.assertEqual(os.listdir(folder), [])
+            self.assertEqual(subprocess.run(command).returncode, 0)
+            self.assertNotEqual(self.content(), before)
+            self.assertEqual(os.listdir(folder), ["city.glb"])
 
     def test_a_killed_run_leaves_the_old_content_or_the_new(self):
         old = self.content()

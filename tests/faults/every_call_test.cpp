@@ -87,7 +87,7 @@ class EveryCall : public FaultyTest, public testing::WithParamInterface<Destinat
         if (!GetParam().has_others)
             return {};
         return {"-write_ground",  "ground.tif", "-surface", "city.glb", "-surface",
-                "city.city.json", "-preview",   "map.png",  "-zunit",   "metre"};
+                "city.city.json", "-preview",   "map.png",  "-zunit",   "m"};
     }
     void prepare() const {
         for (const auto& entry : fs::directory_iterator(folder_))
@@ -155,7 +155,7 @@ class EveryCall : public FaultyTest, public testing::WithParamInterface<Destinat
             }
         }
         // A disk that removes nothing keeps the hidden folder, too.
-        if (!error.starts_with("EIO") && result.err.find("old files lie in") == std::string::npos) {
+        if (!error.starts_with("EIO") && result.err.find("old files of \"") == std::string::npos) {
             EXPECT_TRUE(hidden().empty()) << hidden().front() << result.err;
         }
     }

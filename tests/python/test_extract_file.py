@@ -1,6 +1,7 @@
 """extract_file(): what the program writes, by a call."""
 
 import pathlib
+import resource
 import unittest
 import warnings
 
@@ -94,6 +95,20 @@ class ExtractFile(PythonCase):
         with self.assertRaises(dem2buildings.Cancelled):
             dem2buildings.extract_file(TOWN, self.target(), progress=lambda share: False)
         self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_a_file_that_does_not_fit_leaves_nothing(self):
+        usual = resource.getrlimit(resource.RLIMIT_FSIZE)
+        beside = {"write_ground": self.folder / "ground.tif", "surface": self.folder / "city.glb", **PART}
+        for limit in (1_000, 20_000, 60_000):
+            resource.setrlimit(resource.RLIMIT_FSIZE, (limit, usual[1]))
+            try:
+                with self.assertRaisesRegex(dem2buildings.OutputError, "Cannot write"):
+                    dem2buildings.extract_file(TOWN, self.target(), **beside)
+            finally:
+                resource.setrlimit(resource.RLIMIT_FSIZE, usual)
+            self.assertEqual(list(self.folder.iterdir()), [])
+        dem2buildings.extract_file(TOWN, self.target(), **beside)
+        self.assertEqual(len(list(self.folder.iterdir())), 3)
 
     def test_a_warning_as_an_error_leaves_nothing(self):
         with warnings.catch_warnings():
