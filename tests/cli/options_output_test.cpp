@@ -92,8 +92,13 @@ TEST_F(OptionEffect, lco__thatRoundsCoordinates) {
     RasterSpec spec = blocks();
     spec.transform = std::array<double, 6>{391000.1, 0.25, 0, 5820000.1, 0, -0.25};
     spec.values.assign(600, 0.0);
-    fill(spec, 3, 16, 3, 22, 10);
-    fill(spec, 8, 8, 9, 10, 20);
+    const auto raise = [&](int row, int last_row, int col, int last_col, double z) {
+        for (int r = row; r <= last_row; ++r)
+            for (int c = col; c <= last_col; ++c)
+                spec.values[static_cast<std::size_t>(r * spec.cols + c)] = z;
+    };
+    raise(3, 16, 3, 22, 10);
+    raise(8, 8, 9, 10, 20);
     write(path("fine.tif"), spec);
     const auto run_with = [&](const std::string& precision) {
         return run({"-q", "-overwrite", "-preset", "thesis", "-fl", "5", "15", "-nf", "0", "-layers",
