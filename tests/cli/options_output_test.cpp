@@ -86,8 +86,8 @@ TEST_F(OptionEffect, lco) {
               "0");
 }
 
-/// Cells of 0.25 m with a part of 0.25 by 0.5 m on a block of 10 m, turned by a -t_srs of its own kind: none
-/// is left of the part at whole metres, and with a digit more all stands.
+/// Rounds a part of 0.25 by 0.5 m on a block of 10 m to whole metres, which leaves nothing of it, and to
+/// tenths.
 TEST_F(OptionEffect, lco__thatRoundsCoordinates) {
     RasterSpec spec = blocks();
     spec.transform = std::array<double, 6>{391000.1, 0.25, 0, 5820000.1, 0, -0.25};
@@ -101,8 +101,8 @@ TEST_F(OptionEffect, lco__thatRoundsCoordinates) {
     raise(8, 8, 9, 10, 20);
     write(path("fine.tif"), spec);
     const auto run_with = [&](const std::string& precision) {
-        return run({"-q", "-overwrite", "-preset", "thesis", "-fl", "5", "15", "-nf", "0", "-layers",
-                    "contours", "-lco", "COORDINATE_PRECISION=" + precision, "--", "fine.tif",
+        return run({"-q", "-overwrite", "-preset", "thesis", "-trace", "cells", "-fl", "5", "15", "-nf", "0",
+                    "-layers", "contours", "-lco", "COORDINATE_PRECISION=" + precision, "--", "fine.tif",
                     "out.geojson"});
     };
     const ToolResult refused = run_with("0");
