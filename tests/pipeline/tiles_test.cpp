@@ -330,7 +330,8 @@ class TilesOfATown : public testing::Test {
   protected:
     TilesOfATown() : dem_(cut_town().source()) { test::place_in_utm(dem_, 1); }
     [[nodiscard]] StepsInTiles steps(std::uint64_t plan = some_plan) {
-        return {{dem_}, options_for_blocks(), {folder_.path(), plan, 2, {0, 100}}};
+        // The town has no undeclared values, as plan would have found.
+        return {{dem_}, options_for_blocks(), {folder_.path(), plan, 2, {0, 100}, UndeclaredValues{}}};
     }
     [[nodiscard]] std::string name(const std::string& file) const {
         return "'" + (folder_.path() / file).string() + "'";
