@@ -9,9 +9,9 @@
 namespace d2b {
 namespace {
 
-constexpr double most_bend = 0.1;   // of an edge's length, from its middle to that of its image
-constexpr int most_halvings = 24;   // of an edge of some cells: a millionth of one is left
-constexpr double rounding = 1e-10;  // of a coordinate, which a projection may be wrong by
+constexpr double most_bend = 0.1;           // of an edge's length, from its middle to that of its image
+constexpr int most_halvings = 24;           // of an edge of some cells: a millionth of one is left
+constexpr double projection_error = 1e-10;  // relative, of a projected coordinate
 constexpr double widest_gap =
     0.25;  // of what is left of a ring: a datum's grids have small steps at their edges
 constexpr std::size_t most_cuts = std::size_t{1} << 16;  // of a ring
@@ -105,7 +105,7 @@ double RingTransform::distance(const Position& a, const Position& b) const {
 bool RingTransform::runs_straight(const Position& from, const Position& middle, const Position& to) const {
     const double off = distance(middle, middle_of(from, to));
     const double largest = std::max({std::abs(from.x), std::abs(from.y), std::abs(to.x), std::abs(to.y)});
-    return off <= std::max(most_bend * distance(from, to), rounding * largest);
+    return off <= std::max(most_bend * distance(from, to), projection_error * largest);
 }
 
 RingFate RingTransform::apply(WorldRing& ring) {
