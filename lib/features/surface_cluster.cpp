@@ -95,7 +95,8 @@ void ClusterDrawer::add_building(std::uint32_t contour) {
     const double base = input_.of == SurfaceOf::contours ? input_.records.base(contour) : record->ground;
     const double roof = top(contour, *record);
     const bool flat =
-        input_.of == SurfaceOf::buildings && !(input_.lattice.height(roof) > input_.lattice.height(base));
+        input_.of == SurfaceOf::buildings &&
+        !input_.lattice.gaps().stands_out(input_.lattice.height(roof), input_.lattice.height(base));
     if (!std::isfinite(base) || !std::isfinite(roof) || flat) {
         const auto placed = input_.lattice.place(input_.features.outliner.footprint(contour), transform_);
         drawn_.lost.push_back(

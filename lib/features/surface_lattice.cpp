@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/number_text.hpp"
+#include "core/square_area.hpp"
 #include "dem2buildings/error.hpp"
 
 namespace d2b {
@@ -36,6 +37,31 @@ void require_lengths(const Crs& crs, std::string_view asked_by) {
                           crs.name() +
                           "' are angles; bring them to a projected CRS with -t_srs, such as the UTM zone of "
                           "the area.");
+}
+
+/// Of the cell of a lattice at a place. Its CRS may have no place on the ground there.
+std::optional<CellSize> cell_at(const Crs& crs, const SurfaceFrame& frame, const Position& place) {
+    const AffineTransform cell{place.x, frame.scale[0] * FinePoint::steps, 0, place.y,
+                               0,       frame.scale[1] * FinePoint::steps};
+    try {
+        return cell_steps({0, 0, 1, 1}, Georeference(cell, TraceMode::cells), crs);
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
+}
+
+/// The greatest of the middle and the corners of a box, because a unit of the CRS is not as long everywhere.
+PlanGaps gaps_in(const Crs& crs, const SurfaceFrame& frame, const Position& low, const Position& high) {
+    PlanGaps gaps;
+    for (const Position& place : {Position{(low.x + high.x) / 2, (low.y + high.y) / 2}, low, high,
+                                  Position{low.x, high.y}, Position{high.x, low.y}})
+        if (const auto cell = cell_at(crs, frame, place)) {
+            const PlanGaps here = plan_gaps(*cell);
+            gaps.pinch = largest_of(gaps.pinch, here.pinch);
+            gaps.corners = largest_of(gaps.corners, here.corners);
+            gaps.heights = here.heights;
+        }
+    return gaps;
 }
 
 }  // namespace
@@ -69,6 +95,7 @@ SurfaceLattice::SurfaceLattice(const SurfaceTerms& terms)
             power_of_two_below(terms.cell_size_m / frame_.horizontal_metres / FinePoint::steps);
         frame_.translate = {std::floor(west.x), std::floor(south.y), 0};
     }
+    gaps_ = gaps_in(terms.written(), frame_, {west.x, south.y}, {east.x, north.y});
     const double metres = frame_.horizontal_metres;
     frame_.origin = terms.origin.value_or(std::array<double, 3>{
         std::round((west.x + east.x) / 2 * metres), std::round((south.y + north.y) / 2 * metres), 0});

@@ -9,6 +9,7 @@
 #include "core/lattice.hpp"
 #include "dem2buildings/surfaces.hpp"
 #include "features/ring_transform.hpp"
+#include "surface/plan_gaps.hpp"
 
 namespace d2b {
 
@@ -40,6 +41,8 @@ class SurfaceLattice {
     [[nodiscard]] const SurfaceFrame& frame() const { return frame_; }
     /// Of the window, in the CRS that is written, as SurfaceMeta has them.
     [[nodiscard]] const std::array<Position, 4>& window_corners() const { return corners_; }
+    /// How far corners of surfaces lie apart on it: anywhere in the window as far on the ground as is wanted.
+    [[nodiscard]] const PlanGaps& gaps() const { return gaps_; }
     /// Whether outlines come onto it without rounding.
     [[nodiscard]] bool is_exact() const { return is_exact_; }
     /// In millimetres. @param elevation in the vertical unit
@@ -65,6 +68,7 @@ class SurfaceLattice {
 
     SurfaceTerms terms_;
     SurfaceFrame frame_;
+    PlanGaps gaps_;
     std::array<Position, 4> corners_{};
     bool is_exact_;
     bool east_;         ///< columns run to the east

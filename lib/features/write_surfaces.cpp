@@ -14,6 +14,7 @@
 #include "core/stage_clock.hpp"
 #include "features/building_tiers.hpp"
 #include "features/layer_styles.hpp"
+#include "features/merge_equal_tiers.hpp"
 #include "features/problem_layer.hpp"
 #include "features/surface_problems.hpp"
 #include "geometry/geos.hpp"
@@ -131,6 +132,7 @@ SurfaceWriter::SurfaceWriter(const SurfaceInput& input, std::span<SurfaceSink* c
     const SurfaceFrame& frame = input.lattice.frame();
     forms_.pinch_steps = std::llround(features.plan.asked.outline.shortest_wall() /
                                       (std::min(frame.scale[0], frame.scale[1]) * frame.horizontal_metres));
+    forms_.gaps = input.lattice.gaps();
     for (int thread = 0; thread < context.threads->threads(); ++thread)
         rooms_.push_back({output_transform(features.crs, features.target_crs, features.georeference,
                                            features.window, context.threads->stop()),
@@ -143,6 +145,8 @@ SurfaceWriter::SurfaceWriter(const SurfaceInput& input, std::span<SurfaceSink* c
 void SurfaceWriter::make_closed(std::span<const std::uint32_t> group, SurfaceRoom& room,
                                 GroupSurfaces& result) {
     DrawnCluster drawn = draw_cluster(input_, group, room.transform);
+    if (input_.of == SurfaceOf::contours)
+        merge_equal_tiers(drawn);
     const auto made_of = [&](const SurfaceCluster& cluster) {
         return make_surfaces(
             cluster, forms_, [&](const FinePolygon& polygon) { return room.geos.triangles(polygon); },

@@ -23,6 +23,12 @@ std::int64_t steps_of(double metres, const FlowMetric& metric) {
     return static_cast<std::int64_t>(std::ceil(metres / step)) + 1;
 }
 
+CellSize cell_of(const FlowMetric& metric) {
+    const double across = std::hypot(metric.col_x, metric.col_y);
+    const double down = std::hypot(metric.row_x, metric.row_y);
+    return {across * FinePoint::steps, down * FinePoint::steps, metric.area() / (across * down)};
+}
+
 }  // namespace
 
 void FlowPasses::mend(const StopRequest& stop) {
@@ -37,11 +43,11 @@ void FlowPasses::mend(const StopRequest& stop) {
 /// @return whether all could be
 bool FlowPasses::take_apart(std::span<const PlanContour> leveled, const StopRequest& stop) {
     const std::int64_t wanted = steps_of(std::max(limits_.wall, limits_.gap), limits_.metric);
-    PinchReach reach{wanted};
+    PinchReach reach{wanted, plan_gaps(cell_of(limits_.metric))};
     reach.allows = [&](PinchReach::Contours contours, double outside, double inside) {
         return budget_.allows(contours, outside * limits_.metric.area(), inside * limits_.metric.area());
     };
-    // Nothing may touch: a few steps are taken even where nothing may be.
+    // Nothing may touch: the least gap is taken even where nothing may be.
     reach.take = [&](PinchReach::Contours contours, double outside) {
         budget_.take(contours, outside * limits_.metric.area());
     };

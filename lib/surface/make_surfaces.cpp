@@ -10,6 +10,7 @@
 #include "core/disjoint_sets.hpp"
 #include "surface/assemble.hpp"
 #include "surface/extrude.hpp"
+#include "surface/merge_near.hpp"
 #include "surface/partition.hpp"
 #include "surface/plan_part.hpp"
 
@@ -35,6 +36,7 @@ class Chosen {
         }
     }
     [[nodiscard]] std::span<const PlanContour> contours() const { return contours_; }
+    [[nodiscard]] std::vector<PlanContour>& contours() { return contours_; }
     [[nodiscard]] std::int32_t building(std::int32_t contour) const {
         return contours_[static_cast<std::size_t>(contour)].building;
     }
@@ -61,10 +63,8 @@ class SurfaceMaker {
         : cluster_(cluster), chosen_(cluster, is_out), forms_(forms), triangulate_(triangulate), stop_(stop) {
         for (const PlanBuilding& building : cluster.buildings)
             ids_.push_back(building.id);
-        for (const PlanContour& contour : chosen_.contours()) {
-            tops_.push_back(contour.top);
+        for (const PlanContour& contour : chosen_.contours())
             building_of_.push_back(contour.building);
-        }
     }
 
     [[nodiscard]] Attempt make();
@@ -92,13 +92,14 @@ class SurfaceMaker {
     Attempt attempt_;
 };
 
-/// Of roofs that are no higher than the base of their building nothing stands out.
+/// Of roofs that are not above the base of their building nothing stands out.
 void SurfaceMaker::drop_what_is_flat() {
     const auto is_flat = [&](std::int32_t contour) {
         if (contour == open_ground)
             return false;
         const auto c = static_cast<std::size_t>(contour);
-        return tops_[c] <= cluster_.buildings[static_cast<std::size_t>(building_of_[c])].base;
+        return !forms_.gaps.stands_out(chosen_.contours()[c].top,
+                                       cluster_.buildings[static_cast<std::size_t>(building_of_[c])].base);
     };
     for (PlanEdge& edge : plan_.edges) {
         edge.left = is_flat(edge.left) ? open_ground : edge.left;
@@ -116,7 +117,12 @@ bool SurfaceMaker::draw_plan() {
         return false;
     plan_ = std::move(partition.plan);
     drop_what_is_flat();
-    PinchesTaken taken = take_apart_pinches(plan_, chosen_.contours(), {forms_.pinch_steps}, stop_);
+    merge_near_nodes(plan_, forms_.gaps.corners);
+    level_near_roofs(plan_, chosen_.contours(), forms_.gaps.heights);
+    for (const PlanContour& contour : chosen_.contours())
+        tops_.push_back(contour.top);
+    PinchesTaken taken =
+        take_apart_pinches(plan_, chosen_.contours(), {forms_.pinch_steps, forms_.gaps}, stop_);
     if (!taken.stuck.empty()) {
         attempt_.in_the_way.push_back(chosen_.building(static_cast<std::int32_t>(taken.stuck.back())));
         return false;

@@ -27,7 +27,8 @@ struct SurfaceCluster {
 struct SurfaceForms {
     bool solids = false;
     bool shell = false;
-    std::int64_t pinch_steps = 0;  ///< that touching corners are moved by, where more than two are wanted
+    std::int64_t pinch_steps = 0;  ///< that touching corners are moved by, where more than the gap is wanted
+    PlanGaps gaps = {};
 };
 
 /// The surfaces of a cluster. The shell's blocks come by their first buildings, and so do solids.
@@ -39,7 +40,8 @@ struct MadeSurfaces {
         left_out;  ///< ids of buildings that could not be brought into either; ascending
 };
 
-/// planar partition -> pinches taken apart -> blocks, or buildings -> roofs, walls and grounds -> triangles
+/// planar partition -> near corners made one -> pinches taken apart -> blocks, or buildings -> roofs, walls
+/// and grounds -> triangles
 ///
 /// A building stands at its base, a block of buildings that share a wall at the lowest base of them. Where
 /// nothing stands above its building's base there is no surface. What is in the way of a closed surface is

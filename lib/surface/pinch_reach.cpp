@@ -14,7 +14,6 @@
 namespace d2b {
 namespace {
 
-constexpr std::int64_t usual_reach = 2;
 /// Edges that are hardly longer than what is cut off keep their whole length.
 constexpr double longest_share = 0.6;
 
@@ -114,9 +113,9 @@ double turned_from(double a, double b) {
     return turn > 0 ? turn : turn + 2 * std::numbers::pi;
 }
 
-std::vector<std::int64_t> reaches_down_from(std::int64_t wanted) {
+std::vector<std::int64_t> reaches_down_from(std::int64_t wanted, const LatticeGap& pinch) {
     std::vector<std::int64_t> reaches;
-    for (std::int64_t reach = wanted; reach > usual_reach; reach -= (reach + 3) / 4)
+    for (std::int64_t reach = wanted; reach > std::max(pinch.rows, pinch.cols); reach -= (reach + 3) / 4)
         reaches.push_back(reach);
     return reaches;
 }
@@ -126,7 +125,7 @@ PlannedReaches plan_reaches(Plan& plan, std::span<const PlanContour> contours, c
     PlannedReaches planned;
     PlanEditor editor(std::move(plan));
     const ReachPlanner planner(editor, wanted);
-    const std::vector<std::int64_t> reaches = reaches_down_from(wanted.steps);
+    const std::vector<std::int64_t> reaches = reaches_down_from(wanted.steps, wanted.gaps.pinch);
     const auto nodes = static_cast<std::uint32_t>(editor.nodes().size());
     for (std::uint32_t node = 0; node < nodes; ++node) {
         const std::vector<NodeArm> arms = editor.around(node);

@@ -9,13 +9,15 @@
 #include "core/stop_request.hpp"
 #include "surface/node_star.hpp"
 #include "surface/plan.hpp"
+#include "surface/plan_gaps.hpp"
 
 namespace d2b {
 
-/// How far corners that touch are to be moved, where more than two steps are wanted.
+/// How far corners that touch are to be moved.
 struct PinchReach {
     using Contours = std::span<const std::int32_t>;
-    std::int64_t steps = 0;
+    std::int64_t steps = 0;  ///< where more is wanted than the gap of a pinch
+    PlanGaps gaps = {};      ///< that corners are moved by at least
     /// Whether a move may take so much of the contours around it, in square steps: beside open ground, and
     /// between them. Nothing: always. What is usual is not asked for.
     std::function<bool(Contours contours, double outside, double inside)> allows = {};
@@ -40,8 +42,8 @@ struct PassedOver {
 /// From 0 to a full turn, counter-clockwise.
 [[nodiscard]] double turned_from(double a, double b);
 
-/// The reach that is wanted, and from it on as little less as a move may take; all above what is usual.
-[[nodiscard]] std::vector<std::int64_t> reaches_down_from(std::int64_t wanted);
+/// The reach that is wanted, and from it on as little less as a move may take; all above the gap of a pinch.
+[[nodiscard]] std::vector<std::int64_t> reaches_down_from(std::int64_t wanted, const LatticeGap& pinch);
 
 /// The reach of each pinch by its place; 0 where it may be moved no farther than is usual.
 using PlannedReaches = std::map<FinePoint, std::int64_t>;

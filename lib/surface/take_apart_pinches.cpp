@@ -17,19 +17,74 @@
 namespace d2b {
 namespace {
 
-/// How far a corner may move, in steps, where nothing else is asked for; what is usual comes first.
-constexpr std::array<std::int64_t, 8> usual_reaches{2, 3, 4, 8, 16, 32, 64, 128};
+/// How far a corner moves where nothing else is asked for, in halves of the gap of a pinch; the least comes
+/// first, more is for sharp angles and where others are near.
+constexpr std::array<std::int64_t, 8> usual_halves{2, 3, 4, 8, 16, 32, 64, 128};
+/// Steps that are no more than usual, whatever the gap, and gaps that are none.
+constexpr std::int64_t most_steps = 128;
+constexpr std::int64_t most_gaps = 8;
 
 /// A node with more edges is left as it is.
 constexpr std::size_t most_arms = 32;
 
-/// What lies so far off in one of the eight directions or between them.
-std::vector<FinePoint> square(std::int64_t reach) {
+LatticeGap halves_of(const LatticeGap& gap, std::int64_t halves) {
+    return {(gap.rows * halves + 1) / 2, (gap.cols * halves + 1) / 2};
+}
+
+std::vector<LatticeGap> usual_reaches(const LatticeGap& pinch) {
+    std::vector<LatticeGap> reaches;
+    for (const std::int64_t halves : usual_halves)
+        if (const LatticeGap reach = halves_of(pinch, halves);
+            halves <= 2 * most_gaps || std::max(reach.rows, reach.cols) <= most_steps)
+            reaches.push_back(reach);
+    return reaches;
+}
+
+/// Less than the gap of a pinch, where there is no room for that: still more than what is taken for one
+/// corner.
+std::vector<LatticeGap> lesser_reaches(const PlanGaps& gaps) {
+    std::vector<LatticeGap> reaches;
+    LatticeGap reach = halves_of(gaps.pinch, 1);
+    while (std::min(reach.rows, reach.cols) >= 2 && reach.rows >= gaps.corners.rows &&
+           reach.cols >= gaps.corners.cols) {
+        reaches.push_back(reach);
+        reach = halves_of(reach, 1);
+    }
+    return reaches;
+}
+
+/// What lies on the border of a box around the middle, in all directions.
+std::vector<FinePoint> border_of(const LatticeGap& half) {
+    constexpr std::int64_t most_a_half = 128;
+    const auto along = [](std::int64_t length) {
+        std::vector<std::int64_t> places;
+        const std::int64_t step = (length + most_a_half - 1) / most_a_half;
+        for (std::int64_t at = -length; at < length; at += step)
+            places.push_back(at);
+        places.push_back(length);
+        return places;
+    };
     std::vector<FinePoint> places;
-    for (std::int64_t row = -reach; row <= reach; ++row)
-        for (std::int64_t col = -reach; col <= reach; col += std::abs(row) == reach ? 1 : 2 * reach)
+    for (const std::int64_t row : along(half.rows))
+        for (const std::int64_t col : {-half.cols, half.cols})
             places.push_back({row, col});
+    for (const std::int64_t col : along(half.cols))
+        for (const std::int64_t row : {-half.rows, half.rows})
+            if (std::abs(col) != half.cols)
+                places.push_back({row, col});
     return places;
+}
+
+/// Whether a segment meets the inside of a box around a place. Exact.
+bool comes_near(const FineSegment& segment, FinePoint place, const LatticeGap& gap) {
+    const FinePoint low{place.row - gap.rows + 1, place.col - gap.cols + 1};
+    const FinePoint high{place.row + gap.rows - 1, place.col + gap.cols - 1};
+    if (!boxes_meet(segment, {low, high}))
+        return false;
+    int sides = 0;
+    for (const FinePoint corner : {low, high, FinePoint{low.row, high.col}, FinePoint{high.row, low.col}})
+        sides += side(segment.a, segment.b, corner);
+    return std::abs(sides) < 4;
 }
 
 /// What lies as far off in all directions.
@@ -51,7 +106,7 @@ class PinchTaker {
     PinchTaker(Plan& plan, std::span<const PlanContour> contours, const PinchReach& wanted,
                const StopRequest& stop)
         : plan_(plan), heights_{contours}, wanted_(wanted), stop_(stop) {
-        if (wanted.steps > usual_reaches.front())
+        if (wanted.steps > std::max(wanted.gaps.pinch.rows, wanted.gaps.pinch.cols))
             planned_ = plan_reaches(plan, contours, wanted, stop);
         const NodeStars stars(plan);
         for (std::uint32_t node = 0; node < plan.nodes.size(); ++node)
@@ -62,11 +117,16 @@ class PinchTaker {
 
   private:
     [[nodiscard]] std::optional<FinePoint> place_for(std::uint32_t node, const std::vector<NodeArm>& arms,
-                                                     std::span<const FinePoint> ring) const;
+                                                     std::span<const FinePoint> ring,
+                                                     const LatticeGap& clearance) const;
     [[nodiscard]] bool is_free(std::uint32_t node, const std::vector<NodeArm>& arms, FinePoint place) const;
+    [[nodiscard]] bool is_clear(std::uint32_t node, const std::vector<NodeArm>& arms, FinePoint place,
+                                const LatticeGap& clearance) const;
     [[nodiscard]] bool take_one(std::uint32_t node, const Pinch& pinch);
     [[nodiscard]] bool move_far(std::uint32_t node, const Pinch& pinch);
     [[nodiscard]] bool move_usual(std::uint32_t node, const Pinch& pinch);
+    [[nodiscard]] bool move_by(std::uint32_t node, const Pinch& pinch, std::span<const LatticeGap> reaches,
+                               const LatticeGap& clearance);
     [[nodiscard]] PassedOver passed_over(std::uint32_t node, const std::vector<NodeArm>& arms,
                                          FinePoint place) const;
     void move(std::uint32_t node, const SectorRun& run, FinePoint place, bool fills);
@@ -106,9 +166,30 @@ bool PinchTaker::is_free(std::uint32_t node, const std::vector<NodeArm>& arms, F
     });
 }
 
+/// A corner that moves must not come near others, or there would be a new place where corners touch. The
+/// walls that move with it may be short themselves, and lead to others.
+bool PinchTaker::is_clear(std::uint32_t node, const std::vector<NodeArm>& arms, FinePoint place,
+                          const LatticeGap& clearance) const {
+    const auto is_end = [&](std::uint32_t of) {
+        return std::ranges::any_of(arms, [&](const NodeArm& arm) { return arm.end == of; });
+    };
+    const LatticeGap& corners = wanted_.gaps.corners;
+    return near_->all_in_box(
+        {place.row - clearance.rows, place.col - clearance.cols},
+        {place.row + clearance.rows, place.col + clearance.cols}, [&](std::uint32_t e) {
+            const PlanEdge& edge = plan_.edges[e];
+            if (edge.from == node || edge.to == node || is_end(edge.from) || is_end(edge.to))
+                return std::ranges::all_of(std::array{edge.from, edge.to}, [&](std::uint32_t end) {
+                    return end == node || corners.parts(plan_.nodes[end], place);
+                });
+            return !comes_near({plan_.nodes[edge.from], plan_.nodes[edge.to]}, place, clearance);
+        });
+}
+
 /// The freest direction first. @return nothing where there is no room at this reach
 std::optional<FinePoint> PinchTaker::place_for(std::uint32_t node, const std::vector<NodeArm>& arms,
-                                               std::span<const FinePoint> ring) const {
+                                               std::span<const FinePoint> ring,
+                                               const LatticeGap& clearance) const {
     const FinePoint from = plan_.nodes[node];
     const double first = angle_of(from, plan_.nodes[arms.front().end]);
     const double whole = turned_from(first, angle_of(from, plan_.nodes[arms.back().end]));
@@ -122,7 +203,7 @@ std::optional<FinePoint> PinchTaker::place_for(std::uint32_t node, const std::ve
     }
     std::ranges::sort(places);
     for (const auto& [room, place] : places)
-        if (is_free(node, arms, place))
+        if (is_free(node, arms, place) && is_clear(node, arms, place, clearance))
             return place;
     return std::nullopt;
 }
@@ -173,13 +254,14 @@ bool PinchTaker::move_far(std::uint32_t node, const Pinch& pinch) {
     const auto planned = planned_.find(plan_.nodes[node]);
     const std::vector<std::int32_t> contours = contours_of(around_[node]);
     for (const std::int64_t reach :
-         reaches_down_from(planned == planned_.end() ? wanted_.steps : planned->second)) {
-        const std::vector<FinePoint> ring = circle(reach);
+         reaches_down_from(planned == planned_.end() ? wanted_.steps : planned->second, wanted_.gaps.pinch)) {
+        std::vector<FinePoint> ring = circle(reach);
+        std::erase_if(ring, [&](FinePoint off) { return !wanted_.gaps.pinch.parts({}, off); });
         std::optional<std::pair<SectorRun, FinePoint>> best;
         double least = 0;
         for (const SectorRun& run : pinch.runs) {
             const std::vector<NodeArm> arms = arms_of(around_[node], run);
-            const auto place = place_for(node, arms, ring);
+            const auto place = place_for(node, arms, ring, wanted_.gaps.pinch);
             if (!place)
                 continue;
             const PassedOver area = passed_over(node, arms, *place);
@@ -198,16 +280,25 @@ bool PinchTaker::move_far(std::uint32_t node, const Pinch& pinch) {
     return false;
 }
 
-bool PinchTaker::move_usual(std::uint32_t node, const Pinch& pinch) {
-    for (const std::int64_t reach : usual_reaches) {
-        const std::vector<FinePoint> ring = square(reach);
+bool PinchTaker::move_by(std::uint32_t node, const Pinch& pinch, std::span<const LatticeGap> reaches,
+                         const LatticeGap& clearance) {
+    for (const LatticeGap& reach : reaches) {
+        const std::vector<FinePoint> ring = border_of(reach);
         for (const SectorRun& run : pinch.runs)
-            if (const auto place = place_for(node, arms_of(around_[node], run), ring)) {
+            if (const auto place = place_for(node, arms_of(around_[node], run), ring, clearance)) {
                 move(node, run, *place, pinch.fills);
                 return true;
             }
     }
     return false;
+}
+
+/// Where all is too narrow, nearer to others first, and then not as far.
+bool PinchTaker::move_usual(std::uint32_t node, const Pinch& pinch) {
+    const PlanGaps& gaps = wanted_.gaps;
+    const std::vector<LatticeGap> reaches = usual_reaches(gaps.pinch);
+    return move_by(node, pinch, reaches, gaps.pinch) || move_by(node, pinch, reaches, gaps.corners) ||
+           move_by(node, pinch, lesser_reaches(gaps), gaps.corners);
 }
 
 bool PinchTaker::take_one(std::uint32_t node, const Pinch& pinch) {

@@ -24,9 +24,10 @@ struct PinchesTaken {
 };
 
 /// Changes a plan until no vertical line has more than two walls, neither of all buildings together nor of
-/// one alone, and no face touches itself: where one does, a run of sectors is moved off the node by two steps
-/// of the lattice, or by as few more as its angle needs, and an edge joins it to the node. Where more is
-/// wanted it is moved by that, or by as little less as there is room for and as is allowed.
+/// one alone, and no face touches itself: where one does, a run of sectors is moved off the node by the gap
+/// of a pinch, or by as little more as its angle needs, and an edge joins it to the node. Where more is
+/// wanted it is moved by that, or by as little less as there is room for and as is allowed; where there is no
+/// room for the gap, by less than that.
 ///
 ///                   A and C stand out,                      or, where A and C are of
 ///      A | B        B and D are low:           A | B        one building, a corner      A \ B
@@ -34,7 +35,8 @@ struct PinchesTaken {
 ///      D | C        moves                      D \ +---      the notch between them      D | C
 ///                                                 | C
 ///
-/// Corners of nothing else are passed over, so that the plan stays planar, exactly.
+/// Corners of nothing else are passed over, so that the plan stays planar, exactly; and it is not moved near
+/// others, where there is room elsewhere.
 /// @throws Cancelled
 [[nodiscard]] PinchesTaken take_apart_pinches(Plan& plan, std::span<const PlanContour> contours,
                                               const PinchReach& wanted = {}, const StopRequest& stop = {});

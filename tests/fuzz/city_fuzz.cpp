@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             d2b::mesh::parse_city(std::string(reinterpret_cast<const char*>(data), size), "fuzzed");
         for (const d2b::mesh::CityBuilding& building : city.buildings)
             demand(!building.roofs.empty(), "a solid has a roof");
-        const d2b::mesh::CityPlan plan = d2b::mesh::make_city_plan(city);
+        const d2b::mesh::CityPlan plan = d2b::mesh::make_city_plan(city, {});
         for (const d2b::PlanEdge& edge : plan.plan.edges)
             demand(edge.left != edge.right && edge.from != edge.to, "an edge has two sides and two ends");
         for (const d2b::mesh::Region& region : plan.regions)

@@ -12,7 +12,7 @@ namespace d2b::test {
 namespace {
 
 mesh::CityPlan plan_of(const std::vector<MadeBlock>& blocks) {
-    return mesh::make_city_plan(mesh::parse_city(made_city(blocks).dump(), "x"));
+    return mesh::make_city_plan(mesh::parse_city(made_city(blocks).dump(), "x"), {});
 }
 
 std::string said_of(const std::vector<MadeBlock>& blocks) {

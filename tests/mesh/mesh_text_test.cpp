@@ -82,5 +82,26 @@ TEST_F(MeshText, writesPartsOfADividedBuilding) {
     }
 }
 
+/// What hangs together by edges is one surface; a corner in common does not join two. The largest comes
+/// first.
+TEST_F(MeshText, writesAReliefPerConnectedPart) {
+    shell_.points = {{0, 0, 0}, {4, 0, 0},  {0, 4, 0},  {4, 4, 0}, {8, 4, 0},
+                     {8, 8, 0}, {20, 0, 0}, {24, 0, 0}, {20, 4, 0}};
+    shell_.triangles = {{ShellPart::terrain, -1, {6, 7, 8}},
+                        {ShellPart::terrain, -1, {0, 1, 2}},
+                        {ShellPart::terrain, -1, {3, 4, 5}},
+                        {ShellPart::terrain, -1, {2, 1, 3}}};
+    const nlohmann::json city = nlohmann::json::parse(text(write_city_json));
+    const auto boundaries = [&](const char* name) {
+        return city["CityObjects"][name]["geometry"][0]["boundaries"];
+    };
+    ASSERT_EQ(city["CityObjects"].size(), 3U);
+    EXPECT_EQ(boundaries("terrain"), nlohmann::json::parse("[[[0,1,2]],[[2,1,3]]]"));
+    EXPECT_EQ(boundaries("terrain_2"), nlohmann::json::parse("[[[6,7,8]]]"));
+    EXPECT_EQ(boundaries("terrain_3"), nlohmann::json::parse("[[[3,4,5]]]"));
+    for (const char* name : {"terrain", "terrain_2", "terrain_3"})
+        EXPECT_EQ(city["CityObjects"][name]["type"], "TINRelief");
+}
+
 }  // namespace
 }  // namespace d2b::test

@@ -7,6 +7,8 @@ import sys
 
 import jsonschema
 
+import snapped_solid
+
 RULES = json.loads((pathlib.Path(__file__).parent / "cityjson_rules.json").read_text())
 
 
@@ -37,8 +39,19 @@ def face_faults(rings, kind, vertices):
         yield f"a {kind} looks to {n}"
 
 
-def solid_faults(solid, vertices):
-    """The ways along its edges, its faces, and the six volumes of it."""
+def metres_in_a_unit(city):
+    """Of the coordinates: those of metres where the file has no CRS."""
+    name = city.get("metadata", {}).get("referenceSystem", "")
+    if not name:
+        return 1.0
+    from osgeo import osr  # what has no CRS is looked at without it
+    crs = osr.SpatialReference()
+    crs.ImportFromEPSG(int(name.rsplit("/", 1)[1]))
+    return crs.GetLinearUnits()
+
+
+def solid_faults(solid, vertices, step):
+    """The ways along its edges, its faces, and the six volumes of it; then as others read it, see snapped_solid."""
     faces = solid["boundaries"][0]
     kinds = solid["semantics"]["values"][0]
     ways = collections.Counter()
@@ -54,6 +67,7 @@ def solid_faults(solid, vertices):
         yield "an edge is not passed once each way"
     if volume <= 0:
         yield "it encloses nothing"
+    yield from (f"with corners within a millimetre as one {fault}" for fault in snapped_solid.faults(faces, vertices, step))
 
 
 def surface_faults(geometry, vertices):
@@ -107,6 +121,7 @@ def faults(city):
         return
     yield from family_faults(city["CityObjects"])
     vertices = city["vertices"]
+    step = [length * metres_in_a_unit(city) for length in city["transform"]["scale"]]
     used, shell = set(), []
     for name, thing in city["CityObjects"].items():
         if "geometry" not in thing:
@@ -119,7 +134,7 @@ def faults(city):
             return
         used |= numbers
         if geometry["type"] == "Solid":
-            yield from (f"{name}: {fault}" for fault in solid_faults(geometry, vertices))
+            yield from (f"{name}: {fault}" for fault in solid_faults(geometry, vertices, step))
         else:
             shell += [face[0] for face in faces]
             yield from (f"{name}: {fault}" for fault in surface_faults(geometry, vertices))

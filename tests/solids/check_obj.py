@@ -1,11 +1,11 @@
 """Checks a shell in an OBJ: VTK looks for edges that are open or have more than two faces, and exact arithmetic for edges
-that cross faces. Prints a line for each, or ends with status 1."""
+that cross faces and for corners that others take for one. Prints a line for each, or ends with status 1."""
 
 import sys
 
 import vtk
 
-from exact_shell import crossings, inverted, read
+from exact_shell import crossings, inverted, near_corners, read
 
 
 def edges_of(surface, boundary):
@@ -42,11 +42,13 @@ def main(path):
     corners, triangles, groups = read(path)
     count = crossings(corners, triangles)
     wrong = inverted(corners, triangles, groups)
-    print(f"exact: {count} edges cross a face, {wrong} triangles look the wrong way")
+    near = near_corners(corners)
+    print(f"exact: {count} edges cross a face, {wrong} triangles look the wrong way, {near} corners are within a millimetre of "
+          "another")
     flat = surface.GetNumberOfCells() != len(triangles) or surface.GetNumberOfPoints() != len(corners)
     if flat:
         print("corners have become one in single precision", file=sys.stderr)
-    return 1 if open_edges or more_faces or count or wrong or flat or mass.GetVolume() <= 0 else 0
+    return 1 if open_edges or more_faces or count or wrong or near or flat or mass.GetVolume() <= 0 else 0
 
 
 if __name__ == "__main__":

@@ -1,9 +1,11 @@
 """What is wrong with a shell in an OBJ, in exact arithmetic: open edges, edges of more than two faces, triangles that look
-inwards, edges that cross faces."""
+inwards, edges that cross faces, corners within a millimetre of each other."""
 
 import collections
 import decimal
 import itertools
+
+from snapped_solid import snapped
 
 DECIMALS = 12  # of a coordinate, at most
 BUCKET = 8  # m
@@ -50,6 +52,12 @@ def edge_faults(corners, triangles):
         faces[min(a, b), max(a, b)] += count
     open_edges = sum(count == 1 or (count == 2 and ways[edge] != 1) for edge, count in faces.items())
     return open_edges, sum(count > 2 for count in faces.values())
+
+
+def near_corners(corners):
+    """Corners that programs take for another one: those within a millimetre of one before them."""
+    metres = [[value / 10 ** DECIMALS for value in corner] for corner in corners]
+    return sum(first != number for number, first in enumerate(snapped(metres)))
 
 
 def parts_of(triangles):

@@ -56,7 +56,7 @@ def elevations(random):
 
 
 def write_scene(path, random):
-    cell = float(random.choice([0.4, 0.5, 1, 1, 1.5, 2.5]))
+    cell = float(random.choice([0.1, 0.25, 0.4, 0.5, 1, 1.5, 2.5, 30]))
     turn = float(random.choice([0, 0, 0, random.uniform(0, 2 * math.pi)]))
     place = (391000, cell * math.cos(turn), cell * math.sin(turn), 5820000, cell * math.sin(turn), -cell * math.cos(turn))
     raster = gdal.GetDriverByName("GTiff").Create(path, SIZE, SIZE, 1, gdal.GDT_Float32)
@@ -79,7 +79,7 @@ def options(random, surface_of):
 
 
 FAULTS = ("open edges", "edges of more than two faces", "triangles that look the wrong way", "edges that cross a face",
-          "corners that are one in single precision", "faults of solids")
+          "corners that are one in single precision", "corners within a millimetre of another", "faults of solids")
 # What has no fault since it is not there; it is only told of where there is any.
 LOST = "buildings left out"
 
@@ -99,7 +99,7 @@ def look_at(tool, folder, given):
         city = json.load(file)
     wrong = (*exact_shell.edge_faults(corners, triangles), exact_shell.inverted(corners, triangles, groups),
              exact_shell.crossings(corners, triangles), len(corners) - len(np.unique(single, axis=0)),
-             len(list(faults(city))))
+             exact_shell.near_corners(corners), len(list(faults(city))))
     return collections.Counter({"with a surface": int(bool(triangles)), "solids": sum("geometry" in thing for thing in city["CityObjects"].values()),
                                 "triangles": len(triangles), LOST: len(lost)} | dict(zip(FAULTS, wrong)))
 

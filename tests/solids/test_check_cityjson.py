@@ -63,6 +63,8 @@ class Rules(unittest.TestCase):
                 ("looks to", lambda c, s: s["semantics"]["values"][0].__setitem__(1, 0)),
                 ("not every face", lambda c, s: s["semantics"]["values"][0].append(1)),
                 ("not plane", lambda c, s: c["vertices"].__setitem__(6, [9, 9, 8])),
+                ("corners within a millimetre as one", lambda c, s: c["transform"].update(scale=[0.0001, 0.001, 0.001])),
+                ("corners within a millimetre as one", lambda c, s: c["transform"].update(scale=[0.001, 0.001, 0.0001])),
                 ("encloses nothing", lambda c, s: [ring.reverse() for face in faces(s) for ring in face])):
             with self.subTest(words=words):
                 self.assertIn(words, self.found(change))

@@ -63,6 +63,11 @@ class Counts(unittest.TestCase):
         corners += [(x + 3, y + 9, z + 2) for x, y, z in corners]
         self.assertGreater(exact_shell.crossings(corners, triangles + beside), 0)
 
+    def test_corners_within_a_millimetre(self):
+        millimetre = 10 ** (exact_shell.DECIMALS - 3)
+        corners = [(0, 0, 0), (millimetre, 0, 0), (0, 2 * millimetre, 0)]
+        self.assertEqual(exact_shell.near_corners(corners), 1)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -163,8 +163,8 @@ std::vector<FineTriangle> with_geos(const FinePolygon& polygon) {
     return Geos().triangles(polygon);
 }
 
-MadeSurfaces surfaces_of(const SurfaceCluster& cluster) {
-    return make_surfaces(cluster, {true, true}, with_geos);
+MadeSurfaces surfaces_of(const SurfaceCluster& cluster, const PlanGaps& gaps) {
+    return make_surfaces(cluster, {true, true, 0, gaps}, with_geos);
 }
 
 }  // namespace d2b

@@ -74,6 +74,84 @@ TEST(Pinches, asFarAsIsWanted) {
     EXPECT_TRUE((has(-424, 0) && has(0, -424)) || (has(424, 0) && has(0, 424)));
 }
 
+/// Corners of a surface as seen from above, each once.
+std::vector<FinePoint> corners_of(const std::vector<SurfacePart>& parts) {
+    std::vector<FinePoint> corners;
+    for (const SurfacePart& part : parts)
+        for (const SurfacePoint& point : part.points)
+            corners.push_back({-point.y, point.x});
+    std::ranges::sort(corners);
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    return corners;
+}
+
+/// Corners that are not a gap apart.
+std::size_t near_corners(const std::vector<SurfacePart>& parts, const LatticeGap& gap) {
+    const std::vector<FinePoint> corners = corners_of(parts);
+    std::size_t near = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            near += gap.parts(corners[i], corners[j]) ? 0 : 1;
+    return near;
+}
+
+/// Corners that touch are a gap apart afterwards, along rows or along columns: of cells of 0.5, 0.1 and 30 m,
+/// and of cells that are not square.
+TEST(Pinches, areAGapApart) {
+    for (const CellSize& cell :
+         {CellSize{0.5, 0.5}, CellSize{0.1, 0.1}, CellSize{30, 30}, CellSize{0.2, 0.5}, CellSize{2.5, 0.1}}) {
+        const PlanGaps gaps = plan_gaps(cell);
+        for (const LetterGrid& grid : {LetterGrid{{"a ", " b"}}, LetterGrid{{"aaa", "a a", "aa ", "a  "}},
+                                       LetterGrid{{"aaaa", "a aa", "aa a", "aaaa"}}, LetterGrid{{"ab", "cd"}},
+                                       LetterGrid{{"a a a a", " a a a ", "a a a a", " a a a "}}}) {
+            const MadeSurfaces made = surfaces_of(blocks_of(grid, {50, 20, 20, 60}), gaps);
+            EXPECT_FALSE(made.mends.empty());
+            EXPECT_TRUE(made.left_out.empty());
+            for (const PinchMend& mend : made.mends)
+                EXPECT_TRUE(gaps.pinch.parts(mend.place, mend.moved));
+            EXPECT_EQ(fault_of(made.shell), "");
+            EXPECT_EQ(near_corners(made.shell, gaps.pinch), 0U) << cell.across << " " << cell.down;
+        }
+    }
+}
+
+/// A house stands where the corner would move to: it goes elsewhere, and is as far from that as from the
+/// corner.
+TEST(Pinches, doNotComeNearOthers) {
+    SurfaceCluster cluster = blocks_of({{"a ", " b"}}, {20, 30});
+    // The ground between them, on both sides, has a corner some 12 steps from where one would be cut back.
+    const FinePoint middle = fine(LatticePoint{1, 1});
+    const auto add = [&](const FineRing& ring, std::int32_t parent) {
+        const auto building = static_cast<std::int32_t>(cluster.buildings.size());
+        cluster.buildings.push_back({200 + building, 0});
+        cluster.contours.push_back({{ring, {}}, parent, building, 10});
+    };
+    add({{middle.row + 12, middle.col - 12},
+         {middle.row + 500, middle.col - 400},
+         {middle.row + 500, middle.col - 300}},
+        -1);
+    const PlanGaps gaps{{21, 21}, {3, 3}};
+    const MadeSurfaces made = surfaces_of(cluster, gaps);
+    ASSERT_EQ(made.mends.size(), 1U);
+    EXPECT_TRUE(made.left_out.empty());
+    EXPECT_EQ(fault_of(made.shell), "");
+    EXPECT_TRUE(gaps.pinch.parts(made.mends[0].place, made.mends[0].moved));
+    EXPECT_TRUE(gaps.pinch.parts({middle.row + 12, middle.col - 12}, made.mends[0].moved));
+}
+
+/// Where cells are no larger than the gap there is no room for it: the corner moves by as much as there is,
+/// by no less than what is taken for one corner.
+TEST(Pinches, whereThereIsNoRoomForTheGap) {
+    const PlanGaps gaps{{2000, 2000}, {100, 100}};
+    const MadeSurfaces made = surfaces_of(blocks_of({{"a a", " a ", "a a"}}, {20}), gaps);
+    EXPECT_TRUE(made.left_out.empty());
+    ASSERT_EQ(made.mends.size(), 4U);
+    for (const PinchMend& mend : made.mends)
+        EXPECT_TRUE(gaps.corners.parts(mend.place, mend.moved));
+    EXPECT_EQ(fault_of(made.shell), "");
+    EXPECT_EQ(near_corners(made.shell, gaps.corners), 0U);
+}
+
 /// Also where they stand at heights that have nothing in common: their edges would meet.
 TEST(Pinches, housesAtOtherHeightsThatTouchInACorner) {
     const MadeSurfaces made = surfaces_of(blocks_of({{"a ", " b"}}, {20, 90}, {0, 20}));

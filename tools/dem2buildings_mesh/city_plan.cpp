@@ -40,8 +40,9 @@ void level_bases(const CityModel& city, CityPlan& result) {
         region.base = lowest[blocks.find(static_cast<std::uint32_t>(region.building))];
 }
 
-void take_apart(const CityModel& city, const std::vector<PlanContour>& contours, CityPlan& result) {
-    const PinchesTaken taken = take_apart_pinches(result.plan, contours);
+void take_apart(const CityModel& city, const std::vector<PlanContour>& contours, const PlanGaps& gaps,
+                CityPlan& result) {
+    const PinchesTaken taken = take_apart_pinches(result.plan, contours, {0, gaps});
     for (const PinchMend& mend : taken.mends)
         result.pinches.push_back(mend.place);
     if (taken.stuck.empty())
@@ -63,7 +64,7 @@ void require_height(const CityModel& city, const Region& region) {
 
 }  // namespace
 
-CityPlan make_city_plan(const CityModel& city) {
+CityPlan make_city_plan(const CityModel& city, const PlanGaps& gaps) {
     const std::vector<PlanContour> contours = contours_of(city);
     Partition partition = make_partition(contours);
     if (!partition.at_odds.empty()) {
@@ -74,7 +75,7 @@ CityPlan make_city_plan(const CityModel& city) {
                          "); the file is damaged.");
     }
     CityPlan result{std::move(partition.plan), {}, {}};
-    take_apart(city, contours, result);
+    take_apart(city, contours, gaps, result);
     for (const PlanContour& contour : contours)
         result.regions.push_back({contour.building, contour.top, 0});
     level_bases(city, result);

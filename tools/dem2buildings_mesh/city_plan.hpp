@@ -6,6 +6,7 @@
 
 #include "dem2buildings_mesh/city_model.hpp"
 #include "surface/plan.hpp"
+#include "surface/plan_gaps.hpp"
 
 namespace d2b::mesh {
 
@@ -24,9 +25,11 @@ struct CityPlan {
     std::vector<FinePoint> pinches;  ///< places where it was changed by a few steps
 };
 
+/// @param gaps of the file's steps
+///
 /// Where a vertical edge would have more than two walls, corners move apart, as -surface has it: a file that
 /// -surface has written has no such place. @throws InputError two roofs over one place, no room to move
 /// corners
-[[nodiscard]] CityPlan make_city_plan(const CityModel& city);
+[[nodiscard]] CityPlan make_city_plan(const CityModel& city, const PlanGaps& gaps);
 
 }  // namespace d2b::mesh

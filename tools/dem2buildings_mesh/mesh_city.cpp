@@ -43,6 +43,12 @@ Crs crs_of(const CityModel& city) {
     return crs;
 }
 
+PlanGaps gaps_of(const CityModel& city, const Crs& crs) {
+    const auto unit = crs.horizontal_unit();
+    const double metres = FinePoint::steps * (unit ? unit->metres : 1);
+    return plan_gaps({city.scale[0] * metres, city.scale[1] * metres});
+}
+
 PlanFrame frame_of(const CityModel& city, const CityPlan& plan, const Crs& crs) {
     PlanFrame frame;
     frame.corner = plan.plan.nodes.front();
@@ -144,8 +150,8 @@ MeshReport mesh_city(const MeshRequest& request, const Callbacks& callbacks,
     const CityModel city = read_city(request.city);
     if (city.buildings.empty())
         throw InputError("'" + city.name + "' has no buildings; there is nothing to mesh.");
-    const CityPlan plan = make_city_plan(city);
     const Crs crs = crs_of(city);
+    const CityPlan plan = make_city_plan(city, gaps_of(city, crs));
     PlanFrame frame = frame_of(city, plan, crs);
     MeshReport report;
     report.buildings = static_cast<std::int64_t>(city.buildings.size());

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 #include <string>
@@ -8,6 +11,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/disjoint_sets.hpp"
 #include "core/number_text.hpp"
 #include "dem2buildings_mesh/mesh_text.hpp"
 
@@ -83,6 +87,41 @@ std::string relief(const std::string& lod, Triangles triangles, const CityVertic
            R"(,"boundaries":)" + boundaries(triangles, vertices) + "}]}";
 }
 
+/// The terrain in pieces that hang together by their edges, because a composite surface is in one: the ground
+/// of a courtyard is one of its own. The piece of most triangles comes first.
+std::vector<std::vector<ShellTriangle>> connected_parts(Triangles triangles) {
+    struct Edge {
+        std::uint32_t low = 0;
+        std::uint32_t high = 0;
+        std::uint32_t triangle = 0;
+
+        auto operator<=>(const Edge&) const = default;
+    };
+    std::vector<Edge> edges;
+    for (std::uint32_t t = 0; t < triangles.size(); ++t)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto [low, high] = std::minmax({triangles[t].points[i], triangles[t].points[(i + 1) % 3]});
+            edges.push_back({low, high, t});
+        }
+    std::ranges::sort(edges);
+    DisjointSets sets(static_cast<std::uint32_t>(triangles.size()));
+    for (std::size_t i = 1; i < edges.size(); ++i)
+        if (edges[i].low == edges[i - 1].low && edges[i].high == edges[i - 1].high)
+            static_cast<void>(sets.join(edges[i].triangle, edges[i - 1].triangle));
+    std::vector<std::size_t> part(triangles.size());
+    std::vector<std::vector<ShellTriangle>> parts;
+    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+        const std::uint32_t first = sets.find(t);
+        if (first == t) {
+            part[t] = parts.size();
+            parts.emplace_back();
+        }
+        parts[part[first]].push_back(triangles[t]);
+    }
+    std::ranges::stable_sort(parts, std::ranges::greater{}, &std::vector<ShellTriangle>::size);
+    return parts;
+}
+
 std::string extent(const NamedShell& shell, const CityVertices& vertices) {
     constexpr double far = std::numeric_limits<double>::infinity();
     std::array<double, 6> box{far, far, far, -far, -far, -far};
@@ -112,15 +151,22 @@ void write_city_json(const NamedShell& shell, const TextSink& sink) {
         const std::int32_t of = triangles.front().building;
         if (!is_of_city(triangles))
             return;
-        sink(comma + quoted(name) + ":" +
-             (of < 0
-                  ? relief(lod, triangles, vertices)
-                  : building(shell.city.buildings[static_cast<std::size_t>(of)], lod, triangles, vertices)));
-        comma = ",\n";
-        if (of >= 0 && !shell.city.buildings[static_cast<std::size_t>(of)].whole.empty()) {
-            std::string& parts = divided[shell.city.buildings[static_cast<std::size_t>(of)].whole];
-            parts += (parts.empty() ? "" : ",") + quoted(name);
+        const auto add = [&](const std::string& called, const std::string& object) {
+            sink(comma + quoted(called) + ":" + object);
+            comma = ",\n";
+        };
+        if (of >= 0) {
+            const CityBuilding& one = shell.city.buildings[static_cast<std::size_t>(of)];
+            add(name, building(one, lod, triangles, vertices));
+            if (!one.whole.empty()) {
+                std::string& parts = divided[one.whole];
+                parts += (parts.empty() ? "" : ",") + quoted(name);
+            }
+            return;
         }
+        const std::vector<std::vector<ShellTriangle>> parts = connected_parts(triangles);
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            add(i == 0 ? name : name + "_" + std::to_string(i + 1), relief(lod, parts[i], vertices));
     });
     for (const auto& [name, parts] : divided) {
         sink(comma + quoted(name) + R"(:{"type":"Building","children":[)" + parts + "]}");

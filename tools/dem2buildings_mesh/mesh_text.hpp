@@ -17,7 +17,8 @@ using TextSink = std::function<void(const std::string&)>;
 void write_stl(const NamedShell& shell, const TextSink& sink);
 /// OBJ: an object likewise, with groups roof, wall and ground. Corners stand first.
 void write_obj(const NamedShell& shell, const TextSink& sink);
-/// CityJSON 2.0: buildings as surfaces that share their vertices with a TINRelief.
+/// CityJSON 2.0: buildings as surfaces that share their vertices with a TINRelief per connected part of the
+/// terrain.
 void write_city_json(const NamedShell& shell, const TextSink& sink);
 
 /// Calls for each run of triangles of one building, and of each part of what belongs to none.
