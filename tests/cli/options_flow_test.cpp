@@ -9,12 +9,20 @@
 namespace d2b::test {
 namespace {
 
+/// Not level, because one value along the border with a step to all else is undeclared NoData.
+std::vector<double> uneven_ground(std::size_t rows, std::size_t cols) {
+    std::vector<double> values(rows * cols, 100);
+    for (std::size_t i = 0; i < values.size(); i += 2)
+        values[i] = 100.01;
+    return values;
+}
+
 /// 340 x 180 cells of half a metre; two houses of 60 x 70 m, 10 m high, half a metre apart; the second one
 /// has a step of half a metre in its southern wall.
 RasterSpec two_houses() {
     constexpr std::size_t rows = 180;
     constexpr std::size_t cols = 340;
-    RasterSpec spec = town_raster(std::vector<double>(rows * cols, 100));
+    RasterSpec spec = town_raster(uneven_ground(rows, cols));
     spec.rows = rows;
     spec.cols = cols;
     spec.transform = std::array<double, 6>{391000, 0.5, 0, 5820000, 0, -0.5};
@@ -127,9 +135,9 @@ TEST_F(OptionEffect, flow_ready__inThesisMode) {
 
 /// Both have types of their own for changed outlines.
 TEST_F(OptionEffect, flow_ready__beside_split_height) {
-    ASSERT_EQ(
-        run({"-q", "-flow_ready", "1", "-split_height", "3", "--", sample("town.tif"), "out.gpkg"}).status,
-        0);
+    const ToolResult result = run({"-preset", "buildings", "-q", "-flow_ready", "1", "-split_height", "3",
+                                   "--", sample("town.tif"), "out.gpkg"});
+    ASSERT_EQ(result.status, 0) << result.err;
     EXPECT_GT(buildings().records.size(), 300U);
 }
 
@@ -147,6 +155,53 @@ TEST_F(OptionEffect, min_wall) {
               "houses.tif", "out.gpkg"});
     EXPECT_GT(gap(buildings()), 0);
     EXPECT_GE(shortest_wall(buildings()), 0.6);
+}
+
+/// Half of each block is higher by less than the wall that is asked for. Those of 12 and 12.2 m become one of
+/// 12.1 m, which moves 0.8 % of the volume; for those of 3.5 and 4.2 m it would be 9 %.
+TEST_F(OptionEffect, min_wall__makesOneRoofOfTwo) {
+    RasterSpec spec = town_raster(uneven_ground(80, 300));
+    spec.rows = 80;
+    spec.cols = 300;
+    spec.transform = std::array<double, 6>{391000, 0.5, 0, 5820000, 0, -0.5};
+    fill(spec, 20, 60, 20, 50, 112);
+    fill(spec, 20, 60, 50, 80, 112.2);
+    fill(spec, 20, 60, 120, 150, 103.5);
+    fill(spec, 20, 60, 150, 180, 104.2);
+    write(path("one.tif"), spec);
+    fill(spec, 20, 60, 220, 250, 103.5);
+    fill(spec, 20, 60, 250, 280, 104.2);
+    write(path("two.tif"), spec);
+    const auto run_on = [&](const std::string& dem, const std::string& warning) {
+        run_warned({"-preset", "buildings", "-overwrite", "-split_height", "0.1", "-min_wall", "1",
+                    "-surface", "s.obj", "-write_problems", "--", dem, "out.gpkg"},
+                   {warning});
+        return layer("out.gpkg", "problems");
+    };
+    const std::string reason =
+        " lower than -min_wall and left, since one roof would move more than 1 % of the volume of a block; "
+        "-write_problems shows where.";
+    const Layer problems = run_on("one.tif", "Warning: 1 step between roofs is" + reason);
+    ASSERT_EQ(problems.records.size(), 2U);
+    const auto expect_step = [](const Record& problem, double x, double before, double after) {
+        EXPECT_EQ(problem.text("kind"), "flow_step");
+        EXPECT_NEAR(OGR_G_GetX(problem.geometry(), 0), x, 0.25);
+        EXPECT_NEAR(problem.number("before"), before, 0.001);
+        EXPECT_NEAR(problem.number("after"), after, 0.001);
+        EXPECT_EQ(problem.text("state"), after == 0 ? "changed" : "left");
+        EXPECT_EQ(problem.number("other"), problem.number("building") + 1);
+    };
+    expect_step(problems.records[0], 391025, 0.2, 0);
+    expect_step(problems.records[1], 391075, 0.7, 0.7);
+    const ReadObj obj = read_obj(path("s.obj"));
+    for (const std::string building : {"building_1", "building_2"})
+        EXPECT_NEAR(obj.heights(building)[1] - obj.heights(building)[0], 12.1, 0.02);
+    EXPECT_NEAR(obj.heights("building_3")[1] - obj.heights("building_3")[0], 3.5, 0.02);
+    EXPECT_NEAR(obj.heights("building_4")[1] - obj.heights("building_4")[0], 4.2, 0.02);
+    // The layer keeps the heights that were found.
+    EXPECT_NEAR(buildings().records[1].number("height") - buildings().records[0].number("height"), 0.2,
+                0.001);
+    EXPECT_EQ(run_on("two.tif", "Warning: 2 steps between roofs are" + reason).records.size(), 3U);
 }
 
 }  // namespace d2b::test
