@@ -59,7 +59,7 @@ TEST(ValueStep, IsNoneOfWhatWasNotRounded) {
     EXPECT_EQ(step_of(MetreGrid(50, 50, std::numeric_limits<float>::quiet_NaN())), 0);
     MetreGrid half = rounded(hills(), 1, [](double z) { return std::floor(z); });
     const MetreGrid other = hills();
-    std::copy(other.values.begin(), other.values.begin() + other.values.size() / 2, half.values.begin());
+    std::copy_n(other.values.begin(), other.values.size() / 2, half.values.begin());
     EXPECT_EQ(step_of(half), 0);
 }
 
