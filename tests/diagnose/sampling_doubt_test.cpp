@@ -8,14 +8,14 @@ namespace {
 TEST(SamplingDoubt, IsNoneOfADenseScan) {
     EXPECT_EQ(thin_doubt({}, 0.5), "");
     EXPECT_EQ(blur_doubt({}, 0.5), "") << "nothing is known";
-    const SamplingReport good{0.08, 2.5, 2.5};
+    const SamplingReport good{0.08, 2.5, 2.5, {}};
     EXPECT_EQ(thin_doubt(good, 1), "");
     EXPECT_EQ(blur_doubt(good, 1), "");
 }
 
 TEST(SamplingDoubt, IsOfThinPoints) {
     EXPECT_EQ(
-        thin_doubt({0.197, 1.62, 0.8}, 2.5),
+        thin_doubt({0.197, 1.62, 0.8, {}}, 2.5),
         "points are thin: about 1.6 fell into a cell of 2.5 m, and none into 20 % of the cells, so roofs "
         "look "
         "rough, small houses may be missed, and crowns taken for houses; use a denser scan, or look through "
@@ -24,7 +24,7 @@ TEST(SamplingDoubt, IsOfThinPoints) {
 
 TEST(SamplingDoubt, IsOfSmearedWalls) {
     EXPECT_EQ(
-        blur_doubt({0, {}, 4.42}, 2),
+        blur_doubt({0, {}, 4.42, {}}, 2),
         "walls are smeared: they fall over 4.4 cells (8.8 m), as in surfaces from satellites or of finer "
         "cells than their data, so gaps and courtyards narrower than that are closed, and corners and small "
         "houses lost; use a surface whose walls fall within two cells");
