@@ -73,8 +73,8 @@ TEST_F(OptionEffect, write_problems) {
     EXPECT_EQ(problem.number("building"), 1);
     EXPECT_EQ(problem.number("other"), 2);
     EXPECT_EQ(problem.number("before"), 0);
-    // Two steps along the diagonal, where most room is.
-    EXPECT_NEAR(problem.number("after"), 2 * std::sqrt(2) / 1024, 1e-9);
+    // A centimetre is 10.24 steps of 1/1024 m, so 11 of them along the diagonal, where most room is.
+    EXPECT_NEAR(problem.number("after"), 11 * std::sqrt(2) / 1024, 1e-9);
     EXPECT_EQ(problem.text("state"), "changed");
     run_well(thesis_with({"-nln", "roofs", "--", "touch.tif", "out.gpkg"}));
     EXPECT_EQ(layer("out.gpkg", "roofs_problems").records.size(), 1U);
