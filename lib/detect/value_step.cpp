@@ -9,21 +9,21 @@
 namespace d2b {
 namespace {
 
-constexpr std::size_t bins = StepCounts::bins;
-constexpr std::int64_t fewest = 100;     // differences
-constexpr double frequent = 0.01;        // share of the differences
-constexpr double nearly_all = 0.99;      // likewise
+constexpr std::size_t step_bins = StepCounts::bins;
+constexpr std::int64_t fewest_differences = 100;  // differences
+constexpr double frequent = 0.01;                 // share of the differences
+constexpr double nearly_all = 0.99;               // likewise
 constexpr double least_step_m = 0.0009;  // bins hold a third of the multiples of a millimetre by chance
 constexpr double greatest_step_m = 3.1;  // 10 ft
 constexpr double seen_as_rounding_m = 0.1;
 constexpr double least_risers = 0.005;  // share of all pairs; Delft rounded down to 0.25 m has 0.025
 constexpr double least_single = 0.2;    // share of the risers; Delft has 0.4, a block model 0.05
 
-using Bins = std::array<StepCounts::Bin, bins>;
+using Bins = std::array<StepCounts::Bin, step_bins>;
 
 std::int64_t pairs_in(const Bins& counts, std::size_t first, std::size_t end) {
     std::int64_t pairs = 0;
-    for (std::size_t i = first; i < std::min(end, bins); ++i)
+    for (std::size_t i = first; i < std::min(end, step_bins); ++i)
         pairs += counts[i].pairs;
     return pairs;
 }
@@ -31,11 +31,11 @@ std::int64_t pairs_in(const Bins& counts, std::size_t first, std::size_t end) {
 /// The mean of the smallest differences that are frequent, metres; nothing where none are.
 /// @param width bins in which differences of one size may lie
 std::optional<double> first_peak(const Bins& counts, std::size_t first, std::size_t width, double least) {
-    for (std::size_t i = first; i < bins; ++i) {
+    for (std::size_t i = first; i < step_bins; ++i) {
         if (counts[i].pairs == 0 || static_cast<double>(pairs_in(counts, i, i + width)) < least)
             continue;
         StepCounts::Bin sum;
-        for (std::size_t k = i; k < std::min(i + width, bins); ++k) {
+        for (std::size_t k = i; k < std::min(i + width, step_bins); ++k) {
             sum.pairs += counts[k].pairs;
             sum.micrometres += counts[k].micrometres;
         }
@@ -45,24 +45,28 @@ std::optional<double> first_peak(const Bins& counts, std::size_t first, std::siz
 }
 
 /// How many differences are multiples of a step. @param within bins
-std::int64_t multiples(const Bins& counts, double bin_m, std::size_t first, double step, double within) {
+std::int64_t multiples(const Bins& counts, double size_m, std::size_t first, double step, double within) {
     std::int64_t pairs = 0;
-    for (std::size_t i = first; i < bins; ++i) {
-        const double size = static_cast<double>(i) * bin_m;
+    for (std::size_t i = first; i < step_bins; ++i) {
+        const double size = static_cast<double>(i) * size_m;
         const double nearest = std::round(size / step) * step;
-        if (nearest > 0 && std::abs(size - nearest) <= (within + 0.01) * bin_m)
+        if (nearest > 0 && std::abs(size - nearest) <= (within + 0.01) * size_m)
             pairs += counts[i].pairs;
     }
     return pairs;
 }
 
-constexpr auto first_coarse = static_cast<std::size_t>(bins * StepCounts::fine_m / StepCounts::coarse_m);
+constexpr auto first_coarse = static_cast<std::size_t>(step_bins * StepCounts::fine_m / StepCounts::coarse_m);
+
+std::size_t nearest_bin(double position) {
+    return static_cast<std::size_t>(std::lround(position));
+}
 
 /// Whether the surface rises in single steps, as what was rounded does.
 bool rises_in_steps(const StepCounts& counts, double step) {
     std::int64_t all = 0;
     std::int64_t single = 0;
-    for (std::size_t i = 0; i < bins; ++i) {
+    for (std::size_t i = 0; i < step_bins; ++i) {
         all += counts.risers[i];
         if (std::abs(static_cast<double>(i) * StepCounts::coarse_m - step) <= 1.01 * StepCounts::coarse_m)
             single += counts.risers[i];
@@ -82,16 +86,15 @@ void StepCounts::add(std::span<const float> elevations) {
         if (here < most_m) {  // and known
             ++pairs;
             const auto size = static_cast<double>(here);
-            const auto small = static_cast<std::size_t>(size / fine_m + 0.5);
+            const auto small = nearest_bin(size / fine_m);
             if (small == 0)
                 ++equal;
-            Bin& bin = small < bins
-                           ? fine[small]
-                           : coarse[std::min(static_cast<std::size_t>(size / coarse_m + 0.5), bins - 1)];
+            Bin& bin = small < step_bins ? fine[small]
+                                         : coarse[std::min(nearest_bin(size / coarse_m), step_bins - 1)];
             ++bin.pairs;
             bin.micrometres += std::llround(size * 1e6);
             if (here > 0 && before == 0 && after == 0)
-                ++risers[std::min(static_cast<std::size_t>(size / coarse_m + 0.5), bins - 1)];
+                ++risers[std::min(nearest_bin(size / coarse_m), step_bins - 1)];
         }
         before = here;
         here = after;
@@ -104,7 +107,7 @@ void StepCounts::add(std::span<const float> elevations) {
 void StepCounts::merge(const StepCounts& other) {
     pairs += other.pairs;
     equal += other.equal;
-    for (std::size_t i = 0; i < bins; ++i) {
+    for (std::size_t i = 0; i < step_bins; ++i) {
         fine[i].pairs += other.fine[i].pairs;
         fine[i].micrometres += other.fine[i].micrometres;
         coarse[i].pairs += other.coarse[i].pairs;
@@ -120,7 +123,7 @@ std::int32_t step_stride(std::int32_t rows, std::int32_t cols) {
 
 std::optional<double> value_step(const StepCounts& counts) {
     const std::int64_t differing = counts.pairs - counts.equal;
-    if (differing < fewest)
+    if (differing < fewest_differences)
         return {};
     const double least = frequent * static_cast<double>(differing);
     constexpr std::size_t fine_width = 7;
@@ -133,10 +136,10 @@ std::optional<double> value_step(const StepCounts& counts) {
     const double fine_bins = *step / StepCounts::fine_m;
     const double within = std::clamp(std::round(0.03 * fine_bins), 1.0, 3.0);
     std::int64_t found = multiples(counts.fine, StepCounts::fine_m, 1, *step, within);
-    std::int64_t all = pairs_in(counts.fine, 1, bins);
+    std::int64_t all = pairs_in(counts.fine, 1, step_bins);
     if (*step > 4 * StepCounts::coarse_m) {  // else every coarse bin is next to a multiple
         found += multiples(counts.coarse, StepCounts::coarse_m, first_coarse, *step, 1);
-        all += pairs_in(counts.coarse, first_coarse, bins);
+        all += pairs_in(counts.coarse, first_coarse, step_bins);
     }
     if (static_cast<double>(found) < nearly_all * static_cast<double>(all))
         return {};
@@ -156,11 +159,11 @@ std::optional<double> value_step(const MetreGrid& surface, Executor& threads) {
 }
 
 double neat_step(double step) {
-    constexpr double near = 0.001;
+    constexpr double tolerance = 0.001;
     constexpr double digits = 1e5;
-    const double power = std::pow(10, std::floor(std::log10(step) + near));
+    const double power = std::pow(10, std::floor(std::log10(step) + tolerance));
     for (const double factor : {1.0, 2.0, 2.5, 5.0})
-        if (std::abs(step / power - factor) < near * factor)
+        if (std::abs(step / power - factor) < tolerance * factor)
             return power < 1 ? factor / std::round(1 / power) : factor * power;
     return power < 1 ? std::round(step * std::round(1 / power) * digits) / (digits * std::round(1 / power))
                      : std::round(step / power * digits) / digits * power;

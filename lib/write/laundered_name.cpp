@@ -102,7 +102,7 @@ std::string laundered_name(const std::string& base, const std::string& suffix, c
                            const WriteOptions& options) {
     if (format.name == "PostgreSQL")
         return in_postgresql(base, suffix, NameValueList(options.layer_options));
-    const std::string name = base + suffix;
+    std::string name = base + suffix;
     // The names of others are known by what becomes of them; those in a GeoPackage stay as they are.
     const bool is_geopackage = format.name == "GPKG" && !NameValueList(options.layer_options).has("LAUNDER");
     if (is_plain(name) || is_geopackage || !format.several_layers || !keeps_virtual_files(format.driver))

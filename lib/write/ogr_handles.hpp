@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
@@ -18,10 +19,10 @@ using FieldOwner = GdalOwner<OGRFieldDefnH, OGR_Fld_Destroy>;
 [[nodiscard]] inline bool names_a_file(std::string_view option) {
     const std::string name(option.substr(0, option.find('=')));
     constexpr std::array endings{"DIR", "FILE", "FILENAME", "PATH"};
-    for (const std::string_view ending : endings)
-        if (name.size() >= ending.size() && EQUAL(name.c_str() + name.size() - ending.size(), ending.data()))
-            return true;
-    return false;
+    return std::ranges::any_of(endings, [&](std::string_view ending) {
+        return name.size() >= ending.size() &&
+               EQUAL(name.c_str() + name.size() - ending.size(), ending.data());
+    });
 }
 
 /// A NULL-terminated list of NAME=VALUE, as GDAL takes them. Values become text of results, so they are

@@ -91,7 +91,7 @@ std::size_t near_corners(const std::vector<SurfacePart>& parts, const LatticeGap
     std::size_t near = 0;
     for (std::size_t i = 0; i < corners.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
-            near += gap.parts(corners[i], corners[j]) ? 0 : 1;
+            near += gap.parts(corners[i], corners[j]) ? 0U : 1U;
     return near;
 }
 

@@ -38,10 +38,12 @@ TEST(PlanGaps, areLengthsOnTheGround) {
             double least = 1;
             for (std::int64_t row = -gap.rows; row <= gap.rows; ++row)
                 for (std::int64_t col = -gap.cols; col <= gap.cols; ++col)
-                    if (gap.parts({0, 0}, {row, col}))
-                        least = std::min(least, std::hypot(across * col + down * row * std::cos(radians),
-                                                           down * row * std::sin(radians)) /
+                    if (gap.parts({0, 0}, {row, col})) {
+                        const double x = across * static_cast<double>(col);
+                        const double y = down * static_cast<double>(row);
+                        least = std::min(least, std::hypot(x + y * std::cos(radians), y * std::sin(radians)) /
                                                     FinePoint::steps);
+                    }
             EXPECT_GE(least, 0.01) << angle << " " << down;
         }
 }

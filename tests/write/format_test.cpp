@@ -185,7 +185,7 @@ TEST_F(FormatTest, LongNamesStayApartInPostgreSql) {
     EXPECT_EQ(names(std::string(60, 'a'))[0], std::string(60, 'a'));
     std::set<std::string> all;
     for (const char* end : {"x", "y", "\xC3\xA4", "\xC3\xA4\xC3\xA4"})
-        for (const std::size_t length : {55, 62, 63, 64, 80})
+        for (const std::size_t length : {55U, 62U, 63U, 64U, 80U})
             for (const std::string& name : names(std::string(length, 'a') + end)) {
                 EXPECT_LE(name.size(), 60U);
                 EXPECT_TRUE(CPLIsUTF8(name.c_str(), -1)) << name;
