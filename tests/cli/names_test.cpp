@@ -9,7 +9,7 @@ namespace d2b::test {
 namespace {
 
 /// Names that are not UTF-8, as archives of another time unpack: "Gebäude" in Latin-1.
-class Names : public CliTest {
+class WrittenNames : public CliTest {
   protected:
     void SetUp() override {
         CliTest::SetUp();
@@ -34,7 +34,7 @@ class Names : public CliTest {
     const std::string dem_ = raw_ + ".tif";
 };
 
-TEST_F(Names, areTextInEveryFormat) {
+TEST_F(WrittenNames, areTextInEveryFormat) {
     for (const char* extension : {".gpkg", ".sqlite", ".geojson", ".fgb", ".kml", ".jml", ".gml"}) {
         SCOPED_TRACE(extension);
         const std::string file = raw_ + extension;
@@ -52,7 +52,7 @@ TEST_F(Names, areTextInEveryFormat) {
     }
 }
 
-TEST_F(Names, ofFilesAreTextBesideThem) {
+TEST_F(WrittenNames, ofFilesAreTextBesideThem) {
     run_well({"-q", "-surface", "town.obj", "-surface", raw_ + ".glb", "-surface", raw_ + ".city.json",
               "-preview", raw_ + ".svg", dem_, raw_ + ".gpkg"});
     for (const char* extension : {".glb", ".city.json", ".svg", ".gpkg"})
@@ -60,13 +60,13 @@ TEST_F(Names, ofFilesAreTextBesideThem) {
     expect_text("what is written beside");
 }
 
-TEST_F(Names, ofASingleShapefileKeepTheirBytes) {
+TEST_F(WrittenNames, ofASingleShapefileKeepTheirBytes) {
     run_well({"-q", "-layers", "buildings", dem_, raw_ + ".shp"});
     for (const char* extension : {".shp", ".dbf", ".qml"})
         EXPECT_TRUE(std::filesystem::exists(path(raw_ + extension))) << extension;
 }
 
-TEST_F(Names, inOptionsOfFormatsAreText) {
+TEST_F(WrittenNames, inOptionsOfFormatsAreText) {
     std::filesystem::create_directory(path(raw_));
     run_well({"-q", "-lco", "TEMPORARY_DIR=" + path(raw_), "-layers", "buildings", dem_, "town.fgb"});
     run_well({"-q", "-lco", "IDENTIFIER=" + raw_, "-lco", "DESCRIPTION=" + raw_, "-layers", "buildings", dem_,
@@ -74,7 +74,7 @@ TEST_F(Names, inOptionsOfFormatsAreText) {
     expect_text("-lco");
 }
 
-TEST_F(Names, inFieldsOfParcelsAreText) {
+TEST_F(WrittenNames, inFieldsOfParcelsAreText) {
     write_text(path("parcels.csv"), "name,WKT\n\"" + raw_ +
                                         "\",\"POLYGON ((391000 5820000,391030 5820000,391030 5819980,391000 "
                                         "5819980,391000 5820000))\"\n");
@@ -86,7 +86,7 @@ TEST_F(Names, inFieldsOfParcelsAreText) {
     expect_text("-split_field");
 }
 
-TEST_F(Names, ofLayersAreFoundAgain) {
+TEST_F(WrittenNames, ofLayersAreFoundAgain) {
     run_well({"-q", "-nln", raw_, dem_, "town.gpkg"});
     run_well({"-q", "-nln", raw_, "-append", dem_, "town.gpkg"});
     const std::size_t twice = layer("town.gpkg", readable_).records.size();
