@@ -1,5 +1,6 @@
 #include "diagnose/search_warnings.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -19,9 +20,10 @@ void warn_of_search(const Search& search, bool found_any, Context& context) {
     warn_of(ndvi_doubt(search.sides, search.plan.asked), context);
     if (search.plan.ground == GroundMode::given) {
         const auto points = static_cast<double>(search.dem.window.points());
-        const TerrainGap gap{report.valid_points, search.fit.cells(),
-                             std::llround(search.terrain_outside * points),
-                             cells_for(search.plan.building_m2, search.cell)};
+        const TerrainGap gap{
+            report.valid_points, search.fit.cells(), std::llround(search.terrain_outside * points),
+            std::max<std::int64_t>(cells_for(search.plan.building_m2, search.cell),
+                                   std::int64_t{search.dem.window.rows} + search.dem.window.cols)};
         warn_of(terrain_gap_doubt(gap, search.dem.name, search.plan.asked.ground.terrain), context);
     }
     if (search.sampling)

@@ -33,7 +33,8 @@ struct TerrainGap {
     std::int64_t cells = 0;    ///< of the DEM that have an elevation
     std::int64_t known = 0;    ///< of these, where the terrain has one
     std::int64_t outside = 0;  ///< cells of the window that lie outside of the terrain model
-    std::int64_t fewest = 1;   ///< cells of a building
+    /// Cells of a building, or half of the window's border, because resampling a terrain loses cells there.
+    std::int64_t fewest = 1;
 };
 /// That there is no ground there, with the share. "" where there is.
 [[nodiscard]] std::string terrain_gap_doubt(const TerrainGap& gap, const std::string& dem,

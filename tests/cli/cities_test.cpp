@@ -74,7 +74,9 @@ TEST_P(Cities, areSearchedForBuildingsByDefault) {
         EXPECT_TRUE(!of_sampling || dem_.find("rochelle") != std::string::npos ||
                     dem_.find("stuttgart") != std::string::npos || dem_.find("4326") != std::string::npos)
             << line;
-        EXPECT_TRUE(of_terrain_model || of_sampling ||
+        const bool of_rounding = line.starts_with("Warning: Elevations are rounded to steps of 1 m") &&
+                                 dem_.find("bilbao") != std::string::npos;
+        EXPECT_TRUE(of_terrain_model || of_sampling || of_rounding ||
                     line.find(" % of the length of the buildings' outlines") != std::string::npos)
             << line;
         told = told || of_terrain_model;

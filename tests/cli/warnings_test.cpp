@@ -132,7 +132,7 @@ TEST_F(Warnings, coarseCellsInDegrees) {
     spec.transform = std::array<double, 6>{13, 0.0001, 0, 52, 0, -0.0001};
     spec.crs = "EPSG:4326";
     // sqrt(11.13 m x cos(52 degrees) x 11.13 m) = 8.7 m
-    warned(spec, {"The cells are 8.7 m wide"}, {"-fl", "5"});
+    warned(spec, {"The cells are 8.7 m wide"}, {"-fl", "5", "-inodata"});
 }
 
 TEST_F(Warnings, oneLayer) {

@@ -207,7 +207,11 @@ TEST(Pipeline, AReportTellsOfItsOwnRun) {
 }
 
 TEST(Pipeline, ReadsOnceWhatFitsInMemory) {
-    MemorySource source = block();
+    // One value along the border might be undeclared NoData, which is looked for in a reading of its own.
+    std::vector<double> z(120);
+    for (std::size_t i = 0; i < z.size(); ++i)
+        z[i] = 5 + 0.01 * static_cast<double>(i);
+    MemorySource source{10, 12, z};
     Result result;
     run_on(source, cells({10}), result);
     EXPECT_EQ(source.reads, 1);

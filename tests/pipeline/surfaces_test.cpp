@@ -68,8 +68,9 @@ TEST(Surfaces, haveTheFieldsOfTheLayer) {
         EXPECT_EQ(solid.buildings[0].values, feature.values);
         for (const SurfacePoint& point : solid.points) {
             const double z = town.solids.meta.frame.coordinates(point)[2];
+            // Roofs make up for the scale of UTM, whose areas differ by up to 0.08 %.
             EXPECT_TRUE(std::abs(z - record.ground) < 0.001 ||
-                        std::abs(z - record.ground - record.heights_m[1]) < 0.001)
+                        std::abs(z - record.ground - record.mean_m) < 0.001 * record.mean_m)
                 << z;
         }
     }
