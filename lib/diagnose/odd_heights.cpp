@@ -8,8 +8,8 @@
 namespace d2b {
 namespace {
 
-constexpr double highest_m = 1000;  // the highest building of all has 828 m
-constexpr double least_m = 1e-6;    // less is rounding of a mean
+constexpr double highest_m = 1000;     // the highest building of all has 828 m
+constexpr double negligible_m = 1e-6;  // rounding of a mean
 
 std::string whole_metres(double metres) {
     return value_text(std::round(metres)) + " m";
@@ -42,7 +42,7 @@ void OddHeights::Odd::add(std::int64_t building, double metres, double extreme, 
 void OddHeights::note(const BuildingRecord& building, const ContourRecord& footprint) {
     if (building.height_m > highest_m)
         high_.add(building.id, building.height_m, building.roof, building.height_m > high_.height_m);
-    if (building.mean_m < -least_m)
+    if (building.mean_m < -negligible_m)
         low_.add(building.id, building.mean_m, footprint.lowest, building.mean_m < low_.height_m);
 }
 
