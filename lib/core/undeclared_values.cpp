@@ -286,6 +286,7 @@ std::vector<double> border_candidates(const BorderCells& border, double step) {
     std::ranges::stable_sort(candidates, std::ranges::greater{}, &SharedValue::cells);
     candidates.resize(std::min(candidates.size(), most_candidates));
     std::vector<double> values;
+    values.reserve(candidates.size());
     for (const SharedValue& one : candidates)
         values.push_back(one.value);
     return values;

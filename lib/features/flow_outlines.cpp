@@ -122,6 +122,43 @@ std::vector<PlanContour> drawn(const ContourList& contours, const Outliner& outl
     return result;
 }
 
+/// Keeps the lowest contours, because footprints are made ready without the tiers above them.
+std::vector<Numbers> without_upper_levels(const ContourList& contours, std::vector<Numbers> clusters) {
+    for (Numbers& numbers : clusters)
+        std::erase_if(numbers, [&](std::uint32_t i) { return contours.head(i).key.level != 1; });
+    return clusters;
+}
+
+/// Marks contours near the border of the terrain, which stay as they are.
+std::vector<bool> near_border(const std::vector<PlanContour>& cluster, const TerrainBorder& border) {
+    std::vector<bool> marked;
+    marked.reserve(cluster.size());
+    for (const PlanContour& contour : cluster)
+        marked.push_back(border.is_near(contour.outline));
+    return marked;
+}
+
+using ChangedContours = std::vector<std::pair<std::uint32_t, FinePolygon>>;
+
+void replace_outlines(Outliner& outliner, ChangedContours& changed, bool footprints) {
+    for (auto& [contour, outline] : changed)
+        if (footprints)
+            outliner.replace_footprint(contour, outline);
+        else
+            outliner.replace(contour, outline);
+}
+
+void warn_of_left(Context& context) {
+    const std::int64_t left = context.report.counted(Reason::flow_left);
+    if (left == 0)
+        return;
+    context.warn(std::to_string(left) + (left == 1 ? " place falls" : " places fall") +
+                 " short of -flow_ready and " + (left == 1 ? "is" : "are") +
+                 " left, since mending would change more than 1 % of a block, or cross a neighbour or "
+                 "the border of the terrain; "
+                 "-write_problems shows where.");
+}
+
 constexpr std::array<std::string_view, 5> kind_names{"flow_wall", "flow_angle", "flow_gap", "flow_touch",
                                                      "flow_crossing"};
 
@@ -147,22 +184,17 @@ std::vector<FlowProblem> make_outlines_flow_ready(const ContourList& contours, O
     std::vector<FlowProblem> problems;
     std::set<std::tuple<FlowProblemKind, FinePoint, bool>> known;
     const auto make_ready = [&](bool footprints) {
-        std::vector<Numbers> drawn_numbers = clusters;
-        if (footprints)
-            for (Numbers& numbers : drawn_numbers)
-                std::erase_if(numbers, [&](std::uint32_t i) { return contours.head(i).key.level != 1; });
+        const std::vector<Numbers> drawn_numbers =
+            footprints ? without_upper_levels(contours, clusters) : clusters;
         // Others still read the outlines of their clusters.
-        std::vector<std::pair<std::uint32_t, FinePolygon>> changed;
+        ChangedContours changed;
         context.threads->in_order(
             clusters.size(),
             [&](std::size_t k, std::size_t) {
                 const std::vector<PlanContour> cluster =
                     drawn(contours, outliner, drawn_numbers[k], footprints);
-                std::vector<bool> frozen;
-                frozen.reserve(cluster.size());
-                for (const PlanContour& contour : cluster)
-                    frozen.push_back(border.is_near(contour.outline));
-                return make_flow_ready(cluster, limits, std::move(frozen), context.threads->stop());
+                return make_flow_ready(cluster, limits, near_border(cluster, border),
+                                       context.threads->stop());
             },
             [&](std::size_t k, FlowReady ready) {
                 for (std::size_t i = 0; i < ready.outlines.size(); ++i)
@@ -177,22 +209,13 @@ std::vector<FlowProblem> make_outlines_flow_ready(const ContourList& contours, O
                     problems.push_back(std::move(problem));
                 }
             });
-        for (auto& [contour, outline] : changed)
-            if (footprints)
-                outliner.replace_footprint(contour, outline);
-            else
-                outliner.replace(contour, outline);
+        replace_outlines(outliner, changed, footprints);
     };
     // Outlines have corners that only the contours above them need, and footprints do not.
     if (outliner.has_own_footprints())
         make_ready(true);
     make_ready(false);
-    if (const std::int64_t left = context.report.counted(Reason::flow_left); left > 0)
-        context.warn(std::to_string(left) + (left == 1 ? " place falls" : " places fall") +
-                     " short of -flow_ready and " + (left == 1 ? "is" : "are") +
-                     " left, since mending would change more than 1 % of a block, or cross a neighbour or "
-                     "the border of the terrain; "
-                     "-write_problems shows where.");
+    warn_of_left(context);
     return problems;
 }
 

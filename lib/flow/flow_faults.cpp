@@ -256,6 +256,13 @@ void erase_if_marked(std::vector<KnownFault>& known, const std::vector<bool>& ma
     std::erase_if(known, [&](const KnownFault& fault) { return marked[fault.found_at]; });
 }
 
+/// Marks edges that are gone, so that their faults are erased.
+void mark_removed(const std::vector<KnownFault>& walls, const PlanEditor& plan, std::vector<bool>& marked) {
+    for (const KnownFault& wall : walls)
+        if (!plan.is_edge(wall.found_at))
+            marked[wall.found_at] = true;
+}
+
 /// Both in the order of their places.
 void merge_in(std::vector<KnownFault>& known, std::vector<KnownFault>&& more) {
     std::vector<KnownFault> all;
@@ -335,9 +342,7 @@ void FlowFaults::update(std::span<const std::pair<std::uint32_t, std::uint32_t>>
             }
         });
     }
-    for (const KnownFault& wall : walls_)
-        if (!plan_.is_edge(wall.found_at))
-            is_old_edge[wall.found_at] = true;
+    mark_removed(walls_, plan_, is_old_edge);
     erase_if_marked(walls_, is_old_edge);
     erase_if_marked(corners_, is_old_node);
     std::ranges::sort(edges);

@@ -227,7 +227,8 @@ bool FlowMender::cut_off(const FlowFault& fault) {
 bool FlowMender::mend_angle(const FlowFault& fault) {
     const FlowMetric& m = limits_.metric;
     const FinePoint tip = plan_.at(fault.node);
-    auto [near, far] = std::pair(fault.one, fault.other);
+    auto near = fault.one;
+    auto far = fault.other;
     if (m.distance(tip, plan_.at(near)) > m.distance(tip, plan_.at(far)))
         std::swap(near, far);
     const FinePoint a = plan_.at(near);

@@ -75,7 +75,7 @@ void settle(std::vector<FlowProblem>& problems) {
 }  // namespace
 
 FlowReady make_flow_ready(std::span<const PlanContour> contours, const FlowLimits& limits,
-                          std::vector<bool> frozen, const StopRequest& stop) {
+                          const std::vector<bool>& frozen, const StopRequest& stop) {
     FlowReady result;
     Partition partition = make_partition(contours);
     for (const std::uint32_t c : std::set(partition.at_odds.begin(), partition.at_odds.end()))

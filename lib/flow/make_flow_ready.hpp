@@ -25,6 +25,6 @@ struct FlowReady {
 /// @param frozen those whose walls stay where they are, but for corners that touch; empty for none
 /// @throws Cancelled
 [[nodiscard]] FlowReady make_flow_ready(std::span<const PlanContour> contours, const FlowLimits& limits,
-                                        std::vector<bool> frozen = {}, const StopRequest& stop = {});
+                                        const std::vector<bool>& frozen = {}, const StopRequest& stop = {});
 
 }  // namespace d2b

@@ -65,13 +65,15 @@ double NearEdges::distance_to(FinePoint point) const {
     const auto vec = [&](FinePoint p) { return shape_.from_fine(p, {}); };
     constexpr double widest = 1e9;
     double least = std::numeric_limits<double>::infinity();
-    for (double cells = 2; cells < widest && least > cells; cells *= 4) {
+    double cells = 2;
+    while (cells < widest && least > cells) {
         const double steps = cells * FinePoint::steps * shape_.longer_side();
         const auto x = static_cast<double>(point.col);
         const auto y = static_cast<double>(point.row);
         tree_.query({x - steps, y - steps, x + steps, y + steps}, [&](std::size_t i) {
             least = std::min(least, distance(vec(point), vec(edges_[i].first), vec(edges_[i].second)));
         });
+        cells *= 4;
     }
     return least;
 }

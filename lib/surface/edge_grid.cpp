@@ -38,8 +38,8 @@ EdgeGrid::Range EdgeGrid::rows_of(FinePoint a, FinePoint b, FinePoint c, std::in
 
 std::optional<EdgeGrid::Range> EdgeGrid::cols_of(FinePoint a, FinePoint b, FinePoint c, std::int64_t row,
                                                  std::int64_t more) {
-    const double low_row = static_cast<double>((row << 11) - more);
-    const double high_row = static_cast<double>(((row + 1) << 11) + more);
+    const auto low_row = static_cast<double>((row << 11) - more);
+    const auto high_row = static_cast<double>(((row + 1) << 11) + more);
     std::optional<Cols> all;
     for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
         if (const auto cols = cols_between(from, to, low_row, high_row))

@@ -38,7 +38,7 @@ std::vector<NodePair> near_pairs(const std::vector<FinePoint>& nodes, const Latt
             auto other = std::ranges::lower_bound(boxed, Boxed{row, one.col - 1, 0});
             for (; other != boxed.end() && other->row == row && other->col <= one.col + 1; ++other)
                 if (*other > one && !gap.parts(nodes[one.node], nodes[other->node]))
-                    pairs.push_back(std::minmax(one.node, other->node));
+                    pairs.emplace_back(std::minmax(one.node, other->node));
         }
     std::ranges::sort(pairs);
     return pairs;
