@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <iterator>
 #include <set>
+#include <span>
 
 namespace d2b {
 namespace {
@@ -18,17 +19,23 @@ Position position_of(FinePoint point, const SurfaceFrame& frame) {
     return {at[0], at[1]};
 }
 
-ProblemRecord record_of(const PinchMend& mend, const SurfaceCluster& cluster, const SurfaceFrame& frame) {
+/// Names the first two buildings that the contours belong to, by id.
+ProblemRecord between_buildings(std::span<const std::int32_t> contours, const SurfaceCluster& cluster) {
     std::set<std::int64_t> ids;
-    for (const std::int32_t contour : mend.contours)
+    for (const std::int32_t contour : contours)
         ids.insert(cluster
                        .buildings[static_cast<std::size_t>(
                            cluster.contours[static_cast<std::size_t>(contour)].building)]
                        .id);
     ProblemRecord record;
-    record.kind = kind_of(mend.filled ? Reason::surface_notch_filled : Reason::surface_corner_cut);
     record.building = *ids.begin();
     record.other = ids.size() > 1 ? *std::next(ids.begin()) : 0;
+    return record;
+}
+
+ProblemRecord record_of(const PinchMend& mend, const SurfaceCluster& cluster, const SurfaceFrame& frame) {
+    ProblemRecord record = between_buildings(mend.contours, cluster);
+    record.kind = kind_of(mend.filled ? Reason::surface_notch_filled : Reason::surface_corner_cut);
     const Position from = position_of(mend.place, frame);
     const Position to = position_of(mend.moved, frame);
     record.after = std::hypot(to.x - from.x, to.y - from.y) * frame.horizontal_metres;
@@ -72,16 +79,8 @@ std::vector<PlacedProblem> step_problems(const SurfaceCluster& cluster, const st
     std::vector<PlacedProblem> problems;
     const double metres = frame.scale[2] * frame.vertical_metres;
     for (const RoofStep& step : steps) {
-        std::set<std::int64_t> ids;
-        for (const std::int32_t contour : step.contours)
-            ids.insert(cluster
-                           .buildings[static_cast<std::size_t>(
-                               cluster.contours[static_cast<std::size_t>(contour)].building)]
-                           .id);
-        ProblemRecord record;
+        ProblemRecord record = between_buildings(step.contours, cluster);
         record.kind = "flow_step";
-        record.building = *ids.begin();
-        record.other = ids.size() > 1 ? *std::next(ids.begin()) : 0;
         record.before = static_cast<double>(step.before) * metres;
         record.after = static_cast<double>(step.after) * metres;
         record.changed = step.after == 0;

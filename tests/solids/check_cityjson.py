@@ -8,24 +8,9 @@ import sys
 import jsonschema
 
 import snapped_solid
+from snapped_solid import dot, normal
 
 RULES = json.loads((pathlib.Path(__file__).parent / "cityjson_rules.json").read_text())
-
-
-def normal(rings, vertices):
-    """Of a polygon, twice its area long, in whole steps (Newell)."""
-    sums = [0, 0, 0]
-    for ring in rings:
-        for a, b in zip(ring, ring[1:] + ring[:1]):
-            p, q = vertices[a], vertices[b]
-            for axis in range(3):
-                u, v = (axis + 1) % 3, (axis + 2) % 3
-                sums[axis] += p[u] * q[v] - p[v] * q[u]
-    return sums
-
-
-def dot(a, b):
-    return sum(x * y for x, y in zip(a, b))
 
 
 def face_faults(rings, kind, vertices):
