@@ -159,8 +159,8 @@ void warn_of_left(Context& context) {
                  "-write_problems shows where.");
 }
 
-constexpr std::array<std::string_view, 5> kind_names{"flow_wall", "flow_angle", "flow_gap", "flow_touch",
-                                                     "flow_crossing"};
+constexpr std::array<std::string_view, 6> kind_names{"flow_wall", "flow_angle", "flow_gap",
+                                                     "flow_neck", "flow_touch", "flow_crossing"};
 
 }  // namespace
 

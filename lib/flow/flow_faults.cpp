@@ -1,6 +1,7 @@
 #include "flow/flow_faults.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <numbers>
@@ -39,12 +40,12 @@ class FlowFaults::Finder {
     void look_along(std::uint32_t first, std::uint32_t next);
     void look_at_angles(std::uint32_t node, const std::vector<NodeArm>& arms);
     void look_across(std::uint32_t node, const std::vector<NodeArm>& arms);
-    [[nodiscard]] std::optional<FlowFault> gap_to(std::uint32_t edge, std::uint32_t node,
-                                                  const std::vector<NodeArm>& arms) const;
+    [[nodiscard]] std::optional<FlowFault> narrow_to(std::uint32_t edge, std::uint32_t node,
+                                                     const std::vector<NodeArm>& arms) const;
     [[nodiscard]] bool runs_on(std::uint32_t node) const;
     [[nodiscard]] bool ends_a_gap(const PlanEdge& edge) const;
     [[nodiscard]] bool is_above(std::int32_t contour, std::int32_t floor) const;
-    [[nodiscard]] bool is_seen(const FlowFault& gap) const;
+    [[nodiscard]] bool is_seen(const FlowFault& narrow) const;
     [[nodiscard]] double angle(FinePoint node, FinePoint first, FinePoint second) const;
 
     const PlanEditor& plan_;
@@ -146,29 +147,29 @@ void FlowFaults::Finder::look_at_angles(std::uint32_t node, const std::vector<No
     }
 }
 
-/// Whether nothing lies between a node and the place of a gap.
-bool FlowFaults::Finder::is_seen(const FlowFault& gap) const {
-    const FinePoint from = plan_.at(gap.node);
-    const FinePoint to = gap.place;
+/// True if nothing lies between a node and the place of a gap or neck.
+bool FlowFaults::Finder::is_seen(const FlowFault& narrow) const {
+    const FinePoint from = plan_.at(narrow.node);
+    const FinePoint to = narrow.place;
     const FinePoint low{std::min(from.row, to.row), std::min(from.col, to.col)};
     const FinePoint high{std::max(from.row, to.row), std::max(from.col, to.col)};
     return plan_.all_near(low, high, [&](std::uint32_t e) {
-        if (e == gap.one)
+        if (e == narrow.one)
             return true;
         const PlanEdge& edge = plan_.edges()[e];
         const FinePoint a = plan_.at(edge.from);
         const FinePoint b = plan_.at(edge.to);
-        if (edge.from == gap.node || edge.to == gap.node)
-            return !overlap_from(from, to, edge.from == gap.node ? b : a);
+        if (edge.from == narrow.node || edge.to == narrow.node)
+            return !overlap_from(from, to, edge.from == narrow.node ? b : a);
         if (a == to || b == to)
             return !overlap_from(to, from, a == to ? b : a);
         return !meet({a, b}, {from, to});
     });
 }
 
-/// The gap between a node and an edge, whatever lies in it.
-std::optional<FlowFault> FlowFaults::Finder::gap_to(std::uint32_t edge, std::uint32_t node,
-                                                    const std::vector<NodeArm>& arms) const {
+/// The gap or neck between a node and an edge, which other edges may cross.
+std::optional<FlowFault> FlowFaults::Finder::narrow_to(std::uint32_t edge, std::uint32_t node,
+                                                       const std::vector<NodeArm>& arms) const {
     const PlanEdge& e = plan_.edges()[edge];
     if (e.from == node || e.to == node)
         return std::nullopt;
@@ -184,7 +185,7 @@ std::optional<FlowFault> FlowFaults::Finder::gap_to(std::uint32_t edge, std::uin
     const double share = std::clamp(along, 0.0, 1.0);
     const FinePoint place{a.row + std::llround(share * static_cast<double>(b.row - a.row)),
                           a.col + std::llround(share * static_cast<double>(b.col - a.col))};
-    const double far = limits_.gap;
+    const double far = std::max(limits_.gap, limits_.wall);
     const double x = m.x(p, place);
     const double y = m.y(p, place);
     if (x * x + y * y > far * far * 1.0001 || place == p)
@@ -200,46 +201,61 @@ std::optional<FlowFault> FlowFaults::Finder::gap_to(std::uint32_t edge, std::uin
         const NodeArm& next = arms[(i + 1) % arms.size()];
         if (arms.size() > 1 && !is_in_sector(p, plan_.at(arms[i].end), plan_.at(next.end), place))
             continue;
-        const std::int32_t floor = arms[i].left;
-        const bool from_left = e.left == floor;
-        const std::int32_t across = from_left ? e.right : e.left;
-        if ((from_left || e.right == floor) && is_above(across, floor) && is_above(arms[i].right, floor) &&
-            is_above(next.left, floor))
+        const std::int32_t between = arms[i].left;
+        const bool from_left = e.left == between;
+        if (!from_left && e.right != between)
+            return std::nullopt;
+        const std::array around{from_left ? e.right : e.left, arms[i].right, next.left};
+        if (width < limits_.gap &&
+            std::ranges::all_of(around, [&](std::int32_t other) { return is_above(other, between); }))
             return FlowFault{FlowKind::gap, node, edge, 0, width, place};
+        if (width < limits_.wall &&
+            std::ranges::none_of(around, [&](std::int32_t other) { return is_above(other, between); }))
+            return FlowFault{FlowKind::neck, node, edge, 0, width, place};
         return std::nullopt;
     }
     return std::nullopt;
 }
 
-/// Next to a corner two edges are near; the narrowest place says it all. It is looked for from the node
-/// outwards, because most of what is within the limit lies behind it.
+/// Finds the narrowest gap and the narrowest neck at a corner, because wider ones there are their
+/// continuation. Searches from the node outwards, because most edges within the limit lie behind the nearest
+/// one.
 void FlowFaults::Finder::look_across(std::uint32_t node, const std::vector<NodeArm>& arms) {
-    reach_ = limits_.gap;
-    if (!(limits_.gap > 0))
+    const double limit = std::max(limits_.gap, limits_.wall);
+    reach_ = limit;
+    if (!(limit > 0))
         return;
     const FinePoint p = plan_.at(node);
     seen_at_.resize(plan_.edges().size());
     ++look_;
-    std::vector<FlowFault> gaps;
+    std::vector<FlowFault> found;
+    bool wants_gap = limits_.gap > 0;
+    bool wants_neck = limits_.wall > 0;
     for (const double share : {0.125, 0.35, 1.0}) {
-        const std::int64_t reach = limits_.metric.steps_around(share * limits_.gap);
+        const std::int64_t reach = limits_.metric.steps_around(share * limit);
         const auto look = [&](std::uint32_t e) {
             if (std::exchange(seen_at_[e], look_) != look_)
-                if (const auto gap = gap_to(e, node, arms))
-                    gaps.push_back(*gap);
+                if (const auto narrow = narrow_to(e, node, arms))
+                    found.push_back(*narrow);
             return true;
         };
         static_cast<void>(
             plan_.all_near({p.row - reach, p.col - reach}, {p.row + reach, p.col + reach}, look));
-        std::ranges::sort(gaps, {}, [](const FlowFault& gap) { return std::pair(gap.size, gap.one); });
-        while (!gaps.empty() && gaps.front().size <= share * limits_.gap) {
-            if (is_seen(gaps.front())) {
-                reach_ = gaps.front().size;
-                faults_.push_back(gaps.front());
+        std::ranges::sort(found, {}, [](const FlowFault& fault) { return std::pair(fault.size, fault.one); });
+        const auto beyond =
+            std::ranges::find_if(found, [&](const FlowFault& fault) { return fault.size > share * limit; });
+        for (auto fault = found.begin(); fault != beyond; ++fault) {
+            bool& wanted = fault->kind == FlowKind::gap ? wants_gap : wants_neck;
+            if (!wanted || !is_seen(*fault))
+                continue;
+            wanted = false;
+            faults_.push_back(*fault);
+            if (!wants_gap && !wants_neck) {
+                reach_ = fault->size;
                 return;
             }
-            gaps.erase(gaps.begin());
         }
+        found.erase(found.begin(), beyond);
     }
 }
 
@@ -319,7 +335,7 @@ void FlowFaults::update(std::span<const std::pair<std::uint32_t, std::uint32_t>>
             list.push_back(number);
         is_old[number] = true;
     };
-    reach_.resize(plan_.nodes().size(), limits_.gap);
+    reach_.resize(plan_.nodes().size(), std::max(limits_.gap, limits_.wall));
     const FlowMetric& m = limits_.metric;
     const std::int64_t reach = m.steps_around(std::max(limits_.gap, limits_.wall));
     constexpr double rounding = 2;  // steps

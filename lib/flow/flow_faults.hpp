@@ -15,7 +15,8 @@ namespace d2b {
 enum class FlowKind {
     wall,   ///< an edge that is too short
     angle,  ///< between two edges that follow each other around a node
-    gap     ///< between a node and an edge with a lower place between them
+    gap,    ///< between a node and an edge with a lower place between them
+    neck    ///< between a node and an edge of one contour, on which nothing stands there: a narrow part
 };
 
 /// What a flow solver cannot take.
@@ -23,21 +24,21 @@ struct FlowFault {
     FlowKind kind = FlowKind::wall;
     std::uint32_t node = 0;
     std::uint32_t one = 0;    ///< wall: its other end, or what lies on the way to it; angle: end of the first
-                              ///< edge; gap: the edge
+                              ///< edge; gap and neck: the edge
     std::uint32_t other = 0;  ///< angle: end of the second edge
     double size = 0;          ///< m, or degrees
-    FinePoint place;          ///< gap: of the edge, nearest to the node
+    FinePoint place;          ///< gap and neck: of the edge, nearest to the node
 };
 
 /// A fault and where it was found.
 struct KnownFault {
-    std::uint32_t found_at = 0;  ///< walls: edge; angles and gaps: node
+    std::uint32_t found_at = 0;  ///< walls: edge; angles, gaps and necks: node
     FlowFault fault;
     bool tried = false;  ///< in vain, since something has changed near it
 };
 
 /// All that falls short of the limits while a plan changes. Edges that run on straight at a node that has no
-/// third one are one wall. Where a gap ends in a wedge its angle counts, and not its width.
+/// third one are one wall. If a gap or a neck ends in a wedge, its angle counts instead of its width.
 class FlowFaults {
   public:
     /// @throws Cancelled
@@ -53,7 +54,7 @@ class FlowFaults {
     /// In the order of edges.
     [[nodiscard]] const std::vector<KnownFault>& walls() const { return walls_; }
     [[nodiscard]] std::vector<KnownFault>& walls() { return walls_; }
-    /// Angles and gaps in the order of nodes.
+    /// Angles, gaps and necks in the order of nodes.
     [[nodiscard]] const std::vector<KnownFault>& corners() const { return corners_; }
     [[nodiscard]] std::vector<KnownFault>& corners() { return corners_; }
 
@@ -70,7 +71,7 @@ class FlowFaults {
     std::vector<double> reach_;  // of each node: how far off edges have a say in what was found there, m
 };
 
-/// All of them, once; walls before angles and gaps.
+/// All of them, once; walls before angles, gaps and necks.
 [[nodiscard]] std::vector<FlowFault> find_faults(const PlanEditor& plan,
                                                  std::span<const PlanContour> contours,
                                                  const FlowLimits& limits, const StopRequest& stop = {});

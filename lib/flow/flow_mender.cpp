@@ -93,7 +93,7 @@ bool FlowMender::is_fresh(const FlowFault& fault) const {
     const auto is_old = [&](std::uint32_t node) { return node < touched_.size() && touched_[node]; };
     if (is_old(fault.node))
         return false;
-    if (fault.kind == FlowKind::gap) {
+    if (fault.kind == FlowKind::gap || fault.kind == FlowKind::neck) {
         const PlanEdge& edge = plan_.edges()[fault.one];
         return plan_.is_edge(fault.one) && !is_old(edge.from) && !is_old(edge.to);
     }
@@ -249,17 +249,87 @@ bool FlowMender::mend_angle(const FlowFault& fault) {
            try_to([&] { return cut_off(fault); });
 }
 
+/// Moves a corner to a place away from all other walls.
+bool FlowMender::move(std::uint32_t node, FinePoint place) {
+    const std::vector<NodeArm> arms = plan_.around(node);
+    std::vector<std::int32_t> contours;
+    for (const NodeArm& arm : arms)
+        contours.push_back(arm.left);
+    const auto metres = [&](Int128 twice) { return static_cast<double>(twice) / 2 * limits_.metric.area(); };
+    const double outside = metres(plan_.swept_outside(node, place));
+    const double inside = metres(plan_.swept(node, place)) - outside;
+    if (is_frozen(node) || !budget_.allows(contours, outside, inside) ||
+        !is_away(place, node, std::max(limits_.wall, limits_.gap)))
+        return false;
+    touch(node);
+    return std::ranges::any_of(arms, [&](const NodeArm& arm) {
+        return try_to([&] {
+            const auto moved = plan_.split(arm.edge, place);
+            if (!moved || !plan_.merge(node, *moved))
+                return false;
+            budget_.take(contours, outside);
+            touch(*moved);
+            return true;
+        });
+    });
+}
+
+/// Makes an edge run through a place next to it.
+bool FlowMender::bend(std::uint32_t edge, FinePoint place) {
+    const PlanEdge e = plan_.edges()[edge];
+    const Int128 turned = turn(plan_.at(e.from), plan_.at(e.to), place);
+    const double area = std::abs(static_cast<double>(turned)) / 2 * limits_.metric.area();
+    const bool is_outside = e.left == open_ground || e.right == open_ground;
+    const std::array contours{e.left, e.right};
+    if (is_frozen(e.from) || is_frozen(e.to) ||
+        !budget_.allows(contours, is_outside ? area : 0, is_outside ? 0 : area))
+        return false;
+    const auto node = plan_.split(edge, place);
+    if (!node)
+        return false;
+    if (is_outside)
+        budget_.take(contours, area);
+    touch(*node);
+    return true;
+}
+
+/// Widens a narrow part by moving its corner, or the wall across from it, outwards.
+bool FlowMender::mend_neck(const FlowFault& fault) {
+    const PlanEdge edge = plan_.edges()[fault.one];
+    const FinePoint corner = plan_.at(fault.node);
+    const double share = (slack * limits_.wall - fault.size) / fault.size;
+    const FinePoint shift{std::llround(share * static_cast<double>(corner.row - fault.place.row)),
+                          std::llround(share * static_cast<double>(corner.col - fault.place.col))};
+    if (move(fault.node, {corner.row + shift.row, corner.col + shift.col}))
+        return true;
+    for (const std::uint32_t end : {edge.from, edge.to}) {
+        const FinePoint at = plan_.at(end);
+        if (limits_.metric.distance(at, fault.place) < limits_.wall)
+            return move(end, {at.row - shift.row, at.col - shift.col});
+    }
+    return bend(fault.one, {fault.place.row - shift.row, fault.place.col - shift.col});
+}
+
 bool FlowMender::mend(const FlowFault& fault) {
-    if (fault.kind == FlowKind::wall)
-        return mend_wall(fault);
-    return fault.kind == FlowKind::gap ? mend_gap(fault) : mend_angle(fault);
+    switch (fault.kind) {
+        case FlowKind::wall:
+            return mend_wall(fault);
+        case FlowKind::angle:
+            return mend_angle(fault);
+        case FlowKind::gap:
+            return mend_gap(fault);
+        case FlowKind::neck:
+            return mend_neck(fault);
+    }
+    return false;
 }
 
 FlowProblem problem_of(const FlowFault& fault, const PlanEditor& plan) {
     FlowProblem problem;
     problem.kind = fault.kind == FlowKind::wall    ? FlowProblemKind::wall
                    : fault.kind == FlowKind::angle ? FlowProblemKind::angle
-                                                   : FlowProblemKind::gap;
+                   : fault.kind == FlowKind::gap   ? FlowProblemKind::gap
+                                                   : FlowProblemKind::neck;
     problem.before = problem.after = fault.size;
     problem.place = plan.at(fault.node);
     const auto add = [&](std::int32_t contour) {
@@ -268,15 +338,15 @@ FlowProblem problem_of(const FlowFault& fault, const PlanEditor& plan) {
     };
     for (const NodeArm& arm : plan.around(fault.node))
         add(arm.left);
-    if (fault.kind == FlowKind::gap) {
+    if (fault.kind == FlowKind::gap || fault.kind == FlowKind::neck) {
         add(plan.edges()[fault.one].left);
         add(plan.edges()[fault.one].right);
     }
     return problem;
 }
 
-/// Corners, then walls by the area that merging passes over, then gaps from the narrowest on: where a gap is
-/// closed at its narrowest, the rest of it follows.
+/// Corners, then walls by the area that merging passes over, then gaps from the narrowest on, because the
+/// rest of a gap follows when it is closed at its narrowest, then necks likewise.
 std::vector<KnownFault*> FlowMender::in_order() {
     std::vector<std::pair<std::pair<int, double>, KnownFault*>> faults;
     for (std::vector<KnownFault>* list : {&faults_.walls(), &faults_.corners()})
@@ -290,6 +360,8 @@ std::vector<KnownFault*> FlowMender::in_order() {
                                                        plan_.swept(fault.one, plan_.at(fault.node))))};
             if (fault.kind == FlowKind::gap)
                 key = {2, fault.size};
+            if (fault.kind == FlowKind::neck)
+                key = {3, fault.size};
             faults.emplace_back(key, &known);
         }
     std::ranges::stable_sort(faults, {}, [](const auto& fault) { return fault.first; });

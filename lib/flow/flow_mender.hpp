@@ -48,6 +48,9 @@ class FlowMender {
     [[nodiscard]] bool mend_gap(const FlowFault& fault);
     [[nodiscard]] bool is_away(FinePoint place, std::uint32_t node, double metres) const;
     [[nodiscard]] bool cut_corner(const FlowFault& fault);
+    [[nodiscard]] bool mend_neck(const FlowFault& fault);
+    [[nodiscard]] bool move(std::uint32_t node, FinePoint place);
+    [[nodiscard]] bool bend(std::uint32_t edge, FinePoint place);
     [[nodiscard]] bool merge_best(std::vector<Merge> merges, double share = 1);
     [[nodiscard]] std::optional<std::uint32_t> place_on(std::uint32_t edge, FinePoint place);
     [[nodiscard]] FinePoint along(std::uint32_t from, std::uint32_t to, double metres) const;

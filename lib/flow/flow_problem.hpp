@@ -7,7 +7,7 @@
 
 namespace d2b {
 
-enum class FlowProblemKind { wall, angle, gap, touch, crossing };
+enum class FlowProblemKind { wall, angle, gap, neck, touch, crossing };
 
 /// A fault of the outlines, and what became of it.
 struct FlowProblem {

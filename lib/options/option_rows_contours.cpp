@@ -67,7 +67,8 @@ std::vector<OptionRow> flow() {
         "flow_ready", "<m>", {.lowest = 0, .highest = most},
         [](auto& r) -> auto& { return r.options.outline.flow_ready; },
         {.title = "Outlines for flow solvers",
-         .help = "Close gaps and courtyards that are narrower than this, and merge walls that are shorter.",
+         .help = "Close gaps and courtyards that are narrower than this, merge walls that are shorter, and "
+                 "widen parts of buildings that are narrower.",
          .details =
              "Corners below 20.7 degrees and corners that touch go as well. What would change a block by "
              "more than 1 % in all is left; -write_problems shows it. 0 changes nothing.",
@@ -77,12 +78,13 @@ std::vector<OptionRow> flow() {
                               {.title = "Narrowest gap",
                                .help = "The same of gaps and courtyards alone; by default as -flow_ready.",
                                .unit = "m"}));
-    rows.push_back(number_row("min_wall", "<m>", {.lowest = 0, .highest = most},
-                              [](auto& r) -> auto& { return r.options.outline.min_wall; },
-                              {.title = "Shortest wall",
-                               .help = "The same of walls alone; by default as -flow_ready.",
-                               .details = "Corners that touch are taken apart by up to this length.",
-                               .unit = "m"}));
+    rows.push_back(number_row(
+        "min_wall", "<m>", {.lowest = 0, .highest = most},
+        [](auto& r) -> auto& { return r.options.outline.min_wall; },
+        {.title = "Shortest wall",
+         .help = "The same of walls and of narrow parts of buildings alone; by default as -flow_ready.",
+         .details = "Corners that touch are taken apart by up to this length.",
+         .unit = "m"}));
     return rows;
 }
 

@@ -3,10 +3,10 @@
 
     check_flow.py <metres> <buildings.gpkg>...
 
-Of the layer `buildings`: walls and gaps that are shorter than that, corners below 20.7 degrees, and blocks that touch
-in a point, less those that have a point of the layer `problems` with the state "left" beside them. Walls that go
-straight on are one; a gap is where a corner of a block is that near to a wall that shares no corner with its own two,
-across open ground. Corners at which a wall goes straight on within a millimetre, and no other wall begins, are needless
+Of the layer `buildings`: walls and gaps that are shorter than that, narrower parts of a building, corners below 20.7
+degrees, and blocks that touch in a point, less those that have a point of the layer `problems` with the state "left"
+next to them. Walls that go straight on are one; a gap is where a corner of a block is that near to a wall that shares no
+corner with its own two, across open ground, and a narrow part is the same across the building. Corners at which a wall goes straight on within a millimetre, and no other wall begins, are needless
 and count as well. Prints a line a file; the status is 1 where anything is left that is not named. Coordinates must be
 metres. Needs shapely and GDAL's Python.
 """
@@ -103,9 +103,10 @@ def needless(buildings):
             yield "needless", off, Point(b)
 
 
-def gaps(blocks, limit):
+def near_walls(polygons, limit):
+    """Each corner with a wall that is nearer than a limit and shares no end with the two of the corner."""
     walls, ends, sides = [], [], []
-    for polygon in blocks:
+    for polygon in polygons:
         for ring in rings(polygon):
             points = corners(ring)
             for i, point in enumerate(points):
@@ -114,21 +115,29 @@ def gaps(blocks, limit):
                 ends.append((point, after))
                 sides.append((point, before, after))
     tree = Near(walls)
-    solid = Near(blocks)
     for point, before, after in sides:
         here = Point(point)
         for i in tree.within(here, limit):
             if {before, point, after} & set(ends[i]):
                 continue
             near = walls[i].interpolate(walls[i].project(here))
-            width = here.distance(near)
-            if not 0 < width < limit - ROUNDING:
-                continue
-            if any(near.distance(Point(end)) < 1e-9 and end in (before, after) for end in ends[i]):
-                continue
-            way = LineString([here, near])
-            if all(way.intersection(blocks[b]).length < 1e-6 for b in solid.within(way, 0)):
-                yield "gap", width, way
+            if 0 < here.distance(near) < limit - ROUNDING:
+                yield LineString([here, near])
+
+
+def gaps(blocks, limit):
+    solid = Near(blocks)
+    for way in near_walls(blocks, limit):
+        if all(way.intersection(blocks[b]).length < 1e-6 for b in solid.within(way, 0)):
+            yield "gap", way.length, way
+
+
+def necks(buildings, limit):
+    for polygon in buildings:
+        around = polygon.buffer(1e-6)
+        for way in near_walls([polygon], limit):
+            if around.contains(way) and polygon.contains(way.interpolate(0.5, normalized=True)):
+                yield "neck", way.length, way
 
 
 def touches(blocks):
@@ -152,15 +161,15 @@ def main(limit, files):
         blocks = polygons_of(unary_union(buildings))
         tree = Near(left)
         found, named, worst = Counter(), Counter(), []
-        for kind, size, place in [*walls_and_angles(buildings, limit), *gaps(blocks, limit), *touches(blocks),
-                                  *needless(buildings)]:
+        for kind, size, place in [*walls_and_angles(buildings, limit), *gaps(blocks, limit), *necks(buildings, limit),
+                                  *touches(blocks), *needless(buildings)]:
             found[kind] += 1
             if tree.within(place, limit):
                 named[kind] += 1
             else:
                 worst.append((kind, size, place))
         print(f"{file}: {len(buildings)} polygons, {len(blocks)} blocks; " + ", ".join(
-            f"{kind} {found[kind]}, {found[kind] - named[kind]} not named" for kind in ("wall", "gap", "angle", "touch", "needless")))
+            f"{kind} {found[kind]}, {found[kind] - named[kind]} not named" for kind in ("wall", "gap", "neck", "angle", "touch", "needless")))
         for kind, size, place in worst[:5]:
             print(f"  {kind} {size:.4f} {place.wkt}")
         unnamed += len(worst)

@@ -215,6 +215,73 @@ TEST(FlowReady, aCourtyardThatIsTooLargeIsLeft) {
     EXPECT_EQ(changed(kept, FlowProblemKind::gap), 0U);
 }
 
+/// Two squares of 20 x 20 m joined by a part of half a metre that is `length` cm long.
+std::vector<std::pair<int, int>> dumbbell(int length) {
+    const int far = 2000 + length;
+    return {{0, 0},      {2000, 0},       {2000, 975},        {far, 975},
+            {far, 0},    {far + 2000, 0}, {far + 2000, 2000}, {far, 2000},
+            {far, 1025}, {2000, 1025},    {2000, 2000},       {0, 2000}};
+}
+
+/// A part of 0.5 by 3 m becomes 1.02 m wide, which adds 0.52 by 3 m.
+TEST(FlowReady, aNarrowPartIsWidened) {
+    const std::vector<PlanContour> town{house(dumbbell(300), 0)};
+    const FlowReady ready = make_flow_ready(town, limits(1, 1));
+    ASSERT_EQ(ready.outlines.size(), 1U);
+    EXPECT_EQ(left(ready), 0U);
+    EXPECT_GE(changed(ready, FlowProblemKind::neck), 1U);
+    EXPECT_EQ(ready.problems[0].before, 0.5);
+    EXPECT_NEAR(area(ready.outlines[0]), 801.5 + 1.56, 0.02);
+    EXPECT_EQ(ready.outlines[0].exterior.size(), 12U);
+}
+
+TEST(FlowReady, aNarrowPartOfATierIsWidened) {
+    const std::vector<PlanContour> town{house({{-500, -500}, {5000, -500}, {5000, 3000}, {-500, 3000}}, 0),
+                                        house(dumbbell(300), 0, {}, 0)};
+    const FlowReady ready = make_flow_ready(town, limits(1, 1));
+    ASSERT_EQ(ready.outlines.size(), 2U);
+    EXPECT_EQ(left(ready), 0U);
+    EXPECT_NEAR(area(ready.outlines[1]), 801.5 + 1.56, 0.02);
+    EXPECT_NEAR(area(ready.outlines[0]), 55 * 35, 1e-9);
+}
+
+/// Widening 60 m by half a metre at either end would be more than a hundredth of 830 m2.
+TEST(FlowReady, aNarrowPartThatIsTooLongIsLeft) {
+    const std::vector<PlanContour> town{house(dumbbell(6000), 0)};
+    const FlowReady ready = make_flow_ready(town, limits(1, 1));
+    EXPECT_TRUE(ready.outlines.empty());
+    ASSERT_FALSE(ready.problems.empty());
+    for (const FlowProblem& problem : ready.problems) {
+        EXPECT_EQ(problem.kind, FlowProblemKind::neck);
+        EXPECT_FALSE(problem.changed);
+        EXPECT_EQ(problem.after, 0.5);
+        EXPECT_EQ(problem.contours, (std::vector<std::int32_t>{0}));
+    }
+}
+
+/// The tip of a notch is 60 cm from the wall behind it and 105 cm from another house, so that the wall
+/// yields: it gets a corner 42 cm farther out.
+TEST(FlowReady, theWallAcrossANotchYields) {
+    const std::vector<PlanContour> town{house({{-9000, 0},
+                                               {9000, 0},
+                                               {9000, 6000},
+                                               {3000, 6000},
+                                               {3000, 950},
+                                               {0, 60},
+                                               {-3000, 950},
+                                               {-3000, 6000},
+                                               {-9000, 6000}},
+                                              0),
+                                        house({{0, 165}, {1600, 6000}, {-1600, 6000}}, 1)};
+    const FlowReady ready = make_flow_ready(town, limits(1, 1));
+    ASSERT_EQ(ready.outlines.size(), 2U);
+    EXPECT_EQ(left(ready), 0U);
+    EXPECT_EQ(changed(ready, FlowProblemKind::neck), 1U);
+    const FineRing& walls = ready.outlines[0].exterior;
+    EXPECT_EQ(walls.size(), 10U);
+    EXPECT_NE(std::ranges::find(walls, FinePoint{42, 0}), walls.end());
+}
+
 /// The corner of one is cut back from the other, by a metre at least.
 TEST(FlowReady, housesThatTouchInACorner) {
     const std::vector<PlanContour> town{house({{0, 0}, {2000, 0}, {2000, 2000}, {0, 2000}}, 0),
