@@ -105,8 +105,8 @@ RunSetup set_up_run(const Options& asked, const DemInfo& dem, FeatureSink& sink,
     const Georeference georeference(dem.transform, plan.trace);
     const Position middle = require_whole_frame(dem, plan, crs, target);
     const LayerSpecs layers = layer_specs(plan, report.input, report.units.vertical, sink);
-    sink.rehearse(layers.layers, make_provenance(plan, dem, crs, target, report), middle);
     require_crs(options, crs, target, middle, sink);
+    sink.rehearse(layers.layers, make_provenance(plan, dem, crs, target, report), middle);
     const SquareArea area =
         make_square_area(georeference, crs, lattice_frame({0, 0, dem.rows, dem.cols}, plan.trace));
     const CellSize cell = plan.detects_buildings() ? cell_steps(dem.window, georeference, crs) : CellSize{};

@@ -31,10 +31,11 @@ SurfaceOwner make_surface(PixelSize size, PictureFormat format, std::string& byt
     return surface;
 }
 
-/// Cairo numbers surfaces and images of an SVG from the beginning of the process; here they are numbered from
-/// the beginning of the file.
+/// Cairo numbers surfaces, images and sources of an SVG from the beginning of the process; here they are
+/// numbered from the beginning of the file.
 std::string with_own_numbers(const std::string& svg) {
-    constexpr std::array<std::string_view, 4> names{"id=\"image", "#image", "id=\"surface", "#surface"};
+    constexpr std::array<std::string_view, 6> names{"id=\"image", "#image",       "id=\"surface",
+                                                    "#surface",   "id=\"source-", "#source-"};
     std::map<std::string, std::string> numbers;
     std::string text;
     text.reserve(svg.size());

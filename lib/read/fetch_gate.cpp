@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string_view>
 
 #include <cpl_conv.h>
@@ -9,6 +10,8 @@
 #include <cpl_http.h>
 #include <cpl_string.h>
 #include <cpl_vsi.h>
+
+#include "read/config_option.hpp"
 
 namespace d2b {
 namespace {
@@ -53,10 +56,13 @@ bool is_list_of_addresses(const std::string& name) {
                                          lists_of_addresses.data(), nullptr) != nullptr;
 }
 
-/// Whether what is fetched is to be read as the definition of a CRS: OSRImportFromUrl() says so.
+/// True for the options of OSRImportFromUrl(), which fetches the definition of a CRS: it accepts OGC WKT or,
+/// from GDAL 3.10 on, gives nothing but a time-out.
 bool asks_for_a_crs(CSLConstList options) {
     const char* headers = CSLFetchNameValue(options, "HEADERS");
-    return headers != nullptr && std::string_view(headers).find("ogcwkt") != std::string_view::npos;
+    const char* timeout = CSLFetchNameValue(options, "TIMEOUT");
+    return (headers != nullptr && std::string_view(headers).find("ogcwkt") != std::string_view::npos) ||
+           (CSLCount(options) == 1 && timeout != nullptr && EQUAL(timeout, "10"));
 }
 
 CPLHTTPResult* refused(const char* address) {
@@ -75,13 +81,14 @@ CPLHTTPResult* pass_or_refuse(const char* address, CSLConstList options, GDALPro
     return passes ? nullptr : refused(address);  // GDAL fetches what gets no answer here
 }
 
-/// The pictures of such a KML lie anywhere, and its driver fetches them by a way that nothing holds back.
-bool is_super_overlay(const std::string& name) {
-    const std::array<const char*, 2> only{"KMLSUPEROVERLAY", nullptr};
+/// True if a file is of a format, by its beginning.
+bool is_file_of(const char* format, const std::string& name) {
+    const std::array<const char*, 2> only{format, nullptr};
     VSIStatBufL status;
     return VSIStatExL(name.c_str(), &status, VSI_STAT_EXISTS_FLAG | VSI_STAT_NATURE_FLAG) == 0 &&
            VSI_ISREG(status.st_mode) != 0 &&
-           GDALIdentifyDriverEx(name.c_str(), GDAL_OF_RASTER, only.data(), nullptr) != nullptr;
+           GDALIdentifyDriverEx(name.c_str(), GDAL_OF_RASTER | GDAL_OF_VECTOR, only.data(), nullptr) !=
+               nullptr;
 }
 
 CPLStringList other_drivers(const char* without) {
@@ -148,11 +155,19 @@ DatasetOwner open_gated(const std::string& name, unsigned flags, const char* con
     const bool any_raster =
         drivers == nullptr && ((flags & GDAL_OF_RASTER) != 0 || (flags & GDAL_OF_VECTOR) == 0);
     CPLStringList others;
-    if (any_raster && gate.lets_nothing_through() && is_super_overlay(name)) {
+    // The pictures of such a KML lie anywhere, and its driver fetches them by a way that nothing holds back.
+    if (any_raster && gate.lets_nothing_through() && is_file_of("KMLSUPEROVERLAY", name)) {
         others = other_drivers("KMLSUPEROVERLAY");
         drivers = others.List();
     }
-    return DatasetOwner(GDALOpenEx(name.c_str(), flags, drivers, open_options, nullptr));
+    std::optional<ConfigOption> no_sidecar;
+    if (is_file_of("GPKG", name))
+        no_sidecar.emplace("GDAL_PAM_ENABLED", "NO");  // as when it is closed, see close_dataset()
+    DatasetOwner dataset(GDALOpenEx(name.c_str(), flags, drivers, open_options, nullptr));
+    if (dataset && no_sidecar)
+        GDALGetMetadata(dataset.get(),
+                        nullptr);  // because the option is asked for when metadata are first read
+    return dataset;
 }
 
 }  // namespace d2b

@@ -10,6 +10,8 @@
 #include <ogr_api.h>
 #include <ogr_srs_api.h>
 
+#include "read/config_option.hpp"
+
 namespace d2b {
 
 /// Owners of GDAL's C handles.
@@ -21,8 +23,10 @@ template <typename Handle, auto release>
 using GdalOwner = std::unique_ptr<std::remove_pointer_t<Handle>, GdalRelease<Handle, release>>;
 
 inline void close_dataset(GDALDatasetH dataset) {
-    GDALClose(dataset);
-}  // returns CPLErr from GDAL 3.7 on
+    // GDAL 3.10 writes the metadata of a GeoPackage to an .aux.xml when it is closed after being read.
+    const ConfigOption no_sidecar("GDAL_PAM_ENABLED", "NO");
+    GDALClose(dataset);  // returns CPLErr from GDAL 3.7 on
+}
 
 using DatasetOwner = GdalOwner<GDALDatasetH, close_dataset>;
 using GeometryOwner = GdalOwner<OGRGeometryH, OGR_G_DestroyGeometry>;

@@ -11,8 +11,8 @@
 
 #include "dem2buildings/error.hpp"
 #include "features/rounded_polygons.hpp"
+#include "read/config_option.hpp"
 #include "read/polygon_geometry.hpp"
-#include "write/config_option.hpp"
 #include "write/dataset_writer.hpp"
 #include "write/trial_dataset.hpp"
 

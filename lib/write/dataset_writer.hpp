@@ -10,7 +10,7 @@
 #include "dem2buildings/options.hpp"
 #include "dem2buildings/sinks.hpp"
 #include "write/commit_guard.hpp"
-#include "write/config_option.hpp"
+#include "read/config_option.hpp"
 #include "write/layer_counts.hpp"
 #include "write/layer_writer.hpp"
 #include "write/users_objects.hpp"

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "dem2buildings/error.hpp"
+#include "read/fetch_gate.hpp"
 #include "read/gdal_messages.hpp"
 #include "write/existing_refusals.hpp"
 #include "write/ogr_call.hpp"
@@ -71,6 +72,8 @@ std::vector<std::string> files_of(GDALDatasetH dataset, const fs::path& path, co
 ExistingDataset inspect_existing(const Destination& destination, const VectorFormat& format,
                                  const WriteOptions& options, const std::vector<std::string>& names) {
     const GdalMessages messages;
+    const FetchGate gate(
+        destination.path);  // because some drivers read on only when their layers are asked for
     ExistingDataset existing;
     // What a killed run has left is undone by whoever opens the file for writing; until then it may not open
     // at all.

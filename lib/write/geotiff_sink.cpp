@@ -14,8 +14,8 @@
 
 #include "core/crs.hpp"
 #include "dem2buildings/error.hpp"
+#include "read/config_option.hpp"
 #include "read/gdal_messages.hpp"
-#include "write/config_option.hpp"
 #include "write/file_sink.hpp"
 #include "write/geotiff_file.hpp"
 #include "write/staged_raster.hpp"

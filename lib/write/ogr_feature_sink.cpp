@@ -6,8 +6,8 @@
 
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/open_sinks.hpp"
+#include "read/config_option.hpp"
 #include "read/start_gdal.hpp"
-#include "write/config_option.hpp"
 #include "write/coordinate_rounding.hpp"
 #include "write/crs_misfit.hpp"
 #include "write/dataset_writer.hpp"

@@ -10,7 +10,7 @@
 #include <cpl_string.h>
 
 #include "dem2buildings/error.hpp"
-#include "write/config_option.hpp"
+#include "read/config_option.hpp"
 #include "write/dataset_writer.hpp"
 #include "write/layer_create.hpp"
 #include "write/layer_fit.hpp"

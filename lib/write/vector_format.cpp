@@ -109,7 +109,9 @@ VectorFormat format_for(const WriteOptions& options) {
     format.name = GDALGetDriverShortName(format.driver);
     refuse_tiles(format.driver, options.destination);
     FormatProbe probe = probe_format(format.driver, options.destination);
-    format.several_layers = probe.several_layers;
+    // GDAL 3.10 writes all layers of a CSV to stdout, one after the other.
+    const bool is_one_table = format.name == "CSV" && is_stream(options.destination);
+    format.several_layers = probe.several_layers && !is_one_table;
     format.transactions = probe.transactions;
     format.keeps_crs = probe.keeps_crs;
     format.folder = probe.folder;

@@ -8,13 +8,15 @@
 #include <gdal.h>
 #include <ogr_api.h>
 
+#include "read/gdal_handles.hpp"
+
 namespace d2b::test {
 
 struct DropFeature {
     void operator()(OGRFeatureH feature) const { OGR_F_Destroy(feature); }
 };
 struct DropDataset {
-    void operator()(GDALDatasetH dataset) const { GDALClose(dataset); }
+    void operator()(GDALDatasetH dataset) const { d2b::close_dataset(dataset); }
 };
 using OpenDataset = std::unique_ptr<void, DropDataset>;
 

@@ -153,11 +153,14 @@ TEST(Crs, RefusesWhatIsNoCrs) {
     const auto message = [](const std::string& text) {
         return message_of<OptionError>([&, text = text] { Crs crs(text); });
     };
-    EXPECT_EQ(message("EPSG:99999"),
-              "'EPSG:99999' is not a coordinate reference system (PROJ: crs not found)" + advice);
+    const std::string unknown = message("EPSG:99999");
+    EXPECT_TRUE(
+        unknown.starts_with("'EPSG:99999' is not a coordinate reference system (PROJ: crs not found"));
+    EXPECT_TRUE(unknown.ends_with(")" + advice)) << unknown;
+    // PROJ 9.6 takes a name only if it begins like that of a CRS.
     EXPECT_EQ(
-        message("foo"),
-        "'foo' is not the name of a coordinate reference system (the nearest is 'Amersfoort')" + advice);
+        message("Amersf"),
+        "'Amersf' is not the name of a coordinate reference system (the nearest is 'Amersfoort')" + advice);
     EXPECT_EQ(
         message("urn:ogc:def:ellipsoid:EPSG::7030"),
         "'urn:ogc:def:ellipsoid:EPSG::7030' is not a coordinate reference system but 'WGS 84'" + advice);

@@ -7,6 +7,7 @@ import os
 import pkgutil
 import shutil
 import unittest
+import warnings
 
 import numpy
 from PIL import Image
@@ -36,6 +37,7 @@ class Words(PythonCase):
     @unittest.skipIf(importlib.util.find_spec("matplotlib") is None, "Matplotlib is not installed")
     def test_the_page(self):
         """Also makes its picture, which is kept in the folder D2B_PICTURES where that is given."""
+        warnings.simplefilter("default", DeprecationWarning)  # GeoPandas has some of Shapely's
         os.symlink(SOURCE / "sample_dems", self.folder / "sample_dems")
         os.chdir(self.folder)
         result = doctest.testfile(str(SOURCE / "docs/tasks/python.md"), module_relative=False, optionflags=FLAGS)

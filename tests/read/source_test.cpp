@@ -45,9 +45,11 @@ TEST_F(ReadSource, theFormatCanBePrescribed) {
     options_.drivers = {"PNG", "GTiff"};
     expect_values(values("dem.tif"), {5});
     options_.drivers = {"PNG"};
-    EXPECT_EQ(message<InputError>("dem.tif"), quoted("dem.tif") + " cannot be opened as a raster: `" +
-                                                  path("dem.tif") +
-                                                  "' not recognized as a supported file format.");
+    const std::string said = message<InputError>("dem.tif");
+    EXPECT_TRUE(said.starts_with(quoted("dem.tif") + " cannot be opened as a raster: `" + path("dem.tif") +
+                                 "' not recognized as "))
+        << said;
+    EXPECT_TRUE(said.ends_with("supported file format.")) << said;  // "a", from GDAL 3.10 on "being in a"
     options_.drivers = {"NoSuchFormat"};
     EXPECT_EQ(message<OptionError>("dem.tif"),
               "-if NoSuchFormat names no format of this GDAL; gdalinfo --formats lists them.");

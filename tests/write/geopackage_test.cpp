@@ -124,6 +124,7 @@ TEST_F(GeoPackageTest, LayersAreAddedToRasters) {
     const DatasetOwner memory(GDALCreate(GDALGetDriverByName("MEM"), "", 50, 40, 1, GDT_Byte, nullptr));
     std::array<double, 6> transform{400000, 1, 0, 5000000, 0, -1};
     GDALSetGeoTransform(memory.get(), transform.data());
+    GDALFillRaster(GDALGetRasterBand(memory.get(), 1), 7, 0);
     const auto make = [&] {
         const DatasetOwner raster(GDALCreateCopy(GDALGetDriverByName("GPKG"), path("r.gpkg").c_str(),
                                                  memory.get(), FALSE, nullptr, nullptr, nullptr));

@@ -55,7 +55,8 @@ TEST_F(StyleTest, AGeoPackageSaysWhatItsLayersAndFieldsAre) {
     EXPECT_NE(xml.find("<title>Title of contours</title>"), std::string::npos) << xml;
     EXPECT_NE(xml.find("height [m]: height above the ground"), std::string::npos);
     EXPECT_NE(xml.find("<history>thresholds: 1, 2</history>"), std::string::npos);
-    EXPECT_EQ(ask("SELECT title || '|' || description FROM gpkg_data_columns WHERE table_name = 'buildings' "
+    EXPECT_EQ(ask("SELECT coalesce(title, name) || '|' || description FROM gpkg_data_columns WHERE "
+                  "table_name = 'buildings' "
                   "AND column_name = 'height'"),
               "height [m]|height above the ground");
 }

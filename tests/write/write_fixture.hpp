@@ -15,11 +15,12 @@
 #include "dem2buildings/callbacks.hpp"
 #include "dem2buildings/options.hpp"
 #include "dem2buildings/sinks.hpp"
+#include "read/gdal_handles.hpp"
 
 namespace d2b::test {
 
 struct CloseDataset {
-    void operator()(void* dataset) const { GDALClose(dataset); }
+    void operator()(void* dataset) const { d2b::close_dataset(dataset); }
 };
 using Dataset = std::unique_ptr<void, CloseDataset>;
 using Names = std::vector<std::string>;

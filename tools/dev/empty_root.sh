@@ -16,10 +16,11 @@ make_root() {
         fi
     done
     mount -t proc proc "$2/proc" || true
+    mount -t devpts -o newinstance,ptmxmode=0666 devpts "$2/dev/pts" || true
 }
 
 # drop_root folder
 drop_root() {
-    umount "$1/proc" 2>/dev/null || true
+    umount "$1/dev/pts" "$1/proc" 2>/dev/null || true
     rm -rf "$1"
 }
