@@ -2,13 +2,13 @@
 """Measures accuracy: on scenes whose truth is exact, and on real places where there are some.
 
     tests/accuracy/run.py [--build build] [--work FOLDER] [--seed N] [--cities FOLDER] [--plot FILE.png]
-                          [--failures FILE.png] [--learn] [--write docs/accuracy.md] [--least-iou X] [SCENE...]
+                          [--failures FILE.png] [--learn] [--write PAGE.md ...] [--least-iou X] [SCENE...]
 
 Makes the scenes (all that are measured, or those that are named), finds buildings with the defaults, and prints
 tables: areas, objects, walls, places without buildings, and how often a confidence is right.
 --cities   a folder with a folder a place: dsm.tif, reference_buildings.gpkg, perhaps dtm.tif and NOTE.md; those of fine
            cells are measured as scans of 2 and 2.5 m cells show them as well
---write    puts the tables into a page, between the lines `<!-- table NAME -->` and `<!-- end -->`
+--write    puts the tables into pages, between the lines `<!-- table NAME -->` and `<!-- end -->`
 --plot     draws how often a confidence is right (needs python3-matplotlib)
 --failures draws of each real place, and of the scenes with the lowest IoU, where most goes wrong (matplotlib as well)
 --learn    fits the weights of the judge to the real places and to scenes of another seed, and tries them on each
@@ -130,7 +130,7 @@ def main(words):
     parser.add_argument("--plot")
     parser.add_argument("--failures")
     parser.add_argument("--learn", action="store_true")
-    parser.add_argument("--write")
+    parser.add_argument("--write", nargs="+", default=[])
     parser.add_argument("--least-iou", type=float, default=0)
     parser.add_argument("scenes", nargs="*")
     arguments = parser.parse_args(words)
@@ -149,8 +149,8 @@ def main(words):
     if arguments.plot:
         confidence.plot(arguments.plot, {"real places": real, "each left out, weights of all others": tried,
                                           "scenes": made})
-    if arguments.write:
-        tables.put_into(arguments.write, found)
+    for page in arguments.write:
+        tables.put_into(page, found)
     mean = tables.mean([figures["iou"] for figures in made if figures["built"]])
     if arguments.least_iou and (mean is None or mean < arguments.least_iou):
         sys.exit(f"The mean IoU of the scenes is {mean}, not {arguments.least_iou} or more.")

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Measures dem2buildings_tiles beside dem2buildings on a mosaic of 64 files, for docs/scaling.md.
+"""Measures dem2buildings_tiles beside dem2buildings on a mosaic of 64 files, for docs/research/tiles.md.
 
     cmake -S . -B build -D D2B_BUILD_BENCHMARKS=ON && cmake --build build --parallel
     tests/bench/tiles.py build                     100 million points, in some ten minutes

@@ -1,4 +1,4 @@
-# What the pages of ROOT/docs and its files at the top call `lib/...`, `tests/...` or `tools/...` is there.
+# Files that the pages of ROOT/docs and at the top name as `lib/...`, `tests/...` or `tools/...`, or link to, exist.
 cmake_minimum_required(VERSION 3.22)
 file(GLOB_RECURSE pages ${ROOT}/docs/*.md)
 file(GLOB top ${ROOT}/*.md)
@@ -10,6 +10,16 @@ foreach(page IN LISTS pages top)
     string(REPLACE "`" "" name ${name})
     if(NOT EXISTS ${ROOT}/${name})
       list(APPEND missing "${page}: ${name}")
+    endif()
+  endforeach()
+  # CMake takes brackets for parts of lists, so they are replaced before links are matched.
+  string(REPLACE "](" "<LINK>" text "${text}")
+  string(REGEX MATCHALL "<LINK>[A-Za-z0-9_./-]+[)#]" links "${text}")
+  get_filename_component(folder ${page} DIRECTORY)
+  foreach(link IN LISTS links)
+    string(REGEX REPLACE "<LINK>|[)#]" "" link ${link})
+    if(NOT EXISTS ${folder}/${link})
+      list(APPEND missing "${page}: ${link}")
     endif()
   endforeach()
 endforeach()

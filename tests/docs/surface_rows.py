@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The rows of docs/surfaces.md that are about the sample town: made here and compared with the page.
+"""The rows of docs/research/surfaces.md that are about the sample town: made here and compared with the page.
 
     surface_rows.py <dem2buildings> <source folder> [--write]
 
@@ -76,7 +76,7 @@ def main(program, write):
         ready, _ = make(program, folder, "ready", "-split_height", "3", "-layers", "buildings", "-flow_ready", "1")
         _, stack = make(program, folder, "stack", "-surface_of", "contours")
         rows = [flow_row(plain, ready), shell_row("buildings", shell), shell_row("contours", stack), corners_row(plain, shell)]
-    page = SOURCE / "docs/surfaces.md"
+    page = SOURCE / "docs/research/surfaces.md"
     lines = page.read_text(encoding="utf-8").split("\n")
     wrong = 0
     for row in rows:

@@ -1,5 +1,7 @@
 #!/usr/bin/python3
-"""The thesis's tables and figures again, beside what it compared itself with: makes the figures of docs/thesis.md.
+"""The thesis's tables and figures again, beside what it compared itself with: the figures of docs/thesis.md.
+
+The errors of each method are those of docs/research/thesis_methods.md.
 
     xvfb-run -a tests/bench/thesis/run.py --cities <folder> build
 
