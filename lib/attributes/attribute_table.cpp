@@ -16,7 +16,7 @@ constexpr double storey_m = 3.0;
 FieldValue number(double value) {
     return std::isfinite(value) ? FieldValue{value} : FieldValue{};
 }
-/// Of what is measured in metres: written no finer than the data can carry.
+/// Rounds a measurement in metres to hundredths, because the data are not more accurate.
 FieldValue measure(double value) {
     return number(to_hundredths(value));
 }

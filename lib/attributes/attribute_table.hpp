@@ -10,12 +10,12 @@
 
 namespace d2b {
 
-/// What is as sure as this is not doubted.
+/// Confidence from which no counter-evidence is reported.
 inline constexpr double sure_confidence = 0.9;
 
 enum class AttributeUnit { none, vertical, metre, square_metre, cubic_metre };
 
-/// One attribute of a record: the only place for its name, type, unit, words and value.
+/// Attribute of a record: the only place that defines its name, type, unit, description and value.
 template <typename Record>
 struct Attribute {
     std::string_view name;  ///< at most 10 ASCII characters
@@ -26,13 +26,14 @@ struct Attribute {
     FieldValue (*value)(const Record&);
 };
 
-/// @param with_parcel the last one is the parcel, which buildings have where parcels cut them
+/// Attributes of buildings. @param with_parcel includes the last attribute, the parcel, which exists only if
+/// parcels divide buildings
 [[nodiscard]] std::span<const Attribute<BuildingRecord>> building_attributes(bool with_parcel);
 [[nodiscard]] std::span<const Attribute<ContourRecord>> contour_attributes();
 [[nodiscard]] std::span<const Attribute<RejectedRecord>> rejected_attributes();
 [[nodiscard]] std::span<const Attribute<ProblemRecord>> problem_attributes();
 
-/// @param vertical_unit name of the DEM's vertical unit
+/// Describes the attributes as fields of a layer. @param vertical_unit name of the DEM's vertical unit
 template <typename Record>
 [[nodiscard]] std::vector<FieldSpec> field_specs(std::span<const Attribute<Record>> attributes,
                                                  const std::string& vertical_unit,
@@ -41,12 +42,12 @@ template <typename Record>
 [[nodiscard]] std::vector<FieldValue> field_values(std::span<const Attribute<Record>> attributes,
                                                    const Record& record);
 
-/// NULL where there is none.
+/// Returns NULL for 0, which means "no object".
 [[nodiscard]] inline FieldValue id_or_null(std::int64_t id) {
     return id > 0 ? FieldValue{id} : FieldValue{};
 }
 
-/// The schema of the layers as Markdown tables: docs/output.md holds it.
+/// Describes the layers as Markdown tables, which docs/output.md contains.
 [[nodiscard]] std::string schema_markdown();
 
 }  // namespace d2b

@@ -11,9 +11,9 @@ struct Translation {
     std::string_view other;
 };
 
-// URock takes the height of a building from ROOF_HEIGHT unless told otherwise, and makes a block of it: the
-// highest point would make one of a spire. City4CFD names its attributes in its configuration; these are the
-// names of its own examples. OSM: tags of Simple 3D Buildings.
+// Field names of other programs. URock takes the height of a building from ROOF_HEIGHT by default and
+// extrudes a block to it, so it gets p90 because the highest point may be a spire. City4CFD configures its
+// attribute names; these are those of its own examples. OSM: tags of Simple 3D Buildings.
 constexpr std::array translations{
     Translation{FieldNames::urock, "id", "ID_BUILD"},
     Translation{FieldNames::urock, "p90", "ROOF_HEIGHT"},

@@ -6,8 +6,7 @@
 
 namespace d2b {
 
-/// What another program calls a field of the layer of buildings; its own name where that program has no name
-/// for it.
+/// Returns another program's name for a field of the buildings layer, or our own name if it has none.
 [[nodiscard]] std::string_view field_name(FieldNames names, std::string_view own);
 
 }  // namespace d2b

@@ -34,11 +34,12 @@ RecordMaker::RecordMaker(const ContourList& contours, const AttributeContext& co
     find_wholes();
 }
 
-/// A building is divided where two labels have the same whole; the lowest number among them names it.
+/// Finds divided buildings: several labels share a whole. The lowest number among their buildings
+/// identifies the whole.
 void RecordMaker::find_wholes() {
     struct Whole {
         std::int64_t number = 0;
-        Label label = 0;  // of one that belongs to it; 0: there is none
+        Label label = 0;  // label of one part; 0: none yet
         bool is_divided = false;
     };
     const std::vector<Footprint>& footprints = context_.footprints;
@@ -72,10 +73,10 @@ double RecordMaker::ground_of(Label label, double lowest_outside) const {
     return std::isfinite(lowest_outside) ? lowest_outside : unknown;
 }
 
-/// Base and top of every part, from the low level to the high.
+/// Computes base and top of every part, from the lowest level to the highest.
 void RecordMaker::stack_parts() {
     parts_.assign(contours_.size(), {0, nothing_above});
-    // First `top` is the lowest threshold among the contours that stand on it.
+    // First pass: `top` is the lowest threshold of the contours on top of it.
     for (std::size_t i = 0; i < parts_.size(); ++i)
         if (const ContourHead& head = contours_.head(i); head.parent >= 0) {
             double& above = parts_[static_cast<std::size_t>(head.parent)].top;
@@ -94,7 +95,7 @@ void RecordMaker::stack_parts() {
         const double tier = std::isnan(head.tier_z) ? top : head.tier_z;
         top = std::max(base, std::min(tier, top));
         if (!std::isfinite(top))
-            top = std::max(base, threshold(head));  // no point was counted for it
+            top = std::max(base, threshold(head));  // no points were counted
     }
 }
 

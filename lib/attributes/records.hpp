@@ -15,42 +15,42 @@
 
 namespace d2b {
 
-/// What detection knows of a label.
+/// Results of detection for a label.
 struct Footprint {
     double ground = 0;      ///< elevation, in the DEM's vertical unit
-    double confidence = 0;  ///< 0 to 1
+    double confidence = 0;  ///< between 0 and 1
     std::string_view doubt;
     std::int64_t parcel = ParcelCell::nobody;
-    Label whole = 0;  ///< the same of all labels that a building was divided into; 0: it is not known
+    Label whole = 0;  ///< shared by all labels into which a building was divided; 0: unknown
 };
 
 struct AttributeContext {
     const LevelPlan& plan;
     const FixedPoint& fixed;
-    /// by label; empty where nothing was detected: then the ground is the lowest point beside a building
+    /// by label; empty if nothing was detected: the ground is then the lowest point next to a building
     const std::vector<Footprint>& footprints;
-    double metres = 1;  ///< in one vertical unit
-    LatticeBox frame;   ///< of the lattice: what touches it is cut by the raster's edge
+    double metres = 1;  ///< metres per vertical unit
+    LatticeBox frame;   ///< bounds of the lattice: an object that touches them is cut by the raster's edge
     std::int64_t first_id = 1;
 };
 
-/// Makes records of contours, one at a time: all attributes that need no coordinates. Areas, perimeters and
-/// status are filled in with the outlines.
+/// Computes the records of contours, one at a time: all attributes that need no coordinates. Areas,
+/// perimeters and status are filled in with the outlines.
 ///
-/// The stack stands without gaps: a contour's part begins where that of the contour below ends (level 1: at
-/// the ground) and ends at the mean of the points that no child holds, or at the children's threshold where
-/// that is lower or there are no such points.
+/// The parts of a stack join without gaps: the part of a contour begins at the end of that of the
+/// contour below (in level 1: at the ground). It ends at the mean of the points outside its children, or at
+/// the threshold of the children if that is lower or there are no such points.
 class RecordMaker {
   public:
-    /// @param contours they and what the context refers to stay the caller's and must outlive this
+    /// @param contours must outlive this object, as must all that the context refers to
     RecordMaker(const ContourList& contours, const AttributeContext& context);
 
-    /// Where the part of a contour begins and ends, as its record has it. @param i of the contour in the list
+    /// Base and top of the part of a contour, as in its record. @param i index of the contour in the list
     [[nodiscard]] double base(std::size_t i) const { return parts_[i].base; }
     [[nodiscard]] double top(std::size_t i) const { return parts_[i].top; }
-    /// @param i of the contour in the list
+    /// @param i index of the contour in the list
     [[nodiscard]] ContourRecord contour(std::size_t i, const Contour& contour) const;
-    /// @param record of the same contour, which is of level 1
+    /// @param record of the same contour, which must be of level 1
     [[nodiscard]] BuildingRecord building(std::size_t i, const Contour& contour, const ContourRecord& record,
                                           const RoofElevations& roof) const;
 
@@ -59,12 +59,12 @@ class RecordMaker {
         double base = 0;
         double top = 0;
     };
-    /// Of a building: how many contours it has, its highest level, and where it stands.
+    /// Number of contours, highest level and base of a building.
     struct StackFacts {
         std::int64_t parts = 0;
         std::int32_t levels = 0;
         double base = 0;
-        std::int64_t whole = 0;  ///< number of the building that it is a part of; 0: it is one itself
+        std::int64_t whole = 0;  ///< number of the building that it is part of; 0: not divided
     };
     [[nodiscard]] double ground_of(Label label, double lowest_outside) const;
     [[nodiscard]] double threshold(const ContourHead& head) const {
@@ -79,9 +79,9 @@ class RecordMaker {
     std::vector<StackFacts> stacks_;
 };
 
-/// Root mean square of the distances between the points of all stacks and the stacked surface: at a point,
-/// the mean of its highest contour's own points. In the DEM's vertical unit. An exact sum: the
-/// order in which contours come does not matter.
+/// Root mean square distance between the points of all stacks and the stacked surface (at a point: the mean
+/// of the own points of its highest contour), in the DEM's vertical unit. The sum is exact, so the order of
+/// contours does not matter.
 class StackRmse {
   public:
     /// @param own of a contour above level 0

@@ -10,8 +10,8 @@
 
 namespace d2b {
 
-/// Whole rows of a window, or of a part of one. Rows are numbered as in the whole raster, columns from the
-/// first of the window or part.
+/// Whole rows of a window or of a part of it. Row numbers are those of the whole raster; column 0 is the
+/// first column of the window or part.
 struct BandShape {
     std::int32_t first_row = 0;
     std::int32_t rows = 0;
@@ -22,19 +22,18 @@ struct BandShape {
     }
 };
 
-/// Elevations, NaN where a point is not valid.
+/// Elevations of whole rows; NaN if a point is not valid.
 struct ElevationBand {
     BandShape shape;
     std::vector<double> elevations;
-    /// Indices of elevations, ascending: cells that stand above all around them and are no roof. Masts,
-    /// birds.
+    /// Ascending indices of cells that stand above all their surroundings and are not roofs: masts, birds.
     std::vector<std::size_t> spires{};
 
     [[nodiscard]] std::span<const double> row(std::int32_t i) const {
         return {elevations.data() + static_cast<std::size_t>(i) * static_cast<std::size_t>(shape.cols),
                 static_cast<std::size_t>(shape.cols)};
     }
-    /// Columns of the spires in a row.
+    /// Returns the columns of the spires in a row.
     [[nodiscard]] std::vector<std::int32_t> spires_in_row(std::int32_t i) const {
         const std::size_t begin = static_cast<std::size_t>(i) * static_cast<std::size_t>(shape.cols);
         std::vector<std::int32_t> columns;
@@ -45,8 +44,7 @@ struct ElevationBand {
     }
 };
 
-/// The label of every cell. An empty list stands for one label, 1, everywhere: the thesis preset, which then
-/// costs nothing.
+/// Label of every cell. An empty list means label 1 everywhere, so the thesis preset stores no labels.
 struct LabelBand {
     BandShape shape;
     std::vector<Label> labels;
@@ -59,9 +57,8 @@ struct LabelBand {
     }
 };
 
-/// How many levels a point belongs to: 0 where it is not valid, 1 where it exceeds no threshold of its label,
-/// k + 1 where it exceeds k of them. Kept in 16 bits, or in a byte where no label has more than 254
-/// thresholds.
+/// Number of levels that a point belongs to: 0 if it is not valid, 1 if it exceeds no threshold of its label,
+/// k + 1 if it exceeds k of them. Stored in 16 bits, or in 8 if no label has more than 254 thresholds.
 template <typename Count>
 struct LevelBand {
     BandShape shape;

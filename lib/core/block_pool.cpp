@@ -50,7 +50,7 @@ void* BlockPool::put_together(std::size_t size, const std::vector<Idle>& parts) 
     std::byte* block = nullptr;
     try {
         block = static_cast<std::byte*>(LargePages::map(size));
-    } catch (const std::bad_alloc&) {  // no room for it beside those that wait
+    } catch (const std::bad_alloc&) {  // not enough memory for the new block and the idle ones together
         for (const Idle& part : parts)
             LargePages::unmap(part.block, part.bytes);
         return LargePages::map(size);
@@ -107,7 +107,7 @@ void BlockPool::shrink_to(std::size_t bytes, std::unique_lock<std::mutex>& lock)
         const Idle longest = idle_.front();
         idle_.erase(idle_.begin());
         idle_bytes_ -= longest.bytes;
-        lock.unlock();  // the system takes its time for large blocks
+        lock.unlock();  // releasing large blocks takes long
         LargePages::unmap(longest.block, longest.bytes);
         lock.lock();
     }

@@ -12,24 +12,23 @@
 
 namespace d2b {
 
-/// Large blocks of memory that grids gave back, for the next ones: the system clears each page that it gives,
-/// which takes as long as a pass over it. Where none has the size that is asked for, the pages of those that
-/// wait become a block of that size. What waits and what is in use are together no more than was in use at a
-/// time. From any thread.
+/// Reuses large blocks of memory released by grids, because clearing fresh pages takes the system as long as
+/// a pass over them. If no idle block has the requested size, pages of idle blocks are moved into a new one.
+/// Idle and used bytes together never exceed the peak of used bytes. Thread-safe.
 class BlockPool {
   public:
-    static constexpr std::size_t large = LargePages::size;  ///< bytes; what is less is not kept
+    static constexpr std::size_t large = LargePages::size;  ///< bytes; smaller blocks are not pooled
 
     BlockPool() { idle_.reserve(most_blocks); }
     BlockPool(const BlockPool&) = delete;
     BlockPool& operator=(const BlockPool&) = delete;
     ~BlockPool() { clear(); }
 
-    /// A block of at least so many bytes with whatever was in it. @throws std::bad_alloc
+    /// Returns a block of at least `bytes` bytes with undefined contents. @throws std::bad_alloc
     [[nodiscard]] void* take(std::size_t bytes);
-    /// @param bytes that were asked for
+    /// Takes a block back. @param bytes as requested from take()
     void give(void* block, std::size_t bytes) noexcept;
-    /// Gives all that waits back to the system.
+    /// Returns all idle blocks to the system.
     void clear() noexcept;
 
   private:
@@ -39,24 +38,24 @@ class BlockPool {
         void* block;
         std::size_t bytes;
     };
-    /// @param size in whole pages @return a block that waited; null where none fits
+    /// @param size in whole pages @return an idle block of exactly this size, or nullptr
     [[nodiscard]] void* take_idle(std::size_t size);
-    /// Those that wait longest, as many as have the large pages of so many bytes; the last may be cut.
+    /// Removes the longest idle blocks until their large pages add up to `size`; the last one may be split.
     [[nodiscard]] std::vector<Idle> take_parts(std::size_t size);
-    /// A block that begins with the pages of others, which are gone then.
+    /// Maps a block and moves the pages of `parts` to its beginning. The parts are unmapped.
     [[nodiscard]] static void* put_together(std::size_t size, const std::vector<Idle>& parts);
-    /// Gives those that wait longest back to the system, until no more than so many bytes do.
+    /// Returns the longest idle blocks to the system until at most `bytes` are idle.
     void shrink_to(std::size_t bytes, std::unique_lock<std::mutex>& lock) noexcept;
 
     std::mutex mutex_;
-    std::vector<Idle> idle_;  ///< what was given last is last: it may still be in the cache
+    std::vector<Idle> idle_;  ///< most recently released last, because it may still be in the cache
     std::size_t idle_bytes_ = 0;
     std::size_t used_bytes_ = 0;
-    std::size_t most_used_ = 0;  ///< bytes at a time
+    std::size_t most_used_ = 0;  ///< peak of used_bytes_
 };
 
-/// The allocator of a grid's values: large blocks come from a pool, if it has one, and values that nobody
-/// sets are whatever was there: most grids are written as a whole by whoever asks for them.
+/// Allocator of a grid's values. Large blocks come from a pool, if there is one, and values are not
+/// initialised, because most grids are overwritten as a whole.
 template <typename T>
 class CellMemory {
   public:
@@ -64,7 +63,7 @@ class CellMemory {
     using propagate_on_container_copy_assignment = std::true_type;
     using propagate_on_container_move_assignment = std::true_type;
     using propagate_on_container_swap = std::true_type;
-    using is_always_equal = std::true_type;  // each can give back what any other took
+    using is_always_equal = std::true_type;  // any instance can release memory of any other
 
     CellMemory() = default;
     explicit CellMemory(std::shared_ptr<BlockPool> pool) : pool_(std::move(pool)) {}

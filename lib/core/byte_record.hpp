@@ -14,8 +14,9 @@
 
 namespace d2b {
 
-/// Values one after the other, as they are in memory: for a spool, which nothing but this run reads, and for
-/// files that one version of the program reads on machines that agree on what a number looks like.
+/// Writes values as they are in memory. Suitable for a spool, which only this run reads, and for files
+/// exchanged by the same version of the program on machines with the same number formats; not a portable
+/// format.
 class ByteWriter {
   public:
     template <typename T>
@@ -23,7 +24,7 @@ class ByteWriter {
         static_assert(std::is_trivially_copyable_v<T>);
         put_bytes(std::as_bytes(std::span(&value, 1)));
     }
-    /// How many there are, and all of them.
+    /// Writes the number of values, then the values.
     template <typename T>
     void put_list(const std::vector<T>& values) {
         static_assert(std::is_trivially_copyable_v<T>);
@@ -33,7 +34,7 @@ class ByteWriter {
     void put_bytes(std::span<const std::byte> bytes) {
         bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
     }
-    /// A byte where it is small.
+    /// Writes 7 bits per byte, low bits first, so small values need one byte.
     void put_varint(std::uint64_t value) {
         for (; value >= more_follows; value >>= varint_bits)
             bytes_.push_back(static_cast<std::byte>(value | more_follows));
@@ -48,12 +49,12 @@ class ByteWriter {
     std::vector<std::byte> bytes_;
 };
 
-/// There are fewer bytes than what they should hold.
+/// A record that ends too early or holds an impossible value.
 class BrokenRecord : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Takes the same values in the same order. Throws a BrokenRecord where there are no more.
+/// Reads values in the order in which ByteWriter wrote them. @throws BrokenRecord if too few bytes are left
 class ByteReader {
   public:
     explicit ByteReader(std::vector<std::byte> bytes) : bytes_(std::move(bytes)) {}
@@ -77,14 +78,14 @@ class ByteReader {
         }
         throw BrokenRecord("a number has no end");
     }
-    /// @throws BrokenRecord also where it is larger
+    /// @throws BrokenRecord also if the value exceeds `most`
     [[nodiscard]] std::int32_t take_varint(std::int32_t most) {
         const std::uint64_t value = take_varint();
         if (value > static_cast<std::uint64_t>(most))
             throw BrokenRecord("a number is larger than it may be");
         return static_cast<std::int32_t>(value);
     }
-    /// How many follow, each of at least so many bytes.
+    /// Returns the number of elements that follow, each of at least `least_bytes` bytes.
     [[nodiscard]] std::size_t take_count(std::size_t least_bytes) {
         const auto count = take<std::uint64_t>();
         if (count > left() / least_bytes)
@@ -100,7 +101,7 @@ class ByteReader {
             std::memcpy(values.data(), bytes.data(), bytes.size());
         return values;
     }
-    /// Valid as long as this is.
+    /// Returns a view that is valid as long as this reader.
     [[nodiscard]] std::span<const std::byte> take_bytes(std::size_t size) {
         if (size > left())
             throw BrokenRecord("it ends too soon");

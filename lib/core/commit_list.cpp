@@ -7,7 +7,7 @@
 namespace d2b {
 namespace {
 
-/// "Cannot write a.tif: the disk is full." and "\"a.gpkg\" has been changed already" in one sentence.
+/// Joins "Cannot write a.tif: the disk is full." and "\"a.gpkg\" has been changed already" into one sentence.
 std::string joined(std::string sentence, const std::string& clauses) {
     if (clauses.empty())
         return sentence;

@@ -12,16 +12,17 @@
 
 namespace d2b {
 
-/// What every stage of one run gets beside its input: what the caller gave, the report that the stages add to
-/// and the threads that they may use. The library has no globals, prints nothing and ends no process.
+/// Everything that a stage of one run gets besides its input: the caller's callbacks, the report to add to
+/// and the threads to use. Passed explicitly because the library has no globals, prints nothing and never
+/// ends the process.
 struct Context : Callbacks {
     RunReport report;
-    std::unique_ptr<Executor> threads = std::make_unique<Executor>();  ///< never empty
+    std::unique_ptr<Executor> threads = std::make_unique<Executor>();  ///< never null
 
     Context() = default;
     explicit Context(Callbacks callbacks) : Callbacks(std::move(callbacks)) {}
 
-    /// From the caller's thread alone. A text counts once.
+    /// Reports a warning once per text. Only for the thread that called run().
     void warn(const std::string& text) {
         if (std::ranges::find(report.warnings, text) != report.warnings.end())
             return;
@@ -29,12 +30,12 @@ struct Context : Callbacks {
         if (on_warning)
             on_warning(text);
     }
-    /// For loops over what one object consists of. @throws Cancelled
+    /// Call this in loops over the parts of one object. @throws Cancelled
     void check_stop() const {
         if (stop && stop())
             throw Cancelled();
     }
-    /// From the caller's thread alone. @throws Cancelled
+    /// Reports the share that is done. Only for the thread that called run(). @throws Cancelled
     void progress(double share) const {
         if (on_progress && !on_progress(share))
             throw Cancelled();

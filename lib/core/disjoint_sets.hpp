@@ -7,32 +7,32 @@
 
 namespace d2b {
 
-/// Numbers from 0 on, in sets that turn out to be one (union-find, with halved paths: Tarjan and van Leeuwen
-/// 1984). One number of each set stands for it.
+/// Union-find over the integers from 0, with path halving (Tarjan and van Leeuwen 1984). One element of each
+/// set is its root.
 class DisjointSets {
   public:
     DisjointSets() = default;
-    /// Each number is a set of its own.
+    /// Makes `count` sets of one element each.
     explicit DisjointSets(std::uint32_t count) : parents_(count) {
         std::iota(parents_.begin(), parents_.end(), 0U);
     }
 
-    /// Adds a set of one number. @return it
+    /// Adds a set of one element. @return the element
     std::uint32_t add() {
         parents_.push_back(size());
         return parents_.back();
     }
     [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(parents_.size()); }
 
-    /// The number that stands for the set of another one.
+    /// Returns the root of an element's set.
     [[nodiscard]] std::uint32_t find(std::uint32_t i) {
         while (parents_[i] != i)
             i = parents_[i] = parents_[parents_[i]];
         return i;
     }
-    /// Whether it stands for its set: sooner than to compare it with find().
+    /// Returns true if the element is the root of its set. Faster than comparing it with find().
     [[nodiscard]] bool stands(std::uint32_t i) const { return parents_[i] == i; }
-    /// The smaller of the numbers that stand for two sets stands for both. @return it
+    /// Merges two sets. The smaller root becomes the root of both. @return it
     std::uint32_t join(std::uint32_t a, std::uint32_t b) {
         a = find(a);
         b = find(b);
@@ -40,7 +40,8 @@ class DisjointSets {
         join_into(low, high);
         return low;
     }
-    /// @param stays stands for its set, and then for both @param goes stands for the other
+    /// Merges two sets given their roots. @param stays root of the merged set @param goes root of the other
+    /// set
     void join_into(std::uint32_t stays, std::uint32_t goes) { parents_[goes] = stays; }
 
   private:

@@ -4,20 +4,20 @@
 
 namespace d2b {
 
-/// The elevations that are taken for such, in any unit: what lies outside is no elevation. By default
-/// whatever is finite.
+/// Valid range of elevations in any unit. Values outside it are not elevations. Holds every finite value by
+/// default.
 struct ElevationLimits {
     double lowest = -std::numeric_limits<double>::max();
     double highest = std::numeric_limits<double>::max();
 
-    /// Not NaN.
+    /// Returns true if the elevation is in the range; false for NaN.
     [[nodiscard]] bool hold(double elevation) const { return elevation >= lowest && elevation <= highest; }
-    /// The same in another unit. @param factor of these units in one of those
+    /// Converts to another unit. @param factor new units per old unit
     [[nodiscard]] ElevationLimits times(double factor) const { return {lowest * factor, highest * factor}; }
 };
 
-/// Metres. No shore lies lower than that of the Dead Sea at -430 m and no summit higher than 8,849 m; an
-/// opencast mine may be some 300 m deep.
+/// Metres. The lowest shore is that of the Dead Sea at -430 m, the highest summit 8,849 m; opencast mines may
+/// be some 300 m deep.
 inline constexpr ElevationLimits on_land{-500, 9000};
 
 }  // namespace d2b

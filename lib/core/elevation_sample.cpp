@@ -10,7 +10,7 @@
 namespace d2b {
 
 std::uint32_t ElevationRange::bin(double elevation) const {
-    // Halves, so that the range of the largest doubles does not overflow.
+    // Halve before subtracting, because the range of the largest doubles would overflow.
     const double range = maximum / 2 - minimum / 2;
     if (!(range > 0))
         return 0;
@@ -53,7 +53,7 @@ void ElevationSample::make_histogram(const ElevationRange& range) {
     histogram_.assign(ElevationRange::bins, 0);
     for (const double value : values_)
         count(value, range);
-    values_ = std::vector<double>();  // {} would keep the room
+    values_ = std::vector<double>();  // Assigning {} would keep the capacity.
 }
 
 void ElevationSample::count(double elevation, const ElevationRange& range) {
@@ -84,7 +84,7 @@ void ElevationSample::save(ByteWriter& writer) const {
     if (histogram_.empty())
         return;
     writer.put(highest_);
-    std::uint64_t empty = 0;  // bins before the next
+    std::uint64_t empty = 0;  // empty bins before the next counted one
     for (const std::uint32_t counted : histogram_) {
         if (counted == 0) {
             ++empty;
@@ -121,7 +121,7 @@ ElevationSample ElevationSample::load(ByteReader& reader) {
 std::vector<double> ElevationSample::percentiles(const std::vector<double>& shares,
                                                  const ElevationRange& range) const {
     std::vector<double> values = values_;
-    auto ranked = values.begin();  // what comes before has its place
+    auto ranked = values.begin();  // everything before it is in sorted position
     std::vector<double> result;
     std::int64_t below = 0;
     std::uint32_t bin = 0;

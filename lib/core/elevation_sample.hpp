@@ -9,37 +9,37 @@
 
 namespace d2b {
 
-/// The range that the bins of a histogram divide; the same for a whole run, so that histograms merge.
+/// Range divided into the bins of a histogram. The same for a whole run, so that histograms can be merged.
 struct ElevationRange {
     double minimum = 0;
     double maximum = 0;
 
     static constexpr std::uint32_t bins = 65536;
     [[nodiscard]] std::uint32_t bin(double elevation) const;
-    /// The bin's middle.
+    /// Returns the centre of the bin.
     [[nodiscard]] double elevation(std::uint32_t bin) const;
 };
 
-/// The elevations of a building, for percentiles. Exact up to 2^17 points (1 MiB); above, a histogram of 512
-/// KiB that is exact to a 65,536th of the DEM's range. Which of the two depends on their number alone, so the
-/// result does not depend on the order of the points.
+/// Elevations of a building, for percentiles. Exact up to 2^17 points (1 MiB); above that, a histogram of 512
+/// KiB with a resolution of 1/65,536 of the DEM's range. The choice depends only on the number of points, so
+/// the result does not depend on their order.
 class ElevationSample {
   public:
     static constexpr std::size_t largest_list = std::size_t{1} << 17;
 
     void add(double elevation, const ElevationRange& range);
-    /// Those that are not NaN.
+    /// Adds all values that are not NaN.
     void add(std::span<const double> elevations, const ElevationRange& range);
     /// @param other left empty
     void merge(ElevationSample& other, const ElevationRange& range);
     [[nodiscard]] std::int64_t size() const { return size_; }
-    /// Nearest ranks: the lowest elevations that at least these shares of the points do not exceed.
-    /// The last, of all of them, is the highest and always exact.
-    /// @param shares 0 to 1, ascending @pre size() > 0
+    /// Computes percentiles by nearest rank: the lowest elevation that at least this share of the points does
+    /// not exceed. A share of 1 gives the maximum, which is always exact. @param shares 0 to 1, ascending
+    /// @pre size() > 0
     [[nodiscard]] std::vector<double> percentiles(const std::vector<double>& shares,
                                                   const ElevationRange& range) const;
 
-    /// Takes half of the room where elevations are floats.
+    /// Halves the size if all elevations are exact as floats.
     void save(ByteWriter& writer) const;
     /// @throws BrokenRecord
     [[nodiscard]] static ElevationSample load(ByteReader& reader);
@@ -51,7 +51,7 @@ class ElevationSample {
     std::int64_t size_ = 0;
     std::vector<double> values_;
     std::vector<std::uint32_t> histogram_;
-    double highest_ = -std::numeric_limits<double>::infinity();  ///< of what is in the histogram
+    double highest_ = -std::numeric_limits<double>::infinity();  ///< maximum of the values in the histogram
 };
 
 }  // namespace d2b

@@ -5,7 +5,7 @@
 
 namespace d2b {
 
-/// Calls use(begin, end, value) for each run of cells of a row with the same value other than 0.
+/// Calls use(begin, end, value) for each run of equal nonzero cells of a row.
 template <typename Row, typename Use>
 void for_equal_runs(const Row& row, const Use& use) {
     for (std::size_t begin = 0; begin < row.size();) {

@@ -11,7 +11,7 @@
 namespace d2b {
 namespace {
 
-// Wide enough for the square of any sum, with its unit; no allocation.
+// Wide enough for the square of any sum with its unit, and never allocates.
 constexpr unsigned width = 12288;
 using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<
     width, width, boost::multiprecision::signed_magnitude, boost::multiprecision::unchecked, void>>;
@@ -32,7 +32,7 @@ Parts parts(double value) {
     return {(bits >> 63) != 0 ? -mantissa : mantissa, (biased == 0 ? 1 : biased) - 1075};
 }
 
-/// The sum in units of 2^lowest_exponent.
+/// Returns the sum in units of 2^lowest_exponent.
 Integer as_integer(const ExactSum& sum) {
     Integer total = 0;
     for (std::size_t i = ExactSum::bin_count; i-- > 0;) {
@@ -42,8 +42,8 @@ Integer as_integer(const ExactSum& sum) {
     return total;
 }
 
-/// By factors of up to 40 limbs. Longer ones Boost multiplies by Karatsuba's method, and in 1.74 the square
-/// of some numbers of 51 limbs, sums that no double could hold, comes out wrong.
+/// Squares in factors of up to 40 limbs. Boost multiplies longer ones by Karatsuba's method, and in 1.74 the
+/// square of some numbers of 51 limbs (sums that no double could hold) comes out wrong.
 Integer square_of(const Integer& sum) {
     constexpr unsigned half = 1600;
     const Integer high = abs(sum) >> half;
@@ -91,11 +91,11 @@ double ExactSum::value() const {
 }
 
 void Moments::add_known(std::span<const double> values) {
-    // A Float32 elevation of some centimetres to some kilometres is a whole number of these units.
+    // Float32 elevations between some centimetres and some kilometres are integers in these units.
     constexpr int unit = -30;
     constexpr double in_unit = 0x1p30;
     constexpr double most = 0x1p52;
-    constexpr std::size_t piece = 1 << 16;  // sums and squares of so many stay far below 2^127
+    constexpr std::size_t piece = 1 << 16;  // sums and squares of this many values stay far below 2^127
     for (std::size_t first = 0; first < values.size(); first += piece) {
         Int128 whole_sum = 0;
         Int128 whole_squares = 0;
@@ -133,7 +133,7 @@ double Moments::mean() const {
 double Moments::standard_deviation() const {
     if (n < 2)
         return 0;
-    // n times the sum of squares less the square of the sum: integers, so nothing cancels.
+    // n times the sum of squares minus the square of the sum. All are integers, so there is no cancellation.
     const Integer total = as_integer(sum);
     constexpr auto unit = static_cast<unsigned>(-ExactSum::lowest_exponent);
     const Integer numerator = ((n * as_integer(squares)) << unit) - square_of(total);

@@ -9,9 +9,9 @@
 
 namespace d2b {
 
-/// The sum of doubles without rounding: the order in which they come, threads and tiles do not matter.
-/// A superaccumulator (after Neal 2015): one wide integer for each 32 binary exponents; exact for up to 2^40
-/// summands of any size, so of squares, too.
+/// Sum of doubles without rounding, so it does not depend on the order of the summands, on threads or on
+/// tiles. A superaccumulator (after Neal 2015) with one wide integer per 32 binary exponents. Exact for up to
+/// 2^40 summands of any magnitude, including squares.
 class ExactSum {
   public:
     /// @param value finite
@@ -20,7 +20,7 @@ class ExactSum {
     /// Adds value * 2^exponent. @param exponent from -1100 to 1100
     void add_scaled(Int128 value, int exponent);
     void merge(const ExactSum& other);
-    /// Rounded once from the exact value.
+    /// Returns the exact sum, rounded once.
     [[nodiscard]] double value() const;
 
     /// The sum is the sum of bin[i] * 2^(32 i + lowest_exponent).
@@ -34,7 +34,7 @@ class ExactSum {
     std::array<Int128, bin_count> bins_{};
 };
 
-/// n values, their exact sum and the exact sum of their squares.
+/// Number of values, their exact sum and the exact sum of their squares.
 struct Moments {
     std::int64_t n = 0;
     ExactSum sum;
@@ -45,12 +45,12 @@ struct Moments {
         sum.add(value);
         squares.add_square(value);
     }
-    /// The same for each that is not NaN, sooner: elevations are added up as whole numbers.
+    /// Adds all values that are not NaN. Faster than add() because elevations are summed as integers.
     void add_known(std::span<const double> values);
     void merge(const Moments& other);
-    /// Rounded once from the exact value. @return NaN where n is 0
+    /// Returns the exact mean, rounded once; NaN if n is 0.
     [[nodiscard]] double mean() const;
-    /// The sample standard deviation, with n - 1. @return 0 where n is less than 2
+    /// Returns the sample standard deviation, with n - 1; 0 if n is less than 2.
     [[nodiscard]] double standard_deviation() const;
 };
 

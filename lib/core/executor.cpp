@@ -10,7 +10,7 @@
 namespace d2b {
 namespace {
 
-/// The exception of the lowest index, as a loop would throw it.
+/// Keeps the exception of the lowest index, which a sequential loop would throw.
 class FirstFailure {
   public:
     void keep(std::size_t i, std::exception_ptr failure) {
@@ -20,7 +20,7 @@ class FirstFailure {
             failure_ = std::move(failure);
         }
     }
-    /// What is below still has to be done.
+    /// Only indices below this still have to be processed.
     [[nodiscard]] std::size_t limit() const { return limit_; }
     void rethrow() const {
         if (failure_)
@@ -58,14 +58,14 @@ struct Executor::Pool {
         for (std::thread& thread : threads)
             thread.join();
     }
-    /// @return whether all could be started
+    /// @return true if all threads started
     bool start(std::size_t count) {
         try {
             threads.reserve(count);
             while (threads.size() < count)
                 threads.emplace_back([this, thread = threads.size() + 1] { serve(thread); });
         } catch (const std::exception&) {
-            return false;  // the user may start no more, or there is no room for a stack
+            return false;  // process limit reached, or no memory for a stack
         }
         return true;
     }
@@ -90,7 +90,7 @@ Executor::Executor(int threads, std::function<bool()> stop, WorkListener on_work
     : stop_(std::move(stop)), on_work_(std::move(on_work)), pool_(std::make_unique<Pool>()) {
     auto count = static_cast<std::size_t>(std::max(threads, 1) - 1);
     while (!pool_->start(count)) {
-        // Half of those that there is room for: the work needs some, too.
+        // Use half of the threads that started, because the work itself needs some, too.
         count = pool_->threads.size() / 2;
         pool_ = std::make_unique<Pool>();
     }
@@ -106,7 +106,7 @@ int Executor::threads() const {
 void Executor::run(const Body& body) {
     Pool& pool = *pool_;
     std::unique_lock lock(pool.mutex);
-    const bool shared = pool.body == nullptr;  // else this is called from inside of other work
+    const bool shared = pool.body == nullptr;  // otherwise this is a nested call
     if (shared) {
         pool.body = &body;
         pool.at_work = pool.threads.size();
@@ -124,7 +124,7 @@ void Executor::run(const Body& body) {
 }
 
 void Executor::indexed(std::size_t count, const Indexed& work) {
-    if (count <= 1) {  // small rasters: to wake the others takes longer than the work
+    if (count <= 1) {  // Small rasters: waking other threads takes longer than the work.
         if (count == 1) {
             stop_.check();
             work(0, 0);
@@ -151,8 +151,8 @@ void Executor::pipelined(std::size_t count, std::size_t ahead, const Indexed& ma
     FirstFailure failure;
     std::mutex mutex;
     std::condition_variable moved;
-    std::size_t next = 0;   // to be made
-    std::size_t taken = 0;  // so many; the slots after it may be filled
+    std::size_t next = 0;   // next index to make
+    std::size_t taken = 0;  // number taken; the slots after it may be filled
     std::vector<bool> made(ahead);
     const auto can_make = [&] { return next < count && next < taken + made.size(); };
     const auto make_next = [&](std::unique_lock<std::mutex>& lock, std::size_t thread) {

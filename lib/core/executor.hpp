@@ -16,42 +16,45 @@
 
 namespace d2b {
 
-/// The threads of a run. Work is divided by index and results go by index, so that their number shows in the
-/// time alone. What is called from inside of such work runs on the thread that calls it.
+/// Thread pool of a run.
+///
+/// Work is divided by index and results are stored by index, so the number of threads affects only the run
+/// time. Nested calls run on the calling thread. Not a general task queue: there is one loop at a time.
+///
+///     executor.for_each(rows, [&](std::size_t row) { sums[row] = sum_of(grid.row(row)); });
 class Executor {
   public:
-    /// @param threads the caller's included; 1 starts none. Where the system starts no more there
-    /// are half as many as it would
-    /// @param stop asked before each piece of work, by any thread; where it says true the work ends with a
-    /// Cancelled
-    /// @param on_work told of what each thread does; not of what is called from inside of other work
+    /// @param threads including the caller's; 1 starts none. If the system refuses to start that many, half
+    /// of those that it would start are used
+    /// @param stop checked by any thread before each work item; if it returns true, the loop throws Cancelled
+    /// @param on_work told what each thread does, except for nested calls
     explicit Executor(int threads = 1, std::function<bool()> stop = {}, WorkListener on_work = {});
     Executor(const Executor&) = delete;
     Executor& operator=(const Executor&) = delete;
     ~Executor();
 
     [[nodiscard]] int threads() const;
-    /// For work that takes long in one piece.
+    /// Returns the stop request, for work items that take long.
     [[nodiscard]] const StopRequest& stop() const { return stop_; }
-    /// Memory that what the threads worked on gave back.
+    /// Returns the pool of memory released by earlier grids of these threads.
     [[nodiscard]] const std::shared_ptr<BlockPool>& blocks() const { return blocks_; }
 
-    /// Calls work(i) for each i below `count`, on all threads, and comes back when all are done. Of several
-    /// exceptions that of the lowest i is thrown, as in a loop.
+    /// Calls work(i) for each i below `count` on all threads and returns when all are done. If several throw,
+    /// the exception of the lowest i is rethrown, as in a sequential loop.
     template <typename Work>
     void for_each(std::size_t count, const Work& work) {
         indexed(count, [&](std::size_t i, std::size_t) { work(i); });
     }
 
-    /// The same with room to work in: calls work(i, room), where each thread has a Room of its own, which it
-    /// keeps from one i to the next. Results must not depend on what was left in it.
+    /// Same, with scratch space: calls work(i, room) with one Room per thread, which is reused for every i.
+    /// Results must not depend on its previous contents.
     template <typename Room, typename Work>
     void for_each_in_room(std::size_t count, const Work& work) {
         std::vector<Room> rooms(static_cast<std::size_t>(threads()));
         indexed(count, [&](std::size_t i, std::size_t thread) { work(i, rooms[thread]); });
     }
 
-    /// Calls work(begin, end) for consecutive pieces of [0, count), of `piece` each but the last.
+    /// Calls work(begin, end) for consecutive pieces of [0, count), of `piece` each except the last.
     template <typename Work>
     void for_pieces(std::size_t count, std::size_t piece, const Work& work) {
         for_each((count + piece - 1) / piece, [&](std::size_t i) {
@@ -59,9 +62,9 @@ class Executor {
         });
     }
 
-    /// Calls take(i, make(i, thread)) for each i below `count`: make on all threads, `thread` counts from 0
-    /// to threads() - 1; take on the caller's alone and in order. Exceptions as from a loop.
-    /// @param ahead most values a thread that wait for it
+    /// Calls take(i, make(i, thread)) for each i below `count`: make() on all threads (`thread` counts from 0
+    /// to threads() - 1), take() on the caller's thread only and in order. Exceptions as from a loop. @param
+    /// ahead maximum number of values per thread that wait for take()
     template <typename Make, typename Take>
     void in_order(std::size_t count, const Make& make, const Take& take, std::size_t ahead = 8) {
         std::vector<std::optional<decltype(make(std::size_t{}, std::size_t{}))>> made(
@@ -77,11 +80,11 @@ class Executor {
     }
 
   private:
-    /// @param listener to be told of it; null where there is none
+    /// @param listener told of the work; may be null
     using Body = std::function<void(std::size_t thread, const WorkListener* listener)>;
     using Indexed = std::function<void(std::size_t i, std::size_t thread)>;
 
-    /// Runs body on all threads, the caller's is 0; on the caller's alone where the others are busy.
+    /// Runs body on all threads (the caller's is 0), or on the caller's alone if the others are busy.
     void run(const Body& body);
     void indexed(std::size_t count, const Indexed& work);
     void pipelined(std::size_t count, std::size_t ahead, const Indexed& make,

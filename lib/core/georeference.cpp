@@ -13,7 +13,7 @@ Georeference::Georeference(const AffineTransform& transform, TraceMode mode)
       mirrored_(transform[1] * transform[5] - transform[2] * transform[4] > 0) {}
 
 Position Georeference::position(FinePoint point) const {
-    // Exact: divided by a power of two.
+    // Exact, because the divisor is a power of two.
     const double col = static_cast<double>(point.col) / FinePoint::steps + shift_;
     const double row = static_cast<double>(point.row) / FinePoint::steps + shift_;
     return {transform_[0] + col * transform_[1] + row * transform_[2],
@@ -29,7 +29,7 @@ double Georeference::cell_area() const {
 }
 
 bool Georeference::is_exact(const Window& window) const {
-    constexpr double roundings = 8;  // more than happen on the way to a coordinate
+    constexpr double roundings = 8;  // more than occur while computing a coordinate
     const auto keeps_apart = [](double origin, double step, std::int64_t steps) {
         const double largest = std::abs(origin) + std::abs(step) * (static_cast<double>(steps) + 1);
         return std::abs(step) > roundings * std::numeric_limits<double>::epsilon() * largest;
@@ -63,7 +63,8 @@ WorldPolygon Georeference::polygon(const FinePolygon& polygon) const {
     result.arcs = polygon.arcs;
     if (mirrored_)
         for (CircularArc& arc : result.arcs) {
-            // Turned over about its first vertex, a ring's vertex i is n - i, and an arc begins at its end.
+            // Reversing a ring about its first vertex turns vertex i into n - i, and an arc then begins at
+            // its old end.
             const std::size_t n =
                 arc.ring == 0 ? polygon.exterior.size() : polygon.interiors[arc.ring - 1].size();
             arc.first = static_cast<std::uint32_t>((2 * n - arc.first - arc.edges) % n);

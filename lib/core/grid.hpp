@@ -11,7 +11,7 @@
 
 namespace d2b {
 
-/// Values of cells. Those that are not set when it grows are whatever its memory held.
+/// Values of cells. resize() without a value leaves new ones uninitialised.
 template <typename T>
 using CellValues = std::vector<T, CellMemory<T>>;
 
@@ -20,8 +20,8 @@ template <typename T>
     return std::equal(one.begin(), one.end(), other.begin(), other.end());
 }
 
-/// Values of a window, row by row: what stages with a neighbourhood work on. (0, 0) is the window's first
-/// cell.
+/// Values of a window, row by row, for stages that look at neighbourhoods. (0, 0) is the first cell of the
+/// window.
 template <typename T>
 struct Grid {
     std::int32_t rows = 0;
@@ -32,7 +32,7 @@ struct Grid {
     Grid(std::int32_t row_count, std::int32_t col_count, T value = T{}) : rows(row_count), cols(col_count) {
         values.resize(index(rows, 0), value);
     }
-    /// The same sooner, in memory that other grids of these threads gave back.
+    /// Same, but faster: reuses memory released by earlier grids of this executor.
     Grid(std::int32_t row_count, std::int32_t col_count, T value, Executor& threads)
         : Grid(unset(row_count, col_count, threads)) {
         constexpr std::size_t piece = 1 << 20;
@@ -40,7 +40,7 @@ struct Grid {
             std::fill(values.data() + begin, values.data() + end, value);
         });
     }
-    /// For those who set all values: they are whatever the memory held.
+    /// Returns a grid with uninitialised values, for callers that set all of them.
     [[nodiscard]] static Grid unset(std::int32_t row_count, std::int32_t col_count, Executor& threads) {
         Grid grid;
         grid.rows = row_count;
@@ -67,19 +67,19 @@ struct Grid {
     }
 };
 
-/// How far apart neighbouring points are, in metres: one step of a column and one of a row.
+/// Distance between neighbouring points in metres, along a row (across) and along a column (down).
 struct CellSize {
     double across = 1;
     double down = 1;
-    double sine = 1;  ///< of the angle between these steps: less than 1 where the grid is sheared
+    double sine = 1;  ///< sine of the angle between these steps: less than 1 if the grid is sheared
 
     [[nodiscard]] double area() const { return across * down * sine; }
 };
 
-/// Elevations or heights in metres, NaN where a point is not valid.
+/// Elevations or heights in metres; NaN if a point is not valid.
 using MetreGrid = Grid<float>;
 
-/// 1 where something holds, 0 elsewhere.
+/// Grid of 1 in selected cells, otherwise 0.
 using Mask = Grid<std::uint8_t>;
 
 }  // namespace d2b

@@ -7,8 +7,8 @@
 namespace d2b {
 namespace {
 
-// From light to dark, which also holds in print and for the colour-blind. Storeys at first, then what
-// planners tell apart: low, middle, high, tower.
+// From light to dark, which also works in print and for colour-blind readers. Storeys first, then the classes
+// of planners: low, middle, high, tower.
 constexpr std::array<HeightClass, 9> classes{{{0, {255, 255, 204}},
                                               {3, {255, 237, 160}},
                                               {6, {254, 217, 118}},

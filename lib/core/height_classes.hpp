@@ -7,25 +7,25 @@
 
 namespace d2b {
 
-/// Heights of one colour in the legends of maps and pictures: from `from` m to the next class's, the last
-/// without end. Fixed, so that maps of two cities, or of two runs, can be laid side by side.
+/// Colour classes of heights for maps and pictures: each extends from `from` m to the next class, the last
+/// one is unbounded. Fixed, so that maps of two cities or of two runs are comparable.
 struct HeightClass {
     double from;
     std::array<unsigned char, 3> colour;
 };
 [[nodiscard]] std::span<const HeightClass> height_classes();
-/// The class of a height; the first one also for heights below 0.
+/// Returns the class of a height; heights below 0 belong to the first one.
 [[nodiscard]] std::size_t height_class_of(double height_m);
-/// What is not certain is paler: how opaque the white is that lies over its colour, from 0 to 255.
+/// White overlay that makes uncertain features paler: its opacity from 0 to 255.
 struct Veil {
-    double low = 0.5;  ///< certainty from which on down there is most
+    double low = 0.5;  ///< certainty at and below which the opacity is highest
     double most = 170;
-    double least = 70;  ///< where it is nearly certain
+    double least = 70;  ///< opacity just below certain
 };
-/// Of 1. @param certainty below `certain`, both from 0 to 1
+/// Returns the opacity from 0 to 1. @param certainty below `certain`, both from 0 to 1
 [[nodiscard]] double opacity_of_veil(double certainty, double certain);
 
-/// "below 3 m", "3 to 6 m", "100 m and more"
+/// Returns "below 3 m", "3 to 6 m" or "100 m and more".
 [[nodiscard]] std::string class_label(std::size_t index);
 
 }  // namespace d2b

@@ -2,7 +2,7 @@
 
 namespace d2b {
 
-// Both compilers of the project have it; the standard does not. `using` takes no __extension__.
+// Not standard C++, but both compilers of the project have it. `using` does not accept __extension__.
 // NOLINTBEGIN(modernize-use-using)
 __extension__ typedef __int128 Int128;
 __extension__ typedef unsigned __int128 UInt128;

@@ -4,7 +4,7 @@
 
 namespace d2b {
 
-/// A label that detection gives to the cells of one object; 0 is no object.
+/// Label of the detected object that a cell belongs to; 0 if it belongs to none.
 using Label = std::uint32_t;
 
 }  // namespace d2b

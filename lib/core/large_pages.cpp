@@ -8,7 +8,7 @@
 namespace d2b {
 namespace {
 
-constexpr std::size_t page = std::size_t{64} << 10;  // a multiple of what any system calls a page
+constexpr std::size_t page = std::size_t{64} << 10;  // multiple of the page size of any system
 
 }  // namespace
 
@@ -20,7 +20,7 @@ std::size_t LargePages::whole(std::size_t bytes) {
 
 void* LargePages::map(std::size_t bytes) {
     const std::size_t length = whole(bytes);
-    // A large page more, of which what lies before the block and behind it goes back.
+    // Map one large page more, then unmap the excess before and behind the aligned block.
     void* const memory =
         mmap(nullptr, length + size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (memory == MAP_FAILED)
@@ -33,7 +33,7 @@ void* LargePages::map(std::size_t bytes) {
         munmap(begin + before + length, size - before);
 #ifdef MADV_HUGEPAGE
     static_cast<void>(
-        madvise(begin + before, length, MADV_HUGEPAGE));  // a wish: what comes back is of no interest
+        madvise(begin + before, length, MADV_HUGEPAGE));  // advisory only; the result is deliberately ignored
 #endif
     return begin + before;
 }
@@ -45,7 +45,7 @@ void LargePages::unmap(void* block, std::size_t bytes) noexcept {
 bool LargePages::move(void* from, void* to, std::size_t bytes) noexcept {
     std::size_t moved = 0;
 #ifdef MREMAP_FIXED
-    // One at a time: the system moves none together that lie side by side but came from different places.
+    // Move pages one at a time, because adjacent pages of different origin cannot be moved in one call.
     for (; moved < bytes; moved += size)
         if (mremap(static_cast<std::byte*>(from) + moved, size, size, MREMAP_MAYMOVE | MREMAP_FIXED,
                    static_cast<std::byte*>(to) + moved) == MAP_FAILED)
@@ -54,7 +54,7 @@ bool LargePages::move(void* from, void* to, std::size_t bytes) noexcept {
     if (moved == bytes)
         return true;
     munmap(static_cast<std::byte*>(from) + moved, bytes - moved);
-    // What failed may have taken away what was there.
+    // A failed move may have unmapped its target.
     void* const rest = static_cast<std::byte*>(to) + moved;
     return mmap(rest, bytes - moved, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1,
                 0) != MAP_FAILED;

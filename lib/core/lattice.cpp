@@ -72,7 +72,7 @@ LatticeRing PackedRing::corners() const {
     LatticeRing ring;
     ring.reserve(corner_count_);
     LatticePoint at = start_;
-    // From its first corner in scan order an exterior ring leaves downwards, an interior one along the row.
+    // At its first corner in scan order an exterior ring leaves downwards, an interior one along the row.
     bool along_column = area_ > 0;
     std::size_t byte = 0;
     for (std::uint32_t i = 0; i < corner_count_; ++i) {
@@ -114,9 +114,9 @@ bool contains(const LatticeRing& ring, LatticePoint square) {
     bool inside = false;
     LatticePoint from = ring.back();
     for (const LatticePoint to : ring) {
-        // A ray from the square's centre along its row crosses vertical edges only.
+        // A ray from the centre of the square along its row crosses only vertical edges.
         if (from.row != to.row && (from.row <= square.row) != (to.row <= square.row)) {
-            // columns are equal on a rectilinear edge
+            // both ends of a vertical edge have the same column
             if (from.col > square.col)
                 inside = !inside;
         }

@@ -8,10 +8,10 @@
 
 namespace d2b {
 
-/// A corner of the lattice on which outlines run, in rows and columns of the whole raster.
-/// -trace cells: the corner of cells, (0, 0) is the outer corner of the first cell.
-/// -trace points: the grid point itself, (0, 0) is the centre of the first cell.
-/// Also names a unit square (or cell) by its first corner, the one with the smallest row and column.
+/// Corner of the lattice on which outlines run, in rows and columns of the whole raster. -trace cells: a
+/// corner of cells, (0, 0) is the outer corner of the first cell. -trace points: the grid point itself, (0,
+/// 0) is the centre of the first cell. A unit square (or cell) is named by the corner with its smallest row
+/// and column.
 struct LatticePoint {
     std::int32_t row = 0;
     std::int32_t col = 0;
@@ -19,32 +19,31 @@ struct LatticePoint {
     friend auto operator<=>(const LatticePoint&, const LatticePoint&) = default;
 };
 
-/// A closed ring; the last point is not repeated. Seen with y up (rows downwards), exterior rings run
-/// counter-clockwise and interior rings clockwise: what they bound lies on the left.
+/// Closed ring; the last point is not repeated. With y up (rows downwards), exterior rings run
+/// counter-clockwise and interior rings clockwise, so the interior of the polygon is on the left.
 using LatticeRing = std::vector<LatticePoint>;
 
-/// exterior first, then interiors
+/// Exterior first, then interiors.
 struct LatticePolygon {
     LatticeRing exterior;
     std::vector<LatticeRing> interiors;
 };
 
-/// A point between the corners of the lattice, in 1024ths of a row and a column. Outlines are drawn on these:
-/// a power of two, so that a corner is the same number in coordinates whether it comes from here or from
-/// there.
+/// Point between lattice corners, in 1/1024 of a row and a column. Outlines are drawn on these points. A
+/// power of two, so that coordinates computed from lattice corners and from these points are identical.
 struct FinePoint {
     std::int64_t row = 0;
     std::int64_t col = 0;
 
-    static constexpr std::int64_t steps = 1024;  ///< in a cell
+    static constexpr std::int64_t steps = 1024;  ///< per cell
 
     friend auto operator<=>(const FinePoint&, const FinePoint&) = default;
 };
 
-/// As a LatticeRing: closed without repetition, what it bounds on its left.
+/// Closed ring without repetition, interior on the left, like LatticeRing.
 using FineRing = std::vector<FinePoint>;
 
-/// exterior first, then interiors
+/// Exterior first, then interiors.
 struct FinePolygon {
     FineRing exterior;
     std::vector<FineRing> interiors;
@@ -57,7 +56,7 @@ struct FinePolygon {
 [[nodiscard]] FineRing fine(const LatticeRing& ring);
 [[nodiscard]] FinePolygon fine(const LatticePolygon& polygon);
 
-/// Rows and columns that a ring spans, inclusive.
+/// Rows and columns spanned by a ring, inclusive.
 struct LatticeBox {
     LatticePoint low;
     LatticePoint high;
@@ -68,21 +67,21 @@ struct LatticeBox {
     }
 };
 
-/// A rectilinear ring in about one byte a corner: its corners alternate between steps along a row and along a
-/// column, so a step is one number. It starts at its first corner in scan order, so equal rings are equal
-/// bytes.
+/// Rectilinear ring in about one byte per corner. Steps alternate between rows and columns, so one number per
+/// step is enough. Starts at the first corner in scan order, so equal rings have equal bytes.
 class PackedRing {
   public:
     PackedRing() = default;
-    /// @param corners a simple rectilinear ring whose every point is a corner (at least 4), in any rotation
+    /// @param corners a simple rectilinear ring in any rotation, in which every point is a corner (at least
+    /// 4)
     explicit PackedRing(const LatticeRing& corners);
 
     [[nodiscard]] LatticeRing corners() const;
     [[nodiscard]] LatticePoint start() const { return start_; }
     [[nodiscard]] std::uint32_t corner_count() const { return corner_count_; }
-    /// Lattice points that the ring passes, which is its length in steps.
+    /// Returns the number of lattice points on the ring, which is its length in steps.
     [[nodiscard]] std::int64_t points() const { return points_; }
-    /// Unit squares inside; negative for interior rings.
+    /// Returns the number of unit squares inside; negative for interior rings.
     [[nodiscard]] std::int64_t area() const { return area_; }
     [[nodiscard]] const LatticeBox& box() const { return box_; }
 
@@ -95,10 +94,10 @@ class PackedRing {
     std::int64_t points_ = 0;
     std::int64_t area_ = 0;
     LatticeBox box_;
-    std::vector<std::uint8_t> steps_;  // all but the closing one, zigzag varints
+    std::vector<std::uint8_t> steps_;  // all except the closing one, as zigzag varints
 };
 
-/// Whether the unit square at `square` lies inside a ring: O(corners).
+/// Returns true if the unit square at `square` is inside the ring. O(corners).
 [[nodiscard]] bool contains(const LatticeRing& ring, LatticePoint square);
 
 }  // namespace d2b

@@ -8,7 +8,7 @@
 #include <system_error>
 
 #if __has_include(<xlocale.h>)
-#include <xlocale.h>  // macOS and FreeBSD declare strtod_l here
+#include <xlocale.h>  // declares strtod_l on macOS and FreeBSD
 #endif
 
 namespace d2b {
@@ -23,8 +23,8 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// The part that strtod may see: it also takes white space, a plus sign and hexadecimal digits, which
-/// std::from_chars does not.
+/// Returns the part to pass to strtod, which unlike std::from_chars also accepts white space, a plus sign and
+/// hexadecimal digits.
 std::string decimal_text(const char* first, const char* last) {
     const char* const sign_end = first != last && *first == '-' ? first + 1 : first;
     if (sign_end == last)
@@ -45,7 +45,7 @@ std::from_chars_result parse(const char* first, const char* last, Number& value,
     if (end == text.c_str())
         return {first, std::errc::invalid_argument};
     const char* const stop = first + (end - text.c_str());
-    // Numbers below the normal range are an error of strtod, too, though they are read.
+    // strtod also sets ERANGE for subnormal numbers, although it reads them.
     if (errno == ERANGE && (number == 0 || std::isinf(number)))
         return {stop, std::errc::result_out_of_range};
     value = number;

@@ -5,7 +5,8 @@
 
 namespace d2b {
 
-/// As std::from_chars, whatever the locale: libc++ before LLVM 20 has that for integers alone.
+/// Like std::from_chars, independent of the locale. Needed because libc++ before LLVM 20 has it only for
+/// integers.
 std::from_chars_result number_from_chars(const char* first, const char* last, double& value);
 std::from_chars_result number_from_chars(const char* first, const char* last, float& value);
 template <std::integral Whole>

@@ -8,8 +8,8 @@
 
 namespace d2b {
 
-/// The shortest decimal text that reads back as the same number, whatever the locale; whole numbers below
-/// 1e15 without an exponent.
+/// Returns the shortest decimal text that reads back as the same number, independent of the locale; integers
+/// below 1e15 without an exponent.
 [[nodiscard]] inline std::string number_text(double value) {
     if (value == std::floor(value) && std::abs(value) < 1e15)
         return std::to_string(static_cast<long long>(value));
@@ -18,7 +18,7 @@ namespace d2b {
     return {buffer.data(), end};
 }
 
-/// With so many digits after the point, whatever the locale.
+/// Formats with a fixed number of digits after the point, independent of the locale.
 [[nodiscard]] inline std::string fixed_text(double value, int digits) {
     std::array<char, 400> buffer{};  // the longest double has some 310 digits before the point
     const auto [end, error] =
@@ -26,7 +26,7 @@ namespace d2b {
     return {buffer.data(), end};
 }
 
-/// Numbers separated by `separator`.
+/// Joins numbers with `separator`.
 template <std::size_t n>
 [[nodiscard]] std::string numbers_text(const std::array<double, n>& values, const char* separator) {
     std::string text;

@@ -11,7 +11,7 @@ bool is_float(double elevation) {
     return static_cast<double>(static_cast<float>(elevation)) == elevation || std::isnan(elevation);
 }
 
-/// How many elevations follow, and what they are written as.
+/// Header of a list: the number of elevations and their type.
 class Announced {
   public:
     explicit Announced(ByteReader& reader) : reader_(reader), size_(reader.take_varint()) {

@@ -8,12 +8,12 @@
 
 namespace d2b {
 
-/// How many elevations there are, and all of them: as floats where nothing is lost by it.
+/// Writes the number of elevations, then the elevations: as floats if that is lossless.
 void put_elevations(std::span<const double> elevations, ByteWriter& writer);
 /// @throws BrokenRecord
 [[nodiscard]] std::vector<double> take_elevations(ByteReader& reader);
-/// Takes them to the front of a place. @return how many there are @throws BrokenRecord also where they are
-/// more than it holds
+/// Reads elevations into the front of `to`. @return their number @throws BrokenRecord also if there are more
+/// than `to` holds
 std::size_t take_elevations(ByteReader& reader, std::span<double> to);
 
 }  // namespace d2b

@@ -9,8 +9,8 @@
 
 namespace d2b {
 
-/// Turns elevations into integers whose sums do not depend on their order. Chosen once a run from the largest
-/// magnitude, so that nothing of a Float32 elevation near it is lost.
+/// Converts elevations to integers, because integer sums do not depend on the order. The scale is chosen once
+/// per run from the largest magnitude, so that Float32 elevations near it are exact.
 class FixedPoint {
   public:
     FixedPoint() = default;
@@ -29,18 +29,19 @@ class FixedPoint {
         return std::ldexp(static_cast<double>(whole) + rest, -shift_);
     }
 
-    /// Some 30 binary digits of an elevation, whose squares can be summed.
+    /// Keeps some 30 binary digits of an elevation, so that squares can be summed.
     [[nodiscard]] static std::int64_t coarse(std::int64_t fixed) { return fixed >> coarse_shift; }
-    /// A sum of squares of coarse values, as squares of elevations.
+    /// Converts a sum of squares of coarse values to squared elevations.
     [[nodiscard]] double squares(double coarse_squares) const {
         return std::ldexp(coarse_squares, 2 * (coarse_shift - shift_));
     }
-    /// Sum of the squared distances of points from their mean.
+    /// Returns the sum of squared deviations from the mean.
     template <typename Stats>
     [[nodiscard]] double scatter(const Stats& stats) const {
         if (stats.n == 0)
             return 0;
-        // n * sum(x^2) - sum(x)^2 may need more than 128 bits; so x is taken from the whole mean.
+        // Deviations are taken from the integer mean, because n * sum(x^2) - sum(x)^2 may need more than 128
+        // bits.
         const Int128 middle = stats.coarse_sum / stats.n;
         const Int128 rest = stats.coarse_sum - middle * stats.n;  // less than n
         const Int128 about_middle =
@@ -62,17 +63,17 @@ class FixedPoint {
     double factor_ = 1;
 };
 
-/// Count, sum, lowest and highest of a set of elevations.
+/// Count, sum, sum of squares, minimum and maximum of a set of elevations.
 struct PointStats {
-    Int128 sum = 0;             ///< in FixedPoint
-    Int128 coarse_sum = 0;      ///< in FixedPoint::coarse
-    Int128 coarse_squares = 0;  ///< of the same
+    Int128 sum = 0;             ///< sum of FixedPoint values
+    Int128 coarse_sum = 0;      ///< sum of FixedPoint::coarse() values
+    Int128 coarse_squares = 0;  ///< sum of their squares
     std::int64_t n = 0;
     double lowest = std::numeric_limits<double>::infinity();
     double highest = -std::numeric_limits<double>::infinity();
 
     void add(double elevation, const FixedPoint& fixed) { add(elevation, 1, fixed); }
-    /// The same elevation so many times.
+    /// Adds an elevation `times` times.
     void add(double elevation, std::int64_t times, const FixedPoint& fixed) {
         const std::int64_t z = fixed.to_fixed(elevation);
         sum += Int128{z} * times;

@@ -7,7 +7,8 @@
 
 namespace d2b {
 
-/// As long as it lives, what reports progress from 0 to 1 through a context reports a part of the whole.
+/// Maps progress from 0 to 1, as reported through a context, to a part [begin, end] of the whole as long as
+/// it lives.
 class ProgressSpan {
   public:
     ProgressSpan(Context& context, double begin, double end)

@@ -7,8 +7,7 @@
 
 namespace d2b {
 
-/// What the points of a building say of its roof, but those that stand above all around them.
-/// NaN where there are none of these.
+/// Elevations of a roof from the points of a building, without its spires. NaN if there are no such points.
 struct RoofElevations {
     static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     Percentiles percentiles{unknown, unknown, unknown, unknown};
@@ -17,11 +16,10 @@ struct RoofElevations {
     friend bool operator==(const RoofElevations&, const RoofElevations&) = default;
 };
 
-/// Heights above the ground of a building that its points do not exceed, in metres. @param metres in one
-/// vertical unit
+/// Returns the percentiles as heights above ground in metres. @param metres in one vertical unit
 [[nodiscard]] Percentiles heights_above(double ground, const RoofElevations& roof, double metres);
 
-/// Taken when a building is finished, so that its sample can go.
+/// Computed as soon as a building is complete, so that its sample can be released.
 [[nodiscard]] RoofElevations take_roof(const ElevationSample& sample, const ElevationRange& range);
 
 }  // namespace d2b

@@ -17,9 +17,9 @@ struct RowBand {
     std::int32_t end = 0;
 };
 
-/// The bands in which threads work on a grid: some 256 Ki cells each, so that what a thread works on stays in
-/// its cache. They depend on the shape of the grid alone.
-/// @param least rows of a band: many where a band begins with work on the rows around it
+/// Divides a grid into bands of some 256 Ki cells for threads, because a band then stays in the cache. The
+/// bands depend only on the shape of the grid. @param least minimum number of rows of a band: many if a band
+/// starts with work on the rows around it
 [[nodiscard]] inline std::vector<RowBand> row_bands(std::int32_t rows, std::int32_t cols,
                                                     std::int32_t least = 16) {
     constexpr std::int32_t cells = 1 << 18;
@@ -38,9 +38,9 @@ void for_row_bands(Executor& threads, std::int32_t rows, std::int32_t cols, cons
     threads.for_each(bands.size(), [&](std::size_t i) { work(bands[i]); });
 }
 
-/// Adds up what work(band, sum) finds in all bands of a grid, on all threads. Bands are merged in any order,
-/// on which the sum must not depend.
-/// @param nothing what the sum of each band begins with; Sum has merge(const Sum&)
+/// Reduces over all bands of a grid, on all threads: merges the results of work(band, sum). Bands are merged
+/// in any order, so merging must be commutative. @param nothing initial value per band; Sum has merge(const
+/// Sum&)
 template <typename Sum, typename Work>
 [[nodiscard]] Sum sum_of_row_bands(Executor& threads, std::int32_t rows, std::int32_t cols,
                                    const Sum& nothing, const Work& work) {
@@ -55,28 +55,28 @@ template <typename Sum, typename Work>
     return all;
 }
 
-/// Calls work(begin, end) for the indices of all cells of a grid, band by band on all threads.
+/// Calls work(begin, end) with the cell indices of each band of a grid, on all threads.
 template <typename T, typename Work>
 void for_cells(Executor& threads, const Grid<T>& grid, const Work& work) {
     for_row_bands(threads, grid.rows, grid.cols,
                   [&](RowBand band) { work(grid.index(band.begin, 0), grid.index(band.end, 0)); });
 }
 
-/// A band of a grid with rows of its neighbours, as they were.
+/// Copy of a band with unmodified rows of its neighbours (a halo).
 template <typename T>
 struct BandCopy {
     RowBand band;
-    std::int32_t first = 0;  ///< the grid's row that is the copy's row 0
+    std::int32_t first = 0;  ///< row of the grid that is row 0 of the copy
     Grid<T> rows;
 
-    /// Rows [begin, end) of the grid, as far as it has them.
+    /// Copies rows [begin, end) of the grid, clipped to it.
     void copy(const Grid<T>& grid, std::int32_t begin, std::int32_t end) {
         first = std::max(begin, 0);
         rows.rows = std::min(end, grid.rows) - first;
         rows.cols = grid.cols;
         rows.values.assign(grid.row(first).data(), grid.row(first).data() + grid.index(rows.rows, 0));
     }
-    /// Copies the rows that both have.
+    /// Copies the rows common to both.
     void take_rows(const BandCopy& other) {
         const std::int32_t begin = std::max(first, other.first);
         const std::int32_t end = std::min(first + rows.rows, other.first + other.rows.rows);
@@ -90,13 +90,14 @@ struct BandCopy {
     }
 };
 
-/// Work in place that looks at rows around: calls work(BandCopy&) for all bands of a grid, on all threads.
-/// Each copy has `reach` rows of the bands beside it as they were before any work, so work may change the
-/// rows of its band in the grid.
+/// Calls work(BandCopy&) for all bands of a grid, on all threads, for filters that work in place. Each copy
+/// includes `reach` unmodified rows of the neighbouring bands, so work() may change the rows of its band in
+/// the grid.
 template <typename T, typename Work>
 void for_band_copies(Executor& threads, const Grid<T>& grid, std::int32_t reach, const Work& work) {
     const std::vector<RowBand> bands = row_bands(grid.rows, grid.cols);
-    std::vector<BandCopy<T>> seams(bands.size());  // what a band and the one before see of each other
+    std::vector<BandCopy<T>> seams(
+        bands.size());  // rows around the boundary between a band and the previous one
     threads.for_each(bands.size(), [&](std::size_t i) {
         seams[i].copy(grid, bands[i].begin - reach, bands[i].begin + reach);
     });

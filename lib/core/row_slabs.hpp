@@ -8,12 +8,11 @@
 
 namespace d2b {
 
-/// Something for each slab of so many rows of a window, so that whoever has a band looks at the few slabs
-/// that have rows of it.
+/// One value per slab of rows of a window, so that processing a band visits only the slabs that overlap it.
 template <typename Slab>
 class RowSlabs {
   public:
-    /// @param first_row of the window @param rows of it
+    /// @param first_row of the window @param rows of the window
     RowSlabs(std::int32_t first_row, std::int32_t rows)
         : first_row_(first_row), slabs_(static_cast<std::size_t>(rows / slab_rows + 1)) {}
 
@@ -23,7 +22,7 @@ class RowSlabs {
     }
     [[nodiscard]] Slab& operator[](std::size_t i) { return slabs_[i]; }
     [[nodiscard]] const Slab& operator[](std::size_t i) const { return slabs_[i]; }
-    /// Calls use(slab) for each that has rows of a band of the window, from the first to the last.
+    /// Calls use(slab) for each slab that overlaps a band of the window, in ascending order.
     template <typename Use>
     void for_band(const BandShape& band, const Use& use) const {
         if (band.rows == 0)

@@ -13,11 +13,11 @@ namespace d2b {
 namespace {
 
 constexpr int block_shift = 8;
-// Windows are counted in cells. Beside a pole, or where a unit is wrong, there would be millions of them in a
-// window.
+// Lower limit, because search windows are counted in cells: near a pole, or with a wrong unit, they would
+// have millions.
 constexpr double finest_cell_m = 0.001;
 
-/// Remembers what it has measured; copies share it, on any thread.
+/// Caches measured areas per block. Copies share the cache. Thread-safe.
 class Measured {
   public:
     Measured(const Georeference& georeference, const Crs& crs, const LatticeBox& raster)
@@ -61,7 +61,7 @@ class Measured {
     std::shared_ptr<State> state_;
 };
 
-/// Of the angle between a step along a row and one along a column, on the ground.
+/// Returns the sine of the angle between rows and columns on the ground.
 double sine_between(const Georeference& georeference, double stretch) {
     constexpr double rounding = 1e-6;
     const Position col = georeference.step(0, 1);
@@ -71,9 +71,9 @@ double sine_between(const Georeference& georeference, double stretch) {
     return std::abs(cosine) < rounding ? 1 : std::abs(stretch * (col.x * row.y - col.y * row.x)) / lengths;
 }
 
-/// In the middle of the block, or as near to it as the raster reaches: beside a pole or the edge of a CRS
-/// there is nothing beyond. A raster may itself reach beyond (a full disk, a grid of the world): then
-/// anywhere in the block.
+/// Measures the square at the centre of the block, or as near to it as the raster reaches, because near a
+/// pole or the edge of a CRS there may be nothing beyond. If that fails (the raster itself extends beyond the
+/// CRS: a full disk, a world grid), tries other squares of the block.
 double Measured::measure(LatticePoint block) const {
     constexpr std::int32_t size = 1 << block_shift;
     const LatticePoint first{block.row * size, block.col * size};
@@ -95,7 +95,7 @@ double Measured::measure(LatticePoint block) const {
 }  // namespace
 
 double x_stretch(const Georeference& georeference, const Crs& crs, const Window& window) {
-    constexpr double steepest = 89;  // degrees: where the poles are near, nothing is a right angle
+    constexpr double steepest = 89;  // degrees; near the poles no angle is a right angle
     if (crs.kind() != Crs::Kind::geographic)
         return 1;
     const Position middle =
@@ -114,7 +114,7 @@ SquareArea make_square_area(const Georeference& georeference, const Crs& crs, co
 CellSize cell_steps(const Window& window, const Georeference& georeference, const Crs& crs) {
     Geodesy geodesy(crs);
     const LatticePoint middle{window.row + window.rows / 2, window.col + window.cols / 2};
-    // There and back: half the perimeter of a ring without area.
+    // There and back: half the perimeter of a degenerate ring.
     const auto length = [&](LatticePoint to) {
         const WorldRing ring{georeference.position(middle), georeference.position(to)};
         return geodesy.ring(ring).perimeter_m / 2;

@@ -10,23 +10,23 @@
 
 namespace d2b {
 
-/// Square metres of a unit square at a place; constant on a projected grid. Any thread may ask.
+/// Area in m2 of the unit square at a lattice point; constant on a projected grid. Thread-safe.
 using SquareArea = std::function<double(LatticePoint)>;
 
-/// Square metres of a cell, as areas are measured for the output: geodesic where the CRS is on an ellipsoid,
-/// taken once for each block of 256 x 256 cells of the absolute grid, in its middle or as near to that as the
-/// raster reaches. @param raster all squares of the whole raster, whatever the window
+/// Returns cell areas in m2 as measured for the output: geodesic if the CRS is on an ellipsoid, computed once
+/// per block of 256 x 256 cells of the absolute grid, at its centre or as near to it as the raster reaches.
+/// @param raster all squares of the whole raster, whatever the window
 [[nodiscard]] SquareArea make_square_area(const Georeference& georeference, const Crs& crs,
                                           const LatticeBox& raster);
 
-/// Metres of a cell's side, from its area, in the middle of a window.
+/// Returns the side of a cell in metres, from its area, at the centre of a window.
 [[nodiscard]] double cell_size_m(const Window& window, const SquareArea& area);
 
-/// Length on the ground of a unit of x over that of a unit of y, in the middle of a window.
+/// Returns the ground length of a unit of x divided by that of a unit of y, at the centre of a window.
 [[nodiscard]] double x_stretch(const Georeference& georeference, const Crs& crs, const Window& window);
 
-/// Metres of one step along a row and along a column, in the middle of a window, a millimetre at least, and
-/// how they lie to each other.
+/// Returns the cell size in metres at the centre of a window, with the angle between rows and columns. At
+/// least a millimetre.
 [[nodiscard]] CellSize cell_steps(const Window& window, const Georeference& georeference, const Crs& crs);
 
 }  // namespace d2b

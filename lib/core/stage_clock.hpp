@@ -7,8 +7,7 @@
 
 namespace d2b {
 
-/// Adds the time until it goes out of scope to a stage. Stages run band by band, so each has
-/// many.
+/// Adds its lifetime to the time of a stage. Stages run band by band, so each has many.
 class StageClock {
   public:
     StageClock(Tally& tally, Stage stage)
@@ -16,7 +15,8 @@ class StageClock {
     StageClock(const StageClock&) = delete;
     StageClock& operator=(const StageClock&) = delete;
     ~StageClock() {
-        constexpr double worth_a_call = 1e-3;  // memory does not grow unseen in less
+        constexpr double worth_a_call =
+            1e-3;  // memory hardly grows in a shorter time, so the system call is skipped
         const double seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
         tally_.seconds[stage_] += seconds;

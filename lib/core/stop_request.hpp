@@ -7,12 +7,13 @@
 
 namespace d2b {
 
-/// Whether a run is to end. Loops over the cells, rings or arcs of one object ask, since one object may be
-/// all of a raster: some nanoseconds each time, so every ring may, and every thousandth vertex.
+/// Request to end a run. Loops over the cells, rings or arcs of one object check it, because one object may
+/// cover the whole raster. A check takes some nanoseconds: cheap enough for every ring or every thousandth
+/// vertex.
 class StopRequest {
   public:
     StopRequest() = default;
-    /// @param asked by any thread; may be empty: nobody wants an end
+    /// @param asked called by any thread; empty: never stops
     explicit StopRequest(std::function<bool()> asked) : asked_(std::move(asked)) {}
 
     [[nodiscard]] bool asked() const { return asked_ && asked_(); }

@@ -14,20 +14,21 @@ namespace d2b {
 namespace {
 
 constexpr std::size_t most_candidates = 8;
-constexpr std::int64_t fewest_cells = 50;    // of a value: in a few cells anything may be equal
-constexpr std::int64_t border_share = 1000;  // one cell of the border in so many
-constexpr std::int64_t taken_share = 10;     // one valid cell in so many
-constexpr std::int64_t named_share = 100;    // likewise
-// A shore rises gently, and so does what was resampled across the edge of NoData, in a few places.
-constexpr double most_even = 0.2;         // share of the neighbours that are less than a step away
-constexpr double most_even_border = 0.5;  // of those along the border, which are few
-constexpr double least_land = 0.8;        // share of all else that is in broad regions
-constexpr double least_region = 0.2;      // share of all else that a broad region has
+constexpr std::int64_t fewest_cells = 50;    // of a value: equality in a few cells means nothing
+constexpr std::int64_t border_share = 1000;  // at least one of this many cells of the border
+constexpr std::int64_t taken_share = 10;     // at least one of this many valid cells
+constexpr std::int64_t named_share = 100;    // at least one of this many valid cells
+// Tolerances, because a shore rises gently in some places, and so do values resampled across the edge of
+// NoData.
+constexpr double most_even = 0.2;         // share of neighbours that differ by less than a step
+constexpr double most_even_border = 0.5;  // same for neighbours along the border, which are few
+constexpr double least_land = 0.8;        // share of all other cells that is in broad regions
+constexpr double least_region = 0.2;      // share of all other cells that one broad region has
 
-/// How the neighbours of a value that have another one lie.
+/// Differences along the boundary between a value and its neighbours.
 struct Contour {
     std::int64_t steps = 0;
-    std::int64_t even = 0;  ///< less than a step away
+    std::int64_t even = 0;  ///< neighbours that differ by less than a step
 
     [[nodiscard]] std::int64_t length() const { return steps + even; }
     void add(double difference, double step) { ++(std::abs(difference) >= step ? steps : even); }
@@ -40,12 +41,12 @@ struct Contour {
     }
 };
 
-/// Cells of one value that hang together by their edges, or of no candidate's.
+/// Connected cells (4-neighbours) of one candidate value, or of none.
 struct Region {
-    std::uint8_t of = 0;  ///< number of the candidate, from 1; 0: any other value, or none
+    std::uint8_t of = 0;  ///< number of the candidate, from 1; 0: any other value, or not valid
     bool at_edge = false;
-    std::int64_t cells = 0;  ///< that are valid
-    Contour contour;         ///< towards candidates, where it is none itself
+    std::int64_t cells = 0;  ///< valid cells
+    Contour contour;         ///< boundary towards candidates, if this is not a candidate itself
 
     void merge(const Region& other) {
         at_edge = at_edge || other.at_edge;
@@ -54,13 +55,13 @@ struct Region {
     }
 };
 
-/// Takes rows from the first to the last.
+/// Connected components of equal values, fed row by row from first to last.
 class ValueRegions {
   public:
     ValueRegions(const std::vector<double>& candidates, double step) : candidates_(candidates), step_(step) {}
 
     void add(std::span<const double> row);
-    /// @param least_breadth as UndeclaredRules has it
+    /// @param least_breadth see UndeclaredRules
     [[nodiscard]] UndeclaredValues finish(double least_breadth);
 
   private:
@@ -75,7 +76,8 @@ class ValueRegions {
     void add_contours(std::span<const double> row);
     void meet(std::size_t a, std::uint8_t of_a, double value_a, std::size_t b, std::uint8_t of_b,
               double value_b, const std::vector<std::uint32_t>& regions_a);
-    /// The candidate that is land, where next to nothing else is: a level terrain model. 0: none.
+    /// Returns the candidate that is land because hardly any other value occurs: a flat terrain model. 0:
+    /// none.
     [[nodiscard]] std::uint8_t level_land() const;
     [[nodiscard]] bool surrounds_land(std::uint8_t level, double least_breadth) const;
 
@@ -90,7 +92,7 @@ class ValueRegions {
     std::vector<std::uint8_t> classes_;
     std::vector<std::uint8_t> classes_above_;
     std::vector<std::uint32_t> region_of_;        ///< by column
-    std::vector<std::uint32_t> region_of_above_;  ///< likewise
+    std::vector<std::uint32_t> region_of_above_;  ///< by column
 };
 
 std::uint8_t ValueRegions::class_of(double value) const {
@@ -131,7 +133,7 @@ void ValueRegions::join_rows() {
     }
 }
 
-/// Notes two neighbours of different classes, of which one is a candidate's and both are valid.
+/// Records two neighbours of different classes if both are valid. At least one belongs to a candidate.
 void ValueRegions::meet(std::size_t a, std::uint8_t of_a, double value_a, std::size_t b, std::uint8_t of_b,
                         double value_b, const std::vector<std::uint32_t>& regions_a) {
     if (of_a == of_b || std::isnan(value_a) || std::isnan(value_b))
@@ -171,15 +173,15 @@ std::uint8_t ValueRegions::level_land() const {
             cells[regions_[i].of] += regions_[i].cells;
     std::size_t land = 0;
     if (taken_share * cells[0] < valid_)
-        for (std::size_t i = 1; i < cells.size(); ++i)  // of two that are as large, the higher
+        for (std::size_t i = 1; i < cells.size(); ++i)  // if two are equally large, the higher one
             if (cells[i] > (land == 0 ? 0 : cells[land]) ||
                 (land > 0 && cells[i] == cells[land] && candidates_[i - 1] > candidates_[land - 1]))
                 land = i;
     return static_cast<std::uint8_t>(land);
 }
 
-/// Whether what stands for no data surrounds land, in few regions that are broader than buildings.
-/// @param level a candidate that is land; 0: none
+/// Returns true if the candidates surround land in few regions that are broader than buildings. @param level
+/// a candidate that is land; 0: none
 bool ValueRegions::surrounds_land(std::uint8_t level, double least_breadth) const {
     const auto is_land = [&](const Region& region) { return region.of == 0 || region.of == level; };
     std::int64_t all = 0;
@@ -192,7 +194,7 @@ bool ValueRegions::surrounds_land(std::uint8_t level, double least_breadth) cons
         if (!sets_.stands(i) || !is_land(region))
             continue;
         const auto cells = static_cast<double>(region.cells);
-        // A square of so many cells a side has a contour of four times as many.
+        // A square with n cells per side has a boundary of 4 n.
         if (cells >= least_region * static_cast<double>(all) &&
             4 * cells >= least_breadth * static_cast<double>(region.contour.length()))
             land += region.cells;

@@ -11,54 +11,55 @@
 
 namespace d2b {
 
-/// Values of a raster that stand for no data without being declared: many cells share one to the bit, they
-/// lie at the raster's edge, and everything else is a step away. Each with how many cells of it reach the
-/// edge.
+/// Values that mark missing data without being declared as NoData: many cells share exactly this value, they
+/// reach the edge of the raster, and all neighbours differ by a step. Each comes with its number of cells in
+/// regions at the edge.
 struct UndeclaredValues {
-    std::vector<SharedValue> taken;  ///< for no data: at least a tenth of the cells have one
-    std::vector<SharedValue> named;  ///< at least a hundredth: these stay elevations, and are warned of
+    std::vector<SharedValue> taken;  ///< treated as NoData: at least a tenth of the cells
+    std::vector<SharedValue> named;  ///< at least a hundredth: kept as elevations, with a warning
 
     [[nodiscard]] bool none() const { return taken.empty() && named.empty(); }
-    /// The values that are taken for no data.
+    /// Returns the values that are treated as NoData.
     [[nodiscard]] std::vector<double> values() const;
 };
 
-/// The outermost cells of a window, NaN where they are not valid.
+/// Outermost cells of a window; NaN if they are not valid.
 struct BorderCells {
     std::vector<double> top;
     std::vector<double> bottom;
-    std::vector<double> left;   ///< from the first row to the last
-    std::vector<double> right;  ///< likewise
+    std::vector<double> left;   ///< first row first
+    std::vector<double> right;  ///< first row first
 };
 
-/// When a value may stand for no data.
+/// Thresholds for detecting undeclared NoData.
 struct UndeclaredRules {
-    /// A smaller step is no wall, and what lies so much higher than it is no building.
+    /// Smallest step, in m, because a lower one is not a wall, and buildings do not rise that little above
+    /// their surroundings.
     static constexpr double step_m = 2;
 
-    double step = step_m;  ///< in units of the values
-    /// What the value surrounds must be wider than buildings are: of a plain whose elevations are equal to
-    /// the bit, as of a model on a level ground, the houses are all else there is. Cells; 0 where nothing
-    /// stands on the surface.
+    double step = step_m;  ///< smallest step in units of the values
+    /// Smallest breadth in cells of the regions that the value surrounds, which must be wider than buildings:
+    /// in a plain model with exactly equal elevations only the houses differ. 0 if nothing stands on the
+    /// surface.
     double least_breadth = 0;
 };
 
-/// "12 cells of 'dem.tif' have the elevation 0, lie at its edge, and all around is at least 2 m higher or
-/// lower": what is wrong with such a value, without a full stop.
+/// Returns the problem as a clause without a full stop: "12 cells of 'dem.tif' have the elevation 0, lie at
+/// its edge, and all around is at least 2 m higher or lower".
 [[nodiscard]] std::string undeclared_text(const SharedValue& value, const std::string& raster);
 
-/// Gives the values of a part of the window, NaN where one is not valid.
+/// Reads the values of a part of the window; NaN if not valid.
 using ReadValues = std::function<void(const Window&, std::span<double>)>;
 
-/// Reads what lies along the edge of a window.
+/// Reads the outermost cells of a window.
 [[nodiscard]] BorderCells read_border(const Window& window, const ReadValues& read);
 
-/// Values that may be undeclared NoData by what lies along the border alone: next to none does in most
-/// rasters. At most eight, those that most cells of the border have.
+/// Returns values that may be undeclared NoData, judged by the border alone; most rasters have none. At most
+/// the eight most frequent ones.
 [[nodiscard]] std::vector<double> border_candidates(const BorderCells& border, double step);
 
-/// Reads all of a window, where the border has candidates, and judges them by the regions of their cells.
-/// @param border of the window
+/// Reads the whole window, if the border has candidates, and checks them by the connected regions of their
+/// cells. @param border of the window
 [[nodiscard]] UndeclaredValues find_undeclared(const Window& window, const BorderCells& border,
                                                const UndeclaredRules& rules, const ReadValues& read);
 

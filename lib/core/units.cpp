@@ -18,7 +18,7 @@ constexpr double survey_foot = 1200.0 / 3937.0;
 struct KnownUnit {
     std::string_view name;
     double metres;
-    std::array<std::string_view, 6> aliases;  ///< in small letters
+    std::array<std::string_view, 6> aliases;  ///< in lower case
 };
 
 constexpr std::array known_units{

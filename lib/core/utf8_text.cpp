@@ -9,10 +9,10 @@ unsigned byte_at(std::string_view bytes, std::size_t i) {
     return static_cast<unsigned char>(bytes[i]);
 }
 
-/// What may follow the first byte of a character.
+/// Bytes allowed after the first byte of a character.
 struct Continuation {
-    std::size_t bytes = 0;  ///< after the first; 0 where the first byte begins no longer character
-    // Of the second byte: a narrower range keeps out overlong forms, surrogates and what lies beyond
+    std::size_t bytes = 0;  ///< number of them; 0 if the first byte does not begin a multi-byte character
+    // Range of the second byte, narrowed to exclude overlong forms, surrogates and code points beyond
     // U+10FFFF.
     unsigned lowest = 0x80;
     unsigned highest = 0xBF;

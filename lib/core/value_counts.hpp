@@ -10,14 +10,14 @@
 
 namespace d2b {
 
-/// An exact value and how many cells have it.
+/// Exact value and the number of cells that have it.
 struct SharedValue {
     double value = 0;
     std::int64_t cells = 0;
 };
 
-/// How many cells have values that are worth a warning, and which. A mergeable reduction: each value has its
-/// own count as long as there are few.
+/// Counts the cells that have suspicious values, for a warning. A mergeable reduction with one count per
+/// value, as long as there are few values.
 class ValueCounts {
   public:
     /// @param value finite @param cells that have it
@@ -28,12 +28,12 @@ class ValueCounts {
     [[nodiscard]] static ValueCounts load(ByteReader& reader);
 
     [[nodiscard]] std::int64_t cells() const { return cells_; }
-    /// The value that most cells have, the lowest of several such; nothing where there are many values.
+    /// Returns the most frequent value, the lowest one on ties; nothing if there are many values.
     [[nodiscard]] std::optional<SharedValue> most() const;
-    /// How many have a value; nothing where there are many values.
+    /// Returns the number of cells with a value; nothing if there are many values.
     [[nodiscard]] std::optional<std::int64_t> cells_of(double value) const;
-    /// "12 cells of 'dem.tif' have the elevation -9999", or "have elevations from -32768 to -9999 (10 of them
-    /// -9999)".
+    /// Returns "12 cells of 'dem.tif' have the elevation -9999", or "have elevations from -32768 to -9999 (10
+    /// of them -9999)".
     [[nodiscard]] std::string text(const std::string& raster) const;
 
   private:
@@ -43,16 +43,17 @@ class ValueCounts {
     double lowest_ = std::numeric_limits<double>::infinity();
     double highest_ = -std::numeric_limits<double>::infinity();
     bool many_ = false;
-    std::map<double, std::int64_t> counts_;  ///< empty where there are many
+    std::map<double, std::int64_t> counts_;  ///< empty if many_
 };
 
-/// Of a value of a raster. Large ones that are 32-bit floats have no more digits than these need.
+/// Formats a value of a raster. Large ones that are exact as 32-bit floats get only the digits that a float
+/// needs.
 [[nodiscard]] std::string value_text(double value);
 
-/// The value as stored that scale and offset make an elevation of: the whole number where it is next to one.
+/// Inverts scale and offset: returns the stored value of an elevation, rounded if it is nearly an integer.
 [[nodiscard]] double stored_value(double elevation, double scale, double offset);
 
-/// "1 cell of 'dem.tif' has ", "12 cells of 'dem.tif' have ".
+/// Returns "1 cell of 'dem.tif' has " or "12 cells of 'dem.tif' have ".
 [[nodiscard]] std::string cells_have(std::int64_t cells, const std::string& raster);
 
 }  // namespace d2b

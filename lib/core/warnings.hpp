@@ -9,23 +9,24 @@
 
 namespace d2b {
 
-/// What a source or a sink warns of, each text once. While it is opened it tells at once; from then on, when
-/// any thread may use it, texts wait until the run takes them, for warnings come from the caller's thread.
+/// Warnings of a source or sink, each text once. While it is being opened they are reported immediately.
+/// After hold(), when any thread may add some, they are kept until the run takes them, because warnings are
+/// reported from the caller's thread.
 class Warnings {
   public:
     using Listener = std::function<void(const std::string&)>;
 
-    /// @param listener told at once, from the thread that adds; empty: nobody listens
+    /// @param listener called immediately, from the thread that adds; may be empty
     explicit Warnings(Listener listener = {}) : listener_(std::move(listener)) {}
 
-    /// From any thread.
+    /// Thread-safe.
     void add(const std::string& text);
-    /// A line that another library says, as "<speaker>: <line>.". A damaged file may have one for every
-    /// block: no more than a score of a speaker's are taken, and a last one says so.
+    /// Adds a message of another library as "<speaker>: <line>.". Limited to 20 per speaker, with a final
+    /// note, because a damaged file may cause one per block.
     void add_quote(std::string_view speaker, const std::string& line);
-    /// From now on texts wait for take().
+    /// Keeps all further warnings for take().
     void hold();
-    /// What has been added since the last time.
+    /// Returns the warnings added since the last call.
     [[nodiscard]] std::vector<std::string> take();
 
   private:
@@ -34,8 +35,8 @@ class Warnings {
     std::mutex mutex_;
     Listener listener_;
     bool held_ = false;
-    std::vector<std::string> said_;     ///< all
-    std::vector<std::string> waiting_;  ///< of these
+    std::vector<std::string> said_;     ///< all texts so far
+    std::vector<std::string> waiting_;  ///< texts not yet taken
 };
 
 }  // namespace d2b

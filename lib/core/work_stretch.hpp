@@ -8,19 +8,19 @@
 
 namespace d2b {
 
-/// Tells of the time that a thread works, from its making on to its end.
+/// Reports its lifetime as a span of work of a thread.
 class WorkStretch {
   public:
     using Clock = std::chrono::steady_clock;
 
-    /// @param listener null: tells nobody, and looks at no clock
+    /// @param listener if null, nothing is reported and no clock is read
     WorkStretch(const WorkListener* listener, std::size_t thread, const std::type_info& work)
         : listener_(listener), span_{thread, &work, now(), {}} {}
     WorkStretch(const WorkStretch&) = delete;
     WorkStretch& operator=(const WorkStretch&) = delete;
     ~WorkStretch() { tell(); }
 
-    /// For a wait: that is no work.
+    /// Excludes a wait from the reported time.
     template <typename Wait>
     void interrupt(const Wait& wait) {
         tell();

@@ -19,7 +19,7 @@ constexpr double large_segment_m2 = 50;
 constexpr double eaves_m = 1;
 constexpr double least_crown_m2 = 4;
 
-/// Cells of large smooth segments.
+/// Returns the cells of large smooth segments.
 Mask roofs_of(const Scene& scene, const SmoothSegments& segments, const Mask& objects, Executor& threads) {
     const std::int64_t least = cells_for(large_segment_m2, scene.cell);
     Mask roofs(objects.rows, objects.cols, 0, threads);
@@ -47,7 +47,7 @@ Regions parts_beside(const Mask& roofs, const Mask& objects, std::int64_t least_
     return connected_regions(rest, 1, least_cells, threads);
 }
 
-/// Regions are numbered in the order of their first cells.
+/// Clears the parts to be cut. Regions are numbered in the order of their first cells.
 std::vector<CutCrown> clear(const Regions& parts, const std::vector<std::vector<CutLine>>& cuts,
                             Mask& objects) {
     std::vector<CutCrown> crowns;
@@ -65,7 +65,7 @@ std::vector<CutCrown> clear(const Regions& parts, const std::vector<std::vector<
     return crowns;
 }
 
-/// Makes objects of what is left of objects, with what was thought of them.
+/// Relabels the remaining cells. Each new object inherits the classification of the object it was part of.
 void gather(const Mask& cells, std::int64_t least_cells, JudgedObjects& judged, Executor& threads) {
     JudgedObjects left;
     left.regions = connected_regions(cells, 1, 0, threads);

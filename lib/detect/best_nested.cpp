@@ -5,10 +5,10 @@
 namespace d2b {
 
 std::vector<bool> best_nested(std::span<const NestedCandidate> candidates) {
-    std::vector<double> within(candidates.size(), 0);  // the best sum of what lies in each
+    std::vector<double> within(candidates.size(), 0);  // best sum of the candidates inside each
     std::vector<bool> chosen(candidates.size(), false);
     for (std::size_t i = 0; i < candidates.size(); ++i) {
-        chosen[i] = candidates[i].gain > within[i];  // and above 0, since no choice at all is one
+        chosen[i] = candidates[i].gain > within[i];  // and thus above 0, because an empty choice is allowed
         if (candidates[i].holder != NestedCandidate::nothing)
             within[candidates[i].holder] += std::max(candidates[i].gain, within[i]);
     }

@@ -13,12 +13,12 @@
 namespace d2b {
 namespace {
 
-/// Which objects of a look are chosen, by label.
+/// Chosen objects of a pass, by label.
 using Chosen = std::vector<std::uint8_t>;
 
-/// What it is worth to choose an object.
+/// Gain of choosing an object.
 double gain_of(const DetectedObject& object) {
-    constexpr double surest = 0.999;  // beyond this a confidence says no more
+    constexpr double surest = 0.999;  // confidences are clamped to this
     const double log_odds = std::log(odds(std::clamp(object.confidence, 1 - surest, surest)));
     return static_cast<double>(object.cells) * log_odds;
 }
@@ -56,7 +56,7 @@ void paint(const Regions& regions, const Chosen& chosen, Mask& cells, Executor& 
     });
 }
 
-/// Whether a mask has a cell in a stretch of a row, which may reach beyond the grid.
+/// True if a mask has a set cell in columns [begin, end) of a row. Both may exceed the grid.
 bool any(const Mask& mask, std::int32_t row, std::int32_t begin, std::int32_t end) {
     if (row < 0 || row >= mask.rows)
         return false;
@@ -65,7 +65,7 @@ bool any(const Mask& mask, std::int32_t row, std::int32_t begin, std::int32_t en
     return std::find(cells.begin() + std::max(begin, 0), last, 1) != last;
 }
 
-/// Chooses objects that have no cell of a mask and none beside theirs.
+/// Also chooses objects that neither overlap nor touch a mask.
 void keep_what_is_apart(const Mask& taken, const Regions& regions, Chosen& chosen) {
     Chosen apart(chosen.size(), 1);
     for (std::int32_t r = 0; r < regions.rows; ++r)
@@ -77,8 +77,9 @@ void keep_what_is_apart(const Mask& taken, const Regions& regions, Chosen& chose
         chosen[label] |= apart[label];
 }
 
-/// @param cells that the chosen objects cover: each part is what the chosen one with the most cells in it is;
-/// of several the strictest, of these the first
+/// Merges the chosen objects.
+/// @param cells cells of the chosen objects. Each connected part inherits the classification of the chosen
+/// object with most cells in it; the strictest pass wins ties, then the first object
 JudgedObjects put_together(std::span<const JudgedObjects> looks, const std::vector<Chosen>& chosen,
                            const Mask& cells, Executor& threads) {
     JudgedObjects result;

@@ -7,13 +7,15 @@
 
 namespace d2b {
 
-/// Puts together what several looks at a scene have found, each with wider limits than the one before, so
-/// that its objects lie in those of the next, or nearly so. Of these trees those objects are taken, none of
-/// which lies in another, whose log-odds times cells have the largest sum, see best_nested().
-/// @param looks the strictest first @param usual an object of this one that touches none of them is kept as
-/// it is, since it may still be doubtful
-/// @return objects that share no edge. Where chosen ones touch, they are one, which is what the one with the
-/// most cells in it is. Left out is what was at the usual look, and is in none.
+/// Combines the candidates of several passes over a scene. Each pass has wider thresholds than the one
+/// before, so its objects (nearly) contain those of the previous pass. Selects from these trees the
+/// non-overlapping objects with the largest sum of log-odds times cells, see best_nested().
+/// @param looks passes, the strictest first
+/// @param usual index of the regular pass; its objects are kept if they touch no selected object, because
+/// they may still be doubtful
+/// @return objects that share no edge. Selected objects that touch are merged, and inherit the classification
+/// of the largest one. Objects rejected by the regular pass remain rejected unless a selected object covers
+/// them.
 [[nodiscard]] JudgedObjects best_of_looks(std::span<const JudgedObjects> looks, std::size_t usual,
                                           Executor& threads);
 

@@ -6,7 +6,7 @@
 
 namespace d2b {
 
-/// How many values lie in each of so many bins, and in one more for what lies beyond them.
+/// Histogram with one overflow bin.
 template <std::size_t bins>
 struct BinCounts {
     std::array<std::int64_t, bins + 1> counts{};

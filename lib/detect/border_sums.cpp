@@ -6,7 +6,7 @@
 namespace d2b {
 namespace {
 
-constexpr std::int32_t ring_cells = 2;  // cells
+constexpr std::int32_t ring_cells = 2;
 
 }  // namespace
 
@@ -42,7 +42,7 @@ void BorderSums::add_gradient(const MetreGrid& surface, std::int32_t r, std::int
     const double size = std::hypot(across, down);
     if (std::isnan(size) || size == 0)
         return;
-    // The square of a complex number has twice its angle.
+    // Squaring a complex number doubles its angle.
     const double twice_cosine = (across * across - down * down) / (size * size);
     const double twice_sine = 2 * across * down / (size * size);
     cosine_ += size * (twice_cosine * twice_cosine - twice_sine * twice_sine);

@@ -7,15 +7,17 @@
 
 namespace d2b {
 
-/// Where a crown is cut off.
+/// Line along which a crown is cut off.
 struct CutLine {
     SeamLine seam;
     WallLine wall;
 };
 
-/// The lines at which a part of an object is cut off as a crown: one of a wall that goes on beyond both ends
-/// of the seam, two at a corner, or one of a wall whose other end the crown hides; none where the part stays.
-/// @param objects the cells of all @param eaves cells that a seam may lie outside of its wall
+/// Returns the lines along which a part of an object is cut off as a crown: one if a wall continues beyond
+/// both ends of the seam, two at a corner, or one if the crown hides the other end of the wall; none if the
+/// part stays.
+/// @param objects cells of all objects
+/// @param eaves maximum distance of a seam outside of its wall, in cells
 [[nodiscard]] std::vector<CutLine> crown_cuts(const PartSeam& part, const Evidence& evidence,
                                               const Mask& objects, const CellSize& cell, int eaves);
 

@@ -26,7 +26,7 @@ Regions cut(const Mask& cells, const ParcelGrid& parcels, const Grid<Label>& lab
         threads);
 }
 
-/// Calls use(run, begin, end) for all runs, with the indices of their cells.
+/// Calls use(run, row, begin, end) for all runs, with the index range of their cells.
 template <typename Use>
 void for_runs(const Regions& regions, const Use& use) {
     for (std::int32_t r = 0; r < regions.rows; ++r)
@@ -37,9 +37,10 @@ void for_runs(const Regions& regions, const Use& use) {
         }
 }
 
-/// First cells of the pieces that are the largest of no object. @param objects that became of them, by cell
+/// Returns the first cells of pieces that are not the largest piece of any object.
+/// @param objects resulting objects, by cell
 std::vector<FirstCell> pieces_gone(const Regions& pieces, const Grid<Label>& objects) {
-    std::map<std::pair<Label, Label>, std::int64_t> shared;  // object and piece
+    std::map<std::pair<Label, Label>, std::int64_t> shared;  // keyed by object and piece
     std::vector<FirstCell> first(pieces.cells.size(), {-1, -1});
     for_runs(pieces, [&](const RegionRun& run, std::int32_t row, std::size_t begin, std::size_t end) {
         if (first[run.label].row < 0)
@@ -64,10 +65,10 @@ std::vector<FirstCell> pieces_gone(const Regions& pieces, const Grid<Label>& obj
     return gone;
 }
 
-/// The parcel with most cells of each object, of equal ones the lowest.
+/// Assigns to each object the parcel with most of its cells; the lowest one wins ties.
 void name_parcels(const ParcelGrid& parcels, Detection& detection) {
     std::map<std::pair<Label, std::int64_t>, std::int64_t> shared;
-    auto last = shared.end();  // neighbours are mostly alike
+    auto last = shared.end();  // cached, because neighbours are mostly equal
     for (std::size_t i = 0; i < parcels.size(); ++i)
         if (const Label label = detection.labels.values[i]; label != 0) {
             const std::pair pair{label, parcels.values[i].parcel};

@@ -16,8 +16,8 @@
 namespace d2b {
 namespace {
 
-/// Confidences for as many buildings as there are in the place, and around each object. What a second look
-/// finds is mostly trees, also where all houses are found at once: it is no witness.
+/// Corrects confidences for the share of buildings in the scene and around each object. Objects of a second
+/// pass are mostly trees, even if the first pass found all houses, so they do not serve as reference objects.
 void correct_for_surroundings(const Scene& scene, double filled, JudgedObjects& judged,
                               std::optional<JudgedObjects>& second, Executor& threads) {
     const std::span<DetectedObject> others =
@@ -50,7 +50,7 @@ JudgedObjects judged_as_the_data_say(const Scene& scene, const DetectOptions& op
     return second ? united(std::move(judged), *second, threads) : judged;
 }
 
-/// Buildings first, then what is doubtful, each in scan order.
+/// Sorts buildings before doubtful objects, each in scan order.
 Detection sorted_by_confidence(JudgedObjects&& judged, double least, Executor& threads) {
     Detection result;
     result.left_out = std::move(judged.left_out);

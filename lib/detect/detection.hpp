@@ -13,30 +13,30 @@
 
 namespace d2b {
 
-/// What speaks most against an object being a building.
+/// Strongest evidence against an object being a building.
 enum class Doubt {
-    rough,            ///< its surface bends from cell to cell
+    rough,            ///< its surface is rough
     no_step,          ///< it does not rise from its surroundings in a step
-    steep,            ///< its smooth pieces are steep
-    pieces,           ///< its smooth pieces are small
-    green,            ///< its NDVI is that of plants
-    no_right_angles,  ///< its border keeps to no two directions
+    steep,            ///< its smooth segments are steep
+    pieces,           ///< its smooth segments are small
+    green,            ///< its NDVI is that of vegetation
+    no_right_angles,  ///< its border follows no two perpendicular directions
     ragged            ///< it is small and has arms and bays
 };
 [[nodiscard]] std::string_view doubt_name(Doubt doubt);
 
-/// Something that stands on the ground and looks like a building, or nearly so.
+/// Object above the ground that resembles a building.
 struct DetectedObject {
     double confidence = 0;  ///< 0 to 1
     Doubt doubt = Doubt::rough;
     std::int64_t cells = 0;
-    std::int64_t parcel = ParcelCell::nobody;  ///< that holds most of it
-    Label whole = 0;  ///< the same of all objects that one was divided into; 0: it is not known
+    std::int64_t parcel = ParcelCell::nobody;  ///< parcel with most of its cells
+    Label whole = 0;  ///< shared by all objects that one object was divided into; 0: unknown
 };
 
-/// Objects and where they are.
+/// Detected objects and their cells.
 struct Detection {
-    Grid<Label> labels;                   ///< 1 to buildings: buildings; above: what is doubtful
+    Grid<Label> labels;  ///< labels up to `buildings` are buildings, higher ones doubtful objects
     std::vector<DetectedObject> objects;  ///< by label - 1
     Label buildings = 0;
     LeftOut left_out;
@@ -44,15 +44,19 @@ struct Detection {
     [[nodiscard]] bool is_building(Label label) const { return label != 0 && label <= buildings; }
 };
 
-/// Finds buildings by their form: elevated cells are joined to smooth segments, these grow over what roofs
-/// have between them, and each object that results is judged by its smoothness, the step along its border,
-/// and the tilt and size of its segments. Trees are rough, and crowns shatter into small, steep segments.
-/// Where the scene has parcels, buildings are cut by them, see detect/cut_by_parcels.hpp; where
-/// options.split_height is set, they are then divided, see detect/split.hpp.
-/// @param smallest_m2 what covers less is none
-/// Halo: an object, the segments that it meets, and 11 m and five cells around them. Memory: 5 to 9 bytes
-/// a cell beside the scene, the result's four among them; 9 to 13 where buildings are divided.
-/// The noise of the surface, and how smooth a roof must be, see roof_strictness(), are found from the scene.
+/// Detects buildings by their shape. Elevated cells are joined to smooth segments, these grow over ridges,
+/// dormers and chimneys, and each resulting object is classified by its roughness, the step at its border,
+/// its shape, and the tilt and size of its segments (see judge()). Trees are rough, and crowns break up into
+/// small, steep segments.
+///
+/// Buildings are then divided by parcels if the scene has them (detect/cut_by_parcels.hpp), and at steps of
+/// the surface if options.split_height is set (detect/split.hpp). The noise of the surface and the scale of
+/// the smoothness thresholds (roof_strictness()) are estimated from the scene itself, so results for a
+/// cut-out differ from those for the whole raster.
+///
+/// Halo: an object, the segments it meets, and 11 m and five cells around them. Memory: 5 to 9 bytes per cell
+/// in addition to the scene, of which the result has four; 9 to 13 if buildings are divided.
+/// @param smallest_m2 smaller objects are not buildings
 [[nodiscard]] Detection detect_buildings(const Scene& scene, const DetectOptions& options, double smallest_m2,
                                          Context& context);
 

@@ -7,7 +7,7 @@ namespace d2b {
 
 namespace {
 
-// A hair more, since 1.5 m are three cells of 0.5 m.
+// Tolerance, because 1.5 m have to be exactly three cells of 0.5 m.
 constexpr double hair = 1 + 1e-9;
 
 }  // namespace

@@ -7,19 +7,21 @@
 
 namespace d2b {
 
-/// A row of a structuring element: columns from `left` to `right` of its origin, `down` rows below it.
+/// Row of a structuring element: columns [left, right] relative to the origin, `down` rows below it.
 struct ElementRow {
     std::int32_t down;
     std::int32_t left;
     std::int32_t right;
 };
-/// All that are used here hold their origin's column in each row, and of any two rows one holds the other.
+/// Structuring element. All elements used here contain the origin's column in each row, and their rows are
+/// nested intervals.
 using Element = std::vector<ElementRow>;
 
-/// Whether a disk reaches another cell's middle.
+/// True if a disk reaches the centre of another cell.
 [[nodiscard]] bool disk_fits(double radius_m, const CellSize& cell);
 
-/// The cells whose middle is within the radius; where that is less than a cell, a block of two by two cells.
+/// Returns the cells whose centre is within the radius; a block of two by two cells if the radius is less
+/// than a cell.
 [[nodiscard]] Element disk_element(double radius_m, const CellSize& cell);
 
 }  // namespace d2b

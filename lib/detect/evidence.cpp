@@ -12,8 +12,8 @@
 namespace d2b {
 namespace {
 
-// A wall bends the surface by its height, or by some of it where it is smeared over several cells: by more
-// than this, and this a metre of cell.
+// A wall bends the surface by its height, or by a part of it if it is blurred over several cells: by more
+// than this, plus this per metre of cell size.
 constexpr double wall_bend_m = 0.5;
 constexpr double wall_bend = 0.3;
 
@@ -25,15 +25,15 @@ struct Sums {
     double log_cells = 0;
     double pieces = 0;
     double green = 0;
-    double inner_border = 0;  // cells
-    double walls = 0;         // of these
-    double fall = 0;          // sum over these
+    double inner_border = 0;  // number of border cells that are not on the raster's own border
+    double walls = 0;         // number of these that bend like a wall
+    double fall = 0;          // sum of their slopes
     BorderSums beside;
     GentlePairs pairs;
     FormSums form;
 };
 
-/// The surface, and the ground where there is none: what a cell's neighbours fall to.
+/// Returns the lowest elevation in the 3 x 3 neighbourhood; terrain substitutes cells without data.
 float lowest_around(const Scene& scene, std::int32_t r, std::int32_t c) {
     float lowest = scene.surface.at(r, c);
     for (std::int32_t y = std::max(r - 1, 0); y <= std::min(r + 1, scene.surface.rows - 1); ++y)
@@ -44,8 +44,8 @@ float lowest_around(const Scene& scene, std::int32_t r, std::int32_t c) {
     return lowest;
 }
 
-/// Objects that share no edge are told apart by what lies between them: a cell is on a border where a
-/// neighbour is no object's.
+/// True if a cell has a neighbour that belongs to no object, or lies on the raster's border. Objects share no
+/// edges, so labels need not be compared.
 bool on_border(const Mask& cells, std::int32_t r, std::int32_t c) {
     return r == 0 || c == 0 || r + 1 == cells.rows || c + 1 == cells.cols || cells.at(r - 1, c) == 0 ||
            cells.at(r + 1, c) == 0 || cells.at(r, c - 1) == 0 || cells.at(r, c + 1) == 0;
@@ -64,13 +64,13 @@ void add_cells(const Scene& scene, const Grid<std::uint8_t>& flags, std::int32_t
             sums.green += scene.greenness->row(r)[c] > plants_ndvi ? 1 : 0;
 }
 
-/// How the surface goes on at a cell: what a wall does and a hillside does not.
+/// Shape of the surface at a cell, which distinguishes walls from hillsides.
 struct Turn {
-    float bend = 0;  // the largest second difference, metres: planes do not bend, however steep
-    float fall = 0;  // to the neighbour that lies lowest for its distance, metres a metre
+    float bend = 0;  // largest second difference in m: planes do not bend, however steep
+    float fall = 0;  // steepest slope down to a neighbour (m/m)
 };
 
-/// How far a cell is from the one beside it, the one below it and the one across its corner, metres.
+/// Distances in m to the neighbours in the row, in the column and on the diagonal.
 struct Distances {
     explicit Distances(const CellSize& cell)
         : beside(static_cast<float>(std::hypot(0.0, cell.across))),
@@ -82,7 +82,7 @@ struct Distances {
     float across_corner;
 };
 
-/// The ground takes the place of what is not known.
+/// Terrain substitutes cells without data.
 Turn turn_at(const Scene& scene, const Distances& distances, std::int32_t r, std::int32_t c) {
     const auto at = [&](std::int32_t down, std::int32_t across) {
         const float z = scene.surface.at(r + down, c + across);
@@ -119,7 +119,7 @@ void add_border(const Scene& scene, const Distances& distances, const Mask& cell
         }
 }
 
-/// What a segment adds for each of its cells.
+/// Contribution of a segment per cell.
 struct SegmentLogs {
     double tilt;
     double cells;
@@ -133,7 +133,7 @@ std::vector<SegmentLogs> logs_of(const SmoothSegments& segments) {
     return result;
 }
 
-/// @param pieces the row's runs of segments
+/// @param pieces runs of segments in the row
 void add_segments(std::span<const RegionRun> pieces, const std::vector<SegmentLogs>& logs,
                   const RegionRun& run, Sums& sums) {
     auto piece = std::partition_point(pieces.begin(), pieces.end(),

@@ -14,11 +14,12 @@
 namespace d2b {
 namespace {
 
-constexpr std::size_t bins = 1000;  // of HeightDifferences
+constexpr std::size_t bins = 1000;  // number of bins of HeightDifferences
 constexpr float bin_m = 0.005F;
 constexpr std::int64_t fewest = 300;
-// A filled cell is equal to one neighbour, where two were filled from one to more; of two pairs a cell.
-// Measured on simulated scans of 0.25 to 2 pulses a square metre, where it is known which cells were filled.
+// Converts pairs to cells. A filled cell is equal to one neighbour, or to more if the neighbour was filled as
+// well; there are two pairs per cell. Measured on simulated scans of 0.25 to 2 pulses per m^2, for which the
+// filled cells are known.
 constexpr double cells_a_pair = 1.6;
 
 struct RoughCells {
@@ -26,7 +27,7 @@ struct RoughCells {
     const Mask& elevated;
     const Grid<std::uint8_t>& flags;
 
-    /// @param row of as many cells and one more
+    /// @param row receives the rough cells, with one more element at the end
     void find(std::int32_t r, std::span<std::uint8_t> row) const {
         const std::uint8_t* const high = elevated.row(r).data();
         const std::uint8_t* const flag = flags.row(r).data();
@@ -56,7 +57,7 @@ struct RoughCells {
 }  // namespace
 
 void add_difference(float difference, HeightDifferences& differences) {
-    constexpr double half = 0.5;  // of a bin: what is not negative is rounded without a call
+    constexpr double half = 0.5;  // of a bin; rounds non-negative values without a function call
     if (!std::isnan(difference))
         differences.add(difference < bin_m * (bins - 1)
                             ? static_cast<std::size_t>(static_cast<double>(difference / bin_m) + half)
@@ -79,7 +80,7 @@ void add_differences(std::span<const float> heights, const float* heights_below,
 }
 
 double filled_share(const HeightDifferences& differences) {
-    // Up and down count as one, so that a difference is found twice as often as none.
+    // A non-zero difference occurs twice as often as 0 because its sign is ignored.
     const std::int64_t by_chance =
         *std::max_element(differences.counts.begin() + 1, differences.counts.end() - 1) / 2;
     const std::int64_t equal = differences.counts[0];

@@ -6,7 +6,7 @@
 namespace d2b {
 namespace {
 
-/// The sum of the squares of whole numbers from 0 to n; of those from n + 1 to 0, negative, where n is below.
+/// Returns 0^2 + 1^2 + ... + n^2; for negative n, minus the sum of squares from n + 1 to 0.
 double squares_to(double n) {
     return n * (n + 1) * (2 * n + 1) / 6;
 }

@@ -15,7 +15,7 @@ void GentlePairs::add(const Scene& scene, const Mask& objects, std::int32_t r, c
     const std::span<const float> here = scene.surface.row(r);
     const auto begin = static_cast<std::size_t>(run.begin);
     const auto end = static_cast<std::size_t>(run.end);
-    // A height that is not known is near to none.
+    // Comparisons with NaN are false, so unknown heights do not count as gentle.
     const auto across = static_cast<float>(steepest * scene.cell.across);
     int gentle = 0;
     for (std::size_t c = begin; c + 1 < end; ++c)

@@ -7,15 +7,15 @@
 
 namespace d2b {
 
-/// How many neighbours of an object are as near in height as those on one roof: where points are few, crowns
-/// give a height from anywhere within them, and the cells beside each other differ by metres.
+/// Share of neighbouring cells of an object whose height difference is that of a roof. In sparse scans crowns
+/// have heights from anywhere within them, so that adjacent cells differ by metres.
 class GentlePairs {
   public:
-    /// Adds a run's pairs with the next cell and with the cell below. @param objects cells of all objects
+    /// Adds the pairs of a run with the next cell and with the cell below.
+    /// @param objects cells of all objects
     void add(const Scene& scene, const Mask& objects, std::int32_t r, const RegionRun& run);
 
-    /// Share of the pairs whose slope is less than 0.55, which is steeper than most roofs; 1 where there is
-    /// none.
+    /// Share of pairs with a slope below 0.55, which is steeper than most roofs; 1 if there are no pairs.
     [[nodiscard]] double share() const;
 
   private:

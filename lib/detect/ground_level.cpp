@@ -15,7 +15,7 @@ namespace {
 
 using Values = std::vector<float>;
 
-/// The terrain in the cells on both sides of labels' borders, a value an edge and side.
+/// Terrain in the cells on both sides of label borders, one value per edge and side.
 class BorderTerrain {
   public:
     BorderTerrain(const MetreGrid& terrain, const Grid<Label>& labels) : terrain_(terrain), labels_(labels) {}
@@ -44,8 +44,8 @@ class BorderTerrain {
     }
 
   private:
-    /// 1 where a cell has another label than the one to the left or above. Nothing branches: most cells have
-    /// no edge, and many are looked at at once.
+    /// Sets 1 if a cell's label differs from that to the left or above. Branch-free, so that the loop
+    /// vectorises, because most cells have no edge.
     static void find_edges(std::span<const Label> here, const Label* above,
                            std::vector<std::uint8_t>& edges) {
         const auto differ = [](Label a, Label b) { return a != b ? 1 : 0; };
@@ -89,7 +89,7 @@ std::vector<double> ground_levels(const MetreGrid& terrain, const Grid<Label>& l
     constexpr std::size_t tenth = 10;
     constexpr std::size_t labels_at_once = 64;
     std::vector<Values> along = along_borders(terrain, labels, count, threads);
-    // What fills the whole raster has no border: then all of it counts.
+    // An object that fills the whole raster has no border, so all its cells count.
     if (!labels.values.empty() && labels.values.front() != 0)
         if (Values& values = along[labels.values.front()]; values.empty())
             std::copy_if(terrain.values.begin(), terrain.values.end(), std::back_inserter(values),

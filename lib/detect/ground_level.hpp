@@ -8,9 +8,10 @@
 
 namespace d2b {
 
-/// The ground of each label in metres: the tenth percentile of the terrain in the cells along the label's
-/// border, inside and out. A building on a slope stands on its lower side, and one pit does not pull it down.
-/// @return by label; [0] is not used
+/// Ground elevation per label in m: the tenth percentile of the terrain in the cells along the label's
+/// border, inside and outside. A building on a slope stands on its lower side, and a single pit does not pull
+/// it down.
+/// @return elevations by label; [0] is unused
 [[nodiscard]] std::vector<double> ground_levels(const MetreGrid& terrain, const Grid<Label>& labels,
                                                 Label count, Executor& threads);
 

@@ -6,8 +6,8 @@
 
 namespace d2b {
 
-/// Sets the cells of holes: regions of zeros, connected by edges, that do not reach the border and have fewer
-/// cells.
+/// Fills small holes: 4-connected regions of zeros with fewer than `fewer_than` cells that do not touch the
+/// border.
 void fill_small_holes(Mask& mask, std::int64_t fewer_than, Executor& threads);
 
 }  // namespace d2b

@@ -9,30 +9,30 @@
 namespace d2b {
 namespace {
 
-// Buildings of the cities in docs/accuracy.md have walls on a quarter of their border and more, mostly on all
-// of it; a slope that was taken for one has none. Where walls are smeared over so many cells that nothing
-// bends, they are steeper than the roof all the same, and a slope falls at its border as it does within.
+// Buildings of the cities in docs/accuracy.md have walls on at least a quarter of their border, mostly on all
+// of it; slopes mistaken for buildings have none. Walls blurred over so many cells that nothing bends are
+// still steeper than the roof, whereas a slope falls at its border as it does within.
 constexpr double fewest_walls = 0.1;
 constexpr double steeper = 1.2;
 
-// Of scans of a pulse a square metre and more on cells of a metre less than the first share of the cells is
-// filled, of thinned ones more than the second.
+// Scans of at least one pulse per m^2 on cells of at most a metre fill less than the first share of their
+// cells; thinned ones fill more than the second.
 constexpr double filled_by_any = 0.04;
 constexpr double filled_where_thin = 0.08;
 
-// Up to this the larger is the likelier a building; woods are larger than houses.
+// Larger objects are more likely to be buildings up to this size; woods are larger than houses.
 constexpr double house_m2 = 300;
 
-// A small house is compact. The larger a building, the more wings and yards it may have: from the first size
-// on that says less, from the second on nothing.
+// Small houses are compact, but large buildings may have wings and yards, so compactness counts less from the
+// first size on, and nothing from the second on.
 constexpr double compact_m2 = 150;
 constexpr double winged_m2 = 300;
 
-// Found by tests/accuracy/run.py --learn, see docs/accuracy.md.
+// Fitted by tests/accuracy/run.py --learn, see docs/accuracy.md.
 constexpr double thin_constant = -0.89;
 
-/// What the form of an object says, as a logarithm; 0 where it is as much a tree's. What is more compact than
-/// a rectangle is round, which speaks for nothing.
+/// Log compactness relative to the value that is equally common among trees; 0 if uninformative. Objects more
+/// compact than a rectangle are round, which is no evidence for a building.
 double form_of(const Evidence& evidence) {
     constexpr double rectangle = 3 / std::numbers::pi;
     constexpr double most_ragged = -0.4;
@@ -45,7 +45,7 @@ bool has_walls(const Evidence& evidence) {
     return evidence.walled >= fewest_walls || evidence.fall > steeper * evidence.tilt;
 }
 
-/// A weight, and where it says nothing.
+/// Weight of a term, and the feature value at which the term is 0.
 struct Weight {
     double of = 0;
     double zero_at = 0;
@@ -53,7 +53,7 @@ struct Weight {
     [[nodiscard]] double term(double value) const { return of * (value - zero_at); }
 };
 
-/// Something that is seen of an object, and what it weighs in usual data and where points are thin.
+/// Term of the logistic model: a feature value, and its weights for usual data and for sparse points.
 struct Sight {
     double value;
     Doubt doubt;
@@ -69,13 +69,13 @@ struct Sight {
 };
 
 constexpr std::size_t terms_of_a_sum = 11;
-// Places among them.
+// Indices into the terms.
 constexpr std::size_t greenness = 1;
 constexpr std::size_t segment_size = 4;
 constexpr std::size_t squareness = 8;
 constexpr std::size_t form = 10;
 
-/// Each term is 0 for an object that may as well be a tree.
+/// Each term is 0 for an object that is equally likely to be a tree.
 std::array<Sight, terms_of_a_sum> sights_of(const Evidence& evidence) {
     return {{
         {evidence.smooth, Doubt::rough, {4.3, 0.4}, {}},
@@ -105,8 +105,8 @@ DetectedObject judge(const Evidence& evidence, double filled) {
     double sum = thinness * thin_constant;
     for (const double term : terms)
         sum += term;
-    // What has no weight says nothing; without an NDVI, and where nothing is green, nothing green does, nor
-    // does the form of what is large.
+    // Ignores terms that took no part: those without weight, vegetation without (green) NDVI, and the
+    // compactness of large objects.
     for (std::size_t i = 0; i < sights.size(); ++i)
         if (sights[i].says_nothing(thinness) || (i == greenness && evidence.green == 0) ||
             (i == form && sights[i].value == 0))

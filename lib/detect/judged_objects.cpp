@@ -22,19 +22,19 @@ namespace d2b {
 namespace {
 
 constexpr double opening_m = 1.5;
-// What an opening rounds off at a right angle.
+// Restores the cells that an opening rounds off at a right angle.
 constexpr int border_cells = 3;
-constexpr int border_of_blocks = 2;  // where a block of cells takes the place of the disk
+constexpr int border_of_blocks = 2;  // if the element is a block of cells instead of a disk
 constexpr double smallest_hole_m2 = 10;
-// Of neighbours in a crown, a metre of step: rounding makes some of them equal.
+// Share of neighbours in a crown that rounding makes equal, per metre of step.
 constexpr double gentle_by_rounding = 0.08;
-// Bilbao, in whole metres and cells of 2.5 m, is found as well as it is without them.
+// Bilbao, in whole metres and cells of 2.5 m, is detected as well as it is without these limits.
 constexpr double coarse_step_m = 0.499;
-constexpr double coarse_step = 0.499;  // of a cell's side
-// Trees of towns hardly reach 40 m.
+constexpr double coarse_step = 0.499;  // share of the cell size
+// Urban trees hardly reach 40 m.
 constexpr float taller_than_trees_m = 50;
 
-/// Elevated cells, of which where plants are known to be only what is smooth may be a roof.
+/// Removes rough cells with vegetation, because only smooth cells may be a green roof.
 Mask leave_plants_out(const Scene& scene, const SceneCells& cells, Executor& threads) {
     Mask elevated = Mask::unset(cells.elevated.rows, cells.elevated.cols, threads);
     for_row_bands(threads, elevated.rows, elevated.cols, [&](RowBand band) {
@@ -47,7 +47,7 @@ Mask leave_plants_out(const Scene& scene, const SceneCells& cells, Executor& thr
     return elevated;
 }
 
-/// Rows with cells that are taller than trees.
+/// Flags rows with cells taller than trees.
 std::vector<std::uint8_t> tall_rows(const Scene& scene, Executor& threads) {
     std::vector<std::uint8_t> tall(static_cast<std::size_t>(scene.surface.rows));
     for_row_bands(threads, scene.surface.rows, scene.surface.cols, [&](RowBand band) {
@@ -63,7 +63,8 @@ std::vector<std::uint8_t> tall_rows(const Scene& scene, Executor& threads) {
     return tall;
 }
 
-/// What is taller than trees is a building's, however rough: belfries and the machines on towers.
+/// Adds cells taller than trees, because these belong to buildings however rough they are: belfries and
+/// machinery on towers.
 void add_what_is_too_tall_for_trees(const Scene& scene, std::span<const std::uint8_t> tall,
                                     const Mask& elevated, Mask& seeds, Executor& threads) {
     threads.for_each(tall.size(), [&](std::size_t row) {
@@ -76,7 +77,7 @@ void add_what_is_too_tall_for_trees(const Scene& scene, std::span<const std::uin
     });
 }
 
-/// @param small gets the first cells of what is too small
+/// @param small receives the first cells of objects that are too small
 DetectedObjects find_objects(const Scene& scene, const SceneCells& known, const Mask& elevated,
                              const SmoothSegments& segments, std::int64_t least_cells,
                              std::vector<FirstCell>& small, Executor& threads) {
@@ -96,12 +97,12 @@ DetectedObjects find_objects(const Scene& scene, const SceneCells& known, const 
     return {std::move(cells), std::move(regions)};
 }
 
-/// Sees to the flags that suit a quality.
+/// Computes the flags for a quality unless they are up to date.
 void flag_cells(const Scene& scene, const SurfaceQuality& quality, SceneCells& cells, Executor& threads) {
     const SmoothLimits limits = smooth_limits(scene.side(), quality);
     if (cells.limits == limits)
         return;
-    cells.flags = {};  // the new ones take their memory
+    cells.flags = {};  // frees the memory before the new flags are allocated
     cells.flags = smoothness(scene.surface, limits, threads);
     cells.limits = limits;
 }

@@ -10,32 +10,32 @@
 
 namespace d2b {
 
-/// Objects and what is thought of them.
+/// Candidate objects with their features and classification.
 struct JudgedObjects {
     Regions regions;
     std::vector<DetectedObject> objects;  ///< by label - 1
-    std::vector<Evidence> evidence;       ///< what they were judged by, by label - 1
+    std::vector<Evidence> evidence;       ///< features by label - 1
     LeftOut left_out;
 };
 
-/// What is known of each cell before objects are found. Kept from one look at a scene to the next.
+/// Properties of cells that do not depend on objects. Reused by later passes over a scene.
 struct SceneCells {
     Mask elevated;
-    std::vector<std::uint8_t> tall_rows;  ///< 1 for rows with cells that are taller than trees
-    Grid<std::uint8_t> flags;             ///< of smoothness() ...
-    std::optional<SmoothLimits> limits;   ///< ... with these limits; none where they are not there yet
+    std::vector<std::uint8_t> tall_rows;  ///< 1 for rows with cells taller than trees
+    Grid<std::uint8_t> flags;             ///< result of smoothness() ...
+    std::optional<SmoothLimits> limits;   ///< ... with these limits; nullopt if not computed yet
 };
 [[nodiscard]] SceneCells scene_cells(const Scene& scene, const DetectOptions& options, Executor& threads);
 
-/// What can be said of the surface before anything is found on it: its noise, and how many cells were filled.
+/// Estimates the noise of the surface and the share of filled cells, before any detection.
 [[nodiscard]] SurfaceQuality surface_quality(const Scene& scene, SceneCells& cells, Executor& threads);
 
-/// What becomes of crowns that lean on walls, see take_crowns_off().
+/// Treatment of crowns that touch walls, see take_crowns_off().
 enum class LeaningCrowns { are_cut_off, stay };
 
-/// Finds what stands on the ground and has smooth pieces, and judges it.
-/// @param cells of the scene; their flags become those that suit the quality
-/// @param smallest_m2 what covers less is left out
+/// Finds elevated objects with smooth segments and classifies them.
+/// @param cells cells of the scene; their flags are updated for the quality
+/// @param smallest_m2 smaller objects are dropped
 [[nodiscard]] JudgedObjects judged_objects(const Scene& scene, SceneCells& cells, double smallest_m2,
                                            const SurfaceQuality& quality, Executor& threads,
                                            LeaningCrowns crowns = LeaningCrowns::are_cut_off);

@@ -14,35 +14,37 @@
 
 namespace d2b {
 
-/// The labels of a window, unit by unit, as runs that wait in a spool: 12 bytes a run and 4 a row of a unit.
+/// Labels of a window, spooled to disk unit by unit as runs: 12 bytes per run and 4 bytes per row of a unit.
 class LabelRows {
   public:
     LabelRows() = default;
-    /// @param window what labels are of
+    /// @param window extent of the labels
     LabelRows(std::unique_ptr<Spool> spool, const Window& window)
         : spool_(std::move(spool)), window_(window) {}
 
-    /// The own cells of the next unit. Units come row by row. @param labels of what the unit sees
-    /// @param more is added to those other than 0
+    /// Appends the core cells of the next unit. Units come row by row.
+    /// @param labels labels of the unit's extent
+    /// @param more offset added to labels other than 0
     void append(const Unit& unit, const Grid<Label>& labels, Executor& threads, Label more = 0);
-    /// Gives other labels to all units. @param number the new label, by the old one
+    /// Relabels all units.
+    /// @param number new label by old label
     void renumber(std::vector<Label> number) { number_ = std::move(number); }
 
-    /// The labels of a band of the window. From any thread, once all units are there.
-    /// @throws OutputError the spool cannot be read
+    /// Reads the labels of a band of the window. Callable from any thread after the last append().
+    /// @throws OutputError if the spool cannot be read
     [[nodiscard]] LabelBand band(const BandShape& shape) const;
 
   private:
-    /// Cells of the window.
+    /// Run of cells in columns of the window.
     struct Run {
         std::int32_t begin;
         std::int32_t end;
         Label label;
     };
-    /// The rows of the units that lie side by side.
+    /// Row of adjacent units.
     struct UnitRow {
-        RowBand rows;                                ///< of the whole raster
-        std::vector<std::vector<SpoolEntry>> units;  ///< each by slabs of rows
+        RowBand rows;                                ///< rows of the whole raster
+        std::vector<std::vector<SpoolEntry>> units;  ///< spool entries per unit, one per slab of rows
     };
     void read_slab(const SpoolEntry& entry, RowBand rows, LabelBand& band) const;
 

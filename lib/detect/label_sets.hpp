@@ -7,15 +7,17 @@
 
 namespace d2b {
 
-/// Sets of labels that turned out to be one; the smallest label stands for each. Label 0 is none.
+/// Disjoint sets of labels that turned out to be the same region. The smallest label represents its set.
+/// Label 0 is reserved.
 class LabelSets {
   public:
     LabelSets() : sets_(1) {}
     Label add() { return sets_.add(); }
     [[nodiscard]] Label find(Label label) { return sets_.find(label); }
-    /// @returns the label that stands for both
+    /// @returns the label that represents both
     Label join(Label a, Label b) { return sets_.join(a, b); }
-    /// A table from labels to numbers from 1 on, one a set, in the order of the labels that stand for them.
+    /// Returns a table from labels to consecutive numbers from 1, one per set, in the order of the
+    /// representatives.
     [[nodiscard]] std::vector<Label> numbered() {
         std::vector<Label> number(sets_.size(), 0);
         Label next = 0;

@@ -10,9 +10,9 @@
 namespace d2b {
 namespace {
 
-constexpr float lowest_roof_m = 1;  // what is lower is a car, a hedge, or an error of the ground
+constexpr float lowest_roof_m = 1;  // lower objects are cars, hedges or errors of the ground
 
-/// Of regions that are chosen. They are numbered in the order of their first cells.
+/// Returns the first cells of the chosen regions. Regions are numbered in the order of their first cells.
 template <typename Chosen>
 std::vector<FirstCell> first_cells(const Regions& regions, const Chosen& chosen) {
     std::vector<FirstCell> cells;
@@ -36,7 +36,7 @@ Mask low_cells(const Scene& scene, float min_height, Executor& threads) {
             const std::span<std::uint8_t> out = low.row(r);
             for (std::size_t c = 0; c < out.size(); ++c) {
                 const float height = z[c] - ground[c];
-                const int above = height > lowest_roof_m ? 1 : 0;  // not where it is NaN
+                const int above = height > lowest_roof_m ? 1 : 0;  // 0 if NaN
                 out[c] = static_cast<std::uint8_t>(above & (height <= min_height ? 1 : 0));
             }
             if (scene.allowed == nullptr)

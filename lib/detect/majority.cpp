@@ -14,14 +14,14 @@
 namespace d2b {
 namespace {
 
-/// In hundredths: more than `gain` of the neighbourhood makes a cell a building's, and a building's cell
-/// stays one above `keep`.
+/// Thresholds in per cent: a cell joins if buildings cover more than `gain` of its neighbourhood, and a
+/// building cell stays if they cover more than `keep`.
 struct Shares {
     std::int64_t gain;
     std::int64_t keep;
 };
 
-/// Half a neighbourhood's sides in cells.
+/// Half sides of a neighbourhood in cells.
 struct Radius {
     std::int32_t up;
     std::int32_t side;
@@ -38,23 +38,23 @@ std::int32_t reach(double reach_m, double step, std::int32_t cells) {
     return std::max(1, static_cast<std::int32_t>(std::min(reached, static_cast<double>(cells))));
 }
 
-/// Counts of two kinds of cells in a neighbourhood that slides down: sums of columns, and along the row sums
-/// of these. Both are kept in one number, buildings' cells in its upper half: that is half the work. Unsigned
-/// numbers wrap around and come back.
+/// Counts two kinds of cells in a sliding window by column sums, which are then added up along the row. Both
+/// counts are packed into one integer (building cells in the upper half), because that halves the work.
+/// Unsigned integers wrap around, so intermediate overflow is harmless.
 template <typename Pair>
 class NeighbourCounts {
   public:
     static constexpr int half = std::numeric_limits<Pair>::digits / 2;
 
     /// @param elevated null: all cells count
-    /// @param first the row that is asked for first
+    /// @param first first row that will be requested
     NeighbourCounts(const Mask& buildings, const Mask* elevated, std::int32_t up, std::int32_t side,
                     std::int32_t first)
         : buildings_(buildings),
           elevated_(elevated),
           up_(up),
           side_(static_cast<std::size_t>(side)),
-          // Zeros beyond both ends stand for what is not there.
+          // Padded by zeros at both ends.
           columns_(static_cast<std::size_t>(buildings.cols) + 2 * side_, 0),
           none_(static_cast<std::size_t>(buildings.cols), 0) {
         if (elevated == nullptr)
@@ -64,7 +64,7 @@ class NeighbourCounts {
         for (std::int32_t r = std::max(first - up - 1, 0); r < first + up; ++r)
             slide(r, -1);
     }
-    /// @param counts of row `r`, which must be the one after the last
+    /// @param counts receives the counts of row `r`, which must follow the last requested row
     void row(std::int32_t r, std::vector<Pair>& counts) {
         slide(r + up_, r - up_ - 1);
         add_up(counts);
@@ -77,8 +77,8 @@ class NeighbourCounts {
     }
 
   private:
-    /// Sums of so many columns: of 1, 2, 4, ... side by side, of which a neighbourhood is put together. A
-    /// running sum takes fewer steps, but each waits for the one before.
+    /// Adds up 2 side + 1 columns from sums over 1, 2, 4, ... columns. A running sum takes fewer steps, but
+    /// each depends on the one before and cannot be vectorised.
     void add_up(std::vector<Pair>& counts) {
         const std::size_t width = 2 * side_ + 1;
         sums_.assign(columns_.begin(), columns_.end());
@@ -97,7 +97,7 @@ class NeighbourCounts {
     [[nodiscard]] std::span<const std::uint8_t> row_of(const Mask& mask, std::int32_t r) const {
         return r >= 0 && r < mask.rows ? mask.row(r) : none_;
     }
-    /// Takes one row in and another one out.
+    /// Adds one row to the window and removes another.
     void slide(std::int32_t in, std::int32_t out) {
         const std::span<const std::uint8_t> buildings_in = row_of(buildings_, in);
         const std::span<const std::uint8_t> buildings_out = row_of(buildings_, out);
@@ -121,14 +121,14 @@ class NeighbourCounts {
     std::int32_t up_;
     std::size_t side_;
     std::vector<Pair> columns_;
-    std::vector<Pair> sums_;  ///< room of add_up()
+    std::vector<Pair> sums_;  ///< scratch of add_up()
     std::vector<std::uint8_t> none_;
-    std::vector<Pair> widths_;  ///< columns of each neighbourhood, where all cells count
+    std::vector<Pair> widths_;  ///< width of each neighbourhood, if all cells count
 };
 
-/// Who votes, and which cells may belong to a building.
+/// Cells that vote, and cells that may become building.
 struct Electorate {
-    const Mask* elevated;  ///< whose cells vote; null: all
+    const Mask* elevated;  ///< cells that vote; null: all
     const Mask& may;
 };
 
@@ -141,8 +141,8 @@ void vote(const Mask& now, const Electorate& of, Radius radius, Shares shares, R
         const std::span<const std::uint8_t> is = now.row(r);
         const std::span<const std::uint8_t> may = of.may.row(r);
         const std::span<std::uint8_t> out = next.row(r);
-        // A hundred times half a number fits into the number, signed. Nothing branches: several cells are
-        // done at once.
+        // A hundred times the largest count fits into the signed type. Branch-free, so that the loop
+        // vectorises.
         using Signed = std::make_signed_t<Pair>;
         const auto keep = static_cast<Signed>(shares.keep);
         const auto gain = static_cast<Signed>(shares.gain);
@@ -167,7 +167,8 @@ D2B_FOR_EACH_PROCESSOR void large_vote(const Mask& now, const Electorate& of, Ra
     vote<std::uint32_t>(now, of, radius, shares, band, next);
 }
 
-/// @param cells of the largest neighbourhood
+/// Selects the smallest integer type that holds the counts.
+/// @param cells number of cells of the largest neighbourhood
 auto vote_among(std::int64_t cells) {
     if (cells <= std::numeric_limits<std::uint8_t>::max())
         return small_vote;
@@ -180,7 +181,7 @@ Mask voted(const Mask& now, const Electorate& of, double reach_m, const CellSize
     const std::int64_t largest = (2 * std::int64_t{radius.up} + 1) * (2 * std::int64_t{radius.side} + 1);
     const auto vote_in = vote_among(largest);
     Mask next = Mask::unset(now.rows, now.cols, threads);
-    // A band begins by counting the rows of its first neighbourhood.
+    // Bands have a minimum height, because each begins by summing up its first neighbourhood.
     const std::int32_t least = 8 * std::min(radius.up, now.rows);
     for_row_bands(
         threads, now.rows, now.cols, [&](RowBand band) { vote_in(now, of, radius, shares, band, next); },

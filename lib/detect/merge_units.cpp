@@ -9,7 +9,7 @@ namespace d2b {
 
 Label UnitMerger::add(std::span<const SeenObject> objects) {
     const auto before = static_cast<Label>(seen_.size() - 1);
-    std::unordered_map<Label, Label> first;  // label of each whole
+    std::unordered_map<Label, Label> first;  // label by whole
     for (const SeenObject& object : objects) {
         const Label label = sets_.add();
         wholes_.add();
@@ -30,7 +30,7 @@ void UnitMerger::compare(std::span<const Label> first, std::span<const Label> se
         if (first[i] != 0 && second[i] != 0)
             ++shared[{first[i], second[i]}];
     }
-    // Where units do not see quite the same, a few cells of a neighbour do not make it the same object.
+    // Units may differ slightly, so a few shared cells do not make two neighbours the same object.
     for (const auto& [labels, n] : shared)
         if (2 * n >= std::min(cells[labels.first], cells[labels.second]))
             sets_.join(labels.first, labels.second);
@@ -41,7 +41,7 @@ std::unordered_map<Label, UnitMerger::Joined> UnitMerger::joined_sets() {
     for (Label label = 1; label < seen_.size(); ++label) {
         const Label set = sets_.find(label);
         if (set == label)
-            continue;  // comes before those that it stands for
+            continue;  // the representative comes before the other members
         Joined& joined = all.try_emplace(set, Joined{set, seen_[set].own_cells}).first->second;
         joined.cells += seen_[label].own_cells;
         if (seen_[label].own_cells > seen_[joined.says].own_cells)
@@ -85,7 +85,7 @@ UnitMerger::Merged UnitMerger::finish(std::int64_t least_cells) {
 void UnitMerger::name_wholes(const std::vector<Label>& number, std::vector<SeenObject>& objects) {
     for (Label label = 1; label < number.size(); ++label)
         wholes_.join(label, sets_.find(label));
-    std::vector<Label> lowest(number.size(), 0);  // number of each whole
+    std::vector<Label> lowest(number.size(), 0);  // number by whole
     for (Label label = 1; label < number.size(); ++label)
         if (Label& of = lowest[wholes_.find(label)]; number[label] != 0)
             of = of == 0 ? number[label] : std::min(of, number[label]);

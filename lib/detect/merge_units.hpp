@@ -11,51 +11,56 @@
 
 namespace d2b {
 
-/// An object as one unit of a window saw it.
+/// Object as detected in one unit of a window.
 struct SeenObject {
     DetectedObject object;
     bool is_building = false;
-    double ground = 0;           ///< elevation, m; NaN where it is not known
-    std::int64_t own_cells = 0;  ///< of its cells, those that are the unit's own
+    double ground = 0;           ///< elevation in m; NaN if unknown
+    std::int64_t own_cells = 0;  ///< its cells within the core of the unit
 };
 
-/// Objects of a window that was looked at in units which overlap. Each unit sees more cells than are its own,
-/// so that two units see the same things on both sides of the seam between them: what covers the same cells
-/// there is one object, and the unit that owns more of it says what it is; of those that own as much the
-/// first. Objects that a unit divided one into belong together, and so do those that other units saw of them.
+/// Merges the objects of overlapping units. The extent of a unit exceeds its core, so that two units detect
+/// the same objects on both sides of their seam: objects that cover the same cells there are one object, and
+/// the unit with most of it in its core provides its attributes (the first unit in case of a tie). Objects
+/// that a unit divided from one whole belong together, and so do their counterparts in other units.
 class UnitMerger {
   public:
-    /// @param objects of the next unit, by label - 1 @return what to add to its labels other than 0
+    /// Adds the objects of the next unit.
+    /// @param objects objects by label - 1
+    /// @return offset for its labels other than 0
     Label add(std::span<const SeenObject> objects);
-    /// A line of cells beside a seam, as the units on both sides saw it, with labels that have been added to.
+    /// Compares a line of cells next to a seam, as labelled by the units on both sides. Labels include the
+    /// offsets of the units.
     void compare(std::span<const Label> first, std::span<const Label> second);
 
     struct Merged {
-        /// Buildings first, then what is doubtful. DetectedObject::whole is the lowest number of those that
+        /// Buildings first, then doubtful objects. DetectedObject::whole is the lowest number of those that
         /// belong together.
         std::vector<SeenObject> objects;
         Label buildings = 0;
-        std::vector<Label> number;  ///< place in `objects` plus one, by label that was added to; 0: left out
+        std::vector<Label> number;  ///< index in `objects` plus one, by label with offset; 0: dropped
     };
-    /// Call once: what was seen is forgotten.
-    /// @param least_cells objects with fewer are left out: slivers on the far side of a seam
+    /// Call once: clears the objects.
+    /// @param least_cells smaller objects are dropped: slivers on the far side of a seam
     [[nodiscard]] Merged finish(std::int64_t least_cells);
 
   private:
-    /// What several units saw of one object.
+    /// Object detected by several units.
     struct Joined {
-        Label says = 0;  ///< what it is
+        Label says = 0;  ///< label that provides its attributes
         std::int64_t cells = 0;
     };
-    /// Of the sets with more than one label, by the label that stands for each: few objects lie at a seam.
+    /// Returns the sets with more than one label, by their representative. They are few, because few objects
+    /// touch a seam.
     [[nodiscard]] std::unordered_map<Label, Joined> joined_sets();
 
-    /// @param objects that finish() gives, with their numbers by label that was added to
+    /// @param number numbers by label with offset
+    /// @param objects result of finish()
     void name_wholes(const std::vector<Label>& number, std::vector<SeenObject>& objects);
 
     LabelSets sets_;
-    LabelSets wholes_;                ///< of labels that belong together
-    std::deque<SeenObject> seen_{1};  ///< by label; there may be very many
+    LabelSets wholes_;                ///< sets of labels that belong together
+    std::deque<SeenObject> seen_{1};  ///< by label; a deque, because there may be very many
 };
 
 }  // namespace d2b

@@ -27,8 +27,8 @@ std::int32_t columns_beside(const Element& element) {
     return result;
 }
 
-/// A row of cells with all cells from so many to the left to so many to the right of them set. It is narrowed
-/// further from one row of the element to the next.
+/// Cells of a row whose neighbours in columns [c - left, c + right] are all set. The interval grows from one
+/// row of the structuring element to the next.
 class NarrowedRow {
   public:
     NarrowedRow(std::int32_t cols, std::int32_t beside)
@@ -36,7 +36,7 @@ class NarrowedRow {
           padded_(static_cast<std::size_t>(cols + 2 * beside)),
           cells_(static_cast<std::size_t>(cols)) {}
 
-    /// The row's ends continue outwards.
+    /// Replicates the border cells outwards.
     void set(std::span<const std::uint8_t> row) {
         std::copy(row.begin(), row.end(), padded_.begin() + beside_);
         std::fill_n(padded_.begin(), beside_, row.front());
@@ -66,8 +66,8 @@ class NarrowedRow {
     std::vector<std::uint8_t> cells_;
 };
 
-/// Rows of a band of the result that see row `from` through a row of the element: one, or where rows beyond
-/// the border are like the last, more.
+/// Updates the rows of a band that see row `from` through one row of the element: a single row, or several at
+/// the border, because the border row is replicated.
 void take_row(Mask& result, RowBand band, std::int32_t from, std::int32_t down,
               std::span<const std::uint8_t> cells) {
     const std::int32_t last = result.rows - 1;
@@ -82,8 +82,8 @@ void take_row(Mask& result, RowBand band, std::int32_t from, std::int32_t down,
     }
 }
 
-/// Where the element does not fit into the mask, in a band.
-/// @param element from its shortest row to its longest
+/// Computes, for a band, the cells at which the element does not fit into the mask.
+/// @param element rows sorted from the shortest to the longest
 D2B_FOR_EACH_PROCESSOR void rest_of_band(const Mask& mask, const Element& element, std::int32_t reach,
                                          RowBand band, Mask& result) {
     std::fill(result.row(band.begin).begin(), result.row(band.end - 1).end(), std::uint8_t{1});
@@ -108,16 +108,16 @@ Mask rest_of_erosion(const Mask& mask, Element element, Executor& threads) {
     for (const ElementRow& row : element)
         reach = std::max(reach, std::abs(row.down));
     Mask result = Mask::unset(mask.rows, mask.cols, threads);
-    const std::int32_t least = 8 * std::min(reach, mask.rows);  // bands look at rows around them
+    const std::int32_t least = 8 * std::min(reach, mask.rows);  // bands read `reach` rows above and below
     for_row_bands(
         threads, mask.rows, mask.cols,
         [&](RowBand band) { rest_of_band(mask, element, reach, band, result); }, std::max(least, 16));
     return result;
 }
 
-/// Adds the neighbours of a band in `within` to its copy, step by step: the ends of the copy are left behind.
+/// Conditional dilation of a copy of a band, one step at a time. Rows at the ends of the copy become invalid.
 D2B_FOR_EACH_PROCESSOR void grow_copy(BandCopy<std::uint8_t>& copy, const Mask& within, int steps) {
-    // Rows as they were: the one above and this one, with a zero at each end.
+    // Previous values of the row above and of this row, with a zero at each end.
     Mask& mask = copy.rows;
     const auto cols = static_cast<std::size_t>(mask.cols);
     std::vector<std::uint8_t> up(cols + 2);
@@ -149,7 +149,7 @@ Mask eroded(const Mask& mask, double radius_m, const CellSize& cell, Executor& t
 
 Mask opened(const Mask& mask, double radius_m, const CellSize& cell, Executor& threads) {
     const Element element = disk_element(radius_m, cell);
-    // Where the element does not fit into what an erosion takes away: a dilation.
+    // A dilation is the complement of an erosion of the complement.
     return rest_of_erosion(rest_of_erosion(mask, element, threads), turned_over(element), threads);
 }
 

@@ -4,16 +4,15 @@
 
 namespace d2b {
 
-/// Cells around which all cells within a radius are set; the border continues outwards. Where the radius is
-/// less than a cell, a block of two by two cells takes the disk's place. Halo: the radius.
+/// Erosion by a disk; the border is replicated. If the radius is less than a cell, the structuring element is
+/// a block of two by two cells. Halo: the radius.
 [[nodiscard]] Mask eroded(const Mask& mask, double radius_m, const CellSize& cell, Executor& threads);
 
-/// What a disk of this radius fits into: thin bridges and spikes go. Where the radius is less than a cell, a
-/// block of two by two cells takes the disk's place. The border continues outwards. Halo: twice the
-/// radius.
+/// Opening by a disk, which removes thin bridges and spikes. If the radius is less than a cell, the
+/// structuring element is a block of two by two cells. The border is replicated. Halo: twice the radius.
 [[nodiscard]] Mask opened(const Mask& mask, double radius_m, const CellSize& cell, Executor& threads);
 
-/// Adds the neighbours across edges that lie in `within`, so many times. Halo: a cell a step.
+/// Geodesic dilation: adds 4-neighbours within `within`, `steps` times. Halo: one cell per step.
 [[nodiscard]] Mask grown(Mask mask, const Mask& within, int steps, Executor& threads);
 
 }  // namespace d2b

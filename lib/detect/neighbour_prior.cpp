@@ -13,7 +13,7 @@
 namespace d2b {
 namespace {
 
-// Reaches up to 300 m are as good in the places of docs/accuracy.md; a unit sees as far as that around it.
+// Radii up to 300 m are equally good in the places of docs/accuracy.md; units have a halo of that size.
 constexpr double reach_m = 150;
 constexpr std::size_t no_witness = std::numeric_limits<std::size_t>::max();
 
@@ -21,10 +21,10 @@ struct Candidate {
     double down = 0;  // metres
     double across = 0;
     double confidence = 0;
-    std::size_t object = 0;  ///< its index among the witnesses; no_witness where it is none
+    std::size_t object = 0;  ///< index among the reference objects; no_witness if it is not one of them
 };
 
-/// Sums of rows and columns are whole numbers: exact, in any order.
+/// Integer sums of rows and columns, exact in any order.
 struct CellSums {
     std::int64_t rows = 0;
     std::int64_t cols = 0;
@@ -41,7 +41,7 @@ std::vector<CellSums> cell_sums(const Regions& regions, Executor& threads) {
     return sums;
 }
 
-/// Candidates in strips as high as the reach, each from left to right.
+/// Spatial index: candidates in horizontal strips as high as the radius, each sorted from left to right.
 class Strips {
   public:
     Strips(const std::vector<Candidate>& candidates, double height)
@@ -53,7 +53,8 @@ class Strips {
     }
     [[nodiscard]] std::span<const std::vector<Candidate>> all() const { return strips_; }
 
-    /// Mean confidence around a candidate, without itself. @param usual the confidence of one more
+    /// Weighted mean confidence around a candidate, excluding itself.
+    /// @param usual confidence of one pseudo-candidate
     [[nodiscard]] double share_around(const Candidate& middle, double usual) const {
         double sum = usual;
         double weights = 1;
@@ -75,7 +76,7 @@ class Strips {
     static std::size_t strip_of(const Candidate& candidate) {
         return static_cast<std::size_t>(candidate.down / reach_m);
     }
-    /// Falls from 1 to 0 at the reach, without a step.
+    /// Decreases smoothly from 1 to 0 at the radius.
     static double weight_of(const Candidate& other, const Candidate& middle) {
         const double down = (other.down - middle.down) / reach_m;
         const double across = (other.across - middle.across) / reach_m;

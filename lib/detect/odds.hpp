@@ -5,7 +5,7 @@
 
 namespace d2b {
 
-/// Odds of a probability, finite also where that is 1.
+/// Odds of a probability, finite even for 1.
 [[nodiscard]] inline double odds(double probability) {
     constexpr double least_doubt = 1e-15;
     return probability / std::max(1 - probability, least_doubt);
@@ -15,7 +15,7 @@ namespace d2b {
     return odds / (1 + odds);
 }
 
-/// A probability whose log-odds are less by so much.
+/// Lowers the log-odds of a probability.
 [[nodiscard]] inline double less_sure(double probability, double log_odds) {
     return probability_of(odds(probability) * std::exp(-log_odds));
 }

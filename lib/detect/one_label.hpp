@@ -5,8 +5,8 @@
 
 namespace d2b {
 
-/// Detection of the thesis preset: everything that stands above the ground level is an object of one label;
-/// what separates buildings are the contours alone. Pointwise: no halo, nothing carried.
+/// Detection of the thesis preset: all cells above the ground level belong to one object with one label,
+/// because the contours alone separate buildings. Pointwise: no halo, no state.
 [[nodiscard]] LabelBand detect_one_label(const ElevationBand& elevations, Context& context);
 
 }  // namespace d2b

@@ -5,10 +5,11 @@
 
 namespace d2b {
 
-/// What parcels are to the cells of a scene.
+/// Parcels of the cells of a scene.
 using ParcelGrid = Grid<ParcelCell>;
 
-/// Whether parcels part two neighbours. @param below the second is below the first, else beside it
+/// True if a parcel boundary separates two neighbours.
+/// @param below true if the second cell is below the first, false if it is to the right
 [[nodiscard]] inline bool parted(const ParcelCell& first, const ParcelCell& second, bool below) {
     return first.parcel != second.parcel || (below ? first.cut_below : first.cut_right);
 }

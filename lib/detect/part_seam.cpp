@@ -7,9 +7,9 @@
 namespace d2b {
 namespace {
 
-constexpr double straight = 1.3;         // cells, RMS
-constexpr std::size_t fewest_edges = 4;  // of a piece at a corner
-constexpr double sharpest = 0.8;         // cosine between two walls that meet
+constexpr double straight = 1.3;         // RMS in cells
+constexpr std::size_t fewest_edges = 4;  // minimum per line at a corner
+constexpr double sharpest = 0.8;         // cosine of the angle between two walls
 constexpr int rounds_of_halving = 8;
 
 double distance_along(const SeamLine& line, const MetrePlace& place) {
@@ -61,7 +61,7 @@ std::optional<SeamLine> PartSeam::fitted_line(double most_squared) const {
     const double spread = std::sqrt((xx - yy) * (xx - yy) + 4 * xy * xy);
     if ((xx + yy - spread) / 2 > n * most_squared)
         return std::nullopt;
-    // Half of the angle of (xx - yy, 2 xy).
+    // Half the angle of (xx - yy, 2 xy).
     const double turned = spread > 0 ? (xx - yy) / spread : 1;
     line.along = {std::sqrt((1 + turned) / 2), std::copysign(std::sqrt((1 - turned) / 2), xy)};
     line.inward = {-line.along.y, line.along.x};
@@ -88,8 +88,8 @@ std::optional<CornerSeam> PartSeam::corner(const CellSize& cell) const {
     const std::optional<SeamLine> whole = fitted_line(any);
     if (!whole)
         return std::nullopt;
-    // From a first division in the middle: each edge goes to the nearer of two lines, and these are fitted
-    // anew.
+    // Fits two lines by k-means, starting from a division in the middle: each edge is assigned to the nearer
+    // line, then the lines are fitted again.
     std::vector<std::uint8_t> is_second(edges_.size());
     for (std::size_t i = 0; i < edges_.size(); ++i)
         is_second[i] = distance_along(*whole, edges_[i].middle) > 0 ? 1 : 0;

@@ -9,41 +9,43 @@
 
 namespace d2b {
 
-/// Two straight pieces of a seam around a corner.
+/// Two straight parts of a seam around a corner.
 struct CornerSeam {
     SeamLine one;
     SeamLine other;
 };
 
-/// The border of a part of an object: with the rest of the object, the seam, and with what is no object.
+/// Border of a part of an object: the seam with the rest of the object, and the free border.
 class PartSeam {
   public:
-    /// An edge between a cell of the part and its neighbour. @param down, across to the neighbour, cells
+    /// Adds an edge between a cell of the part and its neighbour.
+    /// @param down, across offset of the neighbour in cells
     void add(std::int32_t row, std::int32_t col, int down, int across, const CellSize& cell);
     void add_free() { ++free_; }
 
-    /// Share of the border that is the object's own; 1 where there is no seam.
+    /// Share of the border that belongs to the object's outline; 1 if there is no seam.
     [[nodiscard]] double free_share() const;
-    /// The line that fits the seam best, if it is straight.
+    /// Least-squares line of the seam, if it is straight.
     [[nodiscard]] std::optional<SeamLine> straight_line(const CellSize& cell) const;
-    /// The two lines that fit the seam best, if both are straight and meet at an angle, as the walls at the
-    /// corner of a roof do.
+    /// Two lines that fit the seam best, if both are straight and meet at an angle like the walls at the
+    /// corner of a roof.
     [[nodiscard]] std::optional<CornerSeam> corner(const CellSize& cell) const;
 
   private:
     struct Edge {
         MetrePlace middle;
-        MetrePlace to_rest;  // the way over it
+        MetrePlace to_rest;  // vector across the edge
     };
     [[nodiscard]] std::optional<SeamLine> fitted_line(double most_squared) const;
     [[nodiscard]] PartSeam half(const std::vector<std::uint8_t>& is_second, std::uint8_t which) const;
 
-    std::vector<Edge> edges_;  // of the seam
+    std::vector<Edge> edges_;  // edges of the seam
     std::int64_t free_ = 0;
 };
 
-/// One a part, by label - 1. @param parts cells of objects, and regions of these that are parts
-/// @param rest cells of objects that are on the other side of seams
+/// Computes the border of each part, by label - 1.
+/// @param parts cells of objects, and the regions of these cells that are parts
+/// @param rest cells of objects on the other side of seams
 [[nodiscard]] std::vector<PartSeam> seams_of(const DetectedObjects& parts, const Mask& rest,
                                              const CellSize& cell, Executor& threads);
 

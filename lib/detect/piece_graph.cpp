@@ -17,7 +17,7 @@ double height_difference(const PieceGraph::Piece& a, const PieceGraph::Piece& b)
 }
 
 void count_pair(PieceGraph::Piece& piece, Label other, bool beside) {
-    // Along a border the same neighbour comes again and again.
+    // Consecutive pairs along a border mostly have the same neighbour.
     if (piece.borders.empty() || piece.borders.back().other != other)
         piece.borders.push_back({other, 0, 0});
     ++(beside ? piece.borders.back().beside : piece.borders.back().below);
@@ -100,7 +100,7 @@ void PieceGraph::merge_small(std::int64_t least_cells) {
     while (!queue.empty()) {
         const auto [cells, label] = queue.top();
         queue.pop();
-        // A piece that has merged has another size now, or is gone and has none.
+        // Skips stale entries: a merged piece has another size, or is gone and has none.
         if (pieces_[label].cells != cells)
             continue;
         tally(label);

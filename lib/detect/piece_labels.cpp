@@ -6,7 +6,7 @@
 namespace d2b {
 namespace {
 
-/// Makes room for more buildings before the doubtful objects.
+/// Shifts the labels of doubtful objects to make room for more buildings.
 void shift_doubtful(Detection& detection, Label buildings) {
     for (Label& label : detection.labels.values)
         if (label > detection.buildings)

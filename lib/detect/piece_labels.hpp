@@ -7,9 +7,10 @@
 
 namespace d2b {
 
-/// Makes an object of each piece that buildings are divided into, with all that is known of its building.
-/// Doubtful objects follow as before. @param regions that cover the buildings' cells and no others, each of
-/// one building @param number of the regions' labels, from 1 on
+/// Turns each piece of a building into an object with the attributes of its building. Doubtful objects follow
+/// as before.
+/// @param regions regions that cover exactly the buildings' cells, each within one building
+/// @param number new numbers of the regions' labels, from 1 on
 void write_pieces(const Regions& regions, const std::vector<Label>& number, Detection& detection);
 
 }  // namespace d2b

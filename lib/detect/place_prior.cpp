@@ -16,22 +16,22 @@ constexpr double likely = 0.5;
 constexpr double beyond_doubt = 0.95;
 constexpr std::int64_t likely_per_sure = 5;  // at most
 constexpr double usual_share = 0.62;
-// Where hardly any is sure the estimate is one of few candidates, and of objects that look otherwise: in thin
-// villages half of the true share is estimated.
+// Factors for scenes almost without certain buildings. The estimate then rests on few candidates with an
+// unusual appearance: in sparsely scanned villages it is half of the true share.
 constexpr double surely = 0.9;
-constexpr std::int64_t fields_likely_per_sure = 10;  // more than that
+constexpr std::int64_t fields_likely_per_sure = 10;  // more than this
 constexpr double added_to_few = 1;
 constexpr double estimates_at_most = 2.5;
 constexpr int most_steps = 500;
 constexpr double small_step = 1e-7;
 
-// The logarithm of the likelihood ratio is a line in the log-odds that judge() gives. Of each of the two
-// places of docs/accuracy.md that have hundreds of candidates this line was found, and it was the same; where
-// it says nothing, at the usual share, the log-odds are 0.
+// The log likelihood ratio is linear in the log-odds of judge(). This line was fitted independently to the
+// two places of docs/accuracy.md with hundreds of candidates, and was the same for both; at the usual share
+// the log-odds are 0.
 constexpr double steepness = 1.4;
 const double offset = -std::log(usual_share / (1 - usual_share));
 
-/// The probability of a building where so many are.
+/// Posterior probability of a building, given the likelihood ratio and the prior share.
 double posterior(double ratio, double share) {
     return ratio * share / (ratio * share + 1 - share);
 }
@@ -48,7 +48,7 @@ std::vector<double> ratios_of(const std::vector<DetectedObject>& objects) {
     return ratios;
 }
 
-/// The largest share of buildings to suppose where hardly any candidate is sure.
+/// Upper bound of the share of buildings if hardly any candidate is certain.
 double most_of_few(std::span<const double> ratios) {
     return std::min(usual_share, estimates_at_most * share_of_buildings(ratios, added_to_few));
 }
@@ -58,7 +58,7 @@ std::int64_t above(double confidence, const std::vector<DetectedObject>& objects
         objects, [&](const DetectedObject& object) { return object.confidence > confidence; });
 }
 
-/// Mean confidence of candidates; the usual share where there is none.
+/// Mean confidence of candidates; the usual share if there are none.
 double mean_confidence(const std::vector<DetectedObject>& objects) {
     double sum = 0;
     double count = 0;
@@ -70,13 +70,13 @@ double mean_confidence(const std::vector<DetectedObject>& objects) {
     return count > 0 ? sum / count : usual_share;
 }
 
-/// What confidences suppose that hold for a share, or for one nearer to their own mean.
+/// Range of shares implied by the confidences: between a share and their own mean.
 SupposedShare supposed_around(double share, const std::vector<DetectedObject>& objects, bool as_elsewhere) {
     const double mean = mean_confidence(objects);
     return {std::min(mean, share), std::max(mean, share), as_elsewhere};
 }
 
-/// Confidences for a share in the place of the usual one.
+/// Replaces the usual prior share by another one.
 void suppose(double share, std::span<DetectedObject> objects) {
     if (share == usual_share)
         return;

@@ -8,7 +8,8 @@ namespace {
 
 constexpr std::uint64_t every_byte = 0x0101010101010101U;
 
-/// The first cell from `c` on that belongs to a region, or the row's end. Most rows are mostly empty.
+/// Returns the first cell from `c` on that belongs to a region, or the end of the row. Tests eight cells at a
+/// time, because most rows are mostly empty.
 std::int32_t next_in(std::span<const std::uint8_t> links, std::int32_t c) {
     const auto end = static_cast<std::int32_t>(links.size());
     for (std::uint64_t eight = 0; c + 8 <= end; c += 8) {
@@ -21,8 +22,8 @@ std::int32_t next_in(std::span<const std::uint8_t> links, std::int32_t c) {
     return c;
 }
 
-/// The first cell from `c` on at which a run may end or another one above it begin. What is joined above it
-/// up to `joined_end` need not be looked at.
+/// Returns the first cell from `c` on at which the run may end or a new run above it may begin. Cells up to
+/// `joined_end` were joined to the row above already.
 std::int32_t skip_linked(std::span<const std::uint8_t> links, std::int32_t c, std::int32_t joined_end) {
     const auto end = static_cast<std::int32_t>(links.size());
     for (std::uint64_t eight = 0; c + 8 <= end; c += 8) {
@@ -54,7 +55,7 @@ std::int32_t RegionBuilder::join_above(std::int32_t c, std::size_t& above, Label
 }
 
 void RegionBuilder::add_row(std::span<const std::uint8_t> links) {
-    // Of the row above; the first row has no links to it.
+    // Index of the first run of the row above. The first row has no links upwards.
     std::size_t above = regions_.rows > 0 ? regions_.row_begin[regions_.row_begin.size() - 2] : 0;
     for (std::int32_t c = next_in(links, 0); c < regions_.cols; c = next_in(links, c)) {
         RegionRun run{c, c, 0};
@@ -80,7 +81,7 @@ void RegionBuilder::add_touching_row(std::span<const RegionRun> runs) {
         run.label = 0;
         while (above < above_end && regions_.runs[above].end <= run.begin)
             ++above;
-        // The last of those may reach over the next run as well.
+        // The last of these runs may overlap the next run as well.
         for (std::size_t k = above; k < above_end && regions_.runs[k].begin < run.end; ++k) {
             const Label label = regions_.runs[k].label;
             if (run.label == 0)
@@ -125,7 +126,7 @@ void relabel(Regions& regions, std::span<const Label> number) {
     std::size_t i = 0;
     for (std::size_t r = 0; r + 1 < regions.row_begin.size(); ++r) {
         regions.row_begin[r] = kept;
-        // The next row's begin is still that of the runs before.
+        // row_begin of the next row still refers to the old runs.
         for (; i < regions.row_begin[r + 1]; ++i) {
             RegionRun run = regions.runs[i];
             run.label = number[run.label];

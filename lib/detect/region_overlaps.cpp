@@ -8,7 +8,7 @@
 namespace d2b {
 namespace {
 
-/// Stretches of a row that lie in a region of each set.
+/// Finds the overlaps of two sets of runs in a row.
 void add_row(std::span<const RegionRun> one, std::span<const RegionRun> other,
              std::vector<RegionOverlap>& found) {
     std::size_t i = 0;

@@ -7,7 +7,7 @@
 
 namespace d2b {
 
-/// Cells that a region shares with one of another set.
+/// Number of cells shared by a region of one set and a region of another set.
 struct RegionOverlap {
     Label one = 0;
     Label other = 0;
@@ -16,11 +16,12 @@ struct RegionOverlap {
     friend bool operator==(const RegionOverlap&, const RegionOverlap&) = default;
 };
 
-/// Which regions of two sets on one grid share cells, by the labels of the first and then of the other set.
+/// Returns all overlaps between two sets of regions on the same grid, sorted by the labels of the first set,
+/// then the second.
 [[nodiscard]] std::vector<RegionOverlap> region_overlaps(const Regions& one, const Regions& other);
 
-/// For each label of `one` the label of `other` that holds most of its cells, of several the lowest; 0 where
-/// none holds any. [0] is 0.
+/// Returns the label of `other` with most cells in each region of `one`; the lowest label in case of a tie, 0
+/// if there is no overlap. [0] is 0.
 [[nodiscard]] std::vector<Label> holders(const Regions& one, const Regions& other);
 
 }  // namespace d2b

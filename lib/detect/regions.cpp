@@ -10,24 +10,24 @@
 namespace d2b {
 namespace {
 
-/// The regions of a band of rows, and how its first row hangs together with the row above.
+/// Regions of a band of rows, and the links of its first row to the row above.
 struct Part {
     Regions regions;
     std::vector<std::uint8_t> seam;
-    Label before = 0;  ///< labels of the bands above
+    Label before = 0;  ///< number of labels in the bands above
 };
 
-/// Adds the rows of a band to a builder, the first without links to the row above.
+/// Adds the rows of a band to a builder. The first row gets no links to the row above.
 using AddRows = std::function<void(RowBand band, RegionBuilder& builder)>;
 
-/// Leaves out cells that hang together with no other. @param below the links of the next row
+/// Drops cells without any connection.
+/// @param below links of the next row
 void leave_lonely_out(std::span<std::uint8_t> links, std::span<const std::uint8_t> below) {
     const auto keep = [&](std::size_t c, int right) {
         const int beside = (links[c] & (link_left | link_up)) | (right & link_left) | (below[c] & link_up);
         links[c] = beside != 0 ? links[c] : std::uint8_t{0};
     };
-    // Where the right one was left out already, it had no link. Nothing branches: many cells are done at
-    // once.
+    // A right neighbour that was dropped already had no link. Branch-free, so that the loop vectorises.
     for (std::size_t c = 0; c + 1 < links.size(); ++c)
         keep(c, links[c + 1]);
     if (!links.empty())
@@ -75,7 +75,7 @@ Part part_of(RowBand band, std::int32_t cols, const LinksOfRow& links_of, const 
     return part;
 }
 
-/// Joins the regions of two bands, the one above and the one below, across their seam.
+/// Joins the regions of two adjacent bands across their seam.
 void join(const Part& above, const Part& below, LabelSets& sets) {
     std::span<const RegionRun> upper = above.regions.row(above.regions.rows - 1);
     for (const RegionRun& run : below.regions.row(0))
@@ -88,8 +88,8 @@ void join(const Part& above, const Part& below, LabelSets& sets) {
         }
 }
 
-/// Numbers for the labels of all bands, from 1 on in scan order; 0 for those of too few cells.
-/// @param cells of each number
+/// Renumbers the labels of all bands from 1 in scan order; 0 for regions with too few cells.
+/// @param cells receives the number of cells per new label
 std::vector<Label> number_all(std::vector<Part>& parts, std::int64_t least_cells,
                               std::vector<std::int64_t>& cells) {
     LabelSets sets;
@@ -117,7 +117,7 @@ std::vector<Label> number_all(std::vector<Part>& parts, std::int64_t least_cells
     return number;
 }
 
-/// Puts the runs of all bands into one list.
+/// Concatenates the runs of all bands.
 void gather(std::vector<Part>& parts, Regions& regions, Executor& threads) {
     std::vector<std::size_t> first(parts.size());
     for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -134,7 +134,7 @@ void gather(std::vector<Part>& parts, Regions& regions, Executor& threads) {
     });
 }
 
-/// @param links_of what bands are joined by
+/// @param links_of links used to join bands
 Regions regions_of(std::int32_t rows, std::int32_t cols, const LinksOfRow& links_of, const AddRows& add_rows,
                    std::int64_t least_cells, Executor& threads) {
     const std::vector<RowBand> bands = row_bands(rows, cols);
@@ -170,7 +170,7 @@ void edge_links(const Mask& mask, std::int32_t r, std::uint8_t value, std::vecto
     const std::uint8_t other = value ^ 1;
     const std::uint8_t has_up = r > 0 ? 1 : 0;
     static_assert(link_in == 1 && link_left == 2 && link_up == 4);
-    // Bytes and shifts alone, so that many cells are done at once.
+    // Bytes and shifts only, so that the loop vectorises.
     const auto link = [&](std::size_t c, int left) {
         const int in = here[c] ^ other;
         return static_cast<std::uint8_t>(in | (in & left) << 1 | (in & (up[c] ^ other) & has_up) << 2);

@@ -8,7 +8,7 @@
 
 namespace d2b {
 
-/// A square of a scene on its own, and which of its cells are surely roofs.
+/// Copy of a square of a scene, with its certain roof cells.
 struct RoofSample {
     MetreGrid surface;
     MetreGrid terrain;
@@ -22,8 +22,8 @@ struct RoofSample {
     }
 };
 
-/// The squares of 1024 by 1024 cells that hold the most cells of roofs, up to four; of equal ones the first.
-/// They are cut from the scene's first row and column on.
+/// Copies the up to four squares of 1024 by 1024 cells with most roof cells; the first ones win ties. The
+/// squares are tiles from the scene's first row and column.
 [[nodiscard]] std::vector<RoofSample> roof_samples(const Scene& scene, const Mask& roofs, Executor& threads);
 
 }  // namespace d2b

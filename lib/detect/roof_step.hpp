@@ -6,8 +6,8 @@
 
 namespace d2b {
 
-/// Metres by which neighbouring cells differ where a wall stands between them: more than roofs rise, which is
-/// 63 degrees in cells of 0.5 m and 56 in those of a metre and more.
+/// Height difference in m between neighbouring cells that are separated by a wall. It is more than roofs
+/// rise: 63 degrees in cells of 0.5 m, 56 degrees in cells of a metre and more.
 [[nodiscard]] inline float roof_step(const Scene& scene) {
     constexpr double least = 1;
     constexpr double slope = 1.5;

@@ -18,12 +18,14 @@ constexpr double surely_roof = 0.95;
 constexpr double likely_roof = 0.5;
 constexpr double inside_m = 3;
 constexpr std::int64_t fewest_roofs = 2000;  // cells
-// Laser scans of 0.5 to 2.5 m cells have 0.7 to 1, the town of docs/accuracy.md as satellites see it 0.5.
+// Laser scans with cells of 0.5 to 2.5 m have 0.7 to 1; the town of docs/accuracy.md as seen by satellites
+// has 0.5.
 constexpr double least_sharp = 0.6;
 constexpr std::array<double, 4> stricter{0.9, 0.8, 0.7, 0.6};
-constexpr std::int64_t most_lost = 5;  // of a thousand
+constexpr std::int64_t most_lost = 5;  // per thousand
 
-/// Cells of objects with a property. @param has has(i): whether the object at i has it
+/// Returns the cells of the objects with a property.
+/// @param has has(i): true if object i has it
 template <typename Has>
 Mask cells_of(const JudgedObjects& judged, const Has& has, Executor& threads) {
     Mask cells(judged.regions.rows, judged.regions.cols, 0, threads);
@@ -37,7 +39,8 @@ Mask cells_of(const JudgedObjects& judged, const Has& has, Executor& threads) {
     return cells;
 }
 
-/// What is beyond doubt without its right angles: the surface is to show how smooth it is.
+/// Returns roofs that are certain even without their right angles, because the surface alone has to show its
+/// smoothness.
 Mask sure_roofs(const JudgedObjects& judged, double filled, Executor& threads) {
     const auto is_sure = [&](std::size_t i) {
         Evidence without = judged.evidence[i];
@@ -81,11 +84,12 @@ std::optional<double> roof_strictness(const Scene& scene, const DetectOptions& o
         }
         return cells;
     };
-    // What is cut at the border of a sample may not be found even so.
+    // Reference count at the unchanged thresholds, because objects cut by the border of a sample may not be
+    // found at all.
     const std::int64_t all = roofs_found(1);
     if (all < fewest_roofs)
         return std::nullopt;
-    // By halves: what stricter limits find, wider ones do.
+    // Binary search: wider thresholds find every cell that stricter ones do.
     const auto first_too_strict = std::partition_point(stricter.begin(), stricter.end(), [&](double root) {
         return 1000 * roofs_found(root * root) >= (1000 - most_lost) * all;
     });

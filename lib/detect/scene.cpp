@@ -22,13 +22,13 @@ Mask elevated_cells(const Scene& scene, double min_height, Executor& threads) {
     for_row_bands(threads, result.rows, result.cols, [&](RowBand band) {
         const auto least = static_cast<float>(min_height);
         for (std::int32_t r = band.begin; r < band.end; ++r) {
-            // Spans of their own: what a byte is written to might else be any of them, and each cell would be
-            // done alone. So it is wherever bytes of cells are written.
+            // Local spans, because stores of bytes may alias anything and would otherwise prevent
+            // vectorisation. Same wherever bytes of cells are written.
             const std::span<const float> z = scene.surface.row(r);
             const std::span<const float> ground = scene.terrain.row(r);
             const std::span<std::uint8_t> out = result.row(r);
             for (std::size_t c = 0; c < out.size(); ++c)
-                out[c] = z[c] - ground[c] > least ? 1 : 0;  // 0 where it is NaN
+                out[c] = z[c] - ground[c] > least ? 1 : 0;  // 0 if NaN
             if (scene.allowed == nullptr)
                 continue;
             const std::span<const std::uint8_t> allowed = scene.allowed->row(r);

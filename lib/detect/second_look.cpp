@@ -13,12 +13,13 @@
 namespace d2b {
 namespace {
 
-// Found on La Rochelle, on fine places as thin scans show them, and on scenes, see docs/accuracy.md.
+// Fitted on La Rochelle, on simulated sparse scans of high-resolution places, and on scenes, see
+// docs/accuracy.md.
 constexpr double least_filled = 0.1;
 constexpr double allowance = 3;
-constexpr double caution = 0.8;  // off the log-odds
+constexpr double caution = 0.8;  // penalty on the log-odds
 
-/// Takes out the cells of regions and those beside them, also across a corner.
+/// Clears the cells of regions and their eight neighbours.
 void leave_out(const Regions& regions, Mask& cells, Executor& threads) {
     for_row_bands(threads, cells.rows, cells.cols, [&](RowBand band) {
         for (std::int32_t r = band.begin; r < band.end; ++r)
@@ -29,7 +30,7 @@ void leave_out(const Regions& regions, Mask& cells, Executor& threads) {
     });
 }
 
-/// The run of a row that holds a column, null where none does.
+/// Returns the run that contains a column, or null.
 const RegionRun* run_at(std::span<const RegionRun> row, std::int32_t col) {
     const auto run =
         std::ranges::partition_point(row, [&](const RegionRun& before) { return before.end <= col; });

@@ -4,24 +4,23 @@
 
 namespace d2b {
 
-/// Whether so few points fell into the cells that houses are too rough for the limits of smoothness.
+/// True if points are so sparse that houses are too rough for the usual thresholds of smoothness.
 /// @param filled see SurfaceQuality
 [[nodiscard]] bool deserves_second_look(double filled);
 
-/// Looks once more at what is elevated beside the objects that were found, with three times the allowance for
-/// thin points in the limits of smoothness. What is seen at once is not looked at again: with such limits
-/// houses and crowns beside them are one, and so are crowns. The rest is less often a building, so each has
-/// less confidence.
-/// @param cells of the scene, as they were left by the first look; changed
-/// @param quality of the first look
-/// @param found objects of the first look
-/// @return objects that share neither edge nor corner with those. What is too small to be one, too rough at
-/// the first look, does not count as left out. Halo: objects of both looks, the segments that they meet, and
-/// 11 m and four cells around them.
+/// Relaxed pass over the elevated cells outside of the objects found so far, with three times the margin for
+/// sparse points. Objects found so far are excluded, because such thresholds merge houses with adjacent
+/// crowns. Objects of this pass are less often buildings, so their confidence is lowered.
+/// @param cells cells of the scene as left by the first pass; changed
+/// @param quality quality used by the first pass
+/// @param found objects of the first pass
+/// @return objects that touch none of those, not even at a corner. Objects that are too small do not count as
+/// rejected, because they were too rough for the first pass. Halo: objects of both passes, the segments they
+/// meet, and 11 m and four cells around them.
 [[nodiscard]] JudgedObjects second_look(const Scene& scene, SceneCells& cells, double smallest_m2,
                                         SurfaceQuality quality, const Regions& found, Executor& threads);
 
-/// Objects of both, in scan order, with what both left out. They share no edge.
+/// Merges two sets of objects that share no edge, in scan order.
 [[nodiscard]] JudgedObjects united(JudgedObjects one, const JudgedObjects& other, Executor& threads);
 
 }  // namespace d2b

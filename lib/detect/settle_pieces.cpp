@@ -34,7 +34,7 @@ class Settler {
     [[nodiscard]] Grid<Label> take() { return std::move(owners_); }
 
   private:
-    /// Indices of the neighbours across edges.
+    /// Calls use(index) for the 4-neighbours of a cell.
     template <typename Use>
     void for_neighbours(std::size_t i, const Use& use) const {
         const auto cols = static_cast<std::size_t>(pieces_.cols);
@@ -62,10 +62,10 @@ class Settler {
     double width_;
     Element element_;
     float step_;
-    Grid<Label> owners_;              // 0: loose, or no building
+    Grid<Label> owners_;              // 0: unassigned, or not a building
     Mask of_cut_;                     // cells of buildings with more than one piece
-    std::vector<Label> first_piece_;  // of a building
-    std::vector<std::size_t> loose_;  // cells without an owner
+    std::vector<Label> first_piece_;  // by building
+    std::vector<std::size_t> loose_;  // unassigned cells
 };
 
 void Settler::mark_cut(Label count) {
@@ -84,7 +84,7 @@ void Settler::mark_cut(Label count) {
         of_cut_.values[i] = pieces_.values[i] != 0 && is_cut[buildings_.values[i]] ? 1 : 0;
 }
 
-/// What an opening keeps of pieces, or of parts of them.
+/// Opening of pieces, or of parts of them.
 Mask Settler::opened(const Grid<Label>& pieces) const {
     Mask kept(pieces.rows, pieces.cols);
     const auto keep = [&](const ElementRow& part, std::int32_t r, std::int32_t c) {
@@ -101,7 +101,7 @@ Mask Settler::opened(const Grid<Label>& pieces) const {
     return kept;
 }
 
-/// Of cells that are not kept, those beside kept ones of the same piece become kept as well.
+/// One step of dilation within pieces, restricted to the given cells.
 void Settler::grow(const Grid<Label>& pieces, const std::vector<std::size_t>& cells, Mask& kept) const {
     std::vector<std::size_t> back;
     for (const std::size_t i : cells)
@@ -114,14 +114,16 @@ void Settler::grow(const Grid<Label>& pieces, const std::vector<std::size_t>& ce
         kept.values[i] = 1;
 }
 
-/// Takes the owner of what an opening takes off. @param pieces or parts of them @param where cells
+/// Unassigns the cells that an opening removes.
+/// @param pieces pieces, or parts of them
+/// @param where cells that may be unassigned
 void Settler::loosen(const Grid<Label>& pieces, const Mask& where) {
     Mask kept = opened(pieces);
     std::vector<std::size_t> off;
     for (std::size_t i = 0; i < pieces.size(); ++i)
         if (of_cut_.values[i] != 0 && kept.values[i] == 0 && where.values[i] != 0)
             off.push_back(i);
-    // What an opening rounds off at corners comes back.
+    // Restores the corners that an opening rounds off.
     const int corner = static_cast<int>(std::ceil(width_ / 4 / scene_.side())) + 1;
     for (int round = 0; round < corner; ++round)
         grow(pieces, off, kept);
@@ -154,7 +156,7 @@ Grid<Label> Settler::stepless(Executor& threads) const {
                       threads);
 }
 
-/// The owner for a loose cell; 0 where there is none yet.
+/// Returns the owner for an unassigned cell; 0 if there is none yet.
 Label Settler::choice(std::size_t cell, bool across_steps) const {
     std::array<std::pair<int, Label>, 4> votes{};
     for_neighbours(cell, [&](std::size_t j) {
@@ -182,7 +184,7 @@ Label Settler::choice(std::size_t cell, bool across_steps) const {
     return std::ranges::min(votes, better).second;
 }
 
-/// In rounds, each of which looks at what was settled before it.
+/// Flood fill in rounds. Each round reads only the previous one, so the order of cells does not matter.
 void Settler::flood(bool across_steps) {
     std::vector<std::pair<std::size_t, Label>> found;
     do {

@@ -5,15 +5,16 @@
 
 namespace d2b {
 
-/// Which piece each cell of a building belongs to in the end. Cells are loose that an opening of their piece
-/// by half of the width takes off; and, no farther than the width from a cut, those that an opening takes off
-/// of what hangs together of a piece without a step of the surface: there a cut runs beside a wall. A loose
-/// cell goes to the piece of most of its settled neighbours that are no step away, of equal ones to its own,
-/// then to the first; so a cut moves to the wall beside it. Cells that steps surround go to their own piece
-/// or, where that is not beside them, to that of most. A building of loose cells alone is its first piece's.
-/// Parcels and walls never agree exactly, and the raster smears both.
-/// Halo: buildings. Time O(n) for n cells but where very narrow pieces are very long.
-/// @param pieces of buildings, numbered from 1 to count; each of one building @param buildings labels
+/// Assigns the final piece to each cell of a building. Parcels and walls never agree exactly, and the raster
+/// blurs both. Therefore cells are unassigned that an opening of their piece by half of the width removes
+/// and, within this width of a cut, cells that an opening removes from step-free parts of a piece, because a
+/// cut there runs next to a wall. An unassigned cell then gets the piece of most of its assigned neighbours
+/// that are not separated by a step (its own piece wins ties, then the first), so that a cut moves to the
+/// wall next to it. Cells enclosed by steps get their own piece or, if it is not adjacent, that of most
+/// neighbours. Buildings without any assigned cell become their first piece.
+/// Halo: buildings. Time O(n) for n cells, except for very long and narrow pieces.
+/// @param pieces pieces of buildings, numbered from 1 to count, each within one building
+/// @param buildings labels of buildings
 [[nodiscard]] Grid<Label> settle_pieces(const Scene& scene, const Grid<Label>& pieces,
                                         const Grid<Label>& buildings, Label count, double width_m,
                                         Executor& threads);

@@ -10,12 +10,13 @@
 namespace d2b {
 namespace {
 
-// Found on La Rochelle, on fine places as thin scans show them, and on scenes, see docs/accuracy.md.
+// Fitted on La Rochelle, on simulated sparse scans of high-resolution places, and on scenes, see
+// docs/accuracy.md.
 constexpr double least_filled_for_several = 0.06;
-constexpr double least_side_for_several_m = 1.9;  // cells of 2 m of the map may be a little smaller
+constexpr double least_side_for_several_m = 1.9;  // map cells of 2 m may be slightly smaller on the ground
 constexpr std::array<double, 4> factors{0.5, 0.7, 1, 1.4};
 constexpr std::size_t usual_place = 2;
-constexpr double caution_at_wider = 1.1;  // off the log-odds
+constexpr double caution_at_wider = 1.1;  // penalty on the log-odds
 
 JudgedObjects found_at(double factor, const Scene& scene, SceneCells& cells, double smallest_m2,
                        SurfaceQuality quality, Executor& threads) {

@@ -4,20 +4,21 @@
 
 namespace d2b {
 
-/// Whether so few points fell into the cells, or cells are so coarse, that no one limit of smoothness suits
-/// all houses. A coarse cell has its highest point, which may lie anywhere in it.
-/// @param side of the cells, metres @param filled see SurfaceQuality
+/// True if points are so sparse, or cells so coarse, that no single threshold of smoothness suits all houses.
+/// A coarse cell has the height of its highest point, which may lie anywhere in it.
+/// @param side cell size in m
+/// @param filled see SurfaceQuality
 [[nodiscard]] bool deserves_several_limits(double side, double filled);
 
-/// Looks for objects at stricter and wider limits of smoothness as well: 0.5, 0.7 and 1.4 times the usual
-/// ones, and takes the best of them, see best_of_looks(). At stricter limits crowns fall off a house, at
-/// wider ones a rough house is one piece. What wider limits find is less often a building, so it has less
-/// confidence, in the choice as in what is returned.
-/// @param cells of the scene; their flags are changed
-/// @param quality of the usual look
-/// @param usual what it found
-/// @return objects that share no edge. Halo: objects at the widest limits, the segments that they meet, and
-/// 11 m and four cells around them.
+/// Repeats the detection with 0.5, 0.7 and 1.4 times the usual thresholds of smoothness, and selects the best
+/// candidates, see best_of_looks(). Stricter thresholds separate crowns from houses, wider ones keep a rough
+/// house in one piece. Candidates found by wider thresholds are less often buildings, so their confidence is
+/// lowered.
+/// @param cells cells of the scene; their flags are changed
+/// @param quality quality used by the regular pass
+/// @param usual candidates of the regular pass
+/// @return objects that share no edge. Halo: objects at the widest thresholds, the segments they meet, and 11
+/// m and four cells around them.
 [[nodiscard]] JudgedObjects chosen_at_several_limits(const Scene& scene, SceneCells& cells,
                                                      double smallest_m2, const SurfaceQuality& quality,
                                                      JudgedObjects usual, Executor& threads);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::int32_t rows_at_once = 256;
 
-/// Calls use(index of the first value, values) for bands of rows.
+/// Calls use(index of the first value, values) for each band of rows.
 template <typename Use>
 void for_each_band(DemSource& source, const Window& all, Context& context, Use use) {
     const StageClock clock(context.report, Stage::read);

@@ -7,9 +7,11 @@
 
 namespace d2b {
 
-/// Values of a part of a source's window, times a factor. @throws InputError
+/// Reads a part of a source's window and multiplies it by a factor.
+/// @throws InputError
 [[nodiscard]] MetreGrid read_grid(DemSource& source, const Window& part, double factor, Context& context);
-/// Where a source is neither 0 nor invalid. @throws InputError
+/// Reads a mask: cells that are neither 0 nor invalid.
+/// @throws InputError
 [[nodiscard]] Mask read_mask(DemSource& source, const Window& part, Context& context);
 
 }  // namespace d2b

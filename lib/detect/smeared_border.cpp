@@ -11,10 +11,10 @@
 namespace d2b {
 namespace {
 
-constexpr std::int32_t cells_beside = 2;  // cells
+constexpr std::int32_t cells_beside = 2;
 constexpr double half = 0.5;
 
-/// Cells of a mask that have cells of it on all four sides.
+/// Returns the cells of a mask whose four neighbours belong to it as well.
 Mask inside_of(const Mask& cells, Executor& threads) {
     Mask inside = Mask::unset(cells.rows, cells.cols, threads);
     for_row_bands(threads, cells.rows, cells.cols, [&](RowBand band) {
@@ -35,7 +35,7 @@ Mask inside_of(const Mask& cells, Executor& threads) {
     return inside;
 }
 
-/// Whether a cell is less than half as high as the cells inside that are near it are on the average.
+/// True if a cell is less than half as high as the nearby inner cells on average.
 bool is_smeared(const Scene& scene, const Mask& inside, std::int32_t row, std::int32_t col) {
     double sum = 0;
     int count = 0;
@@ -66,7 +66,7 @@ void take_smeared_border_off(const Scene& scene, Mask& cells, Executor& threads)
             const std::span<const std::uint8_t> within = inside.row(row);
             std::uint8_t* const out = border.data();
             for (std::size_t c = 0; c < here.size(); ++c)
-                out[c] = here[c] ^ within[c];  // what is inside is a cell, too
+                out[c] = here[c] ^ within[c];  // inner cells are cells, too
             for_mask_runs(border, 1, [&](std::int32_t begin, std::int32_t end) {
                 for (std::int32_t col = begin; col < end; ++col)
                     if (is_smeared(scene, inside, row, col))

@@ -13,7 +13,8 @@ namespace {
 constexpr double least_area_m2 = 12;
 constexpr std::int64_t fewest_cells = 6;
 
-/// Sums for the plane through a segment, from its first cell: small numbers keep their digits.
+/// Sums for the least-squares plane of a segment, relative to its first cell, because small numbers keep
+/// their digits.
 struct PlaneSums {
     std::int32_t row = 0;
     std::int32_t col = 0;
@@ -45,7 +46,7 @@ struct PlaneSums {
         const double syy = yy / n - y * y / n / n;
         const double sxh = xh / n - x * h / n / n;
         const double syh = yh / n - y * h / n / n;
-        // A segment in one line has no plane of its own; the small number keeps it level across.
+        // A collinear segment has no unique plane; the small number keeps it level across.
         const double det = sxx * syy - sxy * sxy + 1e-6;
         return std::hypot(sxh * syy - syh * sxy, syh * sxx - sxh * sxy) / det;
     }
@@ -70,9 +71,9 @@ std::vector<PlaneSums> plane_sums(const Scene& scene, const Regions& regions, Ex
     return sums;
 }
 
-/// Whether two neighbours' flags join them, 1 or 0: one of both is straight along the line that joins them,
-/// or each is straight some way.
-/// @param line place of the bit of the line's direction
+/// Returns 1 if two neighbours are connected: one of them is straight along the line between them, or each is
+/// straight in some direction.
+/// @param line bit position of the direction of that line
 int joins(int a, int b, int line) {
     constexpr int any_way = 2;
     static_assert(smooth_along_row == 1 << 0 && smooth_along_column == 1 << 1 &&
@@ -80,7 +81,7 @@ int joins(int a, int b, int line) {
     return (((a | b) >> line) | ((a & b) >> any_way)) & 1;
 }
 
-/// Links of a row of cells that are joined where they share an edge across which the surface hardly bends.
+/// Computes the links of a row: cells are connected across edges at which the surface hardly bends.
 void smooth_links(const Mask& mask, const Grid<std::uint8_t>& flags, std::int32_t r,
                   std::vector<std::uint8_t>& links) {
     links.resize(static_cast<std::size_t>(mask.cols));
@@ -90,7 +91,7 @@ void smooth_links(const Mask& mask, const Grid<std::uint8_t>& flags, std::int32_
     const std::span<const std::uint8_t> up = flags.row(std::max(r - 1, 0));
     const std::uint8_t has_up = r > 0 ? 1 : 0;
     static_assert(link_in == 1 && link_left == 2 && link_up == 4);
-    // Bytes and shifts alone, so that many cells are done at once.
+    // Bytes and shifts only, so that the loop vectorises.
     const auto link = [&](std::size_t c, int left) {
         const int in = cells[c];
         const int above = in & cells_up[c] & has_up & joins(up[c], here[c], 1);

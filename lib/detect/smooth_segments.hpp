@@ -8,10 +8,10 @@
 
 namespace d2b {
 
-/// A smooth piece of the surface: of a roof, or by chance of a crown.
+/// Smooth segment of the surface: part of a roof, or by chance of a crown.
 struct SmoothSegment {
     std::int64_t cells = 0;
-    double tilt = 0;  ///< rise over run of the plane that fits it best
+    double tilt = 0;  ///< slope (rise over run) of its least-squares plane
 };
 
 struct SmoothSegments {
@@ -19,14 +19,15 @@ struct SmoothSegments {
     std::vector<SmoothSegment> pieces;  ///< by label - 1
 };
 
-/// Regions of cells across which the surface hardly bends, large enough to be seen as such.
-/// @param flags of smoothness()
+/// Labels regions of cells across which the surface hardly bends, and drops those too small to be
+/// significant.
+/// @param flags result of smoothness()
 [[nodiscard]] Regions smooth_regions(const Scene& scene, const Mask& cells, const Grid<std::uint8_t>& flags,
                                      Executor& threads);
 
-/// Joins elevated neighbours across which the surface hardly bends, and keeps the pieces that are large
-/// enough to be seen as such. Roofs are few large pieces, crowns shatter.
-/// @param flags of smoothness()
+/// Segments the elevated cells into smooth regions, and drops those too small to be significant. Roofs form
+/// few large segments, crowns many small ones.
+/// @param flags result of smoothness()
 [[nodiscard]] SmoothSegments smooth_segments(const Scene& scene, const Mask& elevated,
                                              const Grid<std::uint8_t>& flags, Executor& threads);
 

@@ -10,14 +10,14 @@
 namespace d2b {
 namespace {
 
-// Noise up to this is in the thresholds already. Beyond it a second difference is 2.4 times as wide; crowns
-// keep their distance with less than that.
+// The thresholds include noise up to this. Noise beyond it makes second differences 2.4 times as wide; crowns
+// remain separable with less than that.
 constexpr double usual_noise_m = 0.07;
 constexpr double noise_factor = 1.5;
 
-// Where pulses are few, a cell's height is that of a point anywhere in it, or beside it: on a slope it errs
-// by a part of the cell. Some cells that no pulse met there are in any survey; the thresholds have room for
-// them.
+// If pulses are sparse, a cell has the height of a point anywhere in it or next to it, which on a slope is
+// wrong by a fraction of the cell. Every survey has some cells without a pulse; the thresholds allow for this
+// share.
 constexpr double usual_filled = 0.02;
 constexpr double sampling_factor = 0.17;
 
@@ -29,20 +29,20 @@ double sampling_room(double filled, double side) {
     return sampling_factor * side * std::sqrt(std::max(0.0, filled - usual_filled));
 }
 
-// A diagonal's step is longer, so the same curvature bends it twice as much and the same noise as much:
-// between.
+// The step along a diagonal is longer, so that the same curvature bends twice as much, but noise does not: a
+// compromise.
 constexpr float diagonal = 1.0F / 1.5F;
 
 float bend(float a, float middle, float b) {
     return std::abs(a + b - 2 * middle);
 }
 
-/// False for NaN: a cell is smooth only by what is known.
+/// 0 for NaN, because unknown heights give no evidence of smoothness.
 int bit_below(float value, float limit, int bit) {
     return value < limit ? bit : 0;
 }
 
-/// Nothing branches, so that several cells are done at once.
+/// Branch-free, so that the loop vectorises.
 std::uint8_t flags(float row, float column, float falling, float rising, const SmoothLimits& t) {
     const int along =
         bit_below(row, t.line, smooth_along_row) | bit_below(column, t.line, smooth_along_column);
@@ -77,7 +77,8 @@ D2B_FOR_EACH_PROCESSOR void flag_row(const MetreGrid& surface, std::int32_t r, c
 
 SmoothLimits smooth_limits(double side, const SurfaceQuality& quality) {
     const double room = noise_room(quality.noise) + quality.allowance * sampling_room(quality.filled, side);
-    // Metres, and metres a metre of cell. Found on cities of 0.5 to 5 m cells, see docs/accuracy.md.
+    // Metres, and metres per metre of cell size. Fitted on cities with cells of 0.5 to 5 m, see
+    // docs/accuracy.md.
     const auto limit = [&](double metres, double of_side) {
         return static_cast<float>(quality.strictness * (metres + of_side * side) + room);
     };

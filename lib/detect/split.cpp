@@ -13,10 +13,10 @@
 namespace d2b {
 namespace {
 
-/// Walls that the raster smears over two or three cells are narrower, wings of houses are wider.
+/// Blurred walls of two or three cells are narrower, wings of houses are wider.
 constexpr double narrow_radius_m = 1.5;
 
-/// Stretches of buildings without a step.
+/// Labels parts of buildings without a step.
 Regions stepless_pieces(const Scene& scene, float split_height, const Detection& detection,
                         Executor& threads) {
     const CellValues<Label>& labels = detection.labels.values;
@@ -24,7 +24,7 @@ Regions stepless_pieces(const Scene& scene, float split_height, const Detection&
     return joined_regions(
         building_cells(detection),
         [&](std::size_t i, std::size_t j) {
-            // False where one is NaN: such a cell belongs to either side, and is merged later.
+            // False for NaN: such a cell belongs to either side, and is merged later.
             return labels[i] == labels[j] && std::abs(surface[i] - surface[j]) <= split_height;
         },
         threads);

@@ -12,7 +12,7 @@ namespace {
 constexpr std::int32_t near = 1;  // cells
 constexpr std::int32_t far = 3;
 
-/// Of all cells of borders, millimetres.
+/// Sums over all border cells in mm.
 struct Falls {
     std::int64_t within_near = 0;
     std::int64_t within_far = 0;
@@ -28,13 +28,13 @@ bool has_free_side(const Mask& cells, std::int32_t r, std::int32_t c) {
            cells.at(r, c + 1) == 0;
 }
 
-/// Millimetres down to the lowest cell within a square. Cells that are not valid do not count.
+/// Returns the fall in mm to the lowest cell within a square. Cells without data are ignored.
 std::int64_t fall(const MetreGrid& surface, std::int32_t r, std::int32_t c, std::int32_t reach) {
     const float here = surface.at(r, c);
     float lowest = here;
     for (std::int32_t y = std::max(r - reach, 0); y <= std::min(r + reach, surface.rows - 1); ++y)
         for (std::int32_t x = std::max(c - reach, 0); x <= std::min(c + reach, surface.cols - 1); ++x)
-            lowest = std::min(lowest, surface.at(y, x));  // itself where the other is NaN
+            lowest = std::min(lowest, surface.at(y, x));  // unchanged if the other one is NaN
     return std::llround(1000 * static_cast<double>(here - lowest));
 }
 

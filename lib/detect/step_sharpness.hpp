@@ -4,11 +4,11 @@
 
 namespace d2b {
 
-/// How sharp the steps at the border of objects are: what they fall within one cell, of what they fall within
-/// three. 1 where a wall falls at once, a half and less where a blur has smeared it, as in elevations from
-/// satellite images or from a coarser raster. 1 where nothing falls. Sums of whole millimetres: their order
+/// Sharpness of the steps at the borders of objects: the fall within one cell divided by the fall within
+/// three. It is 1 for vertical walls, and a half or less if the raster is blurred, as in elevations from
+/// satellite images or from a coarser raster. Returns 1 if nothing falls. Integer sums in mm, so the order
 /// does not matter. Halo: three cells.
-/// @param objects cells that belong to one
+/// @param objects cells of objects
 [[nodiscard]] double step_sharpness(const MetreGrid& surface, const Mask& objects, Executor& threads);
 
 }  // namespace d2b

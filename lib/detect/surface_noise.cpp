@@ -14,14 +14,13 @@ namespace {
 constexpr std::size_t bend_bins = 2000;
 constexpr float bend_bin_m = 0.001F;
 constexpr std::int64_t fewest_bends = 1000;
-// Of the second differences, sorted by size, those from the first of these shares to the second. Gardens,
-// kerbs and cars on open ground are among the larger ones, and on coarse cells they are the most.
+// Quantiles of the absolute second differences between which the mean is taken. Gardens, kerbs and cars on
+// open ground cause larger ones, and dominate on coarse cells.
 constexpr double lower_share = 0.1;
 constexpr double upper_share = 0.2;
-// The mean of these differences where the noise is normal with a standard deviation of 1. The second
-// difference of noise is sqrt(1 + 4 + 1) times as wide; with f the density of a normal distribution, and
-// 0.12566 and 0.25335 the bounds within which a tenth and a fifth of it lie, their mean is 2 (f(0.12566) -
-// f(0.25335)) / (0.2 - 0.1).
+// Mean of these differences for normal noise with a standard deviation of 1. The second difference of noise
+// is sqrt(1 + 4 + 1) times as wide; with f the density of a normal distribution, and 0.12566 and 0.25335 the
+// bounds within which a tenth and a fifth of it lie, their mean is 2 (f(0.12566) - f(0.25335)) / (0.2 - 0.1).
 const double mean_of_unit_noise = 0.18925 * std::sqrt(6.0);
 
 using Bends = BinCounts<bend_bins>;
@@ -35,7 +34,7 @@ void add_row(std::span<const float> z, std::span<const std::uint8_t> high, Bends
     }
 }
 
-/// The sum of the smallest so many values, metres. Within a bin they are taken as evenly spread.
+/// Returns the sum of the `many` smallest values in m. Values are assumed to be spread evenly within a bin.
 double sum_of_smallest(const Bends& bends, double many) {
     double sum = 0;
     for (std::size_t bin = 0; many > 0 && bin <= bend_bins; ++bin) {
@@ -56,7 +55,7 @@ double surface_noise(const MetreGrid& surface, const Mask& elevated, Executor& t
     };
     const Bends sum = sum_of_row_bands(threads, surface.rows, surface.cols, Bends(), add_band);
     const auto all = static_cast<double>(sum.all);
-    // The first bin holds what is repeated or rounded.
+    // Repeated and rounded values fall into the first bin.
     if (sum.all < fewest_bends || static_cast<double>(sum.counts[0]) >= upper_share * all)
         return 0;
     const double between = sum_of_smallest(sum, upper_share * all) - sum_of_smallest(sum, lower_share * all);

@@ -4,11 +4,11 @@
 
 namespace d2b {
 
-/// The standard deviation of the surface's noise in metres, from open ground, where nothing else bends the
-/// surface from cell to cell: of the second differences along rows between cells that are not elevated, the
-/// mean of those between the smallest tenth and the smallest fifth. Gardens and cars bend more than that. 0
-/// where there is next to no open ground, and where values are repeated or rounded. A sum over all cells in
-/// whole numbers: their order does not matter.
+/// Estimates the standard deviation of the surface's noise in m from open ground, because nothing else bends
+/// the surface there from cell to cell. Uses the second differences along rows of cells that are not
+/// elevated: the mean between their quantiles 0.1 and 0.2, because gardens and cars bend more than that.
+/// Returns 0 if there is hardly any open ground, or if values are repeated or rounded. Integer sums, so the
+/// order does not matter.
 [[nodiscard]] double surface_noise(const MetreGrid& surface, const Mask& elevated, Executor& threads);
 
 }  // namespace d2b

@@ -7,32 +7,32 @@
 
 namespace d2b {
 
-/// A part of a window in which ground and buildings are looked for at a time. Rows and columns are those of
-/// the whole raster.
+/// Block of a window that is processed at once, as windows of the whole raster: a core, and an extent that
+/// adds a halo to it.
 struct Unit {
-    Window own;   ///< what is said of these cells counts
-    Window seen;  ///< and of these it is known that they are there
+    Window own;   ///< the core: results for these cells are used
+    Window seen;  ///< the core and its halo: cells that are read
 };
 
-/// How a window is divided.
+/// Limits for dividing a window.
 struct UnitSize {
     std::int64_t most_whole = std::int64_t{64} << 20;  ///< points of windows that are not divided
-    std::int32_t most_side = 6144;                     ///< rows and columns that are a unit's own
+    std::int32_t most_side = 6144;                     ///< rows and columns of the core
 };
 
-/// The units of a window: one, or as few rows and columns of them as their size allows, about as large as
-/// each other, so none that is divided off has less than half of the most rows or columns. They depend on the
-/// shape of the window, its cells and `around`, and on nothing else: they are what a result is defined by.
+/// Regular division of a window into units: a single one, or as few rows and columns as their size allows, of
+/// nearly equal size, so that no unit is smaller than half of the limit. The division only depends on the
+/// shape of the window, its cells and `around`, because it is part of the definition of a result.
 class UnitGrid {
   public:
-    /// @param around metres on all sides that a unit sees beside its own cells; 64 cells at least
+    /// @param around width of the halo in m; at least 64 cells
     UnitGrid(const Window& window, const CellSize& cell, double around, const UnitSize& size = {});
 
     [[nodiscard]] std::int32_t rows() const { return down_.parts; }
     [[nodiscard]] std::int32_t cols() const { return across_.parts; }
     [[nodiscard]] std::int64_t count() const { return std::int64_t{rows()} * cols(); }
     [[nodiscard]] Unit unit(std::int32_t row, std::int32_t col) const;
-    /// The most points that a unit sees.
+    /// Maximum number of points in the extent of a unit.
     [[nodiscard]] std::int64_t most_seen() const;
 
   private:
@@ -40,7 +40,7 @@ class UnitGrid {
         std::int32_t first = 0;
         std::int32_t length = 0;
     };
-    /// The rows, or the columns.
+    /// Division of the rows, or of the columns.
     struct Axis {
         Stretch window;
         std::int32_t parts = 1;

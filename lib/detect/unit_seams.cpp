@@ -5,7 +5,7 @@
 namespace d2b {
 namespace {
 
-/// A unit's own cells in the grid of what it sees.
+/// Core of a unit in the grid of its extent.
 struct Own {
     std::int32_t row;
     std::int32_t col;

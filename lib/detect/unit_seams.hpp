@@ -12,9 +12,9 @@
 
 namespace d2b {
 
-/// What a unit saw of the cells beside its seams, as far as they lie beside its own.
+/// Labels that a unit assigned along its seams, next to its core.
 struct UnitEdges {
-    /// The cells on both sides of a seam, the upper or left ones first; empty at the border of the window.
+    /// Cells on both sides of a seam, the upper or left ones first; empty at the border of the window.
     using Lines = std::array<std::vector<Label>, 2>;
 
     Lines above;
@@ -22,25 +22,27 @@ struct UnitEdges {
     Lines below;
     Lines right;
 
-    /// Adds to all labels other than 0.
+    /// Adds an offset to all labels other than 0.
     void add(Label more);
 };
-/// @param labels of what the unit sees
+/// @param labels labels of the unit's extent
 [[nodiscard]] UnitEdges edges_of(const Unit& unit, const Grid<Label>& labels);
 
-/// Compares what units saw of the seams between them. Units come row by row, and what one saw is kept until
-/// the unit on the other side has come.
+/// Compares the labels of adjacent units along their seams. Units come row by row, and the edges of one are
+/// kept until the unit on the other side arrives.
 class UnitSeams {
   public:
-    /// @param unit_cols units in a row
+    /// @param unit_cols number of units in a row
     explicit UnitSeams(std::int32_t unit_cols) : above_(static_cast<std::size_t>(unit_cols)) {}
 
-    /// @param edges of the next unit, with labels that have been added to @param col its place in its row
+    /// @param edges edges of the next unit, with labels that include its offset
+    /// @param col column of the unit
     void add(std::int32_t col, UnitEdges&& edges, UnitMerger& merger);
 
   private:
-    std::vector<UnitEdges::Lines> above_;  ///< by place in the row: at the seam below the unit that came last
-    UnitEdges::Lines left_;                ///< at the seam to the right of the unit before
+    std::vector<UnitEdges::Lines>
+        above_;              ///< by column: edges at the seam below the latest unit of that column
+    UnitEdges::Lines left_;  ///< edges at the seam to the right of the previous unit
 };
 
 }  // namespace d2b

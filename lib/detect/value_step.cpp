@@ -10,10 +10,10 @@ namespace d2b {
 namespace {
 
 constexpr std::size_t step_bins = StepCounts::bins;
-constexpr std::int64_t fewest_differences = 100;  // differences
-constexpr double frequent = 0.01;                 // share of the differences
-constexpr double nearly_all = 0.99;               // likewise
-constexpr double least_step_m = 0.0009;  // bins hold a third of the multiples of a millimetre by chance
+constexpr std::int64_t fewest_differences = 100;
+constexpr double frequent = 0.01;        // share of the differences
+constexpr double nearly_all = 0.99;      // share of the differences
+constexpr double least_step_m = 0.0009;  // a third of the multiples of a millimetre fall into bins by chance
 constexpr double greatest_step_m = 3.1;  // 10 ft
 constexpr double seen_as_rounding_m = 0.1;
 constexpr double least_risers = 0.005;  // share of all pairs; Delft rounded down to 0.25 m has 0.025
@@ -28,8 +28,8 @@ std::int64_t pairs_in(const Bins& counts, std::size_t first, std::size_t end) {
     return pairs;
 }
 
-/// The mean of the smallest differences that are frequent, metres; nothing where none are.
-/// @param width bins in which differences of one size may lie
+/// Returns the mean in m of the smallest frequent differences; nullopt if there are none.
+/// @param width number of bins over which differences of one size may spread
 std::optional<double> first_peak(const Bins& counts, std::size_t first, std::size_t width, double least) {
     for (std::size_t i = first; i < step_bins; ++i) {
         if (counts[i].pairs == 0 || static_cast<double>(pairs_in(counts, i, i + width)) < least)
@@ -44,7 +44,8 @@ std::optional<double> first_peak(const Bins& counts, std::size_t first, std::siz
     return {};
 }
 
-/// How many differences are multiples of a step. @param within bins
+/// Counts differences that are multiples of a step.
+/// @param within tolerance in bins
 std::int64_t multiples(const Bins& counts, double size_m, std::size_t first, double step, double within) {
     std::int64_t pairs = 0;
     for (std::size_t i = first; i < step_bins; ++i) {
@@ -62,7 +63,7 @@ std::size_t nearest_bin(double position) {
     return static_cast<std::size_t>(std::lround(position));
 }
 
-/// Whether the surface rises in single steps, as what was rounded does.
+/// True if the surface rises in single steps, as a rounded surface does.
 bool rises_in_steps(const StepCounts& counts, double step) {
     std::int64_t all = 0;
     std::int64_t single = 0;
@@ -83,7 +84,7 @@ void StepCounts::add(std::span<const float> elevations) {
     float before = none;
     float here = none;
     const auto look = [&](float after) {
-        if (here < most_m) {  // and known
+        if (here < most_m) {  // false for NaN
             ++pairs;
             const auto size = static_cast<double>(here);
             const auto small = nearest_bin(size / fine_m);
@@ -137,7 +138,7 @@ std::optional<double> value_step(const StepCounts& counts) {
     const double within = std::clamp(std::round(0.03 * fine_bins), 1.0, 3.0);
     std::int64_t found = multiples(counts.fine, StepCounts::fine_m, 1, *step, within);
     std::int64_t all = pairs_in(counts.fine, 1, step_bins);
-    if (*step > 4 * StepCounts::coarse_m) {  // else every coarse bin is next to a multiple
+    if (*step > 4 * StepCounts::coarse_m) {  // otherwise every coarse bin is next to a multiple
         found += multiples(counts.coarse, StepCounts::coarse_m, first_coarse, *step, 1);
         all += pairs_in(counts.coarse, first_coarse, step_bins);
     }

@@ -7,21 +7,21 @@
 namespace d2b {
 namespace {
 
-// How much of the wall is looked at on either side: half as much as the seam is long, within these.
+// Length of the wall that is tested on either side: half of the seam's length, within these limits.
 constexpr double shortest_wall_m = 3;
 constexpr double shortest_wall = 3;  // cells
 constexpr double longest_wall_m = 8;
-constexpr double corner = 2;         // cells beside the seam that the crown's own border may take
+constexpr double corner = 2;         // cells next to the seam that the crown's own border may cover
 constexpr double sample_step = 0.5;  // cells
 constexpr double in_line = 0.7;      // share of the samples
 constexpr int outside = 1;           // cells that a wall may lie outside of its seam, and inside of the eaves
 
-/// Places beside a seam's line, and the cells there.
+/// Samples the mask of objects in coordinates along and across a seam.
 class Beside {
   public:
     Beside(const SeamLine& seam, const CellSize& cell, const Mask& objects)
         : seam_(seam), cell_(cell), objects_(objects) {}
-    /// Whether a place is an object's: 1 or 0, -1 outside of the raster.
+    /// Returns 1 if a point is inside an object, 0 if not, -1 outside of the raster.
     [[nodiscard]] int object_at(double along, double inward) const {
         const double row = (seam_.middle.y + along * seam_.along.y + inward * seam_.inward.y) / cell_.down;
         const double col = (seam_.middle.x + along * seam_.along.x + inward * seam_.inward.x) / cell_.across;
@@ -36,13 +36,13 @@ class Beside {
     const Mask& objects_;
 };
 
-/// A wall beyond one end of a seam: a place on it.
+/// Point on a wall beyond one end of a seam.
 struct Stretch {
     double along = 0;
     double inward = 0;
 };
 
-/// @param way 1 or -1: along the line or back
+/// @param way 1 or -1: forwards or backwards along the line
 std::optional<Stretch> wall_after(double end, int way, double wall, double side, int eaves,
                                   const Beside& beside) {
     const int samples = 1 + static_cast<int>(wall / (sample_step * side));
@@ -71,7 +71,7 @@ double length_looked_at(const SeamLine& seam, double side) {
         {shortest_wall_m, shortest_wall * side, std::min((seam.last - seam.first) / 2, longest_wall_m)});
 }
 
-/// @param is_last which end of the seam
+/// @param is_last true for the last end of the seam
 std::optional<WallLine> wall_at_end(const SeamLine& seam, bool is_last, const Mask& objects,
                                     const CellSize& cell, int eaves) {
     const double side = std::sqrt(cell.area());
@@ -114,7 +114,7 @@ std::optional<WallLine> wall_beyond_one_end(const SeamLine& seam, const Mask& ob
 
 void clear_outside(const SeamLine& seam, const WallLine& wall, const Mask& roofs, const CellSize& cell,
                    Mask& objects) {
-    // The crown is a little wider between its seam and the wall.
+    // A crown is slightly wider between its seam and the wall.
     const double beyond = (corner + outside) * std::sqrt(cell.area());
     const double first = seam.first - beyond;
     const double last = seam.last + beyond;

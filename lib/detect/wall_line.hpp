@@ -6,44 +6,45 @@
 
 namespace d2b {
 
-/// Metres from the raster's first corner.
+/// Position in m from the raster's first corner.
 struct MetrePlace {
     double x = 0;  ///< across
     double y = 0;  ///< down
 };
 
-/// A straight seam between what sticks out of a roof and the roof.
+/// Straight seam between a protruding part and its roof.
 struct SeamLine {
     MetrePlace middle;
     MetrePlace along;   ///< unit vector
-    MetrePlace inward;  ///< unit vector at a right angle, towards the roof
-    double first = 0;   ///< where the seam ends, metres along from its middle
+    MetrePlace inward;  ///< perpendicular unit vector towards the roof
+    double first = 0;   ///< start of the seam, in m along from its middle
     double last = 0;
 };
 
-/// The wall that a seam lies in: how far inward of the seam's line it is, metres.
+/// Wall of a seam, as offsets in m inward of the seam's line.
 struct WallLine {
-    double at_first = 0;  ///< where the seam begins
-    double at_last = 0;   ///< and where it ends
+    double at_first = 0;  ///< offset at the start of the seam
+    double at_last = 0;   ///< offset at its end
 };
 
-/// The wall that goes on beyond both ends of a seam for some metres, straight and in its line, if there is
-/// one. At the corner of a roof there is none.
-/// @param objects the cells of all
-/// @param eaves cells that a seam may lie outside of its wall
+/// Finds the wall that continues straight for some metres beyond both ends of a seam, in line with it;
+/// nullopt if there is none, as at the corner of a roof.
+/// @param objects cells of all objects
+/// @param eaves maximum distance of a seam outside of its wall, in cells
 [[nodiscard]] std::optional<WallLine> wall_beyond(const SeamLine& seam, const Mask& objects,
                                                   const CellSize& cell, int eaves);
 
-/// The same beyond one end alone: that farther from a place, such as where another wall meets this one.
+/// Same, beyond the end farther from a point, such as the one at which another wall meets this one.
 [[nodiscard]] std::optional<WallLine> wall_away_from(const MetrePlace& meeting, const SeamLine& seam,
                                                      const Mask& objects, const CellSize& cell, int eaves);
 
-/// The same beyond either end, where a crown hides the other: the wall ends behind it, or another building
+/// Same, beyond either end, if a crown hides the other one: the wall ends behind it, or another building
 /// stands there.
 [[nodiscard]] std::optional<WallLine> wall_beyond_one_end(const SeamLine& seam, const Mask& objects,
                                                           const CellSize& cell, int eaves);
 
-/// Clears cells that lie between a seam and its wall. @param roofs cells that stay
+/// Clears the cells between a seam and its wall.
+/// @param roofs cells that are kept
 void clear_outside(const SeamLine& seam, const WallLine& wall, const Mask& roofs, const CellSize& cell,
                    Mask& objects);
 

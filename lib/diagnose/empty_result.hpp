@@ -9,9 +9,10 @@
 
 namespace d2b {
 
-/// Why no building was found, where elevations and thresholds alone say it; a search for buildings says more
-/// (search_warnings.hpp). Without a full stop; "" where some were found, or the search has to say why not.
-/// @param report of the statistics
+/// Returns the reason why no building was found, if elevations and thresholds alone show it; a search for
+/// buildings knows more (search_warnings.hpp). A clause without a full stop; "" if buildings were found, or
+/// if the search has to explain it.
+/// @param report report with the statistics
 [[nodiscard]] std::string empty_result(const LevelPlan& plan, std::size_t buildings, const DemInfo& dem,
                                        const RunReport& report);
 

@@ -9,16 +9,16 @@
 namespace d2b {
 namespace {
 
-// A move stands out where this much more lies on walls than after an ordinary one, and no other comes so
-// near. Cadastres of real places: 2.5 and more times as much, others half as good; plots of elsewhere: 1.3,
-// and 0.8.
+// A move stands out if this many times more borders lie on walls than after an ordinary move, and no other
+// move comes close. Cadastres of the right place have a ratio of 2.5 and more, and other moves are half as
+// good; plots of another place have 1.3, and 0.8.
 constexpr double least_ratio = 1.5;
 constexpr double least_on_walls_m = 200;
-constexpr double summit = 0.5;  // of the best: moves around it that belong to it
+constexpr double summit = 0.5;  // share of the best score: moves around it that belong to it
 constexpr double rival = 0.75;
 constexpr double as_good = 0.95;
 
-/// The score of moves, above that of an ordinary one.
+/// Scores of moves in excess of that of an ordinary one.
 class Moves {
   public:
     Moves(const ShiftCounts& counts, const CellSize& cell)
@@ -67,7 +67,7 @@ Move best_of(const Moves& moves) {
     return best;
 }
 
-/// What hangs together with the best, all of it half as good or better.
+/// Returns the connected moves around the best one with at least half of its score.
 std::vector<Move> belonging_to(const Moves& moves, Move best) {
     std::vector<Move> found{best};
     for (std::size_t i = 0; i < found.size(); ++i)

@@ -10,7 +10,7 @@
 
 namespace d2b {
 
-/// The first where it is NaN. Nothing branches: several cells are done at once.
+/// Returns the first bin for NaN. Branch-free, so that the loop vectorises.
 std::int32_t GroundFit::bin_of(double height) {
     const double bin = (height + highest_m) / bin_m;
     constexpr double last = bins - 1;

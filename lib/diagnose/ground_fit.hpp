@@ -11,24 +11,25 @@
 
 namespace d2b {
 
-/// How high a surface lies above its ground, as counts of cells: they add up whatever their order.
+/// Histogram of the heights of a surface above its ground. Integer counts, so the order does not matter.
 class GroundFit {
   public:
-    /// @param min_height metres: what rises above the ground by more is a building, a plant or the like; the
-    /// other cells are bare
+    /// @param min_height height in m; cells higher above the ground are buildings, plants and the like, the
+    /// others are bare
     explicit GroundFit(double min_height) : min_height_(static_cast<float>(min_height)) {}
 
-    /// Counts the cells of which both are known. @param surface, ground elevations of the same cells, m
+    /// Adds the cells with both a surface and a ground.
+    /// @param surface, ground elevations of the same cells in m
     void add(std::span<const float> surface, std::span<const float> ground);
     void merge(const GroundFit& other);
 
     [[nodiscard]] std::int64_t cells() const { return cells_; }
     [[nodiscard]] double min_height() const { return static_cast<double>(min_height_); }
-    /// Shares of the cells; 1 and 0 where there are none. Heights are told apart in quarters of a metre.
+    /// Shares of the cells; 1 and 0 if there are none. The resolution is a quarter of a metre.
     [[nodiscard]] double bare_share() const;
     [[nodiscard]] double share_above(double height) const;
-    /// Medians of the heights of all cells and of the bare ones, metres, to an eighth where they are within
-    /// 500; NaN where there are no such cells.
+    /// Medians of the heights of all cells and of the bare ones in m, to an eighth if within 500 m; NaN if
+    /// there are no such cells.
     [[nodiscard]] double median() const { return middle(cells_); }
     [[nodiscard]] double bare_median() const { return middle(bare_); }
 
@@ -38,19 +39,20 @@ class GroundFit {
     static constexpr std::size_t bins = 4000;
     static constexpr std::int32_t unknown = -1;
     [[nodiscard]] static std::int32_t bin_of(double height);
-    /// The bins of some cells. Counts those that are known and those that are bare.
+    /// Finds the bins of cells, and counts the valid and the bare ones.
     void find_bins(std::span<const float> surface, std::span<const float> ground,
                    std::span<std::int32_t> found);
-    /// The median of so many cells from the lowest on.
+    /// Returns the median of the lowest `cells` cells.
     [[nodiscard]] double middle(std::int64_t cells) const;
 
     float min_height_;
     std::int64_t cells_ = 0;
     std::int64_t bare_ = 0;
-    std::array<std::int64_t, bins> counts_{};  ///< the first and the last hold what lies beyond them as well
+    std::array<std::int64_t, bins> counts_{};  ///< the first and last bins include all values beyond them
 };
 
-/// Adds how a surface lies above a ground in some of its cells. @param cells of the grids
+/// Adds the heights of a surface above a ground in a part of the grids.
+/// @param cells part of the grids
 void add_fit(const MetreGrid& surface, const MetreGrid& ground, const Window& cells, GroundFit& fit,
              Executor& threads);
 

@@ -10,16 +10,16 @@
 
 namespace d2b {
 
-/// How much of a ground is steep, as counts of cells: they add up whatever their order.
+/// Number of steep cells of a ground. Integer counts, so the order does not matter.
 struct GroundSlope {
     static constexpr double steep = 0.4;  ///< rise over run
 
     std::int64_t cells = 0;
     std::int64_t steep_cells = 0;
 
-    /// A cell with its slopes along the row and the column; NaN where one is not known.
+    /// Adds a cell with its slopes along the row and the column; NaN if unknown.
     void add(double across, double down) {
-        // Mostly their squares tell, without a root.
+        // Compares squares first, because that mostly saves the square root.
         constexpr double far_off = 1e-9;
         const double square = across * across + down * down;
         if (square < steep * steep * (1 - far_off)) {
@@ -38,12 +38,13 @@ struct GroundSlope {
     }
 };
 
-/// Adds the slopes of a ground in every sixteenth of the window's rows. @param first_row of the grid in the
-/// window @param cells of the grid
+/// Adds the slopes of a ground in every sixteenth row of the window.
+/// @param first_row row of the grid in the window
+/// @param cells part of the grid
 void add_slope(const MetreGrid& ground, const CellSize& cell, std::int32_t first_row, const Window& cells,
                GroundSlope& slope, Executor& threads);
 
-/// Where most of the ground is steep. Without a full stop; "" where it is not.
+/// Returns a warning if most of the ground is steep. A clause without a full stop; "" if it is not.
 [[nodiscard]] std::string slope_doubt(const GroundSlope& slope, const std::string& dem);
 
 }  // namespace d2b

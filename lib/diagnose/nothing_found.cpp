@@ -10,7 +10,7 @@
 namespace d2b {
 namespace {
 
-/// An option that leaves objects out, and how many it did.
+/// Option that rejects objects, and their number.
 struct Sieve {
     const char* option;
     double value;
@@ -31,7 +31,7 @@ std::array<Sieve, 4> sieves(const Search& search) {
           tally.counted(Reason::building_doubtful)}}};
 }
 
-/// @param stricter only of options that are stricter than their defaults
+/// @param stricter true: only options stricter than their defaults
 std::string left_out(const Search& search, bool stricter) {
     std::string text;
     for (const Sieve& sieve : sieves(search))
@@ -47,7 +47,7 @@ std::string search_ground_doubt(const Search& search) {
     const GroundMode mode = search.plan.ground;
     if (std::string text = missing_ground_doubt(search.islands, mode, search.dem.name); !text.empty())
         return text;
-    // Heights of roofs alone, whose ground is NoData, are as high as buildings.
+    // A raster with NoData as ground contains roofs alone, whose heights are those of buildings.
     if (mode == GroundMode::none && search.islands.narrow_most())
         return {};
     return ground_doubt(search.fit, mode, search.plan.asked.ground.terrain);
@@ -56,7 +56,7 @@ std::string search_ground_doubt(const Search& search) {
 std::string why_nothing_was_found(const Search& search) {
     const DemInfo& dem = search.dem;
     const DetectOptions& detect = search.plan.asked.detect;
-    // What explains most comes first.
+    // The most frequent reason comes first.
     const std::array<std::function<std::string()>, 9> causes{
         [&] { return empty_side_doubt(search.sides, search.plan.asked); },
         [&] { return picture_doubt(dem); },

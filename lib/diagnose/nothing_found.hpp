@@ -14,11 +14,11 @@
 
 namespace d2b {
 
-/// What is known of a search for buildings when it is over.
+/// Facts about a completed search for buildings.
 struct Search {
     const DemInfo& dem;
     const RunPlan& plan;
-    const Tally& tally;  ///< of what was left out
+    const Tally& tally;  ///< counts of rejected objects
     const GroundFit& fit;
     SidesKnown sides;
     CellSize cell;
@@ -30,11 +30,12 @@ struct Search {
     double terrain_outside = 0;  ///< share of the window
 };
 
-/// Why the ground of a search cannot be right: what has elevations is buildings alone, or see ground_doubt().
-/// Without a full stop; "" where it may be right.
+/// Returns the reason why the ground of a search cannot be right: only buildings have elevations, or see
+/// ground_doubt(). A clause without a full stop; "" if the ground is plausible.
 [[nodiscard]] std::string search_ground_doubt(const Search& search);
 
-/// What is most probably the reason why no building was found, and what may help. Without a full stop.
+/// Returns the most probable reason why no building was found, and possible remedies. A clause without a full
+/// stop.
 [[nodiscard]] std::string why_nothing_was_found(const Search& search);
 
 }  // namespace d2b

@@ -8,8 +8,8 @@
 namespace d2b {
 namespace {
 
-constexpr double highest_m = 1000;     // the highest building of all has 828 m
-constexpr double negligible_m = 1e-6;  // rounding of a mean
+constexpr double highest_m = 1000;     // the highest building of the world has 828 m
+constexpr double negligible_m = 1e-6;  // rounding error of a mean
 
 std::string whole_metres(double metres) {
     return value_text(std::round(metres)) + " m";

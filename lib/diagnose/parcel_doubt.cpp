@@ -7,10 +7,10 @@
 namespace d2b {
 namespace {
 
-constexpr double least_length_m = 150;   // of cuts with a wall beside them: a street has less by chance
-constexpr double least_share = 1.0 / 3;  // of all cuts: walls beside few of them are there by chance
-// Where no move stands out. Of parcels of Delft: 0.5 m; of the same moved by 2 or 3 m: 1.5 m, since blocks
-// are full of walls.
+constexpr double least_length_m = 150;   // length of cuts next to walls: a street has less by chance
+constexpr double least_share = 1.0 / 3;  // share of all cuts: walls next to fewer of them are chance
+// Limits if no move stands out. Parcels of Delft have 0.5 m; the same parcels moved by 2 or 3 m have 1.5 m,
+// because blocks are full of walls.
 constexpr double usual_m = 1.25;
 constexpr double usual_cells = 1.6;
 constexpr double usual_overlap = 0.01;

@@ -14,12 +14,13 @@ namespace d2b {
 namespace {
 
 constexpr double bin_m = ParcelFit::reach_m / ParcelFit::bins;
-/// Cells to all sides that the direction of a cut is taken from.
+/// Half side, in cells, of the neighbourhood that determines the direction of a cut.
 constexpr std::int32_t around = 3;
-/// Of lines at all angles, between what parts neighbouring cells and the line (Cauchy, Crofton).
+/// Ratio of the length of a line to the number of cell edges it separates, averaged over all angles (Cauchy,
+/// Crofton).
 constexpr double straight_share = std::numbers::pi / 4;
 
-/// A place or a way in cells.
+/// Point or vector in cells.
 struct Place {
     double row = 0;
     double col = 0;
@@ -72,7 +73,7 @@ void FitOfRows::add_cell(std::int32_t r, std::int32_t c) {
     }
 }
 
-/// From the one to the other: between the middles of what lies around of both, a metre long.
+/// Returns the vector of one metre from one side to the other, between the centroids of their surroundings.
 Place FitOfRows::across(std::int32_t r, std::int32_t c, bool below) const {
     const std::int64_t from = parcels_.at(r, c).parcel;
     const std::int64_t to = parcels_.at(r + (below ? 1 : 0), c + (below ? 0 : 1)).parcel;
@@ -98,7 +99,8 @@ Place FitOfRows::across(std::int32_t r, std::int32_t c, bool below) const {
     return {way.row / length / scene_.cell.down, way.col / length / scene_.cell.across};
 }
 
-/// @param way cells a metre @return metres
+/// @param way direction in cells per metre
+/// @return distance in m
 std::optional<double> FitOfRows::wall_from(Place edge, Place way) const {
     const double stride = scene_.side();
     const auto cell_at = [&](double metres) {

@@ -13,38 +13,40 @@
 
 namespace d2b {
 
-/// How parcels lie to buildings, as counts: they add up whatever their order.
+/// Statistics of the fit of parcels to buildings. Integer counts, so the order does not matter.
 struct ParcelFit {
-    static constexpr double reach_m = 4;  ///< that walls are looked for on both sides of a cut
+    static constexpr double reach_m = 4;  ///< search distance for walls on both sides of a cut
     static constexpr std::size_t bins = 40;
 
-    std::int64_t cells = 0;                      ///< of buildings
-    std::int64_t inside = 0;                     ///< of these, in a parcel
-    std::int64_t several = 0;                    ///< of these, in more than one
-    std::int64_t invalid = 0;                    ///< of these, in one that is not valid
-    std::int64_t cuts = 0;                       ///< neighbours in a block that parcels part
-    std::array<std::int64_t, bins> distances{};  ///< of these, those with a wall within reach, by distance
+    std::int64_t cells = 0;    ///< cells of buildings
+    std::int64_t inside = 0;   ///< number of these in a parcel
+    std::int64_t several = 0;  ///< number of these in more than one parcel
+    std::int64_t invalid = 0;  ///< number of these in an invalid parcel
+    std::int64_t cuts = 0;     ///< pairs of neighbours in a block that parcels separate
+    std::array<std::int64_t, bins>
+        distances{};  ///< histogram of the distance to a wall, for cuts within reach of one
     ShiftCounts shifts;
 
     void merge(const ParcelFit& other);
 };
 
-/// Adds what parcels are to the own cells of a unit. From where they part neighbours walls are looked for
-/// across the cut: the border of the block, or a step of the surface.
+/// Adds the parcels of the core of a unit. At each cut between neighbouring cells, walls are searched across
+/// the cut: the border of the block, or a step of the surface.
 /// @pre scene.parcels
 void add_fit(const Scene& scene, const Detection& detection, const Window& own, ParcelFit& fit,
              Executor& threads);
 
-/// In metres. @param cell of the DEM
+/// Converts counts to lengths in m.
+/// @param cell cell size of the DEM
 [[nodiscard]] ParcelReport parcel_report(const ParcelFit& fit, const CellSize& cell);
 
-/// Why parcels are doubtful: they touch no building, or lie beside walls. Without a full stop; "" where they
-/// are not.
+/// Returns the reason why parcels may be misplaced: they touch no building, or lie next to walls instead of
+/// on them. A clause without a full stop; "" if they are plausible.
 [[nodiscard]] std::string misplaced_doubt(const ParcelReport& report, const CellSize& cell,
                                           const DetectOptions& options);
-/// That they overlap. Likewise.
+/// Same, if parcels overlap.
 [[nodiscard]] std::string overlap_doubt(const ParcelReport& report, const DetectOptions& options);
-/// That some are not valid. Likewise.
+/// Same, if some parcels are invalid.
 [[nodiscard]] std::string validity_doubt(const ParcelReport& report, const DetectOptions& options);
 
 }  // namespace d2b

@@ -11,10 +11,10 @@ namespace {
 
 constexpr double step_m = 0.5;
 constexpr double reach_m = 6;
-constexpr std::int32_t least_reach = 3;  // steps, where cells are large
+constexpr std::int32_t least_reach = 3;  // minimum number of steps if cells are large
 
-/// For edges between cells and their neighbours below, or at their right: 2 on a wall, 1 no more than a step
-/// beside one, else 0. Half a step is on it.
+/// Wall score of edges between cells and their right or lower neighbours: 2 on a wall, 1 at most a step (half
+/// steps included) next to one, else 0.
 class WallGrid {
   public:
     WallGrid(const Scene& scene, const Detection& detection, bool below, std::int32_t step,
@@ -72,7 +72,7 @@ void WallGrid::weigh(std::int32_t r, std::int32_t c, std::int32_t step) {
             }
 }
 
-/// Edges of cells to their right, or below.
+/// Edges between cells and their right, or lower, neighbours.
 class EdgeCounter {
   public:
     EdgeCounter(const Scene& scene, const Detection& detection, bool below, Executor& threads)
@@ -82,7 +82,7 @@ class EdgeCounter {
           right_(shift_steps(scene.cell.across)),
           walls_(scene, detection, below, below ? down_.cells : right_.cells, threads) {}
 
-    /// Where parcels part the cell from its neighbour, what lies there after each move.
+    /// Adds the scores after each move if parcels separate the cell from its neighbour.
     void count(std::int32_t r, std::int32_t c, ShiftCounts& sum) const {
         const std::int32_t to_r = r + (below_ ? 1 : 0);
         const std::int32_t to_c = c + (below_ ? 0 : 1);

@@ -12,7 +12,7 @@ namespace {
 constexpr double widest_degree_cell = 0.001;  // about 100 m
 constexpr double narrowest_building_m = 3;
 
-/// To three digits.
+/// Formats a number with three digits.
 std::string short_text(double value) {
     if (!(value > 0))
         return "0";

@@ -6,16 +6,16 @@
 
 namespace d2b {
 
-/// Why a raster may be a picture and no surface: three bands, or byte values. Without a full stop; "" where
-/// it has neither.
+/// Returns the reason why a raster may be a picture and not a surface: three bands, or byte values. A clause
+/// without a full stop; "" if it has neither.
 [[nodiscard]] std::string picture_doubt(const DemInfo& dem);
 
-/// Why coordinates may be degrees that nothing says are: there is no CRS, they lie within 180 of 0, and cells
-/// are as small as those of buildings are in degrees. "" where they are none.
+/// Returns the reason why coordinates may be undeclared degrees: there is no CRS, they lie within 180 of 0,
+/// and cells have the size of typical cells in degrees. "" if they are not degrees.
 [[nodiscard]] std::string degrees_doubt(const DemInfo& dem, bool has_crs);
 
-/// Why no building has room in the raster: it covers less than one. "" where it covers more.
-/// @param width, height metres
+/// Returns a warning if the raster is smaller than a building; "" if it is larger.
+/// @param width, height extent in m
 [[nodiscard]] std::string extent_doubt(const std::string& dem, double width, double height);
 
 }  // namespace d2b

@@ -8,9 +8,9 @@
 namespace d2b {
 namespace {
 
-// Seville's cathedral at 1 m has 0.06, the pines of docs/accuracy.md seen by a thin scan 0.085.
+// Seville's cathedral at 1 m has 0.06, the pines of docs/accuracy.md in a sparse scan 0.085.
 constexpr double most_filled = 0.08;
-// Ann Arbor, which was resampled, has 1.9; the town of docs/accuracy.md as a satellite sees it 4.4.
+// Ann Arbor, which was resampled, has 1.9; the town of docs/accuracy.md as seen by a satellite has 4.4.
 constexpr double widest_step = 2.5;
 
 }  // namespace

@@ -30,7 +30,7 @@ void warn_of_search(const Search& search, bool found_any, Context& context) {
         warn_of(rounding_doubt(*search.sampling, report.units.vertical_metres), context);
     const std::string ground = search_ground_doubt(search);
     const std::string doubt = ground.empty() ? surface_doubt(search.fit, search.dem.name) : ground;
-    // What is no surface, or stands on another ground, has no walls that could be smeared.
+    // A raster that is not a surface, or lies on another ground, has no walls that could be blurred.
     if (search.sampling && doubt.empty()) {
         const double side = std::sqrt(search.cell.area());
         warn_of(thin_doubt(*search.sampling, side), context);

@@ -5,10 +5,10 @@
 
 namespace d2b {
 
-/// Warns of what makes a search for buildings doubtful: a ground that cannot be right, a surface that may be
-/// none, an NDVI that says nothing, thin points, smeared walls; and where nothing was found, of why that
-/// probably is. Each cause once. Silent where no point is valid, or all have one elevation: empty_result()
-/// says that.
+/// Emits the warnings about a search for buildings: an implausible ground, a raster that may not be a
+/// surface, an NDVI without values, sparse points, blurred walls, and the probable reason if nothing was
+/// found. Each cause is reported once. Silent if no point is valid or all have one elevation, because
+/// empty_result() reports that.
 void warn_of_search(const Search& search, bool found_any, Context& context);
 
 }  // namespace d2b

@@ -41,7 +41,7 @@ std::string empty_side_doubt(const SidesKnown& known, const Options& options) {
 
 std::string terrain_gap_doubt(const TerrainGap& gap, const std::string& dem, const std::string& terrain) {
     const std::int64_t missing = gap.cells - gap.known;
-    // How much lies outside is measured on a lattice of places.
+    // The share outside is measured on a lattice of points.
     const std::int64_t told = gap.outside + gap.outside / 50;
     if (gap.known == 0 || missing < gap.fewest || missing <= told)
         return {};

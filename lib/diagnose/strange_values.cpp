@@ -10,7 +10,7 @@
 namespace d2b {
 namespace {
 
-/// A value as -snodata wants it: before scale and offset.
+/// Converts a value to the form of -snodata: before scale and offset.
 std::string stored_text(double elevation, const DemInfo& info) {
     return value_text(stored_value(elevation, info.scale, info.offset));
 }
@@ -24,7 +24,7 @@ class Strange {
     void warn_of_outside(const ValueCounts& outside) const;
     void warn_of_spikes(const ValueCounts& spikes) const;
     void warn_of_undeclared(const StrangeValues& strange, const UndeclaredValues& undeclared) const;
-    /// @param told values that have been warned of
+    /// @param told values that were reported already
     void warn_of_shared(const StrangeValues& strange, std::int64_t cells,
                         const std::vector<SharedValue>& told) const;
     void warn_of_set_aside(std::int64_t cells) const;
@@ -32,7 +32,7 @@ class Strange {
   private:
     /// "outside of the elevations of land, -500 to 9000 m"
     [[nodiscard]] std::string not_in_range() const;
-    /// What to do where a value stands for no data.
+    /// Returns the remedy if a value stands for no data.
     [[nodiscard]] std::string nodata_advice(double elevation) const;
     [[nodiscard]] bool is_own_nodata(double elevation) const { return info_.set_aside_nodata == elevation; }
 

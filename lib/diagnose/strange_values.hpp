@@ -10,10 +10,11 @@
 
 namespace d2b {
 
-/// Counts what is no elevation in the report, and warns of it and of what may be none: the value, how many
-/// cells have it, and the option that helps.
-/// @param valid cells that have an elevation @param undeclared that were taken for no data, or stay
-/// @throws InputError where more than half of all values are none
+/// Counts invalid values in the report, and warns of these and of suspicious ones: the value, the number of
+/// cells, and the option that helps.
+/// @param valid number of cells with an elevation
+/// @param undeclared values that were taken for no data, or are kept
+/// @throws InputError if more than half of all values are invalid
 void report_strange_values(const StrangeValues& strange, std::int64_t valid,
                            const UndeclaredValues& undeclared, const DemInfo& info,
                            const ReadOptions& options, Context& context);

@@ -16,15 +16,15 @@ namespace {
 
 constexpr std::int32_t reach = SurfaceSampling::reach;
 constexpr std::int64_t fewest_steps = 100;
-/// Rough pairs are at least a tenth of the cells of buildings; scans have two thirds to twice as many, blocks
-/// on a terrain a fiftieth, at their corners.
+/// At least one rough pair per this many cells of buildings: scans have two thirds to two pairs per cell,
+/// block models on a terrain a fiftieth, at their corners.
 constexpr std::int64_t least_rough = 10;
-/// Fewer cells without a point than these cannot be told from none.
+/// Smallest share of cells without a point that can be distinguished from none.
 constexpr double least_filled = 0.01;
-/// Between a tenth and nine tenths of a normal distribution, in standard deviations.
+/// Distance between the 10 % and 90 % quantiles of a normal distribution, in standard deviations.
 constexpr double tenths = 2.5631;
 
-/// Looks at the own cells of a unit, row by row.
+/// Samples the core cells of a unit, row by row.
 class SamplingOfRows {
   public:
     SamplingOfRows(const Scene& scene, const Detection& detection, double min_height, const Window& own,
@@ -39,12 +39,11 @@ class SamplingOfRows {
     void add(RowBand band);
 
   private:
-    /// Whether cells are elevated and bend both ways: of the own columns of a row and one more, where there
-    /// is one.
+    /// Flags elevated cells that bend both ways: core columns of a row, and one more if there is one.
     void find_rough(std::int32_t r, std::vector<std::uint8_t>& rough) const;
     void add_pairs(std::int32_t r, const std::vector<std::uint8_t>& here,
                    const std::vector<std::uint8_t>& below);
-    /// The steps at the own cells of buildings in a row.
+    /// Adds the steps at core cells of buildings in a row.
     void add_steps(std::int32_t r);
     void add_step(std::int32_t r, std::int32_t c, std::int32_t down, std::int32_t right);
 
@@ -67,7 +66,7 @@ void SamplingOfRows::find_rough(std::int32_t r, std::vector<std::uint8_t>& rough
     const float* ground = scene_.terrain.row(r).data();
     const float least = min_height_;
     const float limit = limit_;
-    // Through a pointer of its own, so that what is written to it cannot be what is read.
+    // Local pointer, because stores through it must not alias the inputs.
     std::uint8_t* const out = rough.data();
     const std::int32_t first = own_.col;
     const auto look = [&](std::int32_t c, std::int32_t left, std::int32_t right) {
@@ -88,7 +87,7 @@ void SamplingOfRows::find_rough(std::int32_t r, std::vector<std::uint8_t>& rough
         look(z.cols - 1, std::max(z.cols - 2, 0), z.cols - 1);
 }
 
-/// With the next cell, and with the cell below.
+/// Adds the differences to the next cell and to the cell below.
 void SamplingOfRows::add_pairs(std::int32_t r, const std::vector<std::uint8_t>& here,
                                const std::vector<std::uint8_t>& below) {
     const MetreGrid& z = scene_.surface;
@@ -97,13 +96,14 @@ void SamplingOfRows::add_pairs(std::int32_t r, const std::vector<std::uint8_t>& 
     add_differences(own, z.row(std::min(r + 1, z.rows - 1)).data() + own_.col, here, below, sampling_.rough);
 }
 
-/// @param r, c a cell of a building @param down, right to the neighbour outside
+/// @param r, c cell of a building
+/// @param down, right offset to the neighbour outside
 void SamplingOfRows::add_step(std::int32_t r, std::int32_t c, std::int32_t down, std::int32_t right) {
     const Grid<Label>& labels = detection_.labels;
     if (!labels.holds(r - (reach - 1) * down, c - (reach - 1) * right) ||
         !labels.holds(r + reach * down, c + reach * right))
         return;
-    if (labels.at(r + down, c + right) != 0)  // as inside of buildings
+    if (labels.at(r + down, c + right) != 0)  // same as inside of buildings
         return;
     float largest = 0;
     float fall = 0;
@@ -118,7 +118,7 @@ void SamplingOfRows::add_step(std::int32_t r, std::int32_t c, std::int32_t down,
         largest = std::max(largest, next);
         fall += next;
     }
-    if (!(fall > min_height_))  // also where something is not known
+    if (!(fall > min_height_))  // also true for NaN
         return;
     ++sampling_.steps;
     sampling_.falls += std::llround(1000 * static_cast<double>(fall));
@@ -158,7 +158,7 @@ void SamplingOfRows::add_steps(std::int32_t r) {
                 continue;
             const auto beside = own(r + down);
             for (std::int32_t c = begin; c < end; ++c)
-                if (beside[static_cast<std::size_t>(c)] == 0)  // else it is as inside of buildings
+                if (beside[static_cast<std::size_t>(c)] == 0)  // otherwise the same as inside of buildings
                     add_step(r, own_.col + c, down, 0);
         }
     });
@@ -168,7 +168,8 @@ double normal(double x) {
     return std::erfc(-x / std::numbers::sqrt2) / 2;
 }
 
-/// The standard deviation of the blur, in cells, that makes of a wall a fall so many times the largest.
+/// Returns the standard deviation, in cells, of the blur that turns a wall into a slope whose total fall is
+/// `ratio` times its largest difference.
 double blur_of(double ratio) {
     constexpr double half = SurfaceSampling::reach - 0.5;  // cells, from the wall to both ends
     const auto ratio_at = [](double blur) {

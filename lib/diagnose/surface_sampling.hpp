@@ -12,37 +12,39 @@
 
 namespace d2b {
 
-/// How finely a surface was sampled, as whole numbers: they add up whatever their order.
+/// Statistics of the sampling of a surface. Integer counts, so the order does not matter.
 struct SurfaceSampling {
-    /// Cells on both sides of the border of a building that its step is looked for in.
+    /// Cells on both sides of a building's border within which its step is measured.
     static constexpr std::int32_t reach = 3;
 
-    HeightDifferences rough;    ///< of neighbours where the surface is rough
+    HeightDifferences rough;    ///< differences between neighbours on rough surfaces
     std::int64_t built = 0;     ///< cells of buildings
-    std::int64_t steps = 0;     ///< places where a building ends in one
-    std::int64_t falls = 0;     ///< of these together, over all that is looked at, mm
-    std::int64_t steepest = 0;  ///< of these together, the largest between two neighbours, mm
+    std::int64_t steps = 0;     ///< number of borders with a step
+    std::int64_t falls = 0;     ///< sum of their falls over the whole reach, mm
+    std::int64_t steepest = 0;  ///< sum of their largest falls between two neighbours, mm
     StepCounts values;          ///< differences between neighbours
 
     void merge(const SurfaceSampling& other);
 };
 
-/// Adds what the own cells of a unit say: pairs of rough neighbours, see filled_share(), and the steps at the
-/// border of buildings. A step is looked at along a row or a column, from two cells inside of the last cell
-/// of a building to three outside, where it falls by more than a height and what is outside belongs to
-/// nothing.
-/// @param min_height metres
+/// Adds the core cells of a unit: pairs of rough neighbours, see filled_share(), and the steps at the borders
+/// of buildings. A step is measured along a row or a column, from two cells inside of the last cell of a
+/// building to three outside, if the fall exceeds a height and the outside belongs to no object.
+/// @param min_height height in m
 void add_sampling(const Scene& scene, const Detection& detection, double min_height, const Window& own,
                   SurfaceSampling& sampling, Executor& threads);
 
-/// What the counts say. Of points nothing, where a surface is next to nowhere rough: the flat roofs of a
-/// model are equal without them. Where chance drops n points into a cell on the mean, exp(-n) of the cells
-/// have none (Poisson); found within a quarter for 1.3 to 3 points. Where points lie more evenly than by
-/// chance there are fewer of them than is said. A wall that a normal distribution of standard deviation s has
-/// blurred is 2.56 s wide between a tenth and nine tenths of its height; how much of its fall lies between
-/// two cells follows from s, and so s from that. Found within 15 % on walls along rows and columns that were
-/// blurred by 1 to 2.5 cells. For the step of the values see value_step().
-/// @param metres in the vertical unit of the raster
+/// Derives density, blur and rounding from the counts.
+///
+/// Points: if chance drops n points into a cell on average, exp(-n) of the cells have none (Poisson);
+/// accurate within a quarter for 1.3 to 3 points. The density is overestimated if points are more regular
+/// than random. Not reported if the surface is hardly ever rough, because flat roofs of a model are equal
+/// without filling.
+/// Blur: a wall blurred by a normal distribution of standard deviation s is 2.56 s wide between 10 % and 90 %
+/// of its height. The share of its fall between two cells depends on s, so s follows from it; accurate within
+/// 15 % on walls along rows and columns blurred by 1 to 2.5 cells.
+/// Rounding: see value_step().
+/// @param metres metres per vertical unit of the raster
 [[nodiscard]] SamplingReport sampling_report(const SurfaceSampling& sampling, double metres);
 
 }  // namespace d2b

@@ -13,7 +13,7 @@ std::string millions(std::int64_t points) {
 }
 
 std::string what_is_seen(const SeenPoints& seen) {
-    constexpr double bytes_a_point = 20;  // the surface, the terrain, and what finding either of them takes
+    constexpr double bytes_a_point = 20;  // surface, terrain, and scratch memory for computing them
     constexpr double gib = 1 << 30;
     return millions(seen.points) + " at a time, as parts of the raster are seen with " +
            rounded(seen.around) + " m around them" +

@@ -6,19 +6,21 @@
 
 namespace d2b {
 
-/// The points that a unit of a divided window sees at most, and why they are so many.
+/// Maximum number of points in the extent of a unit of a divided window, and its cause.
 struct SeenPoints {
     static constexpr std::int64_t usual = std::int64_t{48} << 20;
-    static constexpr std::int64_t most = std::int64_t{1} << 30;  ///< more are not held
+    static constexpr std::int64_t most = std::int64_t{1} << 30;  ///< upper limit
 
     std::int64_t points = 0;
-    double around = 0;                         ///< m that are seen beside a unit's own cells
-    std::optional<double> max_building_width;  ///< m; of which `around` follows, where that can be changed
+    double around = 0;  ///< width of the halo in m
+    std::optional<double>
+        max_building_width;  ///< width in m, if `around` depends on it and it can be changed
 };
 
-/// How much memory is needed, where that is more than usual. Without a full stop; "" where it is not.
+/// Returns a notice with the memory required, if it is more than usual. A clause without a full stop; "" if
+/// it is not.
 [[nodiscard]] std::string unit_memory_notice(const SeenPoints& seen);
-/// Why it is too much, and what to do about it; "" where it is not.
+/// Returns the reason why it is too much, and possible remedies; "" if it is not.
 [[nodiscard]] std::string unit_memory_refusal(const SeenPoints& seen);
 
 }  // namespace d2b

@@ -10,8 +10,8 @@
 namespace d2b {
 namespace {
 
-constexpr std::int64_t least_missing = 20;  // one cell in so many
-/// One or two pieces may be a small part of a surface, cut out of it.
+constexpr std::int64_t least_missing = 20;  // at least one in this many cells
+/// Minimum number of pieces, because one or two may be a small cut-out of a surface.
 constexpr std::int64_t fewest_islands = 3;
 
 struct Box {

@@ -11,26 +11,28 @@
 
 namespace d2b {
 
-/// Whether what has elevations lies in pieces as wide as buildings with NoData around each, as in a raster
-/// of buildings whose ground is NoData. Whole numbers: they add up whatever their order.
+/// Counts valid cells in islands surrounded by NoData and as wide as buildings, as in a raster of buildings
+/// with NoData as ground. Integer counts, so the order does not matter.
 struct ValidIslands {
-    std::int64_t cells = 0;    ///< that have an elevation
-    std::int64_t narrow = 0;   ///< of these, in pieces large enough for a building and not too wide for one
-    std::int64_t islands = 0;  ///< such pieces
-    std::int64_t largest = 0;  ///< cells of the largest of these
+    std::int64_t cells = 0;  ///< valid cells
+    std::int64_t narrow =
+        0;  ///< number of these in pieces large enough for a building and not too wide for one
+    std::int64_t islands = 0;  ///< number of such pieces
+    std::int64_t largest = 0;  ///< cells of the largest one
 
     void merge(const ValidIslands& other);
-    /// Most of what has elevations is in narrow pieces.
+    /// True if most valid cells are in narrow pieces.
     [[nodiscard]] bool narrow_most() const { return 2 * narrow > cells; }
 };
 
-/// Adds the pieces of a unit's own cells. Where next to all of these have an elevation only they are counted.
-/// @param known of the own cells, how many have an elevation @param smallest_m2 of a building
-/// @param widest_m of a building
+/// Adds the pieces of a unit's core. If nearly all of its cells are valid, only their number is added.
+/// @param known number of valid cells in the core
+/// @param smallest_m2 minimum area of a building
+/// @param widest_m maximum width of a building
 void add_islands(const MetreGrid& surface, const CellSize& cell, const Window& own, double smallest_m2,
                  double widest_m, ValidIslands& islands, Executor& threads);
 
-/// That an estimated ground has no ground to be estimated from. Without a full stop; "" where it may have.
+/// Returns a warning if there is no ground for an estimate. A clause without a full stop; "" if there may be.
 [[nodiscard]] std::string missing_ground_doubt(const ValidIslands& islands, GroundMode mode,
                                                const std::string& dem);
 

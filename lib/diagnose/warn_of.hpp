@@ -7,7 +7,7 @@
 
 namespace d2b {
 
-/// Warns of a cause, unless it is "".
+/// Emits a warning for a cause unless it is "".
 inline void warn_of(const std::string& cause, Context& context) {
     if (!cause.empty())
         context.warn(as_sentence(cause));

@@ -7,11 +7,11 @@
 
 namespace d2b {
 
-/// Lists of elevations that bands gave back, for the next ones: memory that is asked for anew is cleared page
-/// by page, and filled with zeros once more. From any thread.
+/// Pool of buffers for the elevations of bands. Reuse is faster, because the system clears newly allocated
+/// pages, and vectors fill them with zeros again. Thread-safe.
 class BandBuffers {
   public:
-    /// A list with whatever length and values.
+    /// Returns a buffer with arbitrary length and contents.
     [[nodiscard]] std::vector<double> take() {
         const std::lock_guard lock(mutex_);
         if (idle_.empty())

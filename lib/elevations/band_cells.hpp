@@ -12,25 +12,29 @@
 
 namespace d2b {
 
-/// Single cells of bands of which something is known for the whole run. They wait in a spool: of rasters that
-/// are noise every fourth cell is one.
+/// Single cells of bands with a decision that holds for the whole run, spooled to disk, because every fourth
+/// cell of a raster of noise is one.
 class BandCells {
   public:
-    /// Indices of a band's elevations, ascending.
+    /// Indices into the elevations of a band, ascending.
     struct Cells {
         std::vector<std::size_t> invalid;
         std::vector<std::size_t> spires;
     };
     explicit BandCells(std::unique_ptr<Spool> spool) : spool_(std::move(spool)) {}
 
-    /// Of the next band. @throws OutputError there is no room
+    /// Appends the cells of the next band.
+    /// @throws OutputError if there is no space
     void append(const Cells& cells);
-    /// Makes NaN of what is invalid, and marks the spires; nothing where the band's cells are not there yet.
-    /// From any thread. @param cols of the band @param part of the window that `cells` are; rows and columns
-    /// counted from the band's first @throws OutputError
+    /// Sets invalid cells to NaN, and marks the spires; does nothing if the band has not been appended yet.
+    /// Thread-safe.
+    /// @param cols columns of the band
+    /// @param part part of the window covered by `cells`; rows and columns relative to the band
+    /// @throws OutputError
     void apply(std::size_t band, std::int32_t cols, const Window& part, ElevationBand& cells) const;
 
-    /// Indices of what of a band is invalid. @throws OutputError
+    /// Returns the indices of a band's invalid cells.
+    /// @throws OutputError
     [[nodiscard]] std::vector<std::size_t> invalid(std::size_t band) const;
 
   private:

@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::int32_t usual_block_rows = 64;
 constexpr std::int64_t most_points_a_band = 1 << 21;
-// A thread. Less than three bands let threads wait for each other where one takes longer than the next.
+// Points per thread. With fewer than three bands threads wait for each other if one takes longer than the
+// next.
 constexpr std::int64_t points_ahead = 1 << 21;
 
 std::int32_t band_rows(std::int32_t block_rows, std::int32_t cols, std::int64_t points_a_band) {
@@ -35,8 +36,8 @@ std::vector<BandShape> shapes_of(const Window& window, std::int32_t rows_a_band)
     return shapes;
 }
 
-/// The cells of a band of whole rows that lie in a window, as rows and columns of the band.
-/// @param first_col of the band
+/// Returns the intersection of a band of whole rows and a window, in rows and columns of the band.
+/// @param first_col first column of the band
 Window within(const BandShape& band, std::int32_t first_col, const Window& window) {
     const std::int32_t first = std::max(band.first_row, window.row);
     const std::int32_t rows = std::min(band.first_row + band.rows, window.end_row()) - first;
@@ -45,7 +46,7 @@ Window within(const BandShape& band, std::int32_t first_col, const Window& windo
     return {first - band.first_row, window.col - first_col, rows, window.cols};
 }
 
-/// Spikes wait outside of their band until the rows beyond it have been seen.
+/// Hides spikes from their band (as NaN) until the rows beyond it have been read.
 class Withheld {
   public:
     Withheld(ElevationBand& band, const std::vector<Spike>& spikes) : band_(band), spikes_(spikes) {
@@ -127,8 +128,8 @@ ElevationBand ElevationReader::read(const Window& part, std::vector<double>&& bu
     return band;
 }
 
-/// All of them are rows of the band above: only the first band and the last may have fewer than a halo's
-/// most.
+/// Returns the halo. It lies within the band above, because only the first and the last band may have fewer
+/// rows than the maximum halo.
 ElevationBand ElevationReader::get_above(std::size_t i, std::int32_t halo, Tally& tally) {
     const BandShape& band = shapes_[i];
     const std::int32_t rows = std::min(halo, band.first_row - shapes_.front().first_row);
@@ -225,7 +226,7 @@ void ElevationReader::settle(const std::vector<Spike>& spikes, std::int32_t firs
     decided_->append(cells);
 }
 
-/// Of what is lent as it is.
+/// Applies the decisions to the kept elevations, because these are lent unchanged.
 void ElevationReader::take_spikes_out() {
     for (std::size_t i = 0; kept_.complete() && i < shapes_.size(); ++i)
         kept_.take_out(i, shapes_[i], decided_->invalid(i));

@@ -21,65 +21,71 @@
 
 namespace d2b {
 
-/// What the first pass has seen.
+/// Results of the first pass.
 struct ElevationSurvey {
-    ElevationStatistics statistics;  ///< of what is valid
+    ElevationStatistics statistics;  ///< statistics of valid cells
     StrangeValues strange;
-    BorderCells border{};  ///< of the window, where the survey is of all of it
+    BorderCells border{};  ///< border of the window, if the survey covers all of it
 };
 
-/// Bands of rows of a source, more than once: kept after the first pass where they fit in memory, else read
-/// again. Bands lie on the absolute grid: their borders do not depend on the window. They are read ahead, on
-/// all threads. What is no elevation is decided in the first pass, and is NaN in all of them.
+/// Reads the bands of rows of a source several times. They are kept in memory after the first pass if they
+/// fit, otherwise read again. Bands are aligned to the absolute grid, so that their borders do not depend on
+/// the window. Reading runs ahead on all threads. The first pass (survey()) decides which cells are invalid;
+/// these are NaN in all passes.
 class ElevationReader {
   public:
     ElevationReader(DemSource& source, Context& context, const BandSize& size = {});
 
     [[nodiscard]] std::size_t bands() const { return shapes_.size(); }
 
-    /// The first pass, without which every value is an elevation. Once more it is as if it were the first.
+    /// First pass. Without it every value is an elevation. A second call starts again.
     /// @param done called for each band, from the first row to the last, on this thread
-    /// @param of cells that the survey is of; nothing: all. Of others it is decided what they are: all of
-    /// them, where the window is empty
+    /// @param of cells covered by the survey; nullopt: all. Validity is decided for all other cells, too, if
+    /// the window is empty
     [[nodiscard]] ElevationSurvey survey(const SiftRules& rules,
                                          const std::function<void(const ElevationBand&)>& done,
                                          const std::optional<Window>& of = {});
 
-    /// In place of the first pass, where no cell is judged by those around it. @pre rules without spikes
+    /// Replaces the first pass if no cell is judged by its neighbours.
+    /// @pre rules without spikes
     void apply(const SiftRules& rules) { rules_ = rules; }
 
     /// Calls use(band, prepare(band, tally)) for each band, from the first row to the last: `prepare` on any
-    /// thread, `use` on the caller's. @throws InputError, and what these throw
+    /// thread, `use` on the caller's.
+    /// @throws InputError, and exceptions of both
     template <typename Prepare, typename Use>
     void for_each(const Prepare& prepare, const Use& use) {
         for_each_below(
             0, [&](ElevationBand&&, const ElevationBand& band, Tally& tally) { return prepare(band, tally); },
             use);
     }
-    /// The same with a halo, prepare(above, band, tally): the rows above the band, which its thread gets
-    /// itself and waits for no other. @param halo so many rows, at most 64; fewer where the window begins
+    /// Same, with a halo of rows above the band: prepare(above, band, tally). The band's thread reads them
+    /// itself, so that it waits for no other.
+    /// @param halo number of rows, at most 64; fewer at the start of the window
     template <typename Prepare, typename Use>
     void for_each_below(std::int32_t halo, const Prepare& prepare, const Use& use) {
         pass([this](std::size_t i, Tally& tally) { return get(whole(shapes_[i]), buffers_.take(), tally); },
              [&](std::size_t i, const ElevationBand& band, Tally& tally) {
-                 // After the band: whoever reads the one above has decoded these rows by now.
+                 // Read after the band, because the thread that reads the band above has decoded these rows
+                 // by now.
                  return prepare(get_above(i, halo, tally), band, tally);
              },
              use);
     }
     /// Calls `use` for each band, from the first row to the last, on this thread.
     void for_each(const std::function<void(const ElevationBand&)>& use);
-    /// Calls `use` for some rows of a part of the window at a time, on any thread and in any order. Columns
-    /// count from the part's first.
+    /// Calls `use` for batches of rows of a part of the window, on any thread and in any order. Columns are
+    /// relative to the part.
     void for_part(const Window& part, const std::function<void(const ElevationBand&)>& use);
 
-    /// What is kept of a part of the window, where that is all of it and floats hold it; else nothing. Until
-    /// it is given back as it was, nothing may be asked for. @pre the survey is done
+    /// Lends the kept elevations if the part is the whole window and floats hold them exactly; otherwise
+    /// returns an empty grid. Request nothing until they are returned unchanged.
+    /// @pre the survey is done
     [[nodiscard]] MetreGrid lend(const Window& part);
     void take_back(MetreGrid&& lent) { kept_.take_back(std::move(lent)); }
 
   private:
-    /// Also where something is thrown.
+    /// Merges the tallies even if an exception is thrown.
     struct Merger {
         const std::vector<Tally>& tallies;
         RunReport& report;
@@ -88,8 +94,8 @@ class ElevationReader {
                 report.merge(tally);
         }
     };
-    /// As for_each(), where fetch(i, tally) gives the band, and prepare(i, band, tally) may change it before
-    /// it is kept.
+    /// Implements for_each(): fetch(i, tally) returns the band, and prepare(i, band, tally) may change it
+    /// before it is kept.
     template <typename Fetch, typename Prepare, typename Use>
     void pass(const Fetch& fetch, const Prepare& prepare, const Use& use) {
         using Prepared = std::decay_t<decltype(prepare(std::size_t{}, std::declval<ElevationBand&>(),
@@ -107,7 +113,7 @@ class ElevationReader {
         context_.threads->in_order(
             bands(),
             [&](std::size_t i, std::size_t thread) {
-                // `prepare` may refer to the band's values, which stay where they are when it is moved.
+                // `prepare` may refer to the band's values, because moving it does not relocate them.
                 ElevationBand band = fetch(i, tallies[thread]);
                 Prepared prepared = prepare(i, band, tallies[thread]);
                 std::vector<double> wide;
@@ -125,15 +131,21 @@ class ElevationReader {
         buffers_.clear();
         kept_.end();
     }
-    /// What is in the source. @param buffer for the elevations @throws InputError
+    /// Reads raw values from the source.
+    /// @param buffer buffer for the elevations
+    /// @throws InputError
     [[nodiscard]] ElevationBand read(const Window& part, std::vector<double>&& buffer);
-    /// What of it is valid. @param part of the window @throws InputError
+    /// Returns the valid elevations.
+    /// @param part part of the window
+    /// @throws InputError
     [[nodiscard]] ElevationBand get(const Window& part, std::vector<double>&& buffer, Tally& tally);
     [[nodiscard]] ElevationBand get_above(std::size_t i, std::int32_t halo, Tally& tally);
     [[nodiscard]] Window whole(const BandShape& rows) const;
-    /// The first band that has rows from this one on.
+    /// Returns the first band that reaches this row.
     [[nodiscard]] std::size_t band_with(std::int32_t row) const;
-    /// @param spikes of the next band, all of whose neighbours have been seen @param first_row of that band
+    /// Decides about the spikes of the next band.
+    /// @param spikes spikes of that band, compared with all their neighbours
+    /// @param first_row first row of that band
     void settle(const std::vector<Spike>& spikes, std::int32_t first_row, const Window& counted,
                 ElevationSurvey& survey);
     void take_spikes_out();
@@ -142,12 +154,12 @@ class ElevationReader {
     DemSource& source_;
     Context& context_;
     std::int64_t points_a_band_;
-    std::size_t ahead_ = 1;  ///< bands a thread that are read ahead
+    std::size_t ahead_ = 1;  ///< bands read ahead per thread
     std::vector<BandShape> shapes_;
     KeptElevations kept_;
-    BandBuffers buffers_;  ///< of one pass
+    BandBuffers buffers_;  ///< buffers of one pass
     SiftRules rules_;
-    std::optional<BandCells> decided_;  ///< spikes of the bands
+    std::optional<BandCells> decided_;  ///< decisions about spikes
 };
 
 }  // namespace d2b

@@ -20,7 +20,8 @@ void append_part(const T* band, std::int32_t cols, const Window& part, std::vect
     }
 }
 
-/// Nothing branches: several cells are done at once. @return whether nothing is lost
+/// Converts to floats. Branch-free, so that the loop vectorises.
+/// @return true if the conversion is exact
 D2B_FOR_EACH_PROCESSOR bool narrowed(std::span<const double> values, float* narrow) {
     int lost = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -44,7 +45,8 @@ void KeptElevations::begin(std::size_t bands, Executor& threads) {
     bytes_ = 0;
     wide_.assign(bands, {});
     floats_ = {};
-    floats_ = MetreGrid::unset(window_.rows, window_.cols, threads);  // no memory until it is written
+    floats_ = MetreGrid::unset(window_.rows, window_.cols,
+                               threads);  // pages are only allocated when they are written
 }
 
 std::vector<double> KeptElevations::keep(const ElevationBand& band) {
@@ -63,7 +65,7 @@ void KeptElevations::put(std::size_t i, const BandShape& band, std::vector<doubl
     if (bytes_ <= most_bytes_)
         return;
     fits_ = false;                               // other threads may still write floats
-    wide_ = std::vector<std::vector<double>>();  // {} would keep the room
+    wide_ = std::vector<std::vector<double>>();  // {} would keep the capacity
 }
 
 void KeptElevations::end() {

@@ -11,33 +11,39 @@
 
 namespace d2b {
 
-/// The bands of a window between one pass and the next, where they fit in memory: as floats where nothing is
-/// lost by it, else as they are.
+/// Keeps the bands of a window between passes if they fit in memory: as floats if these are exact, otherwise
+/// as doubles.
 class KeptElevations {
   public:
-    /// @param most_bytes of memory; bands that need more are not kept
+    /// @param most_bytes memory limit; larger windows are not kept
     KeptElevations(const Window& window, std::size_t most_bytes);
 
-    /// Whether the next pass is to keep its bands.
+    /// True if the next pass should keep its bands.
     [[nodiscard]] bool wanted() const { return fits_ && !complete_; }
-    /// Whether all bands are kept.
+    /// True if all bands are kept.
     [[nodiscard]] bool complete() const { return complete_; }
 
-    /// What is kept: the next pass is to keep its bands anew, where they fit.
+    /// Discards the kept bands; the next pass keeps its bands if they fit.
     void forget() { complete_ = false; }
     void begin(std::size_t bands, Executor& threads);
-    /// Keeps a band as floats, on any thread. @return what is to be put else; empty: nothing
+    /// Keeps a band as floats. Thread-safe.
+    /// @return the elevations to be passed to put() if floats are not exact; empty otherwise
     [[nodiscard]] std::vector<double> keep(const ElevationBand& band);
-    /// One band after the other, when it is kept. @param i the band's number @param wide what keep() returned
+    /// Completes a band; called in order.
+    /// @param i index of the band
+    /// @param wide result of keep()
     void put(std::size_t i, const BandShape& band, std::vector<double>&& wide);
     void end();
 
-    /// Adds some cells of a band to others. @param part rows and columns counted from the band's first
+    /// Appends a part of a band to a list.
+    /// @param part rows and columns relative to the band
     void append(std::size_t i, const BandShape& band, const Window& part, std::vector<double>& to) const;
-    /// What is kept as floats is no elevation. @param cells of a band, counted from its first
+    /// Sets kept floats to NaN.
+    /// @param cells indices relative to the band
     void take_out(std::size_t i, const BandShape& band, std::span<const std::size_t> cells);
 
-    /// All of it, where floats hold it; else nothing. Until it is taken back, nothing else may be asked for.
+    /// Lends the window if floats hold all of it; otherwise returns an empty grid. Request nothing until it
+    /// is returned.
     [[nodiscard]] MetreGrid lend();
     void take_back(MetreGrid&& lent) { floats_ = std::move(lent); }
 
@@ -47,8 +53,8 @@ class KeptElevations {
     std::size_t bytes_ = 0;
     bool fits_;
     bool complete_ = false;
-    MetreGrid floats_;                       ///< of the window: kept bands, but for those that are wide
-    std::vector<std::vector<double>> wide_;  ///< by band: kept as they are; empty where floats hold them
+    MetreGrid floats_;                       ///< the window: kept bands, except for those in wide_
+    std::vector<std::vector<double>> wide_;  ///< by band: kept as doubles; empty if floats hold it
 };
 
 }  // namespace d2b

@@ -6,10 +6,11 @@
 
 namespace d2b {
 
-/// A part of a DEM, which is read as if its window were no larger. What the DEM notices is its own to tell.
+/// Restricts a DEM to a part of its window. Notices remain with the DEM itself.
 class PartSource final : public DemSource {
   public:
-    /// @param whole which must outlive this @param part of its window
+    /// @param whole the DEM, which must outlive this object
+    /// @param part part of its window
     PartSource(DemSource& whole, const Window& part) : whole_(whole), info_(whole.info()) {
         info_.window = part;
     }

@@ -8,7 +8,8 @@
 
 namespace d2b {
 
-/// In lanes, which processors do at once; so many that the compiler keeps the loop over them.
+/// Uses lanes, so that the loop vectorises; their number keeps the compiler from unrolling the loop over
+/// them.
 D2B_FOR_EACH_PROCESSOR RowExtremes extremes_of_row(std::span<const double> values) {
     constexpr std::size_t lanes = 64;
     std::array<double, lanes> lowest{};

@@ -5,13 +5,13 @@
 
 namespace d2b {
 
-/// The lowest and highest value; the other way round where there is none.
+/// Range of values; inverted if empty.
 struct RowExtremes {
     double lowest = std::numeric_limits<double>::infinity();
     double highest = -std::numeric_limits<double>::infinity();
 };
 
-/// Of many values, those that are not NaN. Of 0 and -0, which are as low as each other, either may be named.
+/// Returns the range of all values that are not NaN. If both 0 and -0 are extreme, either may be returned.
 [[nodiscard]] RowExtremes extremes_of_row(std::span<const double> values);
 
 }  // namespace d2b

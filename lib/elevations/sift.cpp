@@ -19,7 +19,7 @@ struct Extremes {
     std::size_t known = 0;
 };
 
-/// Of those that are not NaN. In lanes, which processors do at once.
+/// Returns the range of values that are not NaN. Uses lanes, so that the loop vectorises.
 Extremes extremes_of(std::span<const double> values) {
     constexpr std::size_t lanes = 4;
     std::array<double, lanes> lowest{infinity, infinity, infinity, infinity};
@@ -61,13 +61,15 @@ void take_undeclared_out(std::span<double> values, const std::vector<double>& un
     }
 }
 
-/// What is no elevation by its value alone.
+/// Counts of values that are invalid by themselves.
 struct NoElevations {
     ValueCounts& outside;
     ValueCounts& undeclared;
 };
 
-/// Some cells of a row. @param seen null where nothing is noted of them @param steep gets where spikes may be
+/// Filters a stretch of a row.
+/// @param seen null: no statistics
+/// @param steep receives stretches that may contain spikes
 void sift_cells(ElevationBand& band, const Stretch& cells, const SiftRules& rules, StrangeValues* seen,
                 const NoElevations& none, std::vector<Stretch>& steep) {
     constexpr std::int32_t stretch = 64;  // columns
@@ -93,7 +95,7 @@ void sift_cells(ElevationBand& band, const Stretch& cells, const SiftRules& rule
             if (rules.set_aside_nodata)
                 seen->set_aside_nodata += std::ranges::count(values, *rules.set_aside_nodata);
         }
-        // Where all are known each has a neighbour among them, or there is one alone.
+        // If all cells are valid, each has a neighbour among them, unless there is only one cell.
         if (of.known < values.size() || values.size() == 1 || of.highest - of.lowest > rules.spikes.no_roof)
             steep.push_back({cells.row, begin, end});
     }

@@ -14,38 +14,39 @@
 
 namespace d2b {
 
-/// What of the values of a raster is no elevation, in its vertical unit.
+/// Rules for values that are not elevations, in the vertical unit of the raster.
 struct SiftRules {
     ElevationLimits limits;
     SpikeRules spikes;
-    double metres = 1;                       ///< in a vertical unit
-    std::optional<double> set_aside_nodata;  ///< as DemInfo has it
-    std::vector<double> undeclared{};        ///< values that stand for no data, see UndeclaredValues
+    double metres = 1;                       ///< metres per vertical unit
+    std::optional<double> set_aside_nodata;  ///< see DemInfo
+    std::vector<double> undeclared{};        ///< undeclared NoData values, see UndeclaredValues
 };
 
-/// What was seen of cells that may be no elevations. A mergeable reduction.
+/// Statistics of cells that may not be elevations. A mergeable reduction.
 struct StrangeValues {
     explicit StrangeValues(const SiftRules& rules) : bins(rules.limits, rules.metres) {}
     void merge(const StrangeValues& other);
     void save(ByteWriter& writer) const;
-    /// Takes what values under the same rules saved.
+    /// Restores statistics saved under the same rules.
     void load(ByteReader& reader);
 
-    ValueCounts outside;                ///< of the limits
-    ValueCounts undeclared;             ///< values that stand for no data
-    ValueCounts spikes;                 ///< that are no elevations
-    std::int64_t spires = 0;            ///< spikes that are, but no roofs
-    std::int64_t set_aside_nodata = 0;  ///< cells that have that elevation
-    ValueBins bins;                     ///< of all within the limits, spikes too
+    ValueCounts outside;                ///< values outside of the limits
+    ValueCounts undeclared;             ///< NoData values that are not declared
+    ValueCounts spikes;                 ///< spikes that are not elevations
+    std::int64_t spires = 0;            ///< spikes that are elevations, but not roofs
+    std::int64_t set_aside_nodata = 0;  ///< cells with that elevation
+    ValueBins bins;                     ///< all values within the limits, including spikes
 };
 
-/// Makes NaN of all elevations outside of the limits, and of those that stand for no data.
+/// Sets elevations outside of the limits and undeclared NoData values to NaN.
 void limit(std::span<double> elevations, const SiftRules& rules);
 
-/// The same, and notes what it sees on the way, which costs little more than a look at each elevation.
-/// @return where cells may be spikes: nowhere else are they
+/// Same, and collects statistics, at little more than the cost of reading each elevation.
+/// @return stretches that may contain spikes; there are none elsewhere
 [[nodiscard]] std::vector<Stretch> sift(ElevationBand& band, const SiftRules& rules, StrangeValues& seen);
-/// The same, where what is noted is of some cells alone. @param of rows and columns of the band
+/// Same, but collects the statistics of a part only.
+/// @param of rows and columns of the band
 [[nodiscard]] std::vector<Stretch> sift(ElevationBand& band, const SiftRules& rules, StrangeValues& seen,
                                         const Window& of);
 

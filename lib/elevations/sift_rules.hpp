@@ -9,16 +9,19 @@
 
 namespace d2b {
 
-/// -zrange, or what occurs on land. @param metres in a vertical unit, which the limits are in
+/// Returns -zrange, or the range of elevations on land.
+/// @param metres metres per vertical unit, which is the unit of the limits
 [[nodiscard]] ElevationLimits elevation_limits(const ReadOptions& options, double metres);
 
-/// What is an elevation. @param with_spikes whether single cells above all their neighbours may be none
+/// Returns the rules for valid elevations.
+/// @param with_spikes true: single cells above all their neighbours may be invalid
 [[nodiscard]] SiftRules sift_rules(const ReadOptions& options, bool with_spikes, const DemInfo& info,
                                    double metres);
 
-/// The values of a whole window that stand for no data without being declared; none with -inodata.
-/// @param border of the window within the limits; null: it is read @param cell_m side of a cell; 0 where it
-/// is not known @throws InputError, Cancelled
+/// Finds the undeclared NoData values of a whole window; none with -inodata.
+/// @param border border of the window within the limits; null: it is read
+/// @param cell_m cell size in m; 0 if unknown
+/// @throws InputError, Cancelled
 [[nodiscard]] UndeclaredValues undeclared_values(DemSource& source, const Options& options,
                                                  const SiftRules& rules, double cell_m,
                                                  const BorderCells* border, const Context& context);

@@ -6,7 +6,7 @@
 namespace d2b {
 namespace {
 
-/// The higher of the two that lie beside a column; -infinity where neither is valid.
+/// Returns the higher neighbour of a column in a row; -infinity if neither is valid.
 double beside(std::span<const double> row, std::size_t col) {
     double highest = -std::numeric_limits<double>::infinity();
     if (col > 0 && row[col - 1] > highest)
@@ -33,7 +33,7 @@ std::vector<Spike> find_spikes(const ElevationBand& band, std::span<const Stretc
         for (std::int32_t col = stretch.begin; col < stretch.end; ++col) {
             const auto at = static_cast<std::size_t>(col);
             Spike spike{stretch.row, col, row[at], beside(row, at)};
-            if (!spike.above(rules.no_roof))  // nor where it is NaN
+            if (!spike.above(rules.no_roof))  // also for NaN
                 continue;
             if (stretch.row > 0)
                 spike.see(band.row(stretch.row - 1));

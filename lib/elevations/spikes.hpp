@@ -10,54 +10,54 @@
 
 namespace d2b {
 
-/// How far above the highest of its eight neighbours a cell is no elevation, and no roof. In vertical units.
+/// Heights above the highest of its eight neighbours from which a cell is not an elevation, or not a roof. In
+/// vertical units.
 struct SpikeRules {
     double no_elevation = std::numeric_limits<double>::infinity();
     double no_roof = std::numeric_limits<double>::infinity();
 };
-/// In metres. No wall is one cell wide and 100 m high; masts, cranes and birds in flight may be 30.
+/// Rules in m. No wall is one cell wide and 100 m high; masts, cranes and birds may reach 30 m.
 inline constexpr SpikeRules spikes_m{100, 30};
 
-/// Cells of a row, side by side.
+/// Run of adjacent cells in a row.
 struct Stretch {
-    std::int32_t row = 0;    ///< of the band
-    std::int32_t begin = 0;  ///< columns
+    std::int32_t row = 0;    ///< row of the band
+    std::int32_t begin = 0;  ///< first column
     std::int32_t end = 0;
 };
 
-/// A cell that is above those of its neighbours that have been looked at.
+/// Cell that exceeds its neighbours read so far.
 struct Spike {
-    std::int32_t row = 0;  ///< of the band
+    std::int32_t row = 0;  ///< row of the band
     std::int32_t col = 0;
     double elevation = 0;
     double around =
-        -std::numeric_limits<double>::infinity();  ///< the highest of them; -infinity: none is valid
+        -std::numeric_limits<double>::infinity();  ///< its highest neighbour; -infinity: none is valid
 
-    /// Looks at the row above or below the one that it is in.
+    /// Compares with the row above or below.
     void see(std::span<const double> other);
     [[nodiscard]] bool above(double by) const { return elevation - around > by; }
     [[nodiscard]] bool stands_alone() const { return around == -std::numeric_limits<double>::infinity(); }
 };
 
-/// The cells that are no roof by what the band shows: of its first and last row they may turn out to be none
-/// when the rows beyond are seen. In scan order.
-/// @param steep where to look; beside it no cell is a spike
+/// Finds the cells that are too high for a roof compared to the band. Spikes in the first and last row are
+/// provisional until the adjacent rows are read. In scan order.
+/// @param steep stretches to search; cells elsewhere are not spikes
 [[nodiscard]] std::vector<Spike> find_spikes(const ElevationBand& band, std::span<const Stretch> steep,
                                              const SpikeRules& rules);
 
-/// Brings together spikes and the rows beyond the bands that they are in, while bands pass from the first to
-/// the last.
+/// Compares spikes with the rows beyond their band while bands pass from the first to the last.
 class SpikeSeams {
   public:
-    /// @param spikes of the band, which is the next
-    /// @return those of the band before, all of whose neighbours have been seen now
+    /// @param spikes spikes of the band, which is the next one
+    /// @return spikes of the previous band, compared with all their neighbours
     [[nodiscard]] std::vector<Spike> add(const ElevationBand& band, std::vector<Spike> spikes);
-    /// @return those of the last band
+    /// @return spikes of the last band
     [[nodiscard]] std::vector<Spike> finish() { return std::move(waiting_); }
 
   private:
     std::vector<Spike> waiting_;
-    std::int32_t last_ = 0;         ///< row of their band
+    std::int32_t last_ = 0;         ///< last row of their band
     std::vector<double> last_row_;  ///< its elevations
 };
 

@@ -17,7 +17,7 @@ void ElevationStatistics::add(const ElevationBand& band, const Window& part) {
             band.row(row).subspan(static_cast<std::size_t>(part.col), static_cast<std::size_t>(part.cols));
         moments.add_known(cells);
         const RowExtremes of = extremes_of_row(cells);
-        // The first of those that are as low: 0 or -0.
+        // The first of equal values, 0 or -0.
         if (of.lowest < minimum)
             minimum = *std::ranges::find(cells, of.lowest);
         if (of.highest > maximum)

@@ -10,8 +10,8 @@
 
 namespace d2b {
 
-/// What the thresholds depend on: a mergeable reduction over all valid points, exact, so that bands, tiles
-/// and threads in any order give the same thresholds to the bit.
+/// Statistics that determine the thresholds: a mergeable, exact reduction over all valid points, so that
+/// bands, tiles and threads in any order yield identical thresholds.
 struct ElevationStatistics {
     Moments moments;
     double minimum = std::numeric_limits<double>::infinity();

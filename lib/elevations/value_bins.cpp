@@ -6,7 +6,7 @@
 namespace d2b {
 namespace {
 
-constexpr double bins_apart = 2;  // bins in the distance that sets a value apart
+constexpr double bins_apart = 2;  // bins per distance that isolates a value
 constexpr double most_bins = 4096;
 
 }  // namespace
@@ -43,7 +43,7 @@ void ValueBins::merge(const ValueBins& other) {
 
 std::vector<SharedValue> ValueBins::shared(std::int64_t cells) const {
     constexpr std::int64_t fewest = 10;
-    constexpr std::int64_t least_share = 1000;  // one in so many
+    constexpr std::int64_t least_share = 1000;  // one in this many
     std::vector<Bin> some;
     std::ranges::copy_if(bins_, std::back_inserter(some), [](const Bin& bin) { return bin.cells > 0; });
     std::vector<SharedValue> shared;

@@ -11,17 +11,17 @@
 
 namespace d2b {
 
-/// Finds exact values that many cells share, far from all others: what may stand for no data without being
-/// declared. Such a value has its bin for itself, and all that it takes to see so is each bin's lowest and
-/// highest value: a mergeable reduction, exact whatever the bands and threads.
+/// Finds exact values that are shared by many cells and far from all others, which may be undeclared NoData.
+/// Such a value is alone in its bin, so the lowest and highest value of each bin suffice: a mergeable
+/// reduction, exact for any bands and threads.
 class ValueBins {
   public:
-    /// @param limits of all values; where they are more than 100 km apart nothing is found
-    /// @param metres in a vertical unit
+    /// @param limits limits of all values; if they are more than 100 km apart, nothing is found
+    /// @param metres metres per vertical unit
     ValueBins(const ElevationLimits& limits, double metres);
 
-    /// Cells of a stretch, which are NaN or within the limits. @param lowest, highest, cells of those that
-    /// are not NaN
+    /// Adds a stretch of cells, NaN or within the limits.
+    /// @param lowest, highest, cells range and number of those that are not NaN
     /// @pre cells > 0
     template <typename Values>
     void add(const Values& values, double lowest, double highest, std::int64_t cells) {
@@ -30,7 +30,7 @@ class ValueBins {
         if (lowest == highest) {
             add(lowest, cells);
         } else if (highest - lowest <= apart_) {
-            // None of these is far from all others, and those between the two tell nothing more.
+            // No value here is far from all others, and values between the extremes add no information.
             add(lowest, 1);
             add(highest, 1);
         } else {
@@ -41,12 +41,12 @@ class ValueBins {
     }
     void merge(const ValueBins& other);
     void save(ByteWriter& writer) const { writer.put_list(bins_); }
-    /// Takes what bins of the same limits and unit saved.
+    /// Restores bins saved with the same limits and unit.
     void load(ByteReader& reader);
 
-    /// The values that at least ten cells and a thousandth of all share, more than 50 m from any other,
-    /// ascending. Not the only value of all.
-    /// @param cells that are valid
+    /// Returns the values shared by at least ten cells and a thousandth of all, and more than 50 m from any
+    /// other, ascending. A value that is the only one does not count.
+    /// @param cells number of valid cells
     [[nodiscard]] std::vector<SharedValue> shared(std::int64_t cells) const;
 
     static constexpr double apart_m = 50;

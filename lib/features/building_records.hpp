@@ -11,19 +11,19 @@
 
 namespace d2b {
 
-/// The records of buildings, as they are when their outlines are known. They wait in a spool.
+/// Records of buildings with final outlines, kept in a spool.
 class BuildingRecords {
   public:
     explicit BuildingRecords(std::unique_ptr<Spool> spool) : spool_(std::move(spool)) {}
 
-    /// @param building its number from 0, as heads of contours have it
+    /// @param building index of the building, as in ContourHead
     void put(std::int64_t building, const BuildingRecord& record);
-    /// From any thread, when all are there. @return nothing where it has no outline
+    /// Thread-safe once all are added. @return nullopt if the building has no outline
     [[nodiscard]] std::optional<BuildingRecord> of(std::int64_t building) const;
 
   private:
     std::unique_ptr<Spool> spool_;
-    std::vector<SpoolEntry> places_;  ///< by building; empty where there is none
+    std::vector<SpoolEntry> places_;  ///< by building; empty for a building without outline
 };
 
 }  // namespace d2b

@@ -7,7 +7,7 @@
 namespace d2b {
 namespace {
 
-/// Rows of the lattice run to the south, so that a ring keeps its way round.
+/// Negates rows because they increase southwards. The ring keeps its orientation as seen from above.
 std::vector<SurfacePoint> roof_ring(const FineRing& ring, std::int64_t top) {
     std::vector<SurfacePoint> corners;
     corners.reserve(ring.size());
@@ -34,13 +34,13 @@ std::vector<SurfacePart> building_tiers(const DrawnCluster& drawn, SurfaceRoof r
         building.base = drawn.cluster.buildings[i].base;
         building.roof = building.base;
     }
-    std::vector<std::int32_t> places;  // of contours among the tiers of their buildings
+    std::vector<std::int32_t> places;  // index of each contour among its building's tiers
     for (std::size_t i = 0; i < drawn.cluster.contours.size(); ++i) {
         const PlanContour& contour = drawn.cluster.contours[i];
         const auto place = static_cast<std::size_t>(contour.building);
         SurfaceBuilding& building = parts[place].buildings.front();
         std::vector<SurfaceTier>& tiers = building.tiers;
-        // What has no height would be seen as a flat piece of its ground.
+        // A building without height is drawn as a flat patch of its ground.
         if (contour.parent < 0)
             building.roof =
                 std::max(building.base, block_roof(drawn.buildings[place], roof, contour.outline, lattice));

@@ -6,7 +6,8 @@
 
 namespace d2b {
 
-/// The buildings of a group as the tiers of their stacks, a part each, with their numbers and without values.
+/// Converts the buildings of a cluster to stacks of tiers, one part per building, with ids but without field
+/// values.
 /// @param drawn from contours (SurfaceOf::contours)
 [[nodiscard]] std::vector<SurfacePart> building_tiers(const DrawnCluster& drawn, SurfaceRoof roof,
                                                       const SurfaceLattice& lattice);

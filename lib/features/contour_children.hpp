@@ -9,7 +9,7 @@
 
 namespace d2b {
 
-/// The contours that stand on each contour.
+/// Children of each contour in the tree of contours, in CSR form.
 class ContourChildren {
   public:
     ContourChildren() = default;
@@ -19,8 +19,8 @@ class ContourChildren {
     }
 
   private:
-    std::vector<std::uint32_t> children_;  ///< of one contour after the other
-    std::vector<std::size_t> first_;       ///< of a contour; one more at the end
+    std::vector<std::uint32_t> children_;  ///< concatenated over contours
+    std::vector<std::size_t> first_;       ///< index of each contour's first child; one more at the end
 };
 
 }  // namespace d2b

@@ -11,37 +11,37 @@
 
 namespace d2b {
 
-/// What is known of a contour, and what is drawn of it: nothing where its layer was not asked for.
+/// Records of a contour and its polygons. A polygon is empty if its layer is not written.
 struct DrawnContour {
     ContourKey key;
-    std::int64_t parent = -1;          ///< as its head has it
-    std::int64_t building_place = -1;  ///< likewise
+    std::int64_t parent = -1;          ///< index of the parent in the contour list
+    std::int64_t building_place = -1;  ///< index of the building in the contour list
     bool is_doubtful = false;
-    ContourRecord record;  ///< its numbers are those of a run on its list alone
+    ContourRecord record;  ///< ids are local to the contour list
     PointStats own;
-    PointStats whole;                ///< with what stands on it
-    BuildingRecord building_record;  ///< of level 1 alone
+    PointStats whole;                ///< including the contours above
+    BuildingRecord building_record;  ///< level 1 only
     std::optional<FeaturePolygon> building;
     std::optional<FeaturePolygon> contour;
 };
 
-/// Adds the cells that a contour and its building are drawn in, where they are written.
+/// Adds the drawn cells of a contour and its building to the stack, if they are written.
 void add_to_stack(const DrawnContour& drawn, const LayerPlaces& places, DrawnStack& stack);
 
-/// Draws contours for the layers that were asked for; on all threads, which have a maker each.
+/// Draws contours for the requested layers. Thread-safe, with one PolygonMaker per thread.
 class ContourDrawer {
   public:
-    /// @param input must outlive this, as the records must
+    /// @param input, records must outlive this
     ContourDrawer(const FeatureInput& input, const RecordMaker& records, Context& context);
     ContourDrawer(const ContourDrawer&) = delete;
     ContourDrawer& operator=(const ContourDrawer&) = delete;
     ~ContourDrawer() = default;
 
-    /// @param thread that this runs on
+    /// @param thread index of the calling thread
     [[nodiscard]] DrawnContour draw(std::size_t contour, std::size_t thread);
-    /// Whether the cells that polygons hold come with them, since the stack is measured as it is drawn.
+    /// True if polygons come with their cells, because the stack error is measured on them.
     [[nodiscard]] bool gives_cells() const { return with_cells_; }
-    /// One a thread.
+    /// Returns the makers, one per thread.
     [[nodiscard]] std::vector<PolygonMaker>& makers() { return makers_; }
 
   private:
@@ -54,13 +54,13 @@ class ContourDrawer {
     std::vector<PolygonMaker> makers_;
 };
 
-/// Which contours of a run the outlines of each depend on. @param target_crs, cell_size_m as below
+/// Groups contours whose outlines depend on each other. @param target_crs, cell_size_m see below
 [[nodiscard]] OutlineReach reach_of(const ContourList& contours, const RunPlan& plan,
                                     const Georeference& georeference, const Crs& crs, const Crs& target_crs,
                                     const Window& window, double cell_size_m, const StopRequest& stop);
 
-/// The outlines of a run, drawn as it was decided. @param target_crs kind none: the DEM's
-/// @param cell_size_m side of a square of a cell's area
+/// Draws the outlines of a run by its plan. @param target_crs kind none: the CRS of the DEM
+/// @param cell_size_m side of a square with the area of a cell
 [[nodiscard]] Outliner draw_outlines(const ContourList& contours, const RunPlan& plan,
                                      const Georeference& georeference, const Crs& crs, const Crs& target_crs,
                                      const Window& window, double cell_size_m, Context& context);

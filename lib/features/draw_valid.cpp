@@ -5,7 +5,7 @@
 namespace d2b {
 namespace {
 
-/// @return why the parts are not to be written, "" where they are
+/// @return the reason why the parts are invalid; "" if they are valid
 std::string draw(const DrawParts& drawn, Geos& geos, std::vector<WorldPolygon>& parts) {
     try {
         parts = drawn();

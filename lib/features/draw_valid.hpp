@@ -12,16 +12,16 @@ namespace d2b {
 
 struct ValidParts {
     std::vector<WorldPolygon> parts;
-    std::string trouble;  ///< what GEOS said of the polygon as it was drawn; "" where it is valid
+    std::string trouble;  ///< GEOS's reason why the first drawing is invalid; "" if it is valid
 };
 
-/// May throw GeometryError.
+/// Draws the parts. May throw GeometryError.
 using DrawParts = std::function<std::vector<WorldPolygon>()>;
 
-/// Polygons that GEOS has found valid. Where the drawn ones are not, or GEOS fails on them, the traced ones;
-/// where these are not either, repaired ones, and none where that fails as well. What happened is counted,
-/// and no polygon ends the run.
-/// @param status becomes kept_traced or repaired where that is what is left
+/// Returns parts that GEOS accepts as valid: the drawn ones; otherwise, or if GEOS fails on them, the traced
+/// ones; otherwise repaired ones; and none if repair fails as well. Fallbacks are counted. Never throws for a
+/// bad polygon, because one feature must not end the run.
+/// @param status set to kept_traced or repaired after a fallback
 [[nodiscard]] ValidParts draw_valid(const DrawParts& drawn, const DrawParts& traced, Geos& geos,
                                     OutlineStatus& status, Tally& tally);
 

@@ -16,17 +16,17 @@ constexpr double no_tier = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-/// The tiers of some rows, which only buildings' cells have.
+/// Tier of each cell of a slab of rows. Only the cells of buildings are initialised.
 class DrawnStack::SlabTiers {
   public:
     explicit SlabTiers(std::int32_t first_col) : first_col_(first_col) {}
 
-    /// For other rows. Cells hold whatever they held until they are cleared.
+    /// Switches to other rows. Cells are uninitialised until cleared.
     void begin(const BandShape& rows) {
         shape_ = rows;
         tiers_.resize(rows.size());
     }
-    /// Calls use(first, last, tier) with the tiers of each run of an entry that lies in the rows.
+    /// Calls use(first, last, tier) for each run of an entry, clipped to the rows.
     template <typename Use>
     void for_runs(const Spool& spool, const SpoolEntry& entry, const Use& use) const {
         ByteReader reader(spool, entry);
@@ -45,7 +45,7 @@ class DrawnStack::SlabTiers {
                   tiers_.begin() + static_cast<std::ptrdiff_t>(end), no_tier);
     }
     [[nodiscard]] double& at(std::size_t i) { return tiers_[i]; }
-    /// Nothing where the tier is NaN.
+    /// Does nothing if the tier is NaN.
     void fill(std::size_t begin, std::size_t end, double tier) {
         if (std::isnan(tier))
             return;
@@ -84,7 +84,7 @@ void DrawnStack::add(const std::vector<RowSpan>& cells, const StackTier& tier,
     std::map<std::size_t, std::vector<RowSpan>> parts;  // by slab
     for (const RowSpan& cell : cells) {
         const std::int32_t row = cell.row - window_.row;
-        // Columns as a band has them.
+        // columns relative to the window, as in bands
         const RowSpan run{cell.row, std::max(cell.begin - window_.col, 0),
                           std::min(cell.end - window_.col, window_.cols)};
         if (row >= 0 && row < window_.rows && run.begin < run.end)
@@ -128,7 +128,7 @@ StackError DrawnStack::measured(SlabTiers& tiers, const Slab& slab, std::span<co
     for_runs(tiers, slab.buildings, [&](std::size_t begin, std::size_t end, const StackTier&) {
         for (std::size_t i = begin; i < end; ++i) {
             const double distance = tiers.at(i) - elevations[i];
-            tiers.at(i) = no_tier;  // each cell once
+            tiers.at(i) = no_tier;  // counts each cell once
             if (!std::isnan(distance))
                 error.add(distance, fixed);
         }

@@ -15,7 +15,7 @@
 
 namespace d2b {
 
-/// How far a stacked surface is from elevations. Adds up exactly, in any order.
+/// Deviation of a stacked surface from the elevations. Sums are exact, so their order does not matter.
 struct StackError {
     std::int64_t n = 0;
     Int128 coarse_squares = 0;
@@ -29,36 +29,37 @@ struct StackError {
         n += other.n;
         coarse_squares += other.coarse_squares;
     }
-    /// Root mean square; 0 where there is no point.
+    /// Root mean square error; 0 without points.
     [[nodiscard]] double rms(const FixedPoint& fixed) const;
 };
 
-/// What a contour adds to a stack.
+/// Elevations that a contour contributes to a stack.
 struct StackTier {
-    double own = 0;    ///< elevation of what no higher contour holds; NaN where that is nothing
-    double whole = 0;  ///< the same where the stack ends at this contour
+    double own = 0;    ///< elevation of the cells outside of higher contours; NaN if there are none
+    double whole = 0;  ///< same, for a stack truncated at this contour
     std::int32_t level = 1;
 };
 
-/// The surface that a stack of contours stands for, from their polygons as they are drawn: in a cell of a
-/// building the tier of the highest contour that holds its middle. Waits in a spool as runs of cells.
+/// Surface represented by a stack of contours, rasterized from the drawn polygons: each cell of a building
+/// has the tier of the highest contour that contains its centre. Runs of cells are kept in a spool.
 class DrawnStack {
   public:
     DrawnStack(std::unique_ptr<Spool> spool, const Window& window);
 
-    /// @throws OutputError the spool has no room
+    /// @throws OutputError the spool is full
     void add_building(const std::vector<RowSpan>& cells);
-    /// What comes later stands on what came before.
+    /// Adds a contour on top of those added before.
     void add_contour(const std::vector<RowSpan>& cells, const StackTier& tier);
-    /// In the cells of buildings that some contour holds, and that are valid. From any thread, once all are
-    /// there. @throws OutputError the spool cannot be read
+    /// Measures the error in valid cells of buildings that are covered by a contour. Thread-safe once
+    /// everything is added.
+    /// @throws OutputError the spool cannot be read
     [[nodiscard]] StackError error(const ElevationBand& band, const FixedPoint& fixed) const {
         return error(band, 0, fixed);
     }
-    /// The same of some columns. @param first_col of the band, counted from the window's first
+    /// Same for a part of the columns. @param first_col of the band, relative to the window
     [[nodiscard]] StackError error(const ElevationBand& band, std::int32_t first_col,
                                    const FixedPoint& fixed) const;
-    /// The same of the stacks that end at level 1, 2, ... @param levels how many
+    /// Same for each of the stacks truncated at level 1, 2, ... @param levels number of levels
     [[nodiscard]] std::vector<StackError> errors_by_level(const ElevationBand& band, const FixedPoint& fixed,
                                                           std::int32_t levels) const;
 
@@ -68,14 +69,14 @@ class DrawnStack {
         std::vector<SpoolEntry> contours;
     };
     class SlabTiers;
-    /// Calls work(slab, rows, elevations) for the rows of a band that lie in one slab, slab by slab: what is
-    /// worked on stays in the cache.
+    /// Calls work(slab, rows, elevations) for the rows of a band, slab by slab because a slab fits in the
+    /// cache.
     template <typename Work>
     void for_slabs(const ElevationBand& band, const Work& work) const;
-    /// Calls use(first, last, tier) with the runs of the entries that lie in the rows.
+    /// Calls use(first, last, tier) for the runs of the entries within the rows.
     template <typename Use>
     void for_runs(const SlabTiers& tiers, const std::vector<SpoolEntry>& entries, const Use& use) const;
-    /// Where buildings stand there is no tier until a contour has one.
+    /// Clears the cells of buildings, which have no tier until a contour adds one.
     void begin_buildings(SlabTiers& tiers, const Slab& slab) const;
     [[nodiscard]] StackError measured(SlabTiers& tiers, const Slab& slab, std::span<const double> elevations,
                                       const FixedPoint& fixed) const;

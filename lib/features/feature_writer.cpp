@@ -14,7 +14,7 @@
 namespace d2b {
 namespace {
 
-/// By what is known of the whole of a polygon.
+/// Splits the perimeter by shares, which are known only for the polygon as a whole.
 void add_length(const FeaturePolygon& made, OutlineLength& sum) {
     const double length = made.measure.perimeter_m;
     const double traced = made.status == OutlineStatus::traced ? length : made.kept_traced * length;
@@ -91,7 +91,7 @@ void FeatureWriter::count(const DrawnContour& drawn) {
         add_to_cuts(drawn);
 }
 
-/// Contours come from the low level to the high.
+/// Requires contours in ascending order of levels.
 void FeatureWriter::add_to_cuts(const DrawnContour& drawn) {
     const auto level = static_cast<std::size_t>(drawn.record.level);
     while (cut_rmses_.size() < level)
@@ -156,7 +156,7 @@ void FeatureWriter::add_building(std::size_t contour, DrawnContour& drawn) {
 bool FeatureWriter::add_contour(std::size_t contour, DrawnContour& drawn) {
     invalid_.note("Contour", drawn.record.id, *drawn.contour);
     torn_.note("contour", drawn.record.id, *drawn.contour);
-    // A contour that its children cover whole has no band of its own.
+    // A contour that is fully covered by its children has no band of its own.
     if (rejected_)
         rejected_->note(contour, LayerRole::contours, drawn.record.id, *drawn.contour);
     if (drawn.contour->parts.empty())
@@ -184,7 +184,7 @@ void FeatureWriter::add_numbered(GivenNumbers& numbers, std::size_t contour, Dra
 void FeatureWriter::warn_of_traced() {
     const RunPlan& plan = input_.plan;
     if (plan.walls == Walls::off && !(plan.asked.outline.simplify > 0))
-        return;  // as it was asked for
+        return;  // traced outlines were asked for
     const RunReport& report = context_.report;
     warn_of(traced_doubt(report.building_outlines, report.contour_outlines, input_.cell_size_m), context_);
 }

@@ -18,30 +18,30 @@
 
 namespace d2b {
 
-/// The numbers that the contours of one list have in the result.
+/// Ids in the result of the contours of one list.
 struct GivenNumbers {
-    std::vector<std::int64_t> written;    ///< what stands on a contour that is not written stands on this
-    std::vector<std::int64_t> buildings;  ///< by their places in the list
-    std::int64_t before = 0;              ///< contours of the list that `written` begins behind
+    /// By contour; if one is not written, the id of its nearest written ancestor.
+    std::vector<std::int64_t> written;
+    std::vector<std::int64_t> buildings;  ///< by index in the list
+    std::int64_t before = 0;              ///< index in the list of the first element of `written`
 };
 
-/// Hands what is drawn to the layers that were asked for. Contours come in the order of their keys, from one
-/// list or from several, and are numbered as they come.
+/// Writes drawn contours to the requested layers. Contours are added in the order of their keys, from one or
+/// several lists, and numbered in this order.
 class FeatureWriter {
   public:
-    /// @param input must outlive this, as the records and the sink must
+    /// @param input, records, sink must outlive this
     FeatureWriter(const FeatureInput& input, const RecordMaker& records, FeatureSink& sink, Context& context);
 
     void begin();
-    /// @param numbers of the contour's list @param contour place in its list, in whose order those of one
-    /// list come
+    /// @param numbers of the contour's list @param contour index in its list; ascending within a list
     void add(GivenNumbers& numbers, std::size_t contour, DrawnContour&& drawn) {
         number(numbers, drawn);
         add_numbered(numbers, contour, std::move(drawn));
     }
-    /// The first half of add(): gives a contour its numbers.
+    /// First half of add(): assigns the ids of a contour.
     void number(GivenNumbers& numbers, DrawnContour& drawn);
-    /// The second half, for a contour that has its numbers, from this writer or another.
+    /// Second half of add(), for a contour with ids from this writer or another.
     void add_numbered(GivenNumbers& numbers, std::size_t contour, DrawnContour&& drawn);
     void finish();
     [[nodiscard]] ContourDrawer& drawer() { return drawer_; }
@@ -51,12 +51,12 @@ class FeatureWriter {
     void count(const DrawnContour& drawn);
     void measure_building(DrawnContour& drawn);
     void add_building(std::size_t contour, DrawnContour& drawn);
-    /// @return whether it is in its layer
+    /// @return true if it was written
     bool add_contour(std::size_t contour, DrawnContour& drawn);
-    /// As the destination will write it.
+    /// Rounds coordinates the way the destination will write them.
     void round(RoundedPolygons::Layer layer, std::int64_t id, std::int64_t parent_id, FeaturePolygon& made);
     void warn_of_traced();
-    /// Of the stacks that end at each level, where that is asked for.
+    /// Accumulates the errors of truncated stacks.
     void add_to_cuts(const DrawnContour& drawn);
     void measure_cuts();
     template <typename Record>
@@ -67,14 +67,14 @@ class FeatureWriter {
     FeatureSink& sink_;
     Context& context_;
     ContourDrawer drawer_;
-    StackRmse rmse_;                    // of the contours as they were traced
-    std::vector<StackRmse> cut_rmses_;  // the same of the stacks that end at level 1, 2, ...
-    StackRmse rmse_below_;              // of what stands below the level that contours have come to
-    std::optional<DrawnStack> stack_;   // where they are drawn differently
+    StackRmse rmse_;                    // of the contours as traced
+    std::vector<StackRmse> cut_rmses_;  // same, of the stacks truncated at level 1, 2, ...
+    StackRmse rmse_below_;              // of the levels below the current one
+    std::optional<DrawnStack> stack_;   // set if drawn outlines differ from traced ones
     std::int64_t next_id_ = 1;
     std::int64_t next_building_ = 1;
     std::optional<RejectedLayer> rejected_;
-    std::optional<RoundedPolygons> rounded_;  // where the destination rounds coordinates
+    std::optional<RoundedPolygons> rounded_;  // set if the destination rounds coordinates
     InvalidWarnings invalid_;
     OddHeights odd_heights_;
     TornWarnings torn_;

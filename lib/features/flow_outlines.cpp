@@ -21,8 +21,8 @@ namespace {
 
 using Numbers = std::vector<std::uint32_t>;
 
-/// Contours above the ground that may come near each other, and what stands on them.
-/// @param reach in cells, that nothing changes beyond
+/// Groups contours above the ground that may come close to each other, with the contours on top of them.
+/// @param reach distance in cells beyond which nothing changes
 std::vector<Numbers> flow_clusters(const ContourList& contours, const Outliner& outliner, double reach,
                                    const StopRequest& stop) {
     const auto count = static_cast<std::uint32_t>(contours.size());
@@ -61,8 +61,7 @@ std::vector<Numbers> flow_clusters(const ContourList& contours, const Outliner& 
     return clusters;
 }
 
-/// The border of what is known, which -preset thesis has a contour of: what stands beside it may not move
-/// across.
+/// Border of the valid area. The thesis preset has a contour along it that other contours must not cross.
 class TerrainBorder {
   public:
     /// @param reach in cells
@@ -105,7 +104,7 @@ class TerrainBorder {
     double margin_;
 };
 
-/// @param footprints those of the lowest contours, instead of the outlines of all
+/// @param footprints true for the footprints of the lowest contours, false for all outlines
 std::vector<PlanContour> drawn(const ContourList& contours, const Outliner& outliner, const Numbers& numbers,
                                bool footprints) {
     std::map<std::int64_t, std::int32_t> place;
@@ -186,7 +185,7 @@ std::vector<FlowProblem> make_outlines_flow_ready(const ContourList& contours, O
     const auto make_ready = [&](bool footprints) {
         const std::vector<Numbers> drawn_numbers =
             footprints ? without_upper_levels(contours, clusters) : clusters;
-        // Others still read the outlines of their clusters.
+        // Applied at the end, because other threads still read the outlines of their clusters.
         ChangedContours changed;
         context.threads->in_order(
             clusters.size(),
@@ -211,7 +210,7 @@ std::vector<FlowProblem> make_outlines_flow_ready(const ContourList& contours, O
             });
         replace_outlines(outliner, changed, footprints);
     };
-    // Outlines have corners that only the contours above them need, and footprints do not.
+    // Footprints come first, because outlines have additional corners that only the contours above them need.
     if (outliner.has_own_footprints())
         make_ready(true);
     make_ready(false);

@@ -12,19 +12,18 @@
 
 namespace d2b {
 
-/// Makes the outlines of what stands on the ground ready for a flow solver, cluster by cluster on all
-/// threads, and has the outliner draw what has changed. What was done and what was left is counted in the
-/// report.
-/// @return the faults; their contours are places in the list @throws Cancelled
+/// Makes outlines above the ground flow-ready, clusters in parallel, and replaces the changed ones in the
+/// outliner. Counts repaired and remaining defects in the report.
+/// @return the defects; their contours are indices in the list @throws Cancelled
 [[nodiscard]] std::vector<FlowProblem> make_outlines_flow_ready(const ContourList& contours,
                                                                 Outliner& outliner, const FlowLimits& limits,
                                                                 Context& context);
 
-/// Steps of the fine lattice on the ground. @param x_stretch as Outliner's
-/// @param cell_size_m side of a square of a cell's area
+/// Returns the steps of the fine lattice in metres. @param x_stretch see Outliner
+/// @param cell_size_m side of a square with the area of a cell
 [[nodiscard]] FlowMetric flow_metric(const Georeference& georeference, double x_stretch, double cell_size_m);
 
-/// The same for the layer of problems. @param first_id of the sink
+/// Converts defects to records of the problems layer. @param first_id of the sink
 [[nodiscard]] std::vector<PlacedProblem> placed_problems(const std::vector<FlowProblem>& problems,
                                                          const FeatureInput& input, std::int64_t first_id);
 

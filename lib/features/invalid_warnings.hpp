@@ -8,13 +8,13 @@
 
 namespace d2b {
 
-/// Warns of features that are not written as they were drawn, with what GEOS said of each: of the first few
-/// by their ids, of all others in one sentence.
+/// Warns of features that were not written as drawn because GEOS rejected them. The first few are named with
+/// GEOS's reason, all others are only counted.
 class InvalidWarnings {
   public:
     explicit InvalidWarnings(Context& context) : context_(context) {}
 
-    /// @param kind "Building" or "Contour" @param made whether or not it has had trouble
+    /// @param kind "Building" or "Contour" @param made polygon, valid or not
     void note(const std::string& kind, std::int64_t id, const FeaturePolygon& made);
     void finish();
 

@@ -10,7 +10,7 @@
 
 namespace d2b {
 
-/// Where each layer stands in a list; nothing where it is not written.
+/// Index of each layer in the list of layers; nullopt if it is not written.
 struct LayerPlaces {
     std::optional<std::size_t> buildings;
     std::optional<std::size_t> contours;
@@ -23,14 +23,14 @@ struct LayerPlaces {
     }
 };
 
-/// The layers of a run, in the order in which they are written, without their styles.
+/// Layers of a run in the order of writing, without styles.
 struct LayerSpecs {
     std::vector<LayerSpec> layers;
     LayerPlaces places;
 };
 
 /// @param source name of the DEM @param vertical_unit its name
-/// @param sink knows what the destination calls its layers
+/// @param sink gives the names of the layers in the destination
 [[nodiscard]] LayerSpecs layer_specs(const RunPlan& plan, const std::string& source,
                                      const std::string& vertical_unit, const FeatureSink& sink);
 

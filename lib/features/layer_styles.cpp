@@ -8,17 +8,17 @@
 namespace d2b {
 namespace {
 
-constexpr double buildings_scale = 2500;  ///< labels are written from here on
+constexpr double buildings_scale = 2500;  ///< scale denominator up to which labels are shown
 constexpr double parts_scale = 1000;
 
-/// Metres in a unit of the map; 1 where the map has angles, which no 3D view shows.
+/// Returns metres per map unit; 1 if map units are angles, because 3D views do not support these.
 double map_metres(const FeatureInput& input) {
     const bool as_read = input.target_crs.kind() == Crs::Kind::none;
     const auto unit = (as_read ? input.crs : input.target_crs).horizontal_unit();
     return unit && unit->metres > 0 ? unit->metres : 1;
 }
 
-/// Of what has a reason and no height.
+/// Style of a layer of features with a reason but without a height.
 LayerStyle reason_style(const char* title, const char* field, double label_scale) {
     LayerStyle style;
     style.title = title;
@@ -32,7 +32,7 @@ LayerStyle reason_style(const char* title, const char* field, double label_scale
 LayerStyle building_style(FieldNames names) {
     LayerStyle style;
     style.title = "Height above ground, 90th percentile, m";
-    // Of the whole building: the highest point of a church is that of its spire.
+    // Height of the whole building, because the maximum of a church is that of its spire.
     style.colour = style.label = style.height = field_name(names, "p90");
     style.certainty = "confidence";
     style.certain = sure_confidence;
@@ -49,12 +49,12 @@ LayerStyle contour_style(bool disjoint) {
     style.label_scale = parts_scale;
     style.order = "level";
     style.top = "top";
-    // Nothing of another band is below a band: each stands on the ground.
+    // Bands do not lie on each other, so each extends down to the ground.
     if (disjoint)
         return style;
     style.min_height = "min_height";
-    // A part on which others stand is seen beside them at most, and its label would lie upon them. One that
-    // nothing stands on has all of its points to itself.
+    // Labels only contours without others on top, because higher contours cover the others and their labels.
+    // Without contours on top, a contour's own mean equals that of all its points.
     style.labelled = {"elev_mean", "tier_z"};
     return style;
 }
@@ -63,7 +63,7 @@ void give_styles(std::vector<LayerSpec>& layers, const FeatureInput& input, doub
     const LayerPlaces& places = input.layers.places;
     if (places.buildings) {
         LayerStyle& style = layers[*places.buildings].style = building_style(input.plan.asked.write.fields);
-        // A block and the stack within it would stand in one place.
+        // Only without contours, because a block and the stack inside it would overlap.
         if (!places.contours)
             style.bottom = "ground";
     }

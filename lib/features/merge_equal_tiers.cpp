@@ -41,7 +41,7 @@ class TierMerger {
     }
 
   private:
-    /// What a tier stands on after all that was merged so far.
+    /// Returns the tier below, after all merges so far.
     [[nodiscard]] std::size_t below(std::size_t tier) const {
         auto lower = static_cast<std::size_t>(contours_[tier].parent);
         while (into_[lower] != lower)
@@ -54,11 +54,11 @@ class TierMerger {
 
     DrawnCluster& drawn_;
     std::vector<PlanContour>& contours_;
-    std::vector<std::size_t> into_;  ///< what each is a part of now
+    std::vector<std::size_t> into_;  ///< tier that each one has been merged into
     std::vector<bool> is_raised_;
 };
 
-/// Each is compared with the outline that would stay, so that little by little no more is lost.
+/// Compares each tier with the outline that would remain, because otherwise small losses could accumulate.
 void TierMerger::merge_equal() {
     std::vector<Int128> areas;
     for (const PlanContour& contour : contours_)

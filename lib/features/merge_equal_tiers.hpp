@@ -4,9 +4,10 @@
 
 namespace d2b {
 
-/// Merges tiers with those below them whose areas are equal within 0.1 %: the outline of the lower one stays,
-/// at the height of the higher one. Other tiers that would then be no higher than what they stand on go with
-/// them. @param drawn contours of surfaces; without the tiers that are merged afterwards
+/// Merges each tier with the one below if their areas differ by at most 0.1 %: the outline of the lower one
+/// is kept, at the height of the upper one. Also merges tiers that would no longer be higher than the tier
+/// below.
+/// @param drawn contours of surfaces; merged tiers are removed
 void merge_equal_tiers(DrawnCluster& drawn);
 
 }  // namespace d2b

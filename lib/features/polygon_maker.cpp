@@ -71,7 +71,7 @@ PolygonMaker::Parts PolygonMaker::shape(std::size_t contour, bool tier, const Dr
     return parts;
 }
 
-/// Where GEOS cannot take away what stands on a contour, the whole of it.
+/// Falls back to the whole contour if GEOS cannot subtract its children.
 PolygonMaker::Parts PolygonMaker::traced_shape(std::size_t contour, bool tier) {
     const Draw draw = [&](std::size_t c) { return terms_.outliner.traced(c); };
     try {
@@ -81,7 +81,7 @@ PolygonMaker::Parts PolygonMaker::traced_shape(std::size_t contour, bool tier) {
     }
 }
 
-/// Nothing where they are torn.
+/// Returns no parts if the projection tears them.
 PolygonMaker::Parts PolygonMaker::in_target_crs(Parts parts) {
     if (!to_target_)
         return parts;
@@ -100,8 +100,9 @@ PolygonMaker::Parts PolygonMaker::in_target_crs(Parts parts) {
     return torn_ ? Parts() : parts;
 }
 
-/// An outline that stands as it was traced, on exact positions, is valid (docs/method.md). GEOS would need a
-/// fifth of a run to find that, and for vast ones the product of their vertices and their holes.
+/// True if validity follows from the tracing: an outline drawn as traced, on exact coordinates, is valid
+/// (docs/method.md). Skipped because GEOS would need a fifth of the run time to confirm it, and for huge
+/// outlines time proportional to vertices times holes.
 bool PolygonMaker::is_valid_as_traced(const FeaturePolygon& made, Form form) const {
     return made.status == OutlineStatus::traced && form != Form::tier && !to_target_ &&
            terms_.georeference.is_exact(terms_.window);
@@ -114,7 +115,7 @@ FeaturePolygon PolygonMaker::as_traced(const LatticePolygon& polygon) {
     const Parts parts{terms_.georeference.polygon(polygon)};
     made.measure = measure(geodesy_, parts);
     const auto drawn = [&] { return in_target_crs(parts); };
-    Tally uncounted;  // what was dropped already was
+    Tally uncounted;  // already counted when it was dropped
     made.parts = draw_valid(drawn, drawn, geos_, made.status, uncounted).parts;
     return made;
 }
@@ -165,8 +166,8 @@ FeaturePolygon PolygonMaker::make(std::size_t contour, Form form) {
     return made;
 }
 
-/// In the CRS of the DEM, where edges are straight: what GEOS repairs in that of the output says nothing of
-/// the ground.
+/// Measures in the CRS of the DEM, because its edges are straight and a repair in the output CRS does not
+/// reflect the ground.
 Geodesy::Measure PolygonMaker::measured(const FeaturePolygon& made, const Parts& drawn) {
     if (made.status != OutlineStatus::repaired)
         return measure(geodesy_, drawn);
@@ -174,7 +175,7 @@ Geodesy::Measure PolygonMaker::measured(const FeaturePolygon& made, const Parts&
         return measure(geodesy_, made.parts);
     const auto as_drawn = [&] { return drawn; };
     OutlineStatus status = OutlineStatus::traced;
-    Tally uncounted;  // what was repaired already was
+    Tally uncounted;  // already counted when it was repaired
     return measure(geodesy_, draw_valid(as_drawn, as_drawn, geos_, status, uncounted).parts);
 }
 

@@ -17,52 +17,58 @@
 
 namespace d2b {
 
-/// What outlines need to become polygons of the output.
+/// Parameters for converting outlines to polygons of the output.
 struct PolygonTerms {
     const OutlineOptions& options;
     const Georeference& georeference;
     const Crs& crs;
-    const Crs& target_crs;  ///< kind none: the DEM's
+    const Crs& target_crs;  ///< kind none: the CRS of the DEM
     Window window;
     const Outliner& outliner;
-    const ContourChildren& children;  ///< may be empty where no tier is asked for
+    const ContourChildren& children;  ///< may be empty if no tiers are drawn
     StopRequest stop = {};
-    bool with_cells = false;  ///< whether it is asked which cells a polygon holds
+    bool with_cells = false;  ///< true to return the cells of each polygon
 };
 
-/// A polygon as it is written, with its measures and what became of its outline.
+/// Output polygon with its measures and the status of its outline.
 struct FeaturePolygon {
     std::vector<WorldPolygon> parts;
     Geodesy::Measure measure;
     OutlineStatus status = OutlineStatus::traced;
-    double deviation = 0;    ///< of a regularized outline from its trace, in units of the CRS of the DEM (in
-                             ///< degrees of latitude where these are degrees)
-    double simplified = 0;   ///< share of its length that is simplified although walls were asked for
-    double kept_traced = 0;  ///< share of its length that stays as it was traced although more was asked for
-    double area_change = 0;  ///< of a regularized outline, share of the traced area
-    std::string trouble;     ///< what GEOS said of it, where it is not written as it was drawn
-    bool torn = false;       ///< the CRS of the output tears it apart: it has no parts
-    std::vector<RowSpan>
-        cells;  ///< whose middles it holds, as it is drawn; none where they are not asked for
+    double deviation = 0;    ///< regularized outline from trace, units of the DEM's CRS (degrees of latitude)
+    double simplified = 0;   ///< share of the length that is simplified although walls were asked for
+    double kept_traced = 0;  ///< share of the length that is traced although more was asked for
+    double area_change = 0;  ///< by regularization, as a share of the traced area
+    std::string trouble;     ///< GEOS's objection, if it is not written as drawn
+    bool torn = false;       ///< torn by the output CRS, so without parts
+    std::vector<RowSpan> cells;  ///< cells with their centres inside; empty if not asked for
 };
 
-/// Draws outlines, places them in the CRS of the output, has them checked and measures them; one object a
-/// thread.
+/// Converts outlines to output polygons: draws them in the CRS of the DEM, reprojects, checks validity and
+/// measures area and perimeter. An invalid polygon falls back to its traced form or is repaired instead of
+/// throwing an exception, because one feature must not end a run of hours.
+///
+/// Not thread-safe, because GEOS and PROJ contexts are not: use one object per thread, as ContourDrawer does:
+///
+///     FeaturePolygon polygon = makers[thread].footprint(contour);
+///     if (polygon.parts.empty())
+///         ...  // torn by the output CRS, or lost; see status and tally()
 class PolygonMaker {
   public:
     /// @param terms its references must outlive this
     explicit PolygonMaker(const PolygonTerms& terms);
 
-    /// The polygon of a contour.
+    /// Returns the polygon of a contour.
     [[nodiscard]] FeaturePolygon whole(std::size_t contour) { return make(contour, Form::whole); }
-    /// The polygon of a contour of level 1 as a building, without vertices that only higher levels need.
+    /// Returns the polygon of a contour of level 1 as a building, without the vertices that only higher
+    /// levels need.
     [[nodiscard]] FeaturePolygon footprint(std::size_t contour) { return make(contour, Form::footprint); }
-    /// A polygon of the lattice as it is.
+    /// Converts a lattice polygon without changing its shape.
     [[nodiscard]] FeaturePolygon as_traced(const LatticePolygon& polygon);
-    /// What the contours that stand on it leave of it: no parts where they cover it whole.
+    /// Returns a contour minus the contours on top of it; no parts if they cover it completely.
     [[nodiscard]] FeaturePolygon tier(std::size_t contour) { return make(contour, Form::tier); }
 
-    /// Seconds, and what became of outlines, since it began.
+    /// Returns times and outline counters since construction.
     [[nodiscard]] Tally& tally() { return tally_; }
 
   private:
@@ -80,15 +86,15 @@ class PolygonMaker {
     PolygonTerms terms_;
     Geos geos_;
     Geodesy geodesy_;
-    std::optional<RingTransform> to_target_;  ///< empty: nothing is reprojected
-    bool torn_ = false;                       ///< the feature at hand
-    std::vector<RowSpan> cells_;              ///< likewise
+    std::optional<RingTransform> to_target_;  ///< nullopt if nothing is reprojected
+    bool torn_ = false;                       ///< state of the current feature
+    std::vector<RowSpan> cells_;              ///< cells of the current feature
     Tally tally_;
 };
 
-/// Without those that close rings.
+/// Counts vertices without the repeated last ones of rings.
 [[nodiscard]] std::int64_t vertices_of(const std::vector<WorldPolygon>& parts);
-/// The outlines of a run.
+/// Creates the outliner of a run.
 [[nodiscard]] Outliner make_outliner(const ContourList& contours, const OutlineRules& rules,
                                      const Georeference& georeference, const Crs& crs, const Window& window,
                                      Context& context);

@@ -10,20 +10,21 @@
 
 namespace d2b {
 
-/// A problem that has no number yet, and where it is, in the CRS of the output.
+/// Problem without id, with its position in the output CRS.
 struct PlacedProblem {
     ProblemRecord record;
     Position place;
 };
 
-/// The layer of places that were in the way of a surface, in the order in which they are noted.
+/// Layer of problems met while making surfaces, in the order of note().
 class ProblemLayer {
   public:
-    /// @param layer index of the layer in the sink; nothing where the destination has no room for it
+    /// @param layer index of the layer in the sink; nullopt if the destination does not support it
     explicit ProblemLayer(std::optional<std::size_t> layer) : layer_(layer) {}
 
     void note(std::vector<PlacedProblem> problems);
-    /// Writes all, or warns of how many the destination has no room for. @throws OutputError
+    /// Writes all problems, or warns of their number if the destination does not support the layer. @throws
+    /// OutputError
     void write(FeatureSink& sink, Context& context) const;
 
   private:

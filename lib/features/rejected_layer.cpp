@@ -29,7 +29,7 @@ void RejectedLayer::note(std::size_t contour, LayerRole role, std::int64_t id, c
     const auto reason = reason_of(made);
     if (!reason)
         return;
-    // The building and the contour of one place are one thing.
+    // A building and its contour of level 1 share one record.
     if (changed_.empty() || changed_.back().contour != contour ||
         changed_.back().record.reason != name_of(*reason)) {
         RejectedRecord record;

@@ -11,16 +11,16 @@
 
 namespace d2b {
 
-/// The layer of what was dropped, filled or changed on its way, as it was traced, with the reason.
+/// Layer of contours that were dropped, filled or changed: their traced shape with the reason.
 class RejectedLayer {
   public:
     /// @param input must outlive this @param layer index of the layer in the sink
     RejectedLayer(const FeatureInput& input, std::size_t layer) : input_(input), layer_(layer) {}
 
-    /// Takes a contour down where its polygon is not what was asked for.
+    /// Records a contour whose polygon differs from what was requested.
     void note(std::size_t contour, LayerRole role, std::int64_t id, const FeaturePolygon& made);
-    /// Writes what the filters dropped and filled, in the order of keys, and then what was taken down.
-    /// @param makers one per thread @param rounded null where the destination does not round
+    /// Writes contours dropped or filled by filters, in the order of keys, followed by the recorded ones.
+    /// @param makers one per thread @param rounded null if the destination does not round
     /// @throws OutputError
     void write(std::vector<PolygonMaker>& makers, FeatureSink& sink, RoundedPolygons* rounded,
                Context& context) const;

@@ -9,12 +9,12 @@
 namespace d2b {
 namespace {
 
-constexpr double most_bend = 0.1;           // of an edge's length, from its middle to that of its image
-constexpr int most_halvings = 24;           // of an edge of some cells: a millionth of one is left
-constexpr double projection_error = 1e-10;  // relative, of a projected coordinate
+constexpr double most_bend = 0.1;  // distance of the midpoint from that of the image, relative to the length
+constexpr int most_halvings = 24;  // reduces an edge of a few cells to a millionth of a cell
+constexpr double projection_error = 1e-10;  // relative error of projected coordinates
 constexpr double widest_gap =
-    0.25;  // of what is left of a ring: a datum's grids have small steps at their edges
-constexpr std::size_t most_cuts = std::size_t{1} << 16;  // of a ring
+    0.25;  // share of the ring; above zero because datum grids have small steps at their edges
+constexpr std::size_t most_cuts = std::size_t{1} << 16;  // per ring
 constexpr std::size_t most_pieces = std::size_t{1} << 20;
 
 double plain_distance(const Position& a, const Position& b) {
@@ -25,7 +25,8 @@ Position middle_of(const Position& a, const Position& b) {
     return {(a.x + b.x) / 2, (a.y + b.y) / 2};
 }
 
-/// Cuts long edges into equal parts.
+/// Splits long edges into equal parts. Independent of the edge's direction, so that shared edges are split
+/// alike.
 WorldRing with_short_edges(const WorldRing& ring, double longest) {
     WorldRing result;
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -53,8 +54,8 @@ std::vector<Position> corners_of(const Window& window, const Georeference& geore
     return corners;
 }
 
-/// The longest edge that is brought to another CRS in one piece: straight lines bend there, by L^2 / 8R or
-/// so, which is far below a cell for these. No edge gets more pieces than it passes cells.
+/// Returns the maximum length of an edge that is projected in one piece. Its image bends by about L^2 / 8R,
+/// far less than a cell for this length. Edges get no more pieces than the cells they cross.
 double longest_edge(const Georeference& georeference) {
     constexpr double cells = 64;
     const Position row = georeference.step(1, 0);
@@ -85,7 +86,7 @@ RingTransform::RingTransform(const Crs& from, const Crs& to, std::span<const Pos
     : transform_(from, to, area), stop_(std::move(stop)), longest_(longest), turn_(to.turn()) {}
 
 bool RingTransform::apply_to_positions(std::span<Position> positions) {
-    constexpr std::size_t at_once = 10000;  // some 10 ms
+    constexpr std::size_t at_once = 10000;  // takes about 10 ms
     bool all = true;
     for (; !positions.empty(); positions = positions.subspan(std::min(positions.size(), at_once))) {
         stop_.check();
@@ -94,14 +95,14 @@ bool RingTransform::apply_to_positions(std::span<Position> positions) {
     return all;
 }
 
-/// As on the ground where longitudes are: a degree has little width near a pole.
+/// Scales longitudes by the cosine of the latitude, because a degree of longitude is short near a pole.
 double RingTransform::distance(const Position& a, const Position& b) const {
     const double width = turn_ > 0 ? std::cos((a.y + b.y) * std::numbers::pi / turn_) : 1;
     return std::hypot((b.x - a.x) * width, b.y - a.y);
 }
 
-/// Whether an edge's middle comes to lie where the edge's image has its own. @param middle image of the
-/// former
+/// True if the image of an edge's midpoint is close to the midpoint of its image. @param middle image of the
+/// midpoint
 bool RingTransform::runs_straight(const Position& from, const Position& middle, const Position& to) const {
     const double off = distance(middle, middle_of(from, to));
     const double largest = std::max({std::abs(from.x), std::abs(from.y), std::abs(to.x), std::abs(to.y)});
@@ -114,7 +115,7 @@ RingFate RingTransform::apply(WorldRing& ring) {
     return apply_to_positions(ring) ? cut_where_bent(source, ring) : RingFate::without_image;
 }
 
-/// Nearly no edge of nearly no ring bends so much: all are looked at in one go first.
+/// Tests all midpoints in one batch first, because almost no ring has a bent edge.
 RingFate RingTransform::cut_where_bent(const WorldRing& source, WorldRing& images) {
     const std::size_t n = source.size();
     const auto next = [n](std::size_t i) { return i + 1 == n ? 0 : i + 1; };
@@ -138,7 +139,7 @@ RingFate RingTransform::cut_where_bent(const WorldRing& source, WorldRing& image
         const std::size_t size = pieces.size();
         const double jump = std::exchange(jump_, 0);
         cut({source[i], images[i]}, {source[next(i)], images[next(i)]}, most_halvings, pieces);
-        if (jump_ > 0)  // no cutting has helped
+        if (jump_ > 0)  // subdivision did not help
             pieces.resize(size);
         jump_ = std::max(jump, jump_);
     }
@@ -146,7 +147,7 @@ RingFate RingTransform::cut_where_bent(const WorldRing& source, WorldRing& image
     return jump_ <= widest_gap * smooth_ ? RingFate::whole : RingFate::torn;
 }
 
-/// Adds what an edge needs between its ends.
+/// Adds the vertices needed between the ends of an edge.
 // NOLINTNEXTLINE(misc-no-recursion): it ends with the halvings
 void RingTransform::cut(const End& from, const End& to, int halvings, WorldRing& pieces) {
     End middle{middle_of(from.source, to.source), {}};

@@ -11,30 +11,31 @@
 
 namespace d2b {
 
-/// What becomes of a ring in another CRS.
+/// Result of projecting a ring.
 enum class RingFate { whole, torn, without_image };
 
-/// Brings rings to another CRS, and looks for those that it tears apart: across 180 degrees, over a pole, at
-/// the edge of a projection. Edges are straight in both; where the middle of one is far from the middle of
-/// its image, the edge is cut. Where no cutting helps, its ends have jumped apart. One object a thread.
+/// Projects rings to another CRS and detects torn ones: across 180 degrees, over a pole, at the edge of a
+/// projection. Edges are straight lines in both CRSs. If the midpoint of an edge is projected far from the
+/// midpoint of its image, the edge is subdivided; if subdivision does not help, its ends have jumped apart.
+/// Not thread-safe: use one object per thread.
 class RingTransform {
   public:
-    /// @param area positions (of `from`) that span the area of interest
-    /// @param longest edge that is brought over in one piece, units of `from`; > 0
-    /// @param stop asked within long rings: they end with a Cancelled
-    /// @throws OptionError where there is no operation between the two
+    /// @param area positions in `from` that span the area of interest
+    /// @param longest maximum edge length projected in one piece, units of `from`; > 0
+    /// @param stop polled within long rings, which then throw Cancelled
+    /// @throws OptionError if there is no operation between the CRSs
     RingTransform(const Crs& from, const Crs& to, std::span<const Position> area, double longest,
                   StopRequest stop = {});
 
-    /// In place. An edge that two rings share is cut alike in both, whichever way they run.
-    /// @param ring at least one position, not closed by a repeated one
-    /// @return whether it can be used: not where it is torn, or a position has no image
+    /// Projects a ring in place. An edge shared by two rings is subdivided alike in both directions.
+    /// @param ring at least one position, without a repeated last one
+    /// @return whole if the image can be used, otherwise the reason why it cannot
     [[nodiscard]] RingFate apply(WorldRing& ring);
-    /// Positions alone; what has no image becomes infinite or NaN. @return whether all have one
+    /// Projects positions only; those without image become infinite or NaN. @return true if all have an image
     [[nodiscard]] bool apply_to_positions(std::span<Position> positions);
 
   private:
-    /// An end of an edge, before and after.
+    /// End of an edge in both CRSs.
     struct End {
         Position source;
         Position image;
@@ -47,21 +48,21 @@ class RingTransform {
     CoordinateTransform transform_;
     StopRequest stop_;
     double longest_;
-    double turn_;  ///< units of the target in a full circle of longitude, 0 where it has lengths
-    // Of the ring at hand.
-    double smooth_ = 0;     ///< length of what is known to run from end to end
-    double jump_ = 0;       ///< longest edge that has jumped apart
-    std::size_t cuts_ = 0;  ///< that were made where edges bend
+    double turn_;  ///< target units per full circle of longitude; 0 if it is projected
+    // State of the current ring.
+    double smooth_ = 0;     ///< total length of edges that are not torn
+    double jump_ = 0;       ///< length of the longest torn edge
+    std::size_t cuts_ = 0;  ///< number of subdivisions
 };
 
-/// From the CRS of a DEM to that of the output, for outlines in a window.
-/// @param target kind none: that of the DEM @return nothing where both are the same
-/// @throws OptionError where there is no operation between the two
+/// Creates the transform from the CRS of a DEM to that of the output, for outlines in a window.
+/// @param target kind none: the CRS of the DEM @return nullopt if both are the same
+/// @throws OptionError if there is no operation between the CRSs
 [[nodiscard]] std::optional<RingTransform> output_transform(const Crs& crs, const Crs& target,
                                                             const Georeference& georeference,
                                                             const Window& window, const StopRequest& stop);
 
-/// Length of a closed ring in its own units.
+/// Returns the length of a closed ring in its own units.
 [[nodiscard]] double length_of(std::span<const Position> ring);
 
 }  // namespace d2b

@@ -13,14 +13,14 @@
 namespace d2b {
 namespace {
 
-constexpr int finest = 17;  // digits: a double has no more
+constexpr int finest = 17;  // digits, the precision of a double
 
-/// Whether a rounding moves corners by more than some nanometres on the ground, whatever the unit.
+/// True if rounding moves vertices by more than a few nanometres, whatever the unit.
 bool is_coarse(const CoordinateRounding& rounding) {
     return rounding.digits < (rounding.to == CoordinateRounding::To::decimals ? 13 : 15);
 }
 
-/// Decimals that a coordinate keeps; may be negative.
+/// Returns the number of decimals of a coordinate; may be negative.
 int decimals_of(double coordinate, const CoordinateRounding& rounding) {
     if (rounding.to == CoordinateRounding::To::decimals || coordinate == 0)
         return rounding.digits;
@@ -28,11 +28,12 @@ int decimals_of(double coordinate, const CoordinateRounding& rounding) {
 }
 
 double to_decimals(double coordinate, int decimals) {
-    constexpr double whole = 9007199254740992.0;  // 2^53, from which on every double is a whole number
+    constexpr double whole = 9007199254740992.0;  // 2^53; from here on every double is an integer
     const double power = std::pow(10.0, std::abs(decimals));
     if (decimals < 0)
         return std::round(coordinate / power) * power;
-    // A quotient of whole numbers is the double that is nearest to the decimal fraction, as when it is read.
+    // Divides instead of multiplying, because a quotient of integers is the double nearest to the decimal
+    // fraction, the same that a parser returns.
     return decimals > 22 || std::abs(coordinate) * power >= whole ? coordinate
                                                                   : std::round(coordinate * power) / power;
 }
@@ -48,7 +49,8 @@ WorldRing rounded_ring(const WorldRing& ring, const CoordinateRounding& rounding
     return result;
 }
 
-/// Twice its area, in steps that leave no rounding of their own where the ring is small.
+/// True if the signed area is zero, computed relative to the first vertex because this cancels no digits of
+/// small rings.
 bool is_flat(const WorldRing& ring) {
     double sum = 0;
     for (std::size_t i = 1; i + 1 < ring.size(); ++i)
@@ -57,7 +59,7 @@ bool is_flat(const WorldRing& ring) {
     return ring.size() < 3 || sum == 0;
 }
 
-/// The step of the coarsest coordinate: a multiple of the steps of all.
+/// Returns the rounding step of the largest coordinate, a multiple of all others.
 double step_of(const std::vector<WorldPolygon>& parts, const CoordinateRounding& rounding) {
     int decimals = std::numeric_limits<int>::max();
     for (const WorldPolygon& part : parts)
@@ -81,7 +83,7 @@ RoundedPolygons::RoundedPolygons(CoordinateRounding rounding, bool is_stacked, S
       stop_(stop),
       geos_(std::move(stop)) {}
 
-/// @return nothing where a polygon is lost
+/// @return no parts if a polygon collapses
 RoundedPolygons::Parts RoundedPolygons::as_rounded(const Parts& exact, const CoordinateRounding& rounding,
                                                    bool& mended) {
     mended = false;
@@ -158,7 +160,7 @@ void RoundedPolygons::find_overlaps(const std::vector<Parts>& shapes, Layer laye
 void RoundedPolygons::find_escapes(const std::vector<Parts>& shapes, Harm& harm) {
     std::unordered_map<std::int64_t, std::size_t> places;
     std::unordered_map<std::int64_t, std::vector<std::size_t>> children;
-    std::vector<std::int64_t> parents;  // in the order of the contours
+    std::vector<std::int64_t> parents;  // in the order of contours
     for (std::size_t i = 0; i < items_.size(); ++i) {
         if (items_[i].layer != Layer::contours || shapes[i].empty())
             continue;

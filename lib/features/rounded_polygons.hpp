@@ -11,25 +11,25 @@
 
 namespace d2b {
 
-/// A coordinate as a destination will write it, so that rounding it again changes nothing.
+/// Rounds a coordinate the way a destination will write it. Idempotent.
 [[nodiscard]] double rounded(double coordinate, const CoordinateRounding& rounding);
 
-/// Rounds polygons as the destination will, before they are written, so that the ones that are checked are
-/// those that are read back. What is broken by it is mended on the same grid. All polygons are looked at once
-/// more in finish(): none may be lost, none may run into a neighbour, and a contour lies within its parent.
+/// Rounds polygons before writing in the same way as the destination, so that the polygons checked are those
+/// read back. Polygons broken by rounding are repaired on the same grid. finish() checks all polygons
+/// together: none may collapse or overlap a neighbour, and each contour must stay within its parent.
 class RoundedPolygons {
   public:
-    /// Who must not run into whom.
+    /// Group of polygons that must not overlap.
     enum class Layer { buildings, contours, rejected };
 
     RoundedPolygons(CoordinateRounding rounding, bool is_stacked, StopRequest stop);
 
     /// @param id, parent_id of the feature in its layer; parent 0: none
-    /// @param name for messages: "contour 7"
-    /// @return whether the polygon had to be mended
+    /// @param name for messages, such as "contour 7"
+    /// @return true if the polygon was repaired
     bool round(Layer layer, std::int64_t id, std::int64_t parent_id, std::string name,
                std::vector<WorldPolygon>& parts);
-    /// @throws OptionError with the coarsest precision that keeps all polygons, where this one does not
+    /// @throws OptionError if this precision damages polygons, naming the coarsest one that does not
     void finish();
 
   private:
@@ -41,7 +41,7 @@ class RoundedPolygons {
         std::vector<WorldPolygon> exact;
     };
     using Parts = std::vector<WorldPolygon>;
-    /// Polygons that a rounding loses or lets run into others.
+    /// Polygons that collapse or overlap others after rounding.
     struct Harm {
         std::size_t count = 0;
         std::string first;

@@ -11,15 +11,15 @@ namespace {
 constexpr std::int64_t whole_cell = FinePoint::steps;
 constexpr std::int64_t half_cell = FinePoint::steps / 2;
 
-/// Where a ring passes the middles of a row.
+/// Crossing of a ring with the centre line of a row.
 struct Crossing {
     std::int64_t row;
-    double col;  ///< fine
+    double col;  ///< fine steps
 
     friend auto operator<=>(const Crossing&, const Crossing&) = default;
 };
 
-/// The first row whose middle is at this height or below it.
+/// Returns the first row with its centre line at or below this height.
 std::int64_t row_from(std::int64_t fine_row) {
     const std::int64_t to_middle = fine_row - half_cell;
     return to_middle / whole_cell + (to_middle % whole_cell > 0 ? 1 : 0);
@@ -39,7 +39,7 @@ void cross_rows(const FineRing& ring, std::vector<Crossing>& crossings) {
     }
 }
 
-/// The first column whose middle is here or to the right.
+/// Returns the first column with its centre here or further right.
 std::int32_t column_from(double fine_col) {
     return static_cast<std::int32_t>(std::ceil((fine_col - half_cell) / whole_cell));
 }

@@ -7,17 +7,18 @@
 
 namespace d2b {
 
-/// Cells of a row of the whole raster.
+/// Run of cells in a row of the whole raster.
 struct RowSpan {
     std::int32_t row = 0;
-    std::int32_t begin = 0;  ///< columns
+    std::int32_t begin = 0;  ///< columns [begin, end)
     std::int32_t end = 0;
 
     friend bool operator==(const RowSpan&, const RowSpan&) = default;
 };
 
-/// The cells whose middles lie in a polygon, row by row. What lies on a border belongs to the polygon to its
-/// right, or below: polygons that share a wall share no cell. @param polygon valid
+/// Rasterizes a polygon: returns the cells with their centres inside, row by row. Centres on an edge belong
+/// to the polygon on the right or below, so polygons that share a wall do not share cells. @param polygon
+/// valid
 [[nodiscard]] std::vector<RowSpan> row_spans(const FinePolygon& polygon);
 
 }  // namespace d2b

@@ -14,7 +14,7 @@
 namespace d2b {
 namespace {
 
-/// In square steps, whichever way it runs.
+/// Absolute area in square steps.
 double plan_area(const FineRing& ring) {
     Int128 twice = 0;
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -33,13 +33,13 @@ double plan_steps(const FinePolygon& placed) {
     return steps;
 }
 
-/// In the plane of the CRS that is written, which is made of lengths.
+/// Area in the plane of the output CRS, which must have units of length.
 double plan_area_m2(const FinePolygon& placed, const SurfaceFrame& frame) {
     return plan_steps(placed) * frame.scale[0] * frame.scale[1] * frame.horizontal_metres *
            frame.horizontal_metres;
 }
 
-/// The elevation of the roof of a building that is one block.
+/// Returns the roof elevation of a single-block building.
 double flat_roof(const BuildingRecord& record, SurfaceRoof roof, const SurfaceLattice& lattice) {
     if (roof == SurfaceRoof::max)
         return record.roof;
@@ -69,8 +69,8 @@ class ClusterDrawer {
     const SurfaceInput& input_;
     std::optional<RingTransform>& transform_;
     DrawnCluster drawn_;
-    std::map<std::int64_t, std::int32_t> building_place_;  // by number
-    std::map<std::int64_t, std::int32_t> contour_place_;   // likewise
+    std::map<std::int64_t, std::int32_t> building_place_;  // by building index
+    std::map<std::int64_t, std::int32_t> contour_place_;   // by contour index
 };
 
 bool ClusterDrawer::is_wanted(std::uint32_t contour) const {
@@ -79,19 +79,19 @@ bool ClusterDrawer::is_wanted(std::uint32_t contour) const {
            (of.key.level == 1 || input_.of == SurfaceOf::contours);
 }
 
-/// Of a flat roof, or of the part of a stack.
+/// Returns the elevation of a flat roof, or of a tier of a stack.
 double ClusterDrawer::top(std::uint32_t contour, const BuildingRecord& record) const {
     if (input_.of == SurfaceOf::contours)
         return input_.records.top(contour);
     return flat_roof(record, input_.roof, input_.lattice);
 }
 
-/// What stands no higher than its ground is no building of a surface.
+/// Adds a building, unless its roof is not higher than its ground.
 void ClusterDrawer::add_building(std::uint32_t contour) {
     const std::int64_t number = head(contour).building;
     const auto record = input_.buildings.of(number);
     if (!record)
-        return;  // it is in no layer, and its loss was told
+        return;  // not in any layer; already reported
     const double base = input_.of == SurfaceOf::contours ? input_.records.base(contour) : record->ground;
     const double roof = top(contour, *record);
     const bool flat =
@@ -126,7 +126,7 @@ void ClusterDrawer::add_contour(std::uint32_t contour) {
     drawn_.cluster.contours.push_back(std::move(plan));
 }
 
-/// Corners that touch edges of others become corners of these before anything is rounded.
+/// Nodes the outlines before rounding: vertices that touch edges of other outlines become vertices of these.
 void ClusterDrawer::place() {
     std::vector<PlanContour>& contours = drawn_.cluster.contours;
     if (!input_.lattice.is_exact()) {
@@ -204,8 +204,8 @@ std::int64_t block_roof(const BuildingRecord& record, SurfaceRoof roof, const Fi
 }
 
 bool fit_roofs(const std::vector<double>& area, SurfaceCluster& cluster) {
-    constexpr double least = 0.0003;  // less is lost in the millimetres of heights
-    constexpr double most = 0.01;     // more is another form
+    constexpr double least = 0.0003;  // below the resolution of heights (millimetres)
+    constexpr double most = 0.01;     // above this, the shape itself has changed
     bool differs = false;
     for (PlanContour& contour : cluster.contours) {
         const auto building = static_cast<std::size_t>(contour.building);

@@ -15,14 +15,14 @@ namespace {
 
 constexpr double millimetre = 0.001;
 
-/// The largest power of two that is no larger.
+/// Returns the largest power of two up to a value.
 double power_of_two_below(double value) {
     return std::exp2(std::floor(std::log2(value)));
 }
 
-/// Below this distance neighbouring numbers of single precision are half a step apart or less.
+/// Returns the distance from the origin up to which adjacent floats are at most half a step apart.
 double single_precision_reach(double step) {
-    constexpr double numbers = 0x1p24;  // between a power of two and its double, twice
+    constexpr double numbers = 0x1p24;  // 2^23 floats between powers of two, times two
     return power_of_two_below(step / 2) * numbers;
 }
 
@@ -39,7 +39,7 @@ void require_lengths(const Crs& crs, std::string_view asked_by) {
                           "the area.");
 }
 
-/// Of the cell of a lattice at a place. Its CRS may have no place on the ground there.
+/// Returns the size of a lattice cell at a place; nullopt if the place is outside of the CRS's domain.
 std::optional<CellSize> cell_at(const Crs& crs, const SurfaceFrame& frame, const Position& place) {
     const AffineTransform cell{place.x, frame.scale[0] * FinePoint::steps, 0, place.y,
                                0,       frame.scale[1] * FinePoint::steps};
@@ -50,7 +50,7 @@ std::optional<CellSize> cell_at(const Crs& crs, const SurfaceFrame& frame, const
     }
 }
 
-/// The greatest of the middle and the corners of a box, because a unit of the CRS is not as long everywhere.
+/// Returns the largest gaps over the centre and corners of a box, because the length of a CRS unit varies.
 PlanGaps gaps_in(const Crs& crs, const SurfaceFrame& frame, const Position& low, const Position& high) {
     PlanGaps gaps;
     for (const Position& place : {Position{(low.x + high.x) / 2, (low.y + high.y) / 2}, low, high,
@@ -120,7 +120,7 @@ FineRing SurfaceLattice::exact_ring(const FineRing& ring) const {
     for (const FinePoint& point : ring)
         placed.push_back({south_ ? point.row - corner_.row : corner_.row - point.row,
                           east_ ? point.col - corner_.col : corner_.col - point.col});
-    if (east_ != south_)  // mirrored
+    if (east_ != south_)  // a single mirrored axis reverses the orientation
         std::ranges::reverse(placed);
     return placed;
 }
@@ -167,7 +167,7 @@ void SurfaceLattice::require_single_precision() const {
     const double cell =
         is_exact_ ? std::max(frame_.scale[0], frame_.scale[1]) * frame_.horizontal_metres * FinePoint::steps
                   : terms_.cell_size_m;
-    // From the middle in whole metres, which lies up to half a metre from the window's.
+    // Measured from the origin, which is in whole metres, up to half a metre from the window's centre.
     const auto cells = static_cast<std::int64_t>(2 * (reach - 1) / cell);
     const std::string size = std::to_string(cells);
     throw OptionError("-surface has coordinates up to " + number_text(std::ceil(reach_)) +

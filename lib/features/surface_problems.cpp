@@ -19,7 +19,7 @@ Position position_of(FinePoint point, const SurfaceFrame& frame) {
     return {at[0], at[1]};
 }
 
-/// Names the first two buildings that the contours belong to, by id.
+/// Sets the first two buildings that the contours belong to, by id.
 ProblemRecord between_buildings(std::span<const std::int32_t> contours, const SurfaceCluster& cluster) {
     std::set<std::int64_t> ids;
     for (const std::int32_t contour : contours)

@@ -8,17 +8,17 @@
 
 namespace d2b {
 
-/// Puts the buildings that make_surfaces() has left out beside those that were lost before.
+/// Adds the buildings rejected by make_surfaces() to those lost before.
 void add_left_out(const DrawnCluster& drawn, const MadeSurfaces& made, std::vector<LostBuilding>& lost);
 
-/// What was in the way of a cluster's surfaces: pinches that were taken apart, and lost buildings that have a
-/// place. @param frame of the lattice that they are on
+/// Returns the problems of a cluster's surfaces: resolved non-manifold vertices, and lost buildings with a
+/// known position. @param frame of the lattice
 [[nodiscard]] std::vector<PlacedProblem> surface_problems(const SurfaceCluster& cluster,
                                                           const MadeSurfaces& made,
                                                           const std::vector<LostBuilding>& lost,
                                                           const SurfaceFrame& frame);
 
-/// Steps between roofs that were lower than -min_wall, and what became of them.
+/// Returns the roof steps lower than -min_wall and their resolution.
 [[nodiscard]] std::vector<PlacedProblem> step_problems(const SurfaceCluster& cluster,
                                                        const std::vector<RoofStep>& steps,
                                                        const SurfaceFrame& frame);

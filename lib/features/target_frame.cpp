@@ -30,10 +30,10 @@ double longest_side(const WorldRing& frame) {
     return longest;
 }
 
-/// Whether what lies within the frame comes to lie outside of it, as around the antipode of an azimuthal
-/// projection: small steps from a corner turn one way and the whole frame the other.
+/// True if the projection turns the frame inside out, as around the antipode of an azimuthal projection: the
+/// orientation of small steps at a corner then differs from that of the whole frame.
 bool is_inside_out(const WorldRing& frame, const WorldRing& image, RingTransform& transform) {
-    constexpr double step = 1e-5;  // so little that curves look straight
+    constexpr double step = 1e-5;  // small enough for curves to look straight
     constexpr double flattest = 1e-6;
     const auto towards = [&](const Position& to) {
         return Position{frame[0].x + (to.x - frame[0].x) * step, frame[0].y + (to.y - frame[0].y) * step};
@@ -50,7 +50,7 @@ bool is_inside_out(const WorldRing& frame, const WorldRing& image, RingTransform
     return std::abs(turn) > flattest * sides && kept != kept_here;
 }
 
-/// Metres, or nothing where a part of the frame lies nowhere on the earth.
+/// Returns metres; nullopt if a part of the frame is outside of the projection's domain.
 std::optional<double> length_on_ground(const WorldRing& frame, const Crs& crs) {
     try {
         return Geodesy(crs).ring(frame).perimeter_m;
@@ -80,12 +80,12 @@ Position require_whole_frame(const DemInfo& info, const RunPlan& plan, const Crs
     if (target.kind() == Crs::Kind::none)
         return middle;
     const WorldRing frame = georeference.corners(lattice_frame(w, mode));
-    constexpr double pieces = 64;  // of a side, to begin with
+    constexpr double pieces = 64;  // initial pieces per side
     const double longest = longest_side(frame) / pieces;
     RingTransform transform(crs, target, frame, longest);
     static_cast<void>(transform.apply_to_positions({&middle, 1}));
     WorldRing image = frame;
-    // A single point has no frame, and where there are no data there need not be an image.
+    // A single point has no frame, and areas without data do not need an image.
     if (!(longest > 0))
         return middle;
     const RingFate fate = transform.apply(image);

@@ -8,13 +8,12 @@
 
 namespace d2b {
 
-/// Warns of features that are left out because the CRS of the output tears them apart: of the first few by
-/// their ids, in one sentence.
+/// Warns of features left out because the output CRS tears them. Names the first few in one sentence.
 class TornWarnings {
   public:
-    /// @param kind "building" or "contour" @param made whether or not it is torn
+    /// @param kind "building" or "contour" @param made polygon, torn or not
     void note(const std::string& kind, std::int64_t id, const FeaturePolygon& made);
-    /// @param target spoken name of the CRS of the output @throws InputError where nothing else was written
+    /// @param target display name of the output CRS @throws InputError if nothing else was written
     void finish(const std::string& target, Context& context) const;
 
   private:

@@ -10,7 +10,7 @@ namespace d2b {
 
 void write_features(const FeatureInput& input, const RecordMaker& records, FeatureSink& sink,
                     Context& context) {
-    constexpr std::size_t piece = 64;  // contours that a thread draws at a time
+    constexpr std::size_t piece = 64;  // contours per task
     FeatureWriter writer(input, records, sink, context);
     writer.begin();
     GivenNumbers numbers;

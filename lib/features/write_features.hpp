@@ -17,25 +17,25 @@
 
 namespace d2b {
 
-/// What the outlines of a run need on their way to the sink.
+/// Input for drawing and writing the features of a run.
 struct FeatureInput {
     const RunPlan& plan;
     const Georeference& georeference;
     const Crs& crs;
-    const Crs& target_crs;  ///< kind none: the DEM's
+    const Crs& target_crs;  ///< kind none: the CRS of the DEM
     const StoredContours& contours;
     const Outliner& outliner;
-    const LayerSpecs& layers;  ///< without their styles
+    const LayerSpecs& layers;  ///< without styles
     Provenance provenance;
     Window window;
-    Label buildings;     ///< labels above are doubtful
-    double cell_size_m;  ///< side of a square of a cell's area
+    Label buildings;     ///< labels above are low-confidence candidates
+    double cell_size_m;  ///< side of a square with the area of a cell
     FixedPoint fixed;
-    /// Goes through the elevations once more.
+    /// Measures the stack error, which reads the elevations again.
     std::function<StackError(const DrawnStack&)> compare;
-    ParcelSource* parcels = nullptr;  ///< says how they are called
-    BuildingRecords* kept = nullptr;  ///< gets the records of all buildings, whether or not they are written
-    /// The same of the stacks that end at level 1, 2, ...; empty where that is not asked for.
+    ParcelSource* parcels = nullptr;  ///< gives the names of parcels
+    BuildingRecords* kept = nullptr;  ///< receives the records of all buildings, even of those not written
+    /// Same for stacks truncated at level 1, 2, ...; empty if not asked for.
     std::function<std::vector<StackError>(const DrawnStack&, std::int32_t levels)> compare_cuts = {};
 
     [[nodiscard]] bool is_doubtful(std::size_t contour) const {
@@ -43,8 +43,8 @@ struct FeatureInput {
     }
 };
 
-/// Draws every outline, places it, has it checked, measures it, and hands it to the sink with its attributes,
-/// in the order of the contours. What was found is added to the report. The sink is not finished.
+/// Draws, reprojects, validates and measures every outline and writes it with its attributes, in the order of
+/// contours. Updates the report. Does not finish the sink.
 /// @param records of the same contours @throws Error
 void write_features(const FeatureInput& input, const RecordMaker& records, FeatureSink& sink,
                     Context& context);

@@ -26,24 +26,24 @@ namespace {
 
 constexpr std::int64_t most_lost_named = 10;
 
-/// What a thread needs of its own.
+/// Per-thread state.
 struct SurfaceRoom {
     std::optional<RingTransform> transform;
     Geos geos;
     Tally tally{};
 };
 
-/// What was made of a group.
+/// Result for one group.
 struct GroupSurfaces {
     MadeSurfaces made;
     std::vector<SurfacePart> tiers;
     std::vector<LostBuilding> lost;
-    std::vector<PlacedProblem> problems;  // where they are asked for
-    std::int64_t steps_changed = 0;       // between roofs, lower than -min_wall
-    std::int64_t steps_left = 0;          // likewise
+    std::vector<PlacedProblem> problems;  // if asked for
+    std::int64_t steps_changed = 0;       // roof steps lower than -min_wall that were levelled
+    std::int64_t steps_left = 0;          // roof steps lower than -min_wall that remain
 };
 
-/// @param records by ascending ids
+/// @param records sorted by id
 void fill_values(const std::vector<BuildingRecord>& records,
                  std::span<const Attribute<BuildingRecord>> attributes, std::vector<SurfacePart>& parts) {
     for (SurfacePart& part : parts)
@@ -54,7 +54,7 @@ void fill_values(const std::vector<BuildingRecord>& records,
         }
 }
 
-/// Twice what a ring covers as seen from above, counter-clockwise.
+/// Returns twice the signed area of a ring in plan view, counter-clockwise positive.
 double twice_covered(const std::vector<SurfacePoint>& points, std::span<const std::uint32_t> ring) {
     double twice = 0;
     const SurfacePoint& from = points[ring[0]];
@@ -67,7 +67,7 @@ double twice_covered(const std::vector<SurfacePoint>& points, std::span<const st
     return twice;
 }
 
-/// Of each building of a cluster, in square steps.
+/// Roof area per building of a cluster, in square steps.
 std::vector<double> roof_areas(const SurfaceCluster& cluster, const MadeSurfaces& made) {
     std::vector<double> areas(cluster.buildings.size());
     for (const SurfacePart& part : made.shell.empty() ? made.solids : made.shell)
@@ -89,6 +89,8 @@ std::vector<double> roof_areas(const SurfaceCluster& cluster, const MadeSurfaces
     return areas;
 }
 
+/// Makes the surfaces of groups and passes them to the sinks. make() is thread-safe because each thread has a
+/// SurfaceRoom; add() is called in the order of groups, so that files do not depend on the number of threads.
 class SurfaceWriter {
   public:
     SurfaceWriter(const SurfaceInput& input, std::span<SurfaceSink* const> sinks, Context& context);
@@ -100,7 +102,7 @@ class SurfaceWriter {
   private:
     void make_closed(std::span<const std::uint32_t> group, SurfaceRoom& room, GroupSurfaces& result);
     void make_tiers(std::span<const std::uint32_t> group, SurfaceRoom& room, GroupSurfaces& result);
-    /// Where outlines are made ready for a flow, roofs were made equal, and volumes may change by more.
+    /// False if outlines are flow-ready, because levelled roofs may change volumes by more.
     [[nodiscard]] bool fits_volumes() const {
         return input_.of == SurfaceOf::buildings && input_.roof == SurfaceRoof::mean &&
                !input_.features.plan.asked.outline.is_flow_ready();
@@ -114,7 +116,7 @@ class SurfaceWriter {
     std::span<SurfaceSink* const> sinks_;
     Context& context_;
     SurfaceForms forms_;
-    std::int64_t least_step_ = 0;  // between roofs, in steps of height; 0: any
+    std::int64_t least_step_ = 0;  // minimum roof step in units of height; 0: any
     bool has_tiers_ = false;
     std::vector<SurfaceRoom> rooms_;
     SurfaceReport report_;
@@ -155,7 +157,7 @@ void SurfaceWriter::make_closed(std::span<const std::uint32_t> group, SurfaceRoo
     result.made = made_of(drawn.cluster);
     const bool moved = fits_volumes() && !result.made.mends.empty() &&
                        fit_roofs(roof_areas(drawn.cluster, result.made), drawn.cluster);
-    // Last, because roofs that are one must not be moved apart again.
+    // Levelled last, because other steps would separate equal roofs again.
     const std::vector<RoofStep> steps = level_roofs(drawn.cluster, least_step_);
     result.steps_left = std::ranges::count_if(steps, [](const RoofStep& step) { return step.after > 0; });
     result.steps_changed = std::ssize(steps) - result.steps_left;
@@ -174,7 +176,7 @@ void SurfaceWriter::make_closed(std::span<const std::uint32_t> group, SurfaceRoo
     }
 }
 
-/// What is lost is told once, where surfaces are made as well.
+/// Reports lost buildings only if closed surfaces are not made, because these report them already.
 void SurfaceWriter::make_tiers(std::span<const std::uint32_t> group, SurfaceRoom& room,
                                GroupSurfaces& result) {
     SurfaceInput input = input_;

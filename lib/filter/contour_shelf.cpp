@@ -35,7 +35,7 @@ std::unique_ptr<StoredContours> ContourShelf::finish() {
     std::vector<StoredContours::Entry> sorted;
     sorted.reserve(entries_.size());
     std::int64_t buildings = 0;
-    // What a contour stands on has a lower level, so it comes before.
+    // The parent of a contour has a lower level, so it comes first.
     for (const std::size_t i : order) {
         place[i] = static_cast<std::int64_t>(sorted.size());
         ContourHead& head = sorted.emplace_back(entries_[i]).head;

@@ -7,16 +7,16 @@
 
 namespace d2b {
 
-/// Puts contours that were stored elsewhere side by side: some of one list, or those of several.
+/// Merges contours stored elsewhere into a new list: some contours of one list, or those of several.
 class ContourShelf {
   public:
     explicit ContourShelf(std::unique_ptr<Spool> spool) : spool_(std::move(spool)) {}
 
     [[nodiscard]] std::size_t size() const { return entries_.size(); }
-    /// @param head whose parent is the place of one that was added before, and whose building does not count
-    /// @param stored its holes are all there are @throws OutputError the spool has no room
+    /// @param head its parent is the index of a contour added earlier; its building is ignored
+    /// @param stored with its remaining holes only @throws OutputError if the spool is full
     void add(const ContourHead& head, const StoredContours::Stored& stored);
-    /// Sorted by key, with parents and buildings numbered anew. The shelf is empty afterwards.
+    /// Returns the contours sorted by key, with renumbered parents and buildings, and leaves this empty.
     [[nodiscard]] std::unique_ptr<StoredContours> finish();
 
   private:
@@ -25,7 +25,7 @@ class ContourShelf {
     std::size_t holes_ = 0;
 };
 
-/// Rings and points, and what is known of a building's roof. Its head is the caller's.
+/// Serializes rings, points and the roof of a building, but not the head, which the caller stores.
 void save(const StoredContours::Stored& stored, std::int32_t level, ByteWriter& writer);
 [[nodiscard]] StoredContours::Stored load_stored(std::int32_t level, ByteReader& reader);
 

@@ -7,7 +7,7 @@
 namespace d2b {
 namespace {
 
-constexpr std::int64_t on_noise = -2;  // a parent that was dropped
+constexpr std::int64_t on_noise = -2;  // marks a dropped parent
 
 }  // namespace
 
@@ -29,7 +29,7 @@ LatticePolygon StoredContours::fetch(const Rejected& rejected) const {
     ByteReader reader(*spool_, rejected.place);
     LatticePolygon polygon;
     if (rejected.is_hole) {
-        // Around what it bounds the other way.
+        // Rotate the hole's ring to the orientation of an exterior.
         polygon.exterior = PackedRing::load(reader).corners();
         std::reverse(polygon.exterior.begin() + 1, polygon.exterior.end());
         return polygon;
@@ -94,7 +94,7 @@ void ContourPile::reject(const StoredContours::Rejected& what) {
 ContourStore::ContourStore(StoreSettings settings, std::unique_ptr<Spool> spool, Context& context)
     : settings_(std::move(settings)), spool_(std::move(spool)), context_(context) {}
 
-/// Names are places.
+/// Appends piled contours; the names of their sinks are their indices.
 std::int64_t ContourStore::add(PiledContours&& piled) {
     const auto first = static_cast<std::int64_t>(all_.entries.size());
     for (StoredContours::Entry& entry : piled.entries) {
@@ -108,7 +108,7 @@ std::int64_t ContourStore::add(PiledContours&& piled) {
     return first;
 }
 
-/// Contours come after those that stand on them.
+/// Drops contours with a dropped parent. Children come before their parents.
 void ContourStore::drop_what_stands_on_noise() {
     for (auto entry = all_.entries.rbegin(); entry != all_.entries.rend(); ++entry)
         if (entry->head.parent >= 0 &&
@@ -127,9 +127,9 @@ void ContourStore::drop_what_stands_on_noise() {
     all_.holes.resize(kept_holes);
 }
 
-/// Brings contours into the order of their keys.
+/// Sorts contours by key.
 void ContourStore::sort() {
-    // Until they have places, `building` says as which one a contour came.
+    // Until the contours are sorted, `building` holds their original index.
     for (std::size_t i = 0; i < all_.entries.size(); ++i)
         all_.entries[i].head.building = static_cast<std::int64_t>(i);
     std::vector<std::uint32_t> place(all_.entries.size());
@@ -165,7 +165,7 @@ std::vector<bool> ContourStore::fill() {
                     static_cast<std::uint32_t>(keys.size()));
         keys.push_back(entry.head.key);
     }
-    // A contour is loaded once for all of its holes, which follow one another.
+    // Load each contour once for all of its holes, which are consecutive.
     std::optional<std::uint32_t> loaded;
     std::vector<PackedRing> rings;
     const auto ring = [&](std::size_t hole) -> const PackedRing& {
@@ -183,7 +183,7 @@ std::vector<bool> ContourStore::fill() {
         if (!filled[h])
             continue;
         context_.check_stop();
-        // Apart from the contour, which would have to be loaded for each.
+        // Store the ring separately, because the contour would have to be loaded for each of its holes.
         ByteWriter writer;
         ring(h).save(writer);
         all_.rejected.push_back(

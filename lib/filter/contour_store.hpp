@@ -14,8 +14,7 @@
 
 namespace d2b {
 
-/// Contours that wait in a spool for their turn; in memory there are their heads and some bytes for each
-/// hole.
+/// Contours kept in a spool. Only their heads and a few bytes per hole are in memory.
 class StoredContours : public ContourList {
   public:
     struct Entry {
@@ -24,16 +23,16 @@ class StoredContours : public ContourList {
         std::size_t first_hole = 0;
         std::size_t holes = 0;
     };
-    /// What was dropped, or a hole that was filled.
+    /// A dropped contour or a filled hole.
     struct Rejected {
-        ContourKey key;  ///< of the contour, or of the one that has the hole
+        ContourKey key;  ///< key of the contour, or of the contour with the hole
         Reason reason = Reason::contour_short;
-        SpoolEntry place;      ///< of the contour, or of the hole's ring alone
-        bool is_hole = false;  ///< that was filled
+        SpoolEntry place;      ///< contour, or only the ring of the hole
+        bool is_hole = false;  ///< a filled hole
     };
     struct Stored {
         Contour contour;
-        RoofElevations roof;  ///< of a building's points; in level 1 alone
+        RoofElevations roof;  ///< elevations of a building, level 1 only
     };
 
     StoredContours(std::shared_ptr<const Spool> spool, std::vector<Entry> entries, std::vector<bool> filled,
@@ -49,39 +48,39 @@ class StoredContours : public ContourList {
     }
     [[nodiscard]] Contour fetch(std::size_t contour) const override { return fetch_stored(contour).contour; }
     [[nodiscard]] Stored fetch_stored(std::size_t contour) const;
-    /// Sorted by key; empty where nobody wants it.
+    /// Sorted by key; empty unless requested.
     [[nodiscard]] std::span<const Rejected> rejected() const { return rejected_; }
     [[nodiscard]] LatticePolygon fetch(const Rejected& rejected) const;
 
   private:
     std::shared_ptr<const Spool> spool_;
     std::vector<Entry> entries_;
-    std::vector<bool> filled_;  ///< a hole
+    std::vector<bool> filled_;  ///< per hole
     std::vector<Rejected> rejected_;
 };
 
-/// What is kept of contours, and how.
+/// Selects the contours to keep and the information kept about them.
 struct StoreSettings {
     NoiseRules noise;
     SquareArea square_area;
     ElevationRange range;
     FixedPoint fixed;
-    bool keep_roots = true;      ///< else footprints are the lowest contours
-    bool keep_rejected = false;  ///< what is dropped or filled is kept apart
-    HeightRules heights = {};    ///< of buildings, which level 1 is then
+    bool keep_roots = true;      ///< if false, footprints are the lowest contours
+    bool keep_rejected = false;  ///< keeps dropped contours and filled holes separately
+    HeightRules heights = {};    ///< apply to buildings, which then have level 1
 };
 
-/// Contours in a spool, as they came; `parent` of those that stand on noise is that they do.
+/// Contours in a spool in order of arrival. A special `parent` marks those on dropped contours.
 struct PiledContours {
     std::vector<StoredContours::Entry> entries;
-    std::vector<Hole> holes;  ///< of one contour after the other
+    std::vector<Hole> holes;  ///< grouped by contour
     std::vector<StoredContours::Rejected> rejected;
 };
 
-/// Takes contours as they are finished, drops noise, and puts the rest aside.
+/// Receives finished contours, drops noise and spools the rest.
 class ContourPile : public ContourSink {
   public:
-    /// @param settings, spool other threads may have piles of the same @param piled, tally are added to
+    /// @param settings, spool may be shared with other threads @param piled, tally results are appended
     ContourPile(const StoreSettings& settings, Spool& spool, PiledContours& piled, Tally& tally)
         : settings_(settings), spool_(spool), piled_(piled), tally_(tally) {}
 
@@ -97,7 +96,10 @@ class ContourPile : public ContourSink {
     Tally& tally_;
 };
 
-/// The contours of a run, until the last has been taken.
+/// Collects the contours of a run, drops noise, and sorts them in finish(). Contours are spooled as soon as
+/// they are traced, because all contours of a large raster do not fit into memory. Whether a hole is filled
+/// and whether a contour lies on a dropped one is decided in finish(), because it depends on contours that
+/// may be traced later.
 class ContourStore : public ContourSink {
   public:
     ContourStore(StoreSettings settings, std::unique_ptr<Spool> spool, Context& context);
@@ -105,14 +107,14 @@ class ContourStore : public ContourSink {
     std::int64_t take(FinishedContour&& finished) override {
         return pile(all_, context_.report).take(std::move(finished));
     }
-    /// Takes some of the contours on another thread. @param piled, tally are added to
+    /// Returns a sink that receives contours on another thread. @param piled, tally results are appended
     [[nodiscard]] ContourPile pile(PiledContours& piled, Tally& tally) const {
         return {settings_, *spool_, piled, tally};
     }
-    /// @param piled what such a pile has taken @return what the first of its contours is called here
+    /// @param piled contours received by such a sink @return name of the first of them in this store
     std::int64_t add(PiledContours&& piled);
-    /// After the last contour: drops what stands on noise, sorts, numbers and fills holes. The store is empty
-    /// afterwards.
+    /// Drops contours on noise, sorts, numbers and fills holes. Call after the last contour; leaves the store
+    /// empty.
     [[nodiscard]] std::unique_ptr<StoredContours> finish();
 
   private:

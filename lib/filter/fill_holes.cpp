@@ -9,7 +9,7 @@ namespace {
 
 using Keys = std::span<const ContourKey>;
 
-/// Whether a key of a level, of keys that are sorted, lies in one row from a column to before another.
+/// Returns true if any of the sorted keys of a level lies in a row between two columns.
 bool any_in_run(Keys keys, std::int32_t level, LatticePoint from, std::int32_t end) {
     const auto key = std::ranges::lower_bound(keys, ContourKey{level, from});
     return key != keys.end() && *key < ContourKey{level, {from.row, end}};
@@ -22,8 +22,8 @@ bool any_in_box(Keys keys, std::int32_t level, const Hole& hole) {
     return false;
 }
 
-/// Where a rectilinear ring crosses the middles of rows, from left to right: its inside lies between the
-/// first and the second crossing of a row, the third and the fourth, and so on.
+/// Sorted crossings of a rectilinear ring with the center lines of rows. By the even-odd rule, the interior
+/// lies between the first and second crossing of a row, the third and fourth, and so on.
 std::vector<LatticePoint> crossings(const LatticeRing& ring) {
     std::vector<LatticePoint> result;
     LatticePoint from = ring.back();
@@ -51,7 +51,7 @@ std::vector<bool> fill_holes(std::span<const ContourKey> keys, std::span<const H
     std::iota(order.begin(), order.end(), 0U);
     std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return holes[i].level; });
     std::vector<bool> filled(holes.size());
-    // An interior ring starts at the first square inside it: of the level below, those that remain.
+    // An interior ring starts at its first square; keep those of the level below that remain holes.
     std::vector<ContourKey> remaining_below;
     std::vector<ContourKey> remaining;
     std::int32_t level = 0;

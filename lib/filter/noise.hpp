@@ -14,51 +14,50 @@
 
 namespace d2b {
 
-/// What is noise.
+/// Thresholds below which contours and holes are noise.
 struct NoiseRules {
-    int noise_factor = 0;          ///< fewest grid points on a ring
+    int noise_factor = 0;          ///< smallest number of grid points on a ring
     double min_area_m2 = 0;        ///< smallest area
-    bool keep_footprints = false;  ///< contours of level 1 were found by other means: none is noise
+    bool keep_footprints = false;  ///< contours of level 1 come from a detector, so they are never noise
 };
 
-/// Which buildings are too low to be kept.
+/// Minimum height of buildings.
 struct HeightRules {
-    double min_p90_m = 0;            ///< 0: none is
-    std::span<const double> ground;  ///< elevation by label
-    double metres = 1;               ///< in one vertical unit
+    double min_p90_m = 0;            ///< 0: no minimum
+    std::span<const double> ground;  ///< elevation per label
+    double metres = 1;               ///< metres per vertical unit
 };
 
-/// Whether a building's p90, as it is written, is below the smallest height. What has no valid point has no
-/// height.
+/// Returns true if the p90 of a building, rounded as in the output, is below the minimum. A building without
+/// valid points has no height.
 [[nodiscard]] bool is_too_low(Label label, const RoofElevations& roof, const HeightRules& rules);
 
-/// Why a contour is noise, if it is: its exterior ring passes fewer grid points than the noise factor
-/// (Chittineni 2003, 4.2), or it is smaller than the smallest area as traced. A root never is, and a
-/// footprint that was found by other means is not.
+/// Returns the reason if a contour is noise: its exterior ring passes fewer grid points than the noise factor
+/// (Chittineni 2003, 4.2), or its traced area is too small. Roots are never noise, nor are footprints found
+/// by a detector.
 [[nodiscard]] std::optional<Reason> contour_noise(const Contour& contour, const NoiseRules& rules,
                                                   const SquareArea& square_area);
 
-/// The same for a hole in a contour that is kept.
+/// Same for a hole in a contour that is kept.
 [[nodiscard]] std::optional<Reason> hole_noise(const PackedRing& hole, std::int32_t level,
                                                const NoiseRules& rules, const SquareArea& square_area);
 
-/// A hole in a contour that is kept: of its ring what is asked for often.
+/// Summary of a hole in a contour that is kept, because its ring is rarely needed.
 struct Hole {
     std::int32_t level = 0;
-    LatticePoint start;            ///< the first square inside it
-    LatticePoint low;              ///< of its box
-    LatticePoint high;             ///< of its box
-    std::optional<Reason> reason;  ///< why it may be filled
+    LatticePoint start;            ///< first square inside it
+    LatticePoint low;              ///< lower corner of its bounding box
+    LatticePoint high;             ///< upper corner of its bounding box
+    std::optional<Reason> reason;  ///< reason why it may be filled
 };
 
-/// Fills holes that are noise, from the low level to the high: those in which no contour stands and no hole
-/// of the level below that remains lies. So contours stay nested and siblings disjoint. Counted in the
-/// report.
+/// Fills holes that are noise, from low to high levels, unless they contain a contour or a remaining hole of
+/// the level below. This keeps contours nested and siblings disjoint. Updates the counts in the report. O(n
+/// log n) in the number of points on the rings of holes.
 /// @param keys of all contours that are kept, sorted
-/// Time is O(n log n) in the points that the holes' rings pass.
-/// @param holes those of one contour one after the other
-/// @param ring of a hole, by its index; those of one contour are asked for one after the other
-/// @return for each hole whether it is filled
+/// @param holes grouped by contour
+/// @param ring returns the ring of a hole; called in groups by contour
+/// @return per hole: true if it is filled
 [[nodiscard]] std::vector<bool> fill_holes(std::span<const ContourKey> keys, std::span<const Hole> holes,
                                            const std::function<LatticeRing(std::size_t)>& ring,
                                            Context& context);

@@ -8,7 +8,7 @@
 
 namespace d2b {
 
-/// A rectangle along the axes; empty until something is added.
+/// Axis-aligned bounding box; empty until something is added.
 struct Box {
     double left = std::numeric_limits<double>::infinity();
     double low = std::numeric_limits<double>::infinity();
@@ -24,11 +24,11 @@ struct Box {
     }
     [[nodiscard]] bool empty() const { return left > right; }
     [[nodiscard]] Position centre() const { return {(left + right) / 2, (low + high) / 2}; }
-    /// Whether they share a point.
+    /// True if the boxes share a point.
     [[nodiscard]] bool meets(const Box& other) const {
         return left <= other.right && right >= other.left && low <= other.high && high >= other.low;
     }
-    /// 0 for a position in it.
+    /// Squared distance from a position; 0 inside.
     [[nodiscard]] double squared_distance(Position p) const {
         const double dx = std::max({left - p.x, 0.0, p.x - right});
         const double dy = std::max({low - p.y, 0.0, p.y - high});

@@ -2,11 +2,11 @@
 
 #include <utility>
 
-#define BOOST_ALLOW_DEPRECATED_HEADERS  // which Boost 1.74 itself includes
+#define BOOST_ALLOW_DEPRECATED_HEADERS  // required by Boost 1.74's own headers
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/index/rtree.hpp>
-#include <boost/geometry/strategies/strategies.hpp>  // which the tree of Boost 1.83 leaves to its user
+#include <boost/geometry/strategies/strategies.hpp>  // required by the R-tree of Boost 1.83
 #include <boost/iterator/function_output_iterator.hpp>
 #undef BOOST_ALLOW_DEPRECATED_HEADERS
 

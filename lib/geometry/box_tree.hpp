@@ -9,7 +9,7 @@
 
 namespace d2b {
 
-/// Finds boxes among many: Boost's R-tree, packed from all of them at once. From any thread.
+/// Static index of boxes: Boost's R-tree, bulk-loaded. Thread-safe.
 class BoxTree {
   public:
     explicit BoxTree(const std::vector<Box>& boxes);
@@ -17,7 +17,7 @@ class BoxTree {
     BoxTree& operator=(BoxTree&&) noexcept;
     ~BoxTree();
 
-    /// Calls visit(i) for every box i that meets `box`, in an order that depends on the boxes alone.
+    /// Calls visit(i) for every box i that intersects `box`, in an order that depends only on the boxes.
     void query(const Box& box, const std::function<void(std::size_t)>& visit) const;
     [[nodiscard]] bool meets_any(const Box& box) const;
 

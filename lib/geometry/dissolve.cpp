@@ -11,7 +11,7 @@
 namespace d2b {
 namespace {
 
-/// Polygons that do not overlap, with their boxes.
+/// Polygons that do not overlap, with their bounding boxes.
 class Pieces {
   public:
     void add(WorldPolygon polygon) {
@@ -26,7 +26,7 @@ class Pieces {
     [[nodiscard]] const std::vector<WorldPolygon>& polygons() const { return polygons_; }
     [[nodiscard]] const std::vector<Box>& boxes() const { return boxes_; }
 
-    /// Takes out those whose boxes meet none of the others.
+    /// Removes and returns those whose boxes intersect none of the others.
     Pieces take_far(const BoxTree& others) {
         Pieces far;
         Pieces near;
@@ -48,7 +48,7 @@ struct PieceCover {
     Pieces twice;
 };
 
-/// Puts halves together; only what is near the other half needs an overlay.
+/// Cascaded union by recursive halving. Only pieces near the other half need an overlay operation.
 class Dissolver {
   public:
     Dissolver(const GeosPolygons& geos, std::span<const std::vector<WorldPolygon>> features, CoverKind kind)
@@ -75,7 +75,7 @@ class Dissolver {
     }
 
   private:
-    /// The half with lower coordinates of the centres to the front.
+    /// Partitions features so that the half with lower center coordinates comes first.
     void split(std::span<std::size_t> items) const {
         const auto centre = [this](std::size_t item) { return box_of(features_[item]).centre(); };
         Box centres;
@@ -86,7 +86,7 @@ class Dissolver {
                                  [&](std::size_t item) { return wide ? centre(item).x : centre(item).y; });
     }
 
-    /// The union and what both have in common.
+    /// Computes union and intersection.
     [[nodiscard]] PieceCover join(Pieces a, Pieces b) const {
         PieceCover result;
         const BoxTree tree_of_a(a.boxes());

@@ -7,16 +7,16 @@
 
 namespace d2b {
 
-/// What polygons cover, as polygons that do not overlap.
+/// Coverage of polygons, as disjoint polygons.
 struct Cover {
     std::vector<WorldPolygon> once;   ///< their union
-    std::vector<WorldPolygon> twice;  ///< what two or more of them cover
+    std::vector<WorldPolygon> twice;  ///< area covered by two or more of them
 };
 
 enum class CoverKind { once, once_and_twice };
 
-/// Halves of the features are put together: what is covered twice is so in a half, or lies in both.
-/// @param features each valid; may be empty @param kind without `twice`, that list stays empty @throws Error
+/// Computes the coverage by cascaded union: an area is covered twice if it is so in one half or lies in both.
+/// @param features each valid; may be empty @param kind `once` leaves the list `twice` empty @throws Error
 [[nodiscard]] Cover cover_of(const GeosPolygons& geos, std::span<const std::vector<WorldPolygon>> features,
                              CoverKind kind);
 

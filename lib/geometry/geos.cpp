@@ -23,7 +23,7 @@ double area_of(const GeosPolygons& geos, const GeometryPtr& geometry) {
     return area;
 }
 
-/// Of the slivers between borders whose corners were rounded to doubles.
+/// Area of the slivers between borders whose corners were rounded to doubles.
 double area_of_rounding(const std::vector<WorldPolygon>& polygons) {
     constexpr double steps = 4 * std::numeric_limits<double>::epsilon();
     double length = 0;

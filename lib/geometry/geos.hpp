@@ -11,38 +11,42 @@
 
 namespace d2b {
 
-/// GEOS through its reentrant C API; one object per thread. Its messages become the text of exceptions.
+/// Validity, repair and predicates of GEOS, through its reentrant C API; one object per thread. Unlike
+/// Overlay, all calls can be cancelled. Error messages of GEOS become the text of exceptions:
+///
+///     Geos geos(stop);
+///     if (!geos.invalidity(polygons).empty())
+///         polygons = geos.repaired(polygons);
 class Geos {
   public:
-    /// @param stop asked in the midst of what GEOS does as well, which then ends with a Cancelled
+    /// @param stop also checked inside GEOS's algorithms, which then throw Cancelled
     explicit Geos(StopRequest stop = {});
     Geos(Geos&&) noexcept;
     Geos& operator=(Geos&&) noexcept;
     ~Geos();
 
-    /// @return what makes the polygons invalid, with the place; "" where they are valid
+    /// @return reason and position if the polygons are invalid; "" if they are valid
     [[nodiscard]] std::string invalidity(const std::vector<WorldPolygon>& polygons);
-    /// The polygonal part of GEOS's structural repair, which keeps the areas that are covered once. Oriented
-    /// as WorldPolygon says. @throws GeometryError
+    /// Polygonal part of GEOSMakeValid with the structure method. Oriented as WorldPolygon requires.
+    /// @throws GeometryError
     [[nodiscard]] std::vector<WorldPolygon> repaired(const std::vector<WorldPolygon>& polygons);
-    /// The polygons with all corners on the multiples of a step, without what collapses there; valid.
+    /// Rounds all corners to multiples of `step` and removes collapsed parts; the result is valid.
     /// @throws GeometryError
     [[nodiscard]] std::vector<WorldPolygon> on_grid(const std::vector<WorldPolygon>& polygons, double step);
-    /// Whether each of `inner` lies in `outer`, borders included, but for what rounding coordinates to
-    /// doubles makes of corners on a border. @throws GeometryError
+    /// Per inner polygon: true if `outer` covers it, up to rounding errors of corners on its border.
+    /// @throws GeometryError
     [[nodiscard]] std::vector<bool> covered(const std::vector<WorldPolygon>& outer,
                                             const std::vector<std::vector<WorldPolygon>>& inner);
-    /// Whether two share more than their borders, likewise. @throws GeometryError
+    /// True if the interiors intersect, up to rounding errors. @throws GeometryError
     [[nodiscard]] bool overlap(const std::vector<WorldPolygon>& one, const std::vector<WorldPolygon>& other);
-    /// `whole` less `parts`, which lie in it and share only whole edges or points with its rings and each
-    /// other: then no new point arises, and the result is exact on the lattice. @throws GeometryError
+    /// Subtracts `parts`, which lie in `whole` and share only whole edges or points with its rings and each
+    /// other. This is exact on the lattice because no new vertices arise. @throws GeometryError
     [[nodiscard]] std::vector<FinePolygon> difference(const FinePolygon& whole,
                                                       const std::vector<FinePolygon>& parts);
-    /// The triangles of a polygon's constrained Delaunay triangulation, on its own corners.
-    /// @throws GeometryError, also for some polygons with holes that are valid
+    /// Constrained Delaunay triangulation of the corners of a polygon.
+    /// @throws GeometryError, also for some valid polygons with holes
     [[nodiscard]] std::vector<std::array<FinePoint, 3>> triangles(const FinePolygon& polygon);
-    /// Area of what lies in `inner` and not in `outer`: 0 where they are nested exactly. @throws
-    /// GeometryError
+    /// Area of `inner` minus `outer`; 0 if they are exactly nested. @throws GeometryError
     [[nodiscard]] double area_outside(const WorldPolygon& inner, const WorldPolygon& outer);
 
   private:

@@ -6,7 +6,7 @@
 
 namespace d2b {
 
-/// Frees a GEOS object with the context that made it: the size of two pointers, no indirect call.
+/// Frees a GEOS object with the context that created it. Takes two pointers, without an indirect call.
 struct GeometryDeleter {
     GEOSContextHandle_t context = nullptr;
     void operator()(GEOSGeometry* geometry) const { GEOSGeom_destroy_r(context, geometry); }

@@ -8,10 +8,10 @@
 namespace d2b {
 namespace {
 
-// GEOS hands its callback nothing, so what that needs can only be global.
+// Globals are unavoidable, because GEOS passes no argument to its callback.
 // NOLINTBEGIN(cppcoreguidelines-avoid-non-const-global-variables)
 thread_local const StopRequest* watched = nullptr;
-GEOSInterruptCallback* of_others = nullptr;  // what was registered before
+GEOSInterruptCallback* of_others = nullptr;  // previously registered callback
 // NOLINTEND(cppcoreguidelines-avoid-non-const-global-variables)
 
 extern "C" void ask() {
@@ -45,7 +45,7 @@ GeosInterrupt::~GeosInterrupt() {
     const std::lock_guard lock(all.mutex);
     if (--all.count > 0)
         return;
-    // Who has come after this keeps what they have registered.
+    // Keep the callback of anyone who registered after us.
     if (GEOSInterruptCallback* last = GEOS_interruptRegisterCallback(of_others); last != ask)
         GEOS_interruptRegisterCallback(last);
 }

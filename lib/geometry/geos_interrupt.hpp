@@ -4,10 +4,10 @@
 
 namespace d2b {
 
-/// While one lives, GEOS may be stopped in this process. GEOS asks in the midst of its larger loops through a
-/// function without a parameter, one for all threads. Its own request to stop is one for all threads as well:
-/// the first thread to see it takes it away, whoever made it. So none is made: what GEOS asks throws, which
-/// ends the call of this thread alone, as GEOS's own exception would.
+/// Enables interrupts of GEOS in this process during its lifetime. GEOS calls one global function without
+/// parameters in its larger loops, for all threads. Its interrupt flag is global as well: the first thread to
+/// see it clears it, whoever requested it. Therefore the flag is not used. Instead, the callback throws,
+/// which aborts only the current thread's call, like an exception of GEOS itself.
 class GeosInterrupt {
   public:
     GeosInterrupt();
@@ -15,8 +15,8 @@ class GeosInterrupt {
     GeosInterrupt& operator=(const GeosInterrupt&) = delete;
     ~GeosInterrupt();
 
-    /// While one lives, calls of GEOS from this thread fail soon after an end is asked for; who makes them
-    /// then asks `stop` as well. Does not nest.
+    /// Makes GEOS calls of this thread fail soon after a stop is requested; callers then have to check
+    /// `stop`. Must not be nested.
     class Watch {
       public:
         explicit Watch(const StopRequest& stop);

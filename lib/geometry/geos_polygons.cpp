@@ -10,7 +10,7 @@
 namespace d2b {
 namespace {
 
-/// Called from C: nothing may be thrown.
+/// Error handler called from C, so it must not throw.
 void remember(const char* text, void* message) noexcept {
     try {
         *static_cast<std::string*>(message) = text;
@@ -41,7 +41,7 @@ void set(FinePoint& p, double x, double y) {
     p = {static_cast<std::int64_t>(-y), static_cast<std::int64_t>(x)};
 }
 
-/// Relative to the first point, so that large coordinates do not drown the area.
+/// Relative to the first point, because large coordinates would cancel the area.
 template <typename Point>
 bool runs_counter_clockwise(const std::vector<Point>& ring) {
     double twice_area = 0;
@@ -53,7 +53,7 @@ bool runs_counter_clockwise(const std::vector<Point>& ring) {
     return twice_area > 0;
 }
 
-/// @param ring its last point repeats the first
+/// @param ring with repeated first point
 template <typename Point>
 std::vector<Point> oriented(std::vector<Point> ring, bool counter_clockwise) {
     if (!ring.empty())
@@ -71,7 +71,7 @@ std::vector<GEOSGeometry*> release(std::vector<GeometryPtr>& geometries) {
     return given;
 }
 
-/// Calls `visit` with every geometry in it that is no collection.
+/// Calls `visit` with every non-collection geometry in it.
 template <typename Visit>
 // NOLINTNEXTLINE(misc-no-recursion): GEOS makes no collections of collections but of multipolygons
 void for_each_part(GEOSContextHandle_t context, const GEOSGeometry* geometry, const Visit& visit) {
@@ -128,7 +128,7 @@ GeometryPtr GeosPolygons::polygon(const Polygon& polygon) const {
     holes.reserve(polygon.interiors.size());
     for (const auto& interior : polygon.interiors)
         holes.push_back(ring(interior));
-    // GEOS owns what it is given, also where it fails.
+    // GEOS takes ownership of its arguments even if it fails.
     std::vector<GEOSGeometry*> given = release(holes);
     return own(GEOSGeom_createPolygon_r(context(), shell.release(), given.data(),
                                         static_cast<unsigned>(given.size())));

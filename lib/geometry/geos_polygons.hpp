@@ -11,12 +11,11 @@
 
 namespace d2b {
 
-/// Plain polygons into GEOS and back, in a context of its own; one object per thread. Polygons are
-/// WorldPolygon, or FinePolygon with the columns as x and the rows as -y; both come back oriented as they
-/// say.
+/// Converts polygons to GEOS geometries and back, in a context of its own; one object per thread. Polygons
+/// are WorldPolygon, or FinePolygon with x = column and y = -row; both come back with their own orientation.
 class GeosPolygons {
   public:
-    /// @param stop asked between rings, and where GEOS gives up
+    /// @param stop checked between rings and after failures of GEOS
     explicit GeosPolygons(StopRequest stop = {});
     GeosPolygons(const GeosPolygons&) = delete;
     GeosPolygons& operator=(const GeosPolygons&) = delete;
@@ -25,29 +24,29 @@ class GeosPolygons {
     [[nodiscard]] GEOSContextHandle_t context() const { return context_.get(); }
     [[nodiscard]] const StopRequest& stop() const { return stop_; }
 
-    /// @param geometry what a function of GEOS returned @throws GeometryError, Cancelled where it is null
+    /// Takes ownership. @param geometry return value of GEOS @throws GeometryError, Cancelled if it is null
     [[nodiscard]] GeometryPtr own(GEOSGeometry* geometry) const;
-    /// The answer of a predicate. @throws GeometryError, Cancelled where it failed
+    /// Result of a predicate. @throws GeometryError, Cancelled if it failed
     [[nodiscard]] bool answer(char value) const;
 
-    /// @param what "on a polygon", before GEOS's message @throws GeometryError, Cancelled where that is the
-    /// reason
+    /// Throws after a failure of GEOS. @param what e.g. "on a polygon", precedes GEOS's message @throws
+    /// GeometryError, or Cancelled if a stop was requested
     [[noreturn]] void fail(const char* what) const;
 
     /// @param polygon rings of at least three finite points @throws GeometryError, Cancelled
     template <typename Polygon>
     [[nodiscard]] GeometryPtr polygon(const Polygon& polygon) const;
-    /// A MultiPolygon. @param polygons a list of such @throws GeometryError, Cancelled
+    /// Creates a MultiPolygon. @param polygons a list of polygons as above @throws GeometryError, Cancelled
     template <typename List>
     [[nodiscard]] GeometryPtr multi_polygon(const List& polygons) const;
-    /// The rings as lines. @throws GeometryError, Cancelled
+    /// Creates a MultiLineString of the rings. @throws GeometryError, Cancelled
     [[nodiscard]] GeometryPtr multi_line(std::span<const WorldPolygon> polygons) const;
 
-    /// The polygons of a geometry of any type.
-    /// @throws GeometryError where a vertex of a FinePolygon would not be whole
+    /// Extracts the polygons of any geometry.
+    /// @throws GeometryError if a vertex of a FinePolygon is not an integer
     template <typename Polygon>
     [[nodiscard]] std::vector<Polygon> polygons_of(const GEOSGeometry* geometry) const;
-    /// The lines of a geometry of any type.
+    /// Extracts the lines of any geometry.
     [[nodiscard]] std::vector<std::vector<Position>> lines_of(const GEOSGeometry* geometry) const;
 
   private:

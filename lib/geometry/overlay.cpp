@@ -17,12 +17,12 @@ bool finite(const Position& p) {
     return std::isfinite(p.x) && std::isfinite(p.y);
 }
 
-/// What GEOS can make a ring of.
+/// Returns true if GEOS can create a ring from it.
 bool usable(const WorldRing& ring) {
     return ring.size() >= 3 && std::ranges::all_of(ring, finite);
 }
 
-/// The positions and rings of a feature that GEOS can work with.
+/// Removes non-finite positions and rings that GEOS cannot create.
 Polygons usable_parts(const Polygons& feature) {
     Polygons result;
     for (WorldPolygon polygon : feature) {
@@ -43,7 +43,7 @@ struct PreparedDeleter {
     }
 };
 
-/// A geometry that many others are compared with.
+/// Prepared geometry, for testing many others against it.
 class Prepared {
   public:
     Prepared(const GeosPolygons& geos, std::span<const WorldPolygon> polygons)
@@ -138,7 +138,7 @@ std::vector<std::optional<std::size_t>> Overlay::holders(std::span<const WorldPo
         Position p;
         if (GEOSGeomGetX_r(geos.context(), point.get(), &p.x) != 1 ||
             GEOSGeomGetY_r(geos.context(), point.get(), &p.y) != 1)
-            continue;  // no inside
+            continue;  // empty interior
         tree.query(Box{p.x, p.y, p.x, p.y}, [&](std::size_t i) {
             if (!prepared[i])
                 prepared[i].emplace(geos, outers.subspan(i, 1));

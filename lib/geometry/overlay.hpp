@@ -10,18 +10,18 @@
 
 namespace d2b {
 
-/// The polygons of one feature or one area. Where a function takes an area, they must be valid and must not
-/// overlap; what functions return is so.
+/// Polygons of one feature or area. Areas must be valid and disjoint; returned polygons are.
 using Polygons = std::vector<WorldPolygon>;
 using Polyline = std::vector<Position>;
 
-/// What several features cover.
+/// Coverage of several features.
 struct Dissolved {
-    Polygons once;   ///< the union; pieces that only touch in points are separate
-    Polygons twice;  ///< what two or more features cover
+    Polygons once;   ///< union; parts that only touch in points are separate
+    Polygons twice;  ///< area covered by two or more features
 };
 
-/// Operations of GEOS on areas; one object per thread. All throw Error with GEOS's message where GEOS fails.
+/// GEOS overlay operations on areas; one object per thread. Calls cannot be cancelled, so use Geos for
+/// polygons of the size of a raster. All throw Error with the message of GEOS on failure.
 class Overlay {
   public:
     Overlay();
@@ -29,28 +29,28 @@ class Overlay {
     Overlay& operator=(Overlay&&) noexcept;
     ~Overlay();
 
-    /// Whether a feature is a valid MultiPolygon of finite coordinates.
+    /// True if a feature is a valid MultiPolygon with finite coordinates.
     [[nodiscard]] bool valid(const Polygons& feature);
-    /// The area of a feature that is not valid: what an odd number of times lies within its rings. Rings that
-    /// bound nothing and positions that are not finite are left out; may be empty.
+    /// Repairs an invalid feature with GEOS's structural repair: the area inside its exterior rings and
+    /// outside their holes. Drops degenerate rings and non-finite positions; the result may be empty.
     [[nodiscard]] Polygons made_valid(const Polygons& feature);
     /// @param features each valid; may be empty
     [[nodiscard]] Dissolved dissolve(std::span<const Polygons> features);
-    /// The union alone, which takes half the time. @param features each valid; may be empty
+    /// Computes only the union, in half the time. @param features each valid; may be empty
     [[nodiscard]] Polygons union_of(std::span<const Polygons> features);
-    /// The area of polygons that may be invalid and overlap.
+    /// Union of polygons that may be invalid and overlap.
     [[nodiscard]] Polygons repaired_union(std::span<const WorldPolygon> polygons);
     [[nodiscard]] Polygons intersection(const Polygons& a, const Polygons& b);
-    /// The rings of an area, closed, as far as they lie in or on the border of another.
+    /// Closed rings of an area, clipped to another area including its border.
     [[nodiscard]] std::vector<Polyline> rings_within(const Polygons& area, const Polygons& other);
-    /// Which features share a point with an area. @param features each valid
+    /// Per feature: true if it intersects an area. @param features each valid
     [[nodiscard]] std::vector<bool> touching(std::span<const Polygons> features, const Polygons& area);
-    /// For each inner polygon the one of `outers` that holds a point of its inside; nothing where none does.
+    /// Per inner polygon: index of the outer polygon that contains an interior point of it, if any.
     /// @param outers must not overlap
     [[nodiscard]] std::vector<std::optional<std::size_t>> holders(std::span<const WorldPolygon> inners,
                                                                   std::span<const WorldPolygon> outers);
-    /// Vertices that are left of a feature where a simplification that keeps its topology may move its
-    /// outline by a tolerance; closing vertices count. @param feature valid
+    /// Number of vertices of a feature after topology-preserving simplification, closing vertices included.
+    /// @param feature valid
     [[nodiscard]] std::size_t simplified_vertices(const Polygons& feature, double tolerance);
 
   private:

@@ -18,7 +18,7 @@ struct FreeText {
     void operator()(char* text) const { GEOSFree_r(context, text); }
 };
 
-/// What GEOS cannot even make a ring of, or null.
+/// Reason why GEOS cannot create a ring, or nullptr.
 const char* wrong_points(const WorldRing& ring) {
     if (ring.empty())
         return "a ring has no points";
@@ -37,7 +37,7 @@ const char* wrong_points(const WorldPolygon& polygon) {
     return nullptr;
 }
 
-/// As GEOS has it, of finite polygons.
+/// Result of GEOS for finite polygons.
 std::string plain_invalidity(const GeosPolygons& geos, std::span<const WorldPolygon> polygons) {
     GeometryPtr geometry;
     try {

@@ -9,12 +9,12 @@
 
 namespace d2b {
 
-/// What makes polygons invalid, with the place; "" where they are a valid MultiPolygon of finite positions.
-/// Where one is vast it is looked at inside out (vast_polygons.hpp). @throws Cancelled
+/// Reason and position if the polygons are invalid; "" if they form a valid MultiPolygon with finite
+/// positions. Vast polygons are tested inside out (vast_polygons.hpp). @throws Cancelled
 [[nodiscard]] std::string invalidity(const GeosPolygons& geos, std::span<const WorldPolygon> polygons);
 
-/// What the polygons cover, by GEOS's structural repair: what lies within an exterior ring and in none of its
-/// holes, however the rings run and cross. What they cover twice is covered once. May be empty.
+/// Repairs polygons with GEOSMakeValid, structure method: the area within an exterior ring and outside its
+/// holes, whatever the orientation and crossings of rings. Overlaps are merged. May be empty.
 /// @param polygons rings of at least three finite positions @throws GeometryError, Cancelled
 [[nodiscard]] std::vector<WorldPolygon> repaired(const GeosPolygons& geos,
                                                  std::span<const WorldPolygon> polygons);

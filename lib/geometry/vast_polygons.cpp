@@ -25,7 +25,7 @@ bool covers(const Box& outer, const Box& inner) {
 }  // namespace
 
 bool is_vast(const WorldPolygon& polygon) {
-    constexpr double most_comparisons = 1e7;  // some 30 ms
+    constexpr double most_comparisons = 1e7;  // about 30 ms
     return static_cast<double>(polygon.exterior.size()) * static_cast<double>(polygon.interiors.size()) >
            most_comparisons;
 }
@@ -46,7 +46,7 @@ std::vector<WorldPolygon> inside_out(const WorldPolygon& polygon) {
     return result;
 }
 
-/// Rings that touch each other in a circle, by way of different points, part the inside.
+/// Rings that touch each other in a cycle, at different points, disconnect the interior.
 std::optional<Position> parted_at(const WorldPolygon& polygon) {
     std::vector<Vertex> vertices;
     std::uint32_t rings = 0;

@@ -11,7 +11,7 @@ namespace d2b::ground {
 
 namespace {
 
-/// The blocks that cover `fine`, without values.
+/// Returns the blocks that cover `fine`, without values.
 AlignedGrid shape_of_blocks(const AlignedGrid& fine, Factor factor) {
     AlignedGrid blocks;
     blocks.first_row = block_of(fine.first_row, factor.down);

@@ -5,7 +5,7 @@
 
 namespace d2b::ground {
 
-/// Where a block lies, or a step from one block to another.
+/// Position of a block, or offset between two blocks.
 struct BlockPlace {
     std::int32_t row;
     std::int32_t col;

@@ -5,8 +5,7 @@
 
 namespace d2b::ground {
 
-/// The first value where `first` is 1, the second where it is 0. By bits, as compilers make a branch of a
-/// condition.
+/// Returns a if `first` is 1, b if it is 0. Branch-free, because the compiler turns ?: into a branch here.
 [[nodiscard]] inline float chosen(std::uint8_t first, float a, float b) {
     const std::uint32_t mask = 0U - first;
     return std::bit_cast<float>((std::bit_cast<std::uint32_t>(a) & mask) |

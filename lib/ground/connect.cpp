@@ -12,7 +12,7 @@
 namespace d2b::ground {
 namespace {
 
-/// From a block to one beside it.
+/// Offset of a neighbouring block.
 struct Neighbour {
     std::int32_t down;
     std::int32_t across;
@@ -39,8 +39,8 @@ class Growth {
         });
     }
 
-    /// Most blocks are ground from the start: those that join first look for a neighbour that is, not the
-    /// other way round.
+    /// Finds the first blocks that join. Searches from non-ground to ground, because most blocks are ground
+    /// at the start.
     void first_step(Executor& threads) {
         const std::vector<RowBand> bands = row_bands(grid_.rows, grid_.cols);
         std::vector<std::vector<Place>> joined(bands.size());
@@ -56,7 +56,7 @@ class Growth {
             mask_.at(place.row, place.col) = 1;
     }
 
-    /// All blocks that join in this step touch one that joined in the last.
+    /// Adds all blocks that touch one added in the previous step.
     void step() {
         std::vector<Place> joined;
         for (const Place& from : front_)

@@ -6,12 +6,12 @@
 
 namespace d2b::ground {
 
-/// Ground goes on where the surface does: from blocks that are ground to neighbours that are no step higher
-/// or lower, a limited number of times. So hilltops and terraces come back that an opening cut off; roofs do
-/// not, as their walls part them from the ground.
-/// @param limits the height above which a block is an object
-/// @param slope the steepest way from a block to its neighbour, metres a metre
-/// @return 1 where a block is connected ground
+/// Grows ground from blocks that are ground to neighbours without a step, for a limited number of steps. This
+/// restores hilltops and terraces that an opening removed. Roofs stay removed because walls separate them
+/// from the ground.
+/// @param limits height above which a block is an object
+/// @param slope steepest slope between neighbours, metres per metre
+/// @return 1 for connected ground
 [[nodiscard]] Grid<std::uint8_t> connected_ground(const AlignedGrid& blocks, const MetreGrid& limits,
                                                   double slope, int steps, Executor& threads);
 

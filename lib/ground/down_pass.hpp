@@ -29,15 +29,15 @@ struct Higher {
     }
 };
 
-/// Van Herk's and Gil and Werman's algorithm on whole rows: lines run down, `shift` columns a row. Blocks as
-/// long as a line are worked on from the first row to the last.
+/// Sliding minimum or maximum by van Herk (1992) and Gil and Werman (1993) on whole rows: lines run down,
+/// `shift` columns per row. Blocks as long as a line are processed from the first row to the last.
 template <typename Pick, typename T>
 class DownPass {
   public:
     DownPass(Rows<const T> from, Rows<T> into, std::int32_t radius, std::int32_t shift)
         : from_(from), into_(into), radius_(radius), shift_(shift) {}
 
-    /// Columns are taken in strips whose rows stay in the cache.
+    /// Processes the grid in strips of columns whose rows stay in the cache.
     void run() {
         constexpr std::int32_t strip = 2048;
         for (std::int32_t first = 0; first < from_.cols; first += strip) {
@@ -49,7 +49,7 @@ class DownPass {
 
     [[nodiscard]] std::int32_t length() const { return 2 * radius_ + 1; }
 
-    /// Some columns, before their first block.
+    /// Starts a range of columns before its first block.
     void begin(std::int32_t first, std::int32_t last) {
         margin_ = shift_ == 0 ? 0 : radius_;
         first_ = first - margin_;
@@ -61,7 +61,7 @@ class DownPass {
         other_ = prefix_;
     }
 
-    /// The rows from `top` on. It reads `radius` rows more on both sides.
+    /// Processes the block of rows from `top` on. Reads `radius` more rows on both sides.
     /// @param after called with the columns of each row
     void block(std::int32_t top, const AfterRow<T>& after) {
         fill_suffixes(top);
@@ -80,7 +80,7 @@ class DownPass {
   private:
     T* suffix(std::int32_t k) { return suffix_.data() + static_cast<std::ptrdiff_t>(k) * cols_; }
 
-    /// suffix k: lines from row top - radius + k to the block's last row, top + radius.
+    /// Fills suffix k: extrema of lines from row top - radius + k to the last row of the block, top + radius.
     void fill_suffixes(std::int32_t top) {
         std::fill(other_.begin(), other_.end(), Pick::template neutral<T>);
         extend(other_.data(), suffix(2 * radius_), top + radius_, shift_);
@@ -88,7 +88,7 @@ class DownPass {
             extend(suffix(k + 1), suffix(k), top - radius_ + k, shift_);
     }
 
-    /// Lines that end in the row before (or behind) are moved by a step and take in the row.
+    /// Extends lines that end in the previous (or next) row by one row, shifted by `step` columns.
     void extend(const T* old, T* out, std::int32_t row, std::int32_t step) {
         const std::int32_t begin = std::max(0, -step);
         const std::int32_t end = cols_ - std::max(0, step);
@@ -98,7 +98,7 @@ class DownPass {
             std::fill(out + end, out + cols_, Pick::template neutral<T>);
             return;
         }
-        // Beside the grid all is neutral, which changes no line.
+        // Cells outside of the grid are neutral, so lines there are copied.
         const std::int32_t grid_begin = std::clamp(-first_, begin, end);
         const std::int32_t grid_end = std::clamp(from_.cols - first_, grid_begin, end);
         const T* cells = from_.row(row);
@@ -113,7 +113,7 @@ class DownPass {
             out[j] = of_row(cells, j);
     }
 
-    /// The value of a row in one of the strip's columns, neutral outside the grid.
+    /// Value of a row in one of the strip's columns, neutral outside of the grid.
     [[nodiscard]] T of_row(const T* cells, std::int32_t j) const {
         const std::int32_t col = first_ + j;
         return col >= 0 && col < from_.cols ? cells[col] : Pick::template neutral<T>;
@@ -136,8 +136,8 @@ class DownPass {
     std::int32_t radius_;
     std::int32_t shift_;
     std::int32_t margin_ = 0;
-    std::int32_t first_ = 0;  ///< column of the strip's first, margin included
-    std::int32_t last_ = 0;   ///< column behind the strip, without a margin
+    std::int32_t first_ = 0;  ///< first column of the strip, including its margin
+    std::int32_t last_ = 0;   ///< one past the last column of the strip, without margin
     std::int32_t cols_ = 0;
     std::vector<T> suffix_, prefix_, other_;
 };

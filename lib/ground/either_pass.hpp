@@ -15,7 +15,7 @@ namespace d2b::ground {
     return line == Line::column ? 0 : (line == Line::right_diagonal ? 1 : -1);
 }
 
-/// Calls use() with the narrow pass of a radius.
+/// Calls use() with the NarrowPass of a radius.
 template <typename Pick, typename T, std::int32_t radius = widest_narrow, typename Use>
 void with_narrow(std::int32_t wanted, const Use& use) {
     if constexpr (radius > 0)
@@ -40,7 +40,7 @@ void pass(const Grid<T>& from, Grid<T>& into, Line line, std::int32_t radius) {
     }
 }
 
-/// What line_pass() does, to be built for one processor or another.
+/// Implements line_pass(), to be compiled for several processors.
 template <typename T>
 void either_pass(const Grid<T>& from, Grid<T>& into, Line line, Extremum which, std::int32_t radius) {
     if (which == Extremum::lowest)
@@ -49,7 +49,7 @@ void either_pass(const Grid<T>& from, Grid<T>& into, Line line, Extremum which, 
         pass<Higher>(from, into, line, radius);
 }
 
-/// @param ring of the rows of the first pass
+/// @param ring for rows of the first pass
 template <typename First, typename Second, typename T>
 void narrow_double_pass(const Grid<T>& from, Grid<T>& into, std::int32_t radius, const Rows<T>& ring,
                         const AfterRow<T>& between, const AfterRow<T>& after) {
@@ -84,7 +84,7 @@ void wide_double_pass(const Grid<T>& from, Grid<T>& into, std::int32_t radius, s
     }
 }
 
-/// What double_pass() does.
+/// Implements double_pass().
 template <typename T>
 void either_double_pass(const Grid<T>& from, Grid<T>& into, Line line, Extremum which, std::int32_t radius,
                         const AfterRow<T>& between, const AfterRow<T>& after) {

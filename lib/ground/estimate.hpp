@@ -5,11 +5,11 @@
 
 namespace d2b::ground {
 
-/// estimate_ground with other rules than the defaults. @param width of the widest building, metres
+/// Same as estimate_ground() with given rules. @param width of the widest building, metres
 [[nodiscard]] Terrain estimate(MetreGrid& surface, const CellSize& cell, double width, const Context& context,
                                const GridPlace& place, const Rules& rules);
 
-/// ground_halo with other rules than the defaults.
+/// Same as ground_halo() with given rules.
 [[nodiscard]] double halo(const CellSize& cell, double width, const Rules& rules);
 
 }  // namespace d2b::ground

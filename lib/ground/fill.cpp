@@ -21,8 +21,8 @@ void mark_gaps(std::span<const float> cells, std::span<std::uint8_t> gaps) {
         gaps[j] = cells[j] == no_value ? 1 : 0;
 }
 
-/// Adds a row of cells to the sums and numbers of its blocks of two.
-/// @param odd whether the first cell is the second of its block
+/// Adds a row of cells to the sums and counts of its blocks of two.
+/// @param odd true if the first cell is the second of its block
 void add_row(std::span<const float> cells, bool odd, std::span<float> sums, std::span<float> counts) {
     const auto add = [&](std::size_t cell, std::size_t block) {
         const bool known = cells[cell] != no_value;
@@ -41,7 +41,7 @@ void add_row(std::span<const float> cells, bool odd, std::span<float> sums, std:
         add(first + 2 * pairs, first + pairs);
 }
 
-/// The mean of each block's values; `no_value` where it has none. Marks the gaps of the cells as well.
+/// Computes the mean of each block, `no_value` if it has no values, and marks the gaps of the cells.
 /// @param means of blocks_of(fine), any values
 void take_means(const AlignedGrid& fine, AlignedGrid& means, Gaps& gaps, Executor& threads) {
     const bool odd = block_of(fine.first_col, 2) * 2 != fine.first_col;
@@ -66,7 +66,7 @@ bool any_gap(const MetreGrid& grid) {
     return std::find(grid.values.begin(), grid.values.end(), no_value) != grid.values.end();
 }
 
-/// Makes the pyramid's next level, if it has none of that number yet.
+/// Adds the next level of the pyramid if it does not exist yet.
 void add_level(const AlignedGrid& fine, std::size_t level, Pyramid& pyramid, Executor& threads) {
     if (level < pyramid.coarser.size())
         return;
@@ -74,14 +74,15 @@ void add_level(const AlignedGrid& fine, std::size_t level, Pyramid& pyramid, Exe
     pyramid.coarser.push_back(blocks_of(fine, twice, 0.0F, threads));
 }
 
-/// Old values of two rows.
+/// Values of two rows before smoothing.
 struct TwoRows {
     std::vector<float> above;
     std::vector<float> here;
 };
 
-/// Gaps take the mean of their four neighbours, all at once: a relaxation reaches one cell far.
-/// @param gaps_first the row of the gaps that is the grid's first
+/// Sets gaps to the mean of their four neighbours, all at once (Jacobi): each relaxation propagates by one
+/// cell.
+/// @param gaps_first row of `gaps` that corresponds to the first row of the grid
 D2B_FOR_EACH_PROCESSOR void smooth(MetreGrid& grid, const Gaps& gaps, std::int32_t gaps_first, TwoRows& old) {
     const auto cols = static_cast<std::size_t>(grid.cols);
     old.above.assign(grid.row(0).begin(), grid.row(0).end());
@@ -109,7 +110,7 @@ D2B_FOR_EACH_PROCESSOR void smooth(MetreGrid& grid, const Gaps& gaps, std::int32
     }
 }
 
-/// Fills the gaps of a level from the one above.
+/// Fills the gaps of a level from the next coarser one.
 void fill_level(AlignedGrid& fine, const Gaps& gaps, const AlignedGrid& coarse, int relaxations,
                 Executor& threads) {
     const LevelAbove above(fine, coarse);

@@ -27,8 +27,8 @@ AlignedGrid shape_at(const MetreGrid& surface, const CellSize& cell, const GridP
     return shape;
 }
 
-/// Structuring elements of a series of openings: each reaches twice its radius, rounded to cells that grow up
-/// to its size.
+/// Reach of a series of openings: each depends on cells within twice its radius, rounded up to cells that
+/// grow to its size.
 double openings_halo(double radius, double last_radius, double growth, double cell) {
     double sum = 0;
     while (radius <= last_radius * 1.0001) {
@@ -38,8 +38,8 @@ double openings_halo(double radius, double last_radius, double growth, double ce
     return sum;
 }
 
-/// Gaps as wide as twice the distance to the ground are filled from blocks of that size, and those from
-/// blocks around them that each level's interpolation and smoothing reach.
+/// Reach of filling: gaps as wide as twice the distance to the ground are filled from blocks of that size,
+/// which depend on the blocks within reach of each level's interpolation and smoothing.
 double fill_halo(double distance, double cell, int relaxations) {
     double sum = 0;
     double block = cell;
@@ -81,8 +81,8 @@ double halo(const CellSize& cell, double width, const Rules& rules) {
     const double block = std::max(work, 2 * rules.block);
     const double widest = rules.reach * width;
     const double pits = 2 * (rules.pit_radius + work) + rules.pit_reach + work;
-    // Limits of blocks hold for their neighbours: blocks of the coarsest level are as large as an element's
-    // part.
+    // Limits of blocks also apply to their neighbours, and blocks of the coarsest level are as large as part
+    // of an element.
     const double neighbours = 2 * std::max(widest / 4, block);
     return side + pits + openings_halo(work, rules.small_radius, rules.small_growth, work) +
            openings_halo(rules.small_radius, widest, rules.large_growth, block) + neighbours +

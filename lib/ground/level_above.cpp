@@ -8,8 +8,8 @@
 namespace d2b::ground {
 namespace {
 
-/// Between the centres of blocks of two cells: for each two of them the cells a quarter and three quarters of
-/// the way from one to the next.
+/// Interpolates between the centres of blocks of two cells: for each pair of blocks, the cells at one and
+/// three quarters of the distance.
 D2B_FOR_EACH_PROCESSOR void between_centres(std::span<const float> blocks, float* cells) {
     for (std::size_t k = 0; k + 1 < blocks.size(); ++k) {
         const float near = blocks[k];
@@ -46,7 +46,8 @@ void LevelAbove::fill_row(std::int32_t row, std::span<const std::uint8_t> gap, R
     fill_where(gap, room.cells, cells);
 }
 
-/// To all cells, also those that have a value: most are near one that has none, and nothing branches.
+/// Interpolates for all cells, including those with a value, because most are near a gap and the loop then
+/// needs no branch.
 void LevelAbove::spread(Room& room) const {
     const std::size_t pairs = std::min(room.blocks.size() - 1, (room.cells.size() - first_second_) / 2);
     between_centres(std::span(room.blocks).first(pairs + 1), room.cells.data() + first_second_);
@@ -56,7 +57,7 @@ void LevelAbove::spread(Room& room) const {
         const float b = room.blocks[static_cast<std::size_t>(place.next)];
         room.cells[j] = a + place.share * (b - a);
     };
-    // Before the centre of the first block, and behind that of the last.
+    // Cells before the centre of the first block and after that of the last.
     for (std::size_t j = 0; j < first_second_; ++j)
         place_cell(j);
     for (std::size_t j = first_second_ + 2 * pairs; j < room.cells.size(); ++j)

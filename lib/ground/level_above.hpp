@@ -10,17 +10,17 @@
 
 namespace d2b::ground {
 
-/// A level of blocks of 2 x 2 cells, between the centres of the blocks.
+/// Interpolates between the centres of blocks of 2 x 2 cells, the next coarser level.
 class LevelAbove {
   public:
     LevelAbove(const AlignedGrid& fine, const AlignedGrid& coarse);
 
-    /// Kept from one row to the next, so that memory is asked for once.
+    /// Buffers reused between rows.
     struct Room {
         std::vector<float> blocks;
         std::vector<float> cells;
     };
-    /// Fills the gaps of a row of the fine grid. @param gap 1 where a cell has no value, else 0
+    /// Fills the gaps in a row of the fine grid. @param gap 1 for cells without a value, else 0
     void fill_row(std::int32_t row, std::span<const std::uint8_t> gap, Room& room,
                   std::span<float> cells) const;
 
@@ -30,7 +30,7 @@ class LevelAbove {
     const MetreGrid& coarse_;
     Between down_;
     Between across_;
-    std::size_t first_second_;  ///< the first cell that is the second of its block
+    std::size_t first_second_;  ///< first cell that is the second of its block
 };
 
 }  // namespace d2b::ground

@@ -11,8 +11,8 @@
 namespace d2b::ground {
 namespace {
 
-/// Of a row and the rows above and below, the lowest value of three columns.
-/// @param column room for a row
+/// Computes the minimum of each cell of a row and its eight neighbours.
+/// @param column buffer for a row
 void lowest_of_nine(const MetreGrid& grid, std::int32_t row, std::vector<float>& column,
                     std::span<float> lowest) {
     const Lower lower;

@@ -10,17 +10,18 @@ namespace d2b::ground {
 
 inline constexpr std::int32_t widest_narrow = 3;
 
-/// The values picked from lines of 2 * radius + 1 cells along rows or down columns, each line looked at
-/// cell by cell: for narrow ones that takes fewer steps than any sharing between lines.
+/// Extrema of lines of 2 * radius + 1 cells along rows or down columns, computed cell by cell, because for
+/// short lines that takes fewer steps than sharing work between lines.
 template <typename Pick, std::int32_t radius, typename T>
 class NarrowPass {
   public:
-    /// @param out another row than `in`
+    /// @param out row other than `in`
     static void along_row(const T* in, std::int32_t cols, T* out) {
         const std::int32_t inner = std::max(cols - radius, radius);
         for (std::int32_t j = radius; j < inner; ++j)
             out[j] = picked([&](std::int32_t k) { return in[j + k]; });
-        // Beyond an end its own value stands: it changes no pick of a line that holds it.
+        // Beyond an end, repeats the cell at that end, because it does not change the extremum of a line that
+        // contains it.
         const auto at_end = [&](std::int32_t j) {
             out[j] = picked([&](std::int32_t k) { return in[std::clamp(j + k, 0, cols - 1)]; });
         };
@@ -30,7 +31,7 @@ class NarrowPass {
             at_end(j);
     }
 
-    /// One row. @param out as long as it
+    /// Computes one row. @param out row of the same length
     static void down_columns(const Rows<const T>& from, std::int32_t i, T* out) {
         across(from, i, out, std::make_integer_sequence<std::int32_t, radius>());
     }

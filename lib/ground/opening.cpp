@@ -35,8 +35,8 @@ void take_margin(const Grid<T>& wide, Radius margin, Grid<T>& grid) {
         std::copy_n(wide.row(i + margin.down).begin() + margin.across, grid.cols, grid.row(i).begin());
 }
 
-/// Of the lines down columns the extrema in the order of an opening or a closing, and between both those of
-/// lines along rows, whose order does not matter: so a grid is passed once, not four times.
+/// Opens or closes by a rectangle. The order of passes along columns matters; the passes along rows are done
+/// between them, so that the grid is traversed once instead of four times.
 template <typename T>
 void rectangle(const Grid<T>& grid, Extremum first, Radius radius, Workspace<T>& workspace, Grid<T>& out,
                const AfterRow<T>& after) {
@@ -45,7 +45,7 @@ void rectangle(const Grid<T>& grid, Extremum first, Radius radius, Workspace<T>&
         [&](std::span<T> row) { open_row(row, first, radius.across, workspace.row); }, after);
 }
 
-/// Of each row that is opened, cells without a value keep none.
+/// Returns a function that clears cells without a value in each opened row.
 template <typename T>
 AfterRow<T> gaps_kept(const Grid<T>& surface, bool any) {
     if (!any)
@@ -53,7 +53,7 @@ AfterRow<T> gaps_kept(const Grid<T>& surface, bool any) {
     return [&surface, i = std::int32_t{0}](std::span<T> row) mutable { keep_gaps(surface.row(i++), row); };
 }
 
-/// Opens the surface with room around it for elements that reach out of it.
+/// Opens the surface with a margin for elements that extend beyond it.
 template <typename T, typename Open>
 void with_room(const Grid<T>& surface, Radius outside, Workspace<T>& workspace, Grid<T>& opened, Open open) {
     fit(opened, surface);
@@ -75,7 +75,7 @@ void open_along(const Grid<T>& surface, Line line, std::int32_t radius, Grid<T>&
                 [](std::span<T> row) { turn_row(row, Extremum::lowest); }, {});
 }
 
-/// The second highest of four values, cell by cell. @param row of the first, and then of these
+/// Computes the second highest of four values, cell by cell. @param row first values; receives the results
 template <typename T>
 void second_highest(std::span<T> row, std::span<const T> second, std::span<const T> third,
                     std::span<const T> fourth) {

@@ -17,9 +17,9 @@ Radius at_least_a_cell(double metres, const CellSize& cell) {
             std::max(1, static_cast<std::int32_t>(std::lround(metres / cell.across)))};
 }
 
-/// Room for a tile and what lies around it.
+/// Buffers for a tile with its surroundings.
 struct Part {
-    WholeSteps whole;  ///< in the place of the others where all elevations are whole steps
+    WholeSteps whole;  ///< replaces the others if all elevations are whole steps
     MetreGrid surface;
     MetreGrid next;
     Workspace<float> workspace;
@@ -33,11 +33,11 @@ struct Search {
     [[nodiscard]] std::int32_t reach() const {
         return std::max(2 * closed.down + around.down, 2 * closed.across + around.across);
     }
-    /// Whether a value lies deep below another; not where there is none.
+    /// Returns true if a value lies deep below `other`; false if there is no `other`.
     [[nodiscard]] bool below(float z, float other) const { return other != no_value && z < other - depth; }
 };
 
-/// Whether a cell may lie deep below the closed surface. @param deep whether one value does so to another
+/// Returns true if any cell may lie deep below the closed surface. @param deep tests two values
 template <typename T, typename Deep>
 bool may_have_pits(const Grid<T>& surface, const Grid<T>& closed, Deep deep) {
     int any = 0;
@@ -48,13 +48,13 @@ bool may_have_pits(const Grid<T>& surface, const Grid<T>& closed, Deep deep) {
     return any != 0;
 }
 
-/// The lowest around each cell of the closed surface. @return false: no cell has a pit, and none was looked
-/// for
+/// Computes the minimum around each cell of the closed surface. @return false if no cell can be a pit, so
+/// that it was not computed
 template <typename T, typename Deep>
 bool find_around(const Grid<T>& surface, const Search& search, Workspace<T>& workspace, Grid<T>& around,
                  Deep deep) {
     closed_by_rectangle(surface, search.closed, workspace, around);
-    if (!may_have_pits(surface, around, deep))  // below all around is below what is here
+    if (!may_have_pits(surface, around, deep))  // necessary condition
         return false;
     Grid<T>& along_rows = workspace.roomy;
     along_rows = around;

@@ -8,16 +8,15 @@
 
 namespace d2b::ground {
 
-/// A cell of the working grid whose points below a height are low outliers, such as pulses that came back by
-/// detours.
+/// Cell of the working grid with low outliers below a height, such as pulses delayed by multiple reflections.
 struct Pit {
     std::int32_t row = 0;
     std::int32_t col = 0;
     float limit = 0;
 };
 
-/// A pit counts only where it lies below all ground around it: alleys and courts lie as deep below the roofs
-/// beside them, but as high as the next street. @return in scan order
+/// Finds low outliers: cells below all ground around them. Alleys and courts also lie far below the adjacent
+/// roofs but as high as the next street, so they are kept. @return in scan order
 [[nodiscard]] std::vector<Pit> find_pits(const AlignedGrid& lowest, const Rules& rules, Executor& threads);
 
 }  // namespace d2b::ground

@@ -15,11 +15,11 @@ namespace {
 
 enum Seen : std::uint8_t {
     not_seen,
-    here,  ///< the plateau that is looked at
+    here,  ///< current plateau
     done
 };
 
-/// Follows plateaus, each once. What a plateau is does not depend on where it is entered.
+/// Traces plateaus, each once. The result does not depend on the block at which tracing starts.
 class Plateaus {
   public:
     Plateaus(const AlignedGrid& blocks, const Rules& rules, double largest)
@@ -59,13 +59,14 @@ class Plateaus {
         left_ = std::min(left_, at.col);
         right_ = std::max(right_, at.col);
     }
-    /// What reaches the border of the raster may go on.
+    /// Returns true if the component is too long or reaches the border of the raster, beyond which it may
+    /// continue.
     [[nodiscard]] bool may_be_ground() const {
         return top_ == 0 || left_ == 0 || bottom_ + 1 == grid_.rows || right_ + 1 == grid_.cols ||
                (bottom_ - top_ + 1) * blocks_.cell.down > largest_ ||
                (right_ - left_ + 1) * blocks_.cell.across > largest_;
     }
-    /// Last come, first served: so a long plateau is left soon. @return whether its end was reached
+    /// Traces depth first, because that leaves a long plateau early. @return true if it was traced completely
     [[nodiscard]] bool follow() {
         bool ends = !may_be_ground();
         while (ends && !open_.empty()) {
@@ -78,7 +79,8 @@ class Plateaus {
         open_.clear();
         return ends;
     }
-    /// @param k of blocks_around @return false where that leads to what is no roof
+    /// @param k index in blocks_around @return false if the neighbour belongs to a component that is not a
+    /// roof
     [[nodiscard]] bool go(BlockPlace from, std::size_t k) {
         const BlockPlace step = blocks_around[k];
         const BlockPlace to{from.row + step.row, from.col + step.col};
@@ -99,8 +101,8 @@ class Plateaus {
         return is_known(at) && seen_.at(at.row, at.col) != here;
     }
 
-    /// Of the border of a plateau: by more than a wall's height in the next block, or within two, since a
-    /// wall may lean over a block.
+    /// Share of the border of a plateau that drops by more than the height of a wall in the next block, or
+    /// within two, because a wall may extend into a block.
     [[nodiscard]] double share_that_falls() const {
         std::int64_t border = 0;
         std::int64_t falls = 0;
@@ -123,7 +125,7 @@ class Plateaus {
     const MetreGrid& grid_;
     const Rules& rules_;
     double largest_;
-    std::array<double, blocks_around.size()> rises_{};  ///< up to which ground goes on, by step
+    std::array<double, blocks_around.size()> rises_{};  ///< largest rise of ground, per neighbour
     Grid<std::uint8_t> seen_;
     Mask roofs_;
     std::vector<BlockPlace> plateau_;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double widest_in_cells = 30;
 constexpr double neighbour_slope = 0.5;
-constexpr std::int32_t most_around_tile = 60;  ///< or one element's, where that sees farther
+constexpr std::int32_t most_around_tile = 60;  ///< or the reach of a single element if that is larger
 
 Radius in_cells(double metres, const CellSize& cell) {
     return {static_cast<std::int32_t>(std::lround(metres / cell.down)),
@@ -26,7 +26,7 @@ double smaller_side(const CellSize& cell) {
     return std::min(cell.across, cell.down);
 }
 
-/// How far from a cell elements look, along rows, columns or diagonals.
+/// Returns the number of cells around a cell that affect its opened value, along rows, columns or diagonals.
 std::int32_t reach_of(std::span<const Step> steps) {
     std::int32_t sum = 0;
     for (const Step& step : steps)
@@ -34,8 +34,7 @@ std::int32_t reach_of(std::span<const Step> steps) {
     return sum;
 }
 
-/// Lowers the limits of some cells of a row that one opening, from `old` to `now`, cut off by more than the
-/// elements allow.
+/// Lowers the limits of cells that one opening, from `old` to `now`, lowered by more than `rise`.
 void lower_limits(std::span<float> limits, const float* old, const float* now, float rise) {
     for (std::size_t j = 0; j < limits.size(); ++j) {
         const float limit = now[j] + rise;
@@ -44,7 +43,7 @@ void lower_limits(std::span<float> limits, const float* old, const float* now, f
     }
 }
 
-/// Calls use(begin, end, rise) for stretches of a row of a part, and how far objects rise there.
+/// Calls use(begin, end, rise) for ranges of columns in a row of a part with the height of objects there.
 template <typename Use>
 void for_stretches(const OpenedPart& part, const Step& step, std::int32_t i, const Use& use) {
     const std::int32_t row = part.tile.row + i;
@@ -70,7 +69,7 @@ void set_limits(OpenedPart& part, const Step& step) {
         });
 }
 
-/// The same in whole steps, which become metres only where a cell may have been cut off by as much.
+/// Same for whole steps. Converts to metres only chunks with a cell that may have been lowered by as much.
 D2B_FOR_EACH_PROCESSOR void set_limits_of_steps(OpenedPart& part, const Step& step) {
     constexpr std::size_t piece = 64;
     const WholeSteps& values = part.whole;
@@ -112,7 +111,7 @@ void lower_row(std::span<const float> by, std::span<float> limits) {
         limits[j] = std::min(limits[j], by[j]);
 }
 
-/// As many elements of a series as tiles can be opened by without looking too far around.
+/// Returns the first elements of a series, as many as tiles can be opened by with limited surroundings.
 std::span<const Step> first_steps(std::span<const Step> steps) {
     std::size_t count = 1;
     while (count < steps.size() && reach_of(steps.first(count + 1)) <= most_around_tile)
@@ -120,8 +119,8 @@ std::span<const Step> first_steps(std::span<const Step> steps) {
     return steps.first(count);
 }
 
-/// Opens a grid by all elements of a series. @return what is left; nothing where there are no elements
-/// @param limits set where there are elements @param beside is empty once it was done
+/// Opens a grid by all elements of a series. @return opened grid; empty if there are no elements
+/// @param limits set if there are elements @param beside is emptied once it was done
 MetreGrid open_whole(const MetreGrid& surface, std::span<const Step> steps, Element element,
                      MetreGrid& limits, Executor& threads, std::function<void()>& beside) {
     const std::vector<Tile> tiles = tiles_of(surface.rows, surface.cols, tile_side);
@@ -254,7 +253,7 @@ MetreGrid limits_on_blocks(const AlignedGrid& surface, const StructuringElements
         blocks = std::move(coarse.grid);
         cells = &blocks;
     }
-    if (beside)  // there was no element at all
+    if (beside)  // there were no elements
         beside();
     for (std::size_t k = levels.size(); k-- > 1;)
         lower_limits(limits[k - 1], levels[k - 1], levels[k], limits[k], threads);

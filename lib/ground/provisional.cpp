@@ -19,15 +19,15 @@ namespace {
 constexpr float above_all_limits = std::numeric_limits<float>::infinity();
 constexpr float below_all = -std::numeric_limits<float>::infinity();
 
-/// What opening by small elements leaves of a surface, but `above_all_limits` where a cell is of a small
-/// object; and the lowest it leaves of each block.
+/// Surface opened by small elements, but `above_all_limits` in cells of small objects, and the minimum of
+/// each block of the opened surface.
 struct SmallOpened {
     MetreGrid surface;
     AlignedGrid blocks;
     double next_radius = 0;
 };
 
-/// The cells of a tile of blocks.
+/// Returns the cells of a tile of blocks.
 Tile cells_of(const Tile& tile, const AlignedGrid& fine, const AlignedGrid& blocks, Factor factor) {
     const std::int32_t row = (blocks.first_row + tile.row) * factor.down - fine.first_row;
     const std::int32_t col = (blocks.first_col + tile.col) * factor.across - fine.first_col;
@@ -42,7 +42,7 @@ SmallOpened open_small(const AlignedGrid& surface, Factor factor, const Structur
     SmallOpened result{MetreGrid::unset(surface.grid.rows, surface.grid.cols, threads),
                        blocks_of(surface, factor, no_value, threads), series.next_radius};
     MetreGrid& blocks = result.blocks.grid;
-    // Near a pole cells of degrees are so narrow that a block of them is wider than a tile.
+    // Limits the side, because near a pole cells in degrees are so narrow that a block is wider than a tile.
     const std::int32_t side = std::max(tile_side / std::max(factor.down, factor.across), 1);
     const std::vector<Tile> tiles = tiles_of(blocks.rows, blocks.cols, side);
     threads.for_each_in_room<OpenedPart>(tiles.size(), [&](std::size_t t, OpenedPart& part) {
@@ -55,7 +55,7 @@ SmallOpened open_small(const AlignedGrid& surface, Factor factor, const Structur
             const float* z = surface.grid.row(cells.row + i).data() + cells.col;
             float* out = result.surface.row(cells.row + i).data() + cells.col;
             for (std::size_t j = 0; j < opened.size(); ++j) {
-                const float left = opened[j];  // read in any case, so that nothing branches
+                const float left = opened[j];  // read unconditionally, so that the loop needs no branch
                 out[j] = z[j] <= limits[j] ? left : above_all_limits;
             }
             const std::int32_t row =
@@ -68,7 +68,7 @@ SmallOpened open_small(const AlignedGrid& surface, Factor factor, const Structur
     return result;
 }
 
-/// Blocks without a point take the lowest value beside them, so that ground and lines go on between sparse
+/// Fills blocks without a point from the lowest neighbour, so that ground and lines continue between sparse
 /// points.
 void close_gaps(MetreGrid& grid, Executor& threads) {
     const MetreGrid around = lowest_around(grid, threads);
@@ -78,14 +78,14 @@ void close_gaps(MetreGrid& grid, Executor& threads) {
     });
 }
 
-/// The steepest way on from a block. Within two blocks a step of `wall_rise` is a wall, so half of it in one
-/// is none.
+/// Steepest slope between ground blocks. A step of `wall_rise` within two blocks is a wall, so half of it
+/// within one block is not.
 double link_slope(const CellSize& block, const Rules& rules) {
     return std::max(rules.link_slope, rules.wall_rise / 2 / std::max(block.across, block.down));
 }
 
-/// The heights up to which cells are ground, by the block that they lie in: below the limit of large objects,
-/// or connected to the ground and low enough seen along lines.
+/// Computes the height up to which cells are ground, per block: below the limit of large objects, or
+/// connected to the ground and low enough by the openings along lines.
 MetreGrid limits_of_blocks(AlignedGrid& blocks, double next_radius, double width, const Rules& rules,
                            Executor& threads) {
     close_gaps(blocks.grid, threads);
@@ -93,7 +93,7 @@ MetreGrid limits_of_blocks(AlignedGrid& blocks, double next_radius, double width
                                  rules.large_slope,  rules.large_growth,  rules.border_reach,
                                  rules.large_border, rules.border_share};
     MetreGrid sure = limits_on_blocks(blocks, elements, Element::rectangle, threads);
-    // Ground is followed from block to block, which one thread does: meanwhile the others open by lines.
+    // Runs the single-threaded growth of ground while the other threads open by lines.
     Grid<std::uint8_t> ground;
     Mask roofs;
     const auto follow_ground = [&] {
@@ -161,7 +161,7 @@ AlignedGrid without_objects(const AlignedGrid& surface, double width, const Rule
             const auto cells = surface.grid.row(i);
             const auto out = ground.grid.row(i);
             for (std::size_t j = 0; j < out.size(); ++j) {
-                const float z = cells[j];  // read in any case, so that nothing branches
+                const float z = cells[j];  // read unconditionally, so that the loop needs no branch
                 out[j] = out[j] <= limit[j] ? z : no_value;
             }
         }

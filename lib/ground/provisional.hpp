@@ -7,17 +7,17 @@
 
 namespace d2b::ground {
 
-/// Where the surface is no object: its own height; `no_value` elsewhere.
+/// Returns the surface with `no_value` in cells of objects.
 [[nodiscard]] AlignedGrid without_objects(const AlignedGrid& surface, double width, const Rules& rules,
                                           Executor& threads);
 
-/// The terrain of the working grid, without gaps: what lies near the provisional terrain is ground (SMRF's
-/// last test), the rest is filled again. Memory: 4 bytes a cell, as much as the surface; beside them 7 at
-/// most.
+/// Returns the terrain of the working grid without gaps: points near the provisional terrain are ground (last
+/// test of SMRF), the rest is filled again. Memory: 4 bytes per cell, as much as the surface, and at most 7
+/// more temporarily.
 [[nodiscard]] AlignedGrid working_terrain(const AlignedGrid& surface, double width, const Rules& rules,
                                           Executor& threads);
 
-/// The slopes of a row in metres a metre, from the cells beside; at the border from the cell itself.
+/// Computes the slopes of a row in metres per metre by central differences; one-sided at the border.
 void slopes_of_row(const MetreGrid& terrain, std::int32_t row, const CellSize& cell, std::span<float> slopes);
 
 }  // namespace d2b::ground

@@ -12,7 +12,7 @@
 namespace d2b::ground {
 namespace {
 
-/// The pits of a row of the working grid.
+/// Returns the low outliers in a row of the working grid.
 std::span<const Pit> pits_in(std::span<const Pit> pits, std::int32_t row) {
     const auto first =
         std::partition_point(pits.begin(), pits.end(), [&](const Pit& p) { return p.row < row; });
@@ -20,7 +20,7 @@ std::span<const Pit> pits_in(std::span<const Pit> pits, std::int32_t row) {
     return {first, last};
 }
 
-/// Low outliers: what lies below the limits of pits.
+/// Marks points below the limits of outlier cells.
 struct Outliers {
     std::span<const Pit> pits;  ///< of the working grid
     std::int32_t first_row;     ///< of that grid
@@ -28,11 +28,11 @@ struct Outliers {
     Factor factor;
     GridPlace place;
 
-    /// @param below the working terrain of the row
+    /// @param below working terrain of the row
     void mark(std::int32_t row, std::span<const float> surface, std::span<const float> below,
               std::span<float> terrain, std::span<std::uint8_t> flags) const {
         for (const Pit& pit : pits_in(pits, block_of(place.row + row, factor.down) - first_row)) {
-            const std::int32_t col = factor.across * (first_col + pit.col) - place.col;  // may lie before it
+            const std::int32_t col = factor.across * (first_col + pit.col) - place.col;  // may be negative
             const auto end = std::min(static_cast<std::size_t>(col + factor.across), surface.size());
             for (auto j = static_cast<std::size_t>(std::max(col, 0)); j < end; ++j)
                 if (surface[j] < pit.limit) {
@@ -43,11 +43,11 @@ struct Outliers {
     }
 };
 
-/// Terrain and tolerance between the rows and columns of the working grid, for a band of the surface's rows.
+/// Interpolates terrain and tolerance from the working grid, for a band of rows of the surface.
 class Refinement {
   public:
-    /// @param working some rows of it are enough: those around the band
-    /// @param across of the surface's columns
+    /// @param working only rows around the band are needed
+    /// @param across weights for the columns of the surface
     Refinement(RowBand band, const GridPlace& place, const AlignedGrid& working, Factor factor,
                const Rules& rules, const Between& across)
         : first_(band.begin),
@@ -58,11 +58,11 @@ class Refinement {
                 factor.down),
           across_(across) {}
 
-    /// Room for rows of the surface, and for one of the working grid.
+    /// Buffers for rows of the surface and one of the working grid.
     struct Rows {
         std::vector<float> terrain, tolerance, between;
         MetreGrid tolerances;        ///< rows of the working grid ...
-        std::int32_t first_row = 0;  ///< ... from this one on
+        std::int32_t first_row = 0;  ///< ... starting at this one
     };
 
     [[nodiscard]] Rows rows() const {
@@ -91,7 +91,7 @@ class Refinement {
     }
 
   private:
-    /// A row between two rows of the working grid, between the centres of its cells.
+    /// Interpolates a row between two rows of the working grid at the centres of the surface's cells.
     void between(std::span<const float> near, std::span<const float> next, float share,
                  std::vector<float>& row, std::vector<float>& out) const {
         for (std::size_t j = 0; j < row.size(); ++j)
@@ -126,7 +126,7 @@ void refine_band(const MetreGrid& surface, RowBand band, const Refinement& refin
         const auto out = terrain.elevation.row(i);
         const auto flags = terrain.flags.row(i);
         for (std::size_t j = 0; j < out.size(); ++j) {
-            const bool bare = from[j] - rows.terrain[j] <= rows.tolerance[j];  // false where it is NaN
+            const bool bare = from[j] - rows.terrain[j] <= rows.tolerance[j];  // false for NaN
             out[j] = bare ? from[j] : rows.terrain[j];
             flags[j] = bare ? bare_ground : std::uint8_t{0};
         }
@@ -150,7 +150,7 @@ Terrain refine(const MetreGrid& surface, const GridPlace& place, AlignedGrid wor
         return terrain;
     }
     terrain.elevation = std::move(working.grid);
-    // A band needs the row behind it, whose slope is that from the next.
+    // Copies two rows around each band: it needs the next row, whose slope depends on the one after.
     for_band_copies(threads, terrain.elevation, 2, [&](BandCopy<float>& copy) {
         AlignedGrid around = shape_of(working);
         around.first_row += copy.first;

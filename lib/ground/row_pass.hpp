@@ -9,14 +9,14 @@
 
 namespace d2b::ground {
 
-/// Kept from one row to the next, so that memory is asked for once.
+/// Buffers reused between rows.
 template <typename T>
 struct RowRoom {
     std::vector<T> padded;
     std::vector<T> doubled;
 };
 
-/// Lines of 2, 4, 8, ... cells from those of half as many; the last two overlap.
+/// Computes extrema of 2, 4, 8, ... cells by doubling; the last two lines overlap.
 template <typename Pick, typename T>
 void wide_along_row(const T* in, std::size_t cols, std::size_t reach, RowRoom<T>& room, T* out) {
     const Pick pick;
@@ -43,7 +43,7 @@ void wide_along_row(const T* in, std::size_t cols, std::size_t reach, RowRoom<T>
         out[j] = pick(near[j], far[j]);
 }
 
-/// What `Pick` picks from each line of 2 * radius + 1 cells along a row. @param out another row than `in`
+/// Computes the extremum of each line of 2 * radius + 1 cells along a row. @param out row other than `in`
 template <typename Pick, std::int32_t narrow = widest_narrow, typename T>
 void along_row(const T* in, std::int32_t cols, std::int32_t radius, RowRoom<T>& room, T* out) {
     if (radius > widest_narrow)

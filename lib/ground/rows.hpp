@@ -7,7 +7,7 @@
 
 namespace d2b::ground {
 
-/// The rows of a grid, or a ring that holds so many of them: a row takes the place of one that far above it.
+/// Rows of a grid, or a ring buffer with space for `held` of them.
 template <typename T>
 struct Rows {
     T* values = nullptr;

@@ -6,8 +6,8 @@
 namespace d2b::ground {
 namespace {
 
-// Cells up to which the usual rules hold, and from which those for coarse cells do, metres. Cells of a metre
-// of the map may be a little larger on the ground.
+// Cell sizes in metres up to which the defaults apply, and from which those for coarse cells do. Map cells of
+// one metre may be a little larger on the ground.
 constexpr double fine_cell = 1.2;
 constexpr double coarse_cell = 2;
 
@@ -18,7 +18,7 @@ Rules rules_for(const CellSize& cell) {
         std::clamp((std::sqrt(cell.area()) - fine_cell) / (coarse_cell - fine_cell), 0.0, 1.0);
     Rules rules;
     const auto go_to = [&](double& value, double where_coarse) { value += share * (where_coarse - value); };
-    // Found on places of fine cells as scans show them on cells of 2 and 2.5 m, see docs/accuracy.md.
+    // Fitted to places with fine cells, resampled to 2 and 2.5 m as scans show them, see docs/accuracy.md.
     go_to(rules.border_reach, 30);
     go_to(rules.small_slope, 0.16);
     go_to(rules.border_share, 1);

@@ -9,7 +9,7 @@
 namespace d2b::ground {
 namespace {
 
-/// Collects pieces of connected blocks, and looks at what lies beside them.
+/// Collects connected pieces of blocks and measures their surroundings.
 class Pieces {
   public:
     Pieces(const AlignedGrid& blocks, const MetreGrid& limits, const Mask& ground)
@@ -24,7 +24,7 @@ class Pieces {
         open_ = inside_;
     }
 
-    /// The piece that holds a place, once: nothing where it has been taken before.
+    /// Returns the piece that contains a block, or nothing if it was returned before.
     [[nodiscard]] std::vector<BlockPlace> take(BlockPlace first) {
         std::vector<BlockPlace> piece;
         add(first, piece);
@@ -34,8 +34,8 @@ class Pieces {
         return piece;
     }
 
-    /// The share of its border beside which the surface steps by more than `rise`: up or down in the next
-    /// block, or down within two, since a wall may lean over a block.
+    /// Returns the share of a piece's border at which the surface steps by more than `rise`: up or down in
+    /// the next block, or down within two, because a wall may extend into a block.
     [[nodiscard]] double walled_share(const std::vector<BlockPlace>& piece, float rise) const {
         std::int64_t border = 0;
         std::int64_t walled = 0;
@@ -43,7 +43,7 @@ class Pieces {
             for (const BlockPlace& side : block_sides) {
                 const BlockPlace beside{at.row + side.row, at.col + side.col};
                 if (!grid_.holds(beside.row, beside.col))
-                    ++border;  // what reaches the border of the raster may go on
+                    ++border;  // the piece may continue beyond the raster
                 if (!outside(beside))
                     continue;
                 ++border;

@@ -12,19 +12,19 @@ namespace d2b::ground {
 namespace {
 
 constexpr std::int32_t most = 32766;
-constexpr std::int32_t near = 1 << 14;           // steps: a bit, so that no comparison is needed
-constexpr std::int32_t farthest_step = 1638400;  // a float this far from 0 still has a tenth of a step
-constexpr float beyond = 1 << 30;  // steps: what is farther, of whatever a float holds, is taken for it
+constexpr std::int32_t near = 1 << 14;  // steps; a power of two, so that a bit mask replaces comparisons
+constexpr std::int32_t farthest_step = 1638400;  // at this magnitude, floats still resolve a tenth of a step
+constexpr float beyond = 1 << 30;                // steps; larger magnitudes are clamped to this
 constexpr std::int16_t none = no_value_of<std::int16_t>;
 
-/// The lowest and highest elevation; the other way round where there is none.
+/// Elevation range; inverted if empty.
 struct Range {
     float lowest = no_value;
     float highest = -no_value;
     bool gaps = false;
 };
 
-/// In lanes, which processors do at once.
+/// Extends the range. Uses independent lanes, so that the loop is vectorised.
 D2B_FOR_EACH_PROCESSOR void widen(Range& range, std::span<const float> metres) {
     constexpr std::size_t lanes = 16;
     std::array<float, lanes> lowest{};
@@ -50,27 +50,27 @@ D2B_FOR_EACH_PROCESSOR void widen(Range& range, std::span<const float> metres) {
 
 constexpr auto no_value_bits = std::bit_cast<std::int32_t>(no_value);
 
-/// By bits, as compilers make a branch of a condition, and then do one cell at a time.
+/// Branch-free, because the compiler would turn the condition into a branch and not vectorise the loop.
 constexpr std::int32_t all_bits_if(bool holds) {
     return -static_cast<std::int32_t>(holds);
 }
 
-/// The float next to it: mostly what a file has that was written with so many digits.
+/// Returns the nearest float, which is usually the value in a file written with as many digits.
 float metres_of(std::int32_t steps, float in_metre) {
     return static_cast<float>(steps) / in_metre;
 }
 
-/// What a row has that no steps can hold.
+/// Reasons for a row not to be representable.
 struct Lacks {
-    std::int32_t broken = 0;  ///< not 0 where one of them is no whole number of steps, bit by bit: -0 is none
-    std::int32_t far = 0;     ///< not 0 where one is farther than `near` from the base
+    std::int32_t broken = 0;  ///< not 0 if a value is not exactly a whole number of steps; -0 is not
+    std::int32_t far = 0;     ///< not 0 if a value is too far from the base
     std::int32_t gaps = 0;
 };
 
 D2B_FOR_EACH_PROCESSOR void take_row(std::span<const float> metres, std::int32_t base, std::int32_t in_metre,
                                      std::int16_t* values, Lacks& lacks) {
-    // Added and taken off again it rounds to a whole number: it leaves no digits behind the point. Of whole
-    // steps as far from 0 as they may be, floats are within a fifth of one.
+    // Adding and subtracting it rounds to a whole number, because no bits are left for fractions. For whole
+    // steps within the limit, floats are accurate to a fifth of a step.
     constexpr float rounder = 12582912.0F;  // 1.5 * 2^23
     const auto in_each = static_cast<float>(in_metre);
     Lacks here = lacks;
@@ -89,7 +89,7 @@ D2B_FOR_EACH_PROCESSOR void take_row(std::span<const float> metres, std::int32_t
     lacks = here;
 }
 
-/// Some cells of a row. @param i from the place's first row
+/// Returns the cells of a row of a tile. @param i from the tile's first row
 std::span<const float> row_of(const MetreGrid& grid, const Tile& place, std::int32_t i) {
     return grid.row(place.row + i)
         .subspan(static_cast<std::size_t>(place.col), static_cast<std::size_t>(place.cols));
@@ -97,7 +97,7 @@ std::span<const float> row_of(const MetreGrid& grid, const Tile& place, std::int
 
 }  // namespace
 
-/// In one pass, where they are whole centimetres near that of one of them: nearly everywhere.
+/// Converts in one pass, which works almost everywhere: whole centimetres near that of one cell.
 bool WholeSteps::take_near(float metre, const MetreGrid& metres, const Tile& place) {
     in_metre = 100;
     const double steps = std::round(static_cast<double>(metre) * in_metre);

@@ -8,24 +8,24 @@
 
 namespace d2b::ground {
 
-/// Elevations of a part of a grid that are whole centimetres or millimetres, as surveys deliver them, above
-/// or below a base: openings only compare and move them, so they do it in half of the memory, with twice as
-/// many at a time.
+/// Elevations of part of a grid as 16-bit integers relative to a base, if all are whole centimetres or
+/// millimetres, as delivered by surveys. Openings only compare and copy values, so integers do it in half of
+/// the memory with twice as many per vector instruction.
 struct WholeSteps {
-    Grid<std::int16_t> surface;  ///< `no_value_of` where there is none
+    Grid<std::int16_t> surface;  ///< `no_value_of` for cells without a value
     Grid<std::int16_t> next;
     Workspace<std::int16_t> workspace;
     std::int32_t base = 0;
     std::int32_t in_metre = 100;
-    bool gaps = false;  ///< whether any cell has none, also where they are no whole steps
+    bool gaps = false;  ///< true if any cell has no value, also if take() fails
 
-    /// @return whether `surface` now holds the elevations of a part of a grid, so that in_metres() gives the
-    /// same bit by bit
+    /// Converts part of a grid. @return true if `surface` now holds its elevations, so that in_metres()
+    /// restores them bit by bit
     [[nodiscard]] bool take(const MetreGrid& metres, const Tile& place);
     void in_metres(std::span<const std::int16_t> values, float* metres) const;
 
-    /// Steps by which one elevation may stand above another one and is surely no more than `rise` metres
-    /// above it, however floats round. @param rise not negative
+    /// Returns the largest difference in steps that is certainly not more than `rise` metres, however floats
+    /// round. @param rise not negative
     [[nodiscard]] int surely_within(float rise) const;
 
   private:

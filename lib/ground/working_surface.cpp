@@ -15,8 +15,8 @@ bool is_cell(Factor factor) {
     return factor.down == 1 && factor.across == 1;
 }
 
-/// Gives a value to cells. What lies beside them is looked at alone: memory that does not change need not be
-/// written.
+/// Replaces cells for which `is` holds. Chunks without such cells are only read, because writing them would
+/// dirty memory needlessly.
 template <typename Is>
 void put_where(Executor& threads, MetreGrid& grid, const Is& is, float value) {
     constexpr std::size_t piece = 1024;
@@ -43,7 +43,7 @@ WorkingSurface::WorkingSurface(MetreGrid& surface, const AlignedGrid& shape, con
     }
     lowest_ = shape;
     lowest_.grid = std::move(surface);
-    const auto has_none = [](float z) { return !(z < no_value); };  // also where it is NaN
+    const auto has_none = [](float z) { return !(z < no_value); };  // also true for NaN
     put_where(threads, lowest_.grid, has_none, no_value);
 }
 
@@ -63,7 +63,7 @@ void WorkingSurface::give_back(const std::vector<Pit>& pits) {
     put_where(threads_, surface_, has_none, std::numeric_limits<float>::quiet_NaN());
 }
 
-/// The lowest point of a pit's cells that is no outlier; `no_value` where there is none.
+/// Returns the lowest point of a cell that is not an outlier, or `no_value`.
 float WorkingSurface::lowest_above(const Pit& pit) const {
     if (is_cell(factor_))
         return no_value;

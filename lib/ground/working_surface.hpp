@@ -8,21 +8,21 @@
 
 namespace d2b::ground {
 
-/// The grid on which small objects are looked for: the lowest points of blocks or, where blocks are cells,
-/// the surface itself, whose memory it has until that is given back. A grid of the window less.
+/// Grid on which small objects are detected: the lowest points of blocks or, if blocks are cells, the surface
+/// itself, whose memory is borrowed until give_back(). This saves one grid of the window.
 class WorkingSurface {
   public:
-    /// @param surface NaN where a point is not valid; not to be used until it is given back
+    /// @param surface NaN for points that are not valid; must not be used until it is given back
     /// @param shape of the surface
     WorkingSurface(MetreGrid& surface, const AlignedGrid& shape, const GridPlace& place, Factor factor,
                    Executor& threads);
 
-    /// `no_value` where a block has no point.
+    /// `no_value` if a block has no point.
     [[nodiscard]] const AlignedGrid& lowest() const { return lowest_; }
 
-    /// What lies below the limits of pits is left out.
+    /// Removes points below the limits of low outliers.
     void take_out(const std::vector<Pit>& pits);
-    /// The surface is as it was. @param pits that were taken out
+    /// Restores the surface. @param pits low outliers removed by take_out()
     void give_back(const std::vector<Pit>& pits);
 
   private:
@@ -33,7 +33,7 @@ class WorkingSurface {
     Factor factor_;
     Executor& threads_;
     AlignedGrid lowest_;
-    std::vector<float> taken_out_;  ///< by pit
+    std::vector<float> taken_out_;  ///< one per low outlier
 };
 
 }  // namespace d2b::ground

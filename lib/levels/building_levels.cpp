@@ -26,10 +26,10 @@ std::vector<double> slices(const PointStats& stats, const FixedPoint& fixed, int
     return result;
 }
 
-/// @param price in square metres of a point
+/// @param price price in square metres of a point
 std::vector<double> breaks(const ElevationHistogram& histogram, int lod, const BreakPrice& price,
                            double metres) {
-    // More than a building of 100 m has in tenths; what is higher is looked at a little less closely.
+    // More bins than a building of 100 m has in tenths; higher ones get wider bins.
     constexpr std::size_t most_bins = 1024;
     const auto [width_m, bins] = histogram.bins(most_bins);
     std::vector<double> result;
@@ -40,11 +40,12 @@ std::vector<double> breaks(const ElevationHistogram& histogram, int lod, const B
     return result;
 }
 
-/// Another threshold makes borders about as long as half of what surrounds a square of the building's area,
-/// and has to take off a share of its error: low buildings get thresholds as well, and high ones not a dozen.
-/// On coarse cells a border costs next to nothing, and the sampling of a few points would pass for a tier: a
-/// threshold has to take off as much as some points that are a metre off.
-/// @param border_price of a border as long as a cell, in square metres of a point
+/// Price of a threshold. Its borders are about half as long as the perimeter of a square with the building's
+/// area, and it has to reduce the error by a certain share, so that low buildings get thresholds as well, and
+/// high ones not a dozen. On coarse cells borders cost almost nothing, and the sampling of a few points would
+/// pass for a tier; therefore a threshold has to reduce the error by as much as some points that are a metre
+/// off.
+/// @param border_price price of a border of one cell, in square metres of a point
 BreakPrice price_of(const PointStats& stats, double border_price) {
     constexpr double least_share = 0.029;
     constexpr double least_error = 10;  // square metres of a point
@@ -65,7 +66,7 @@ void add_even(std::span<const double> cells, Label label, std::vector<EvenCells>
     }
 }
 
-/// What a building's own elevations say.
+/// Returns the thresholds from the elevations of the building alone.
 std::vector<double> own_thresholds(const BuildingStatistics& statistics, Label label,
                                    const LevelOptions& options, LevelSource source, double border_price,
                                    double metres) {
@@ -117,7 +118,7 @@ LevelPlan plan_building_levels(const BuildingStatistics& statistics, const std::
                 list.push_back(t);
         plan.thresholds.push_back(std::move(list));
     }
-    check_level_count(plan.level_count(), options);  // the ground is one more than the global plan had
+    check_level_count(plan.level_count(), options);  // one more than the global plan, because of the ground
     return plan;
 }
 

@@ -11,33 +11,35 @@
 
 namespace d2b {
 
-/// Cells that lie side by side, belong to one label and have the same elevation.
+/// Run of adjacent cells with the same label and elevation.
 struct EvenCells {
     Label label = 0;
     std::int64_t cells = 0;
     double elevation = 0;
 };
-/// Of the valid cells of a band that have a label other than 0. Clean elevations have few for many cells.
+/// Returns the runs of valid labelled cells of a band. Clean elevations have few runs for many cells.
 [[nodiscard]] std::vector<EvenCells> even_cells(const ElevationBand& elevations, const LabelBand& labels);
-/// Of the valid cells of a building.
+/// Returns the runs of valid cells of a building.
 [[nodiscard]] std::vector<EvenCells> even_cells(const BuildingCells& cells, Label label);
 
-/// What the thresholds of each building depend on: exact, so that the order of bands does not matter.
+/// Statistics that determine the thresholds of each building. Exact, so that the order of bands does not
+/// matter.
 class BuildingStatistics {
   public:
-    /// @param labels highest label @param fixed for sums of elevations
-    /// @param metres in a vertical unit, where histograms are kept as well: some 50 bytes for each tenth of a
-    /// metre in which a building has points; 0: none are
+    /// @param labels highest label
+    /// @param fixed fixed-point format for sums of elevations
+    /// @param metres metres per vertical unit, if histograms are needed: some 50 bytes per tenth of a metre
+    /// in which a building has points; 0: no histograms
     BuildingStatistics(Label labels, const FixedPoint& fixed, double metres = 0)
         : fixed_(fixed),
           metres_(metres),
           stats_(labels + std::size_t{1}),
           histograms_(metres > 0 ? stats_.size() : 0) {}
 
-    /// From several threads, where no two of them have cells of the same label.
+    /// Adds runs. Callable from several threads if no two of them have cells of the same label.
     void add(const std::vector<EvenCells>& cells);
     [[nodiscard]] const PointStats& of(Label label) const { return stats_[label]; }
-    /// Only where histograms are kept.
+    /// Requires histograms.
     [[nodiscard]] const ElevationHistogram& histogram(Label label) const { return histograms_[label]; }
     [[nodiscard]] const FixedPoint& fixed() const { return fixed_; }
     [[nodiscard]] Label labels() const { return static_cast<Label>(stats_.size() - 1); }
@@ -49,19 +51,20 @@ class BuildingStatistics {
     std::vector<ElevationHistogram> histograms_;
 };
 
-/// A set of thresholds for each building: the filter of Chittineni (2003, 4.1) where it works. With mean m
-/// and sample standard deviation s of the building's elevations, t_i = m - s + 2 s i / (n + 1), i = 1..n; n
-/// is LOD, or less, so that thresholds are at least half a metre apart: a flat roof has no tiers. With
-/// LevelSource::natural they are the natural breaks of the elevations instead, at most LOD of them, in tenths
-/// of a metre and as far apart. Explicit levels and intervals hold for every building. With
-/// LevelSource::global the slices are those of the whole DEM. Thresholds that no point or every point of the
-/// building exceeds are left out.
-/// @param statistics with histograms where LevelSource::natural is asked for
-/// @param ground elevation of each label's ground, recorded as the threshold of level 1; [0] is not used
-/// @param global of the whole DEM; its minimum is that of level 0
-/// @param border_price of a border as long as a cell between two tiers, in squared vertical units of a point:
-/// natural breaks are as many as are worth their borders; 0: as many as there are
-/// @param metres in a vertical unit
+/// Plans thresholds for each building by the filter of Chittineni (2003, 4.1): with mean m and sample
+/// standard deviation s of the building's elevations, t_i = m - s + 2 s i / (n + 1), i = 1..n. n is LOD, or
+/// less, so that thresholds are at least half a metre apart, because a flat roof has no tiers.
+///
+/// LevelSource::natural yields the natural breaks of the elevations instead, at most LOD of them, in tenths
+/// of a metre and equally far apart. Explicit levels and intervals apply to every building.
+/// LevelSource::global uses the slices of the whole DEM. Thresholds exceeded by no point or by every point of
+/// the building are dropped.
+/// @param statistics with histograms if LevelSource::natural is requested
+/// @param ground ground elevation by label, recorded as the threshold of level 1; [0] is unused
+/// @param global plan of the whole DEM; its minimum is that of level 0
+/// @param border_price price of a border of one cell between two tiers, in squared vertical units of a point:
+/// natural breaks must be worth their borders; 0: no price
+/// @param metres metres per vertical unit
 [[nodiscard]] LevelPlan plan_building_levels(const BuildingStatistics& statistics,
                                              const std::vector<double>& ground, const LevelPlan& global,
                                              const LevelOptions& options, LevelSource source, double metres,

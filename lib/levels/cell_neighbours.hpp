@@ -11,13 +11,13 @@
 
 namespace d2b {
 
-/// Goes through the cells of a building in scan order and finds those beside them: two rows are held, which
-/// move down over its columns.
+/// Visits the cells of a building in scan order with their preceding neighbours. Holds two rows that move
+/// down the building's columns.
 class CellNeighbours {
   public:
     static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-    /// @param stop asked at each run: one building may be all of a raster
+    /// @param stop checked at each run, because one building may fill a whole raster
     CellNeighbours(const BuildingCells& cells, const StopRequest& stop) : cells_(cells), stop_(stop) {
         std::int32_t end = 0;
         for (const BuildingCells::Run& run : cells.runs) {
@@ -27,7 +27,7 @@ class CellNeighbours {
         above_.resize(cells.runs.empty() ? 0 : static_cast<std::size_t>(end - first_));
     }
 
-    /// Calls use(cell, left, up, up_left) with the numbers of cells in scan order, or `none`.
+    /// Calls use(cell, left, up, up_left) with the indices of cells in scan order, or `none`.
     template <typename Use>
     void for_each(const Use& use) {
         std::uint32_t cell = 0;
@@ -47,7 +47,7 @@ class CellNeighbours {
     }
 
   private:
-    /// The last two cells of a column.
+    /// Last two cells of a column.
     struct Seen {
         std::int32_t row = std::numeric_limits<std::int32_t>::min();
         std::uint32_t cell = none;

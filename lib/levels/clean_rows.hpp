@@ -13,25 +13,26 @@
 
 namespace d2b {
 
-/// Clean elevations of buildings' cells, which wait in a spool as runs of constant elevation: 24 bytes a run.
+/// Clean elevations of buildings, spooled to disk as runs of constant elevation: 24 bytes per run.
 class CleanRows {
   public:
-    /// @param first_row of the window @param rows of it
+    /// @param first_row first row of the window
+    /// @param rows number of its rows
     CleanRows(std::unique_ptr<Spool> spool, std::int32_t first_row, std::int32_t rows);
 
-    /// A building's cells; each cell is given once. From any thread. @throws OutputError the spool has no
-    /// room
+    /// Adds the cells of a building; each cell is added once. Thread-safe.
+    /// @throws OutputError if the spool has no space
     void add(const BuildingCells& cells);
 
-    /// Cells of one building side by side with the same clean elevation; NaN where they are not valid.
+    /// Run of cells of one building with the same clean elevation; NaN if not valid.
     struct CleanRun {
-        std::int32_t row;    ///< of the band
-        std::int32_t begin;  ///< columns
+        std::int32_t row;    ///< row of the band
+        std::int32_t begin;  ///< first column
         std::int32_t end;
         double elevation;
     };
-    /// Calls use(run) for all cells of a band that were given, in no order. From any thread, once all are
-    /// there. @throws OutputError the spool cannot be read
+    /// Calls use(run) for all runs of a band, in no particular order. Thread-safe after the last add().
+    /// @throws OutputError if the spool cannot be read
     template <typename Use>
     void for_runs(const BandShape& band, const Use& use) const {
         slabs_.for_band(band, [&](const std::vector<SpoolEntry>& entries) {
@@ -56,8 +57,8 @@ class CleanRows {
     };
 
     std::unique_ptr<Spool> spool_;
-    std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();  ///< of the slabs
-    RowSlabs<std::vector<SpoolEntry>> slabs_;                             ///< the entries with runs in each
+    std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();  ///< guards the slabs
+    RowSlabs<std::vector<SpoolEntry>> slabs_;  ///< spool entries with runs in each slab
 };
 
 }  // namespace d2b

@@ -13,10 +13,10 @@
 namespace d2b {
 namespace {
 
-/// Rows are gathered by so many at a time: some bands for each thread.
+/// Points gathered at a time: several bands per thread.
 constexpr std::int64_t points_at_once = std::int64_t{1} << 23;
 
-/// The buildings' cells of some rows, in scan order.
+/// Cells of buildings in a batch of rows, in scan order.
 struct GatheredRows {
     std::vector<std::pair<Label, BuildingCells::Run>> runs;
     std::vector<double> elevations;
@@ -35,7 +35,8 @@ GatheredRows gather(const ElevationBand& band, const LabelBand& labels) {
     return gathered;
 }
 
-/// By label the last row in which it has cells. @param rows of the window
+/// Returns the last row with cells of each label.
+/// @param window window of the labels
 std::vector<std::int32_t> last_rows(const LabelRows& labels, Label count, const Window& window,
                                     Executor& threads) {
     std::vector<std::int32_t> last(count + std::size_t{1}, -1);
@@ -59,7 +60,7 @@ std::vector<std::int32_t> last_rows(const LabelRows& labels, Label count, const 
     return last;
 }
 
-/// Buildings of which some rows have been read.
+/// Buildings with some of their rows read.
 using OpenBuildings = std::map<Label, BuildingCells>;
 
 void add_to(OpenBuildings& open, const GatheredRows& rows) {
@@ -134,13 +135,13 @@ CleanRows clean_tiers(ElevationReader& reader, const LabelRows& labels, Label co
 }
 
 RegionOptions region_options(double detail, const CellSize& cell, double metres) {
-    // What is as narrow as one cell is smeared, whatever it is.
+    // Features one cell wide are always blurred.
     constexpr int least_width = 2;
-    // Cells: a tier of a handful of cells is worth its vertices where it stands out more than a large one.
+    // Cells: a tier of a few cells is worth its vertices only if it stands out more than a large one.
     constexpr double own_border = 12;
     const double height = detail / metres;
-    // A border as long as a cell is worth what the strip has in a cell's length, in points. What is narrower
-    // than a cell is not seen.
+    // The price of a border of one cell is the squared error of the strip per cell of its length, in points.
+    // Features narrower than a cell are not visible.
     const double strip_cells = std::max(1.0, 1 / std::sqrt(cell.across * cell.down));
     return {height * height * strip_cells, least_width, own_border};
 }

@@ -6,12 +6,12 @@
 namespace d2b {
 namespace {
 
-// Tenths are multiplied and divided, since 0.1 is no binary number.
+// Multiplied or divided by 10, because 0.1 is not a binary number.
 constexpr double bins_a_metre = 10;
-// Numbers of bins fit into 64 bits, whatever is called an elevation.
+// Limit that lets bin indices fit into 64 bits for any elevation.
 constexpr double farthest = 1e15;
 
-/// Bins of twice the width.
+/// Merges pairs of bins into bins of twice the width.
 std::vector<HistogramBin> paired(const std::vector<HistogramBin>& bins) {
     std::vector<HistogramBin> pairs;
     for (const HistogramBin& bin : bins) {

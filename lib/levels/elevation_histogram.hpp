@@ -7,20 +7,22 @@
 
 namespace d2b {
 
-/// Points that lie in one bin.
+/// Number of points in one bin.
 struct HistogramBin {
-    std::int64_t bin = 0;  ///< its number, counted in its width from 0
+    std::int64_t bin = 0;  ///< index of the bin, in multiples of its width from 0
     std::int64_t points = 0;
 };
 
-/// How many elevations lie in each bin of a tenth of a metre: a reduction in which order does not matter.
-/// Bins begin at whole multiples of their width, and an elevation on the border of two belongs to the lower
-/// one, as a point on a threshold does not exceed it. Empty bins take no room.
+/// Sparse histogram of elevations in bins of a tenth of a metre. Order does not matter. Bins begin at whole
+/// multiples of their width, and an elevation on the border of two belongs to the lower one, because a point
+/// on a threshold does not exceed it. Empty bins take no memory.
 class ElevationHistogram {
   public:
-    /// @param elevation_m finite @param points that have it
+    /// @param elevation_m finite elevation
+    /// @param points number of points with it
     void add(double elevation_m, std::int64_t points = 1);
-    /// Ascending, of a width that leaves at most `most` of them: a tenth of a metre times a power of two.
+    /// Non-empty bins in ascending order. Their width is a tenth of a metre times a power of two, so that
+    /// there are at most `most` of them.
     struct Bins {
         double width_m;
         std::vector<HistogramBin> bins;

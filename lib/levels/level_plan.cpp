@@ -16,8 +16,7 @@ std::vector<double> sliced(const ElevationStatistics& statistics, int lod) {
     std::vector<double> result;
     for (int i = 1; i <= lod; ++i) {
         const double t = mean + deviation * (2.0 * i / (lod + 1) - 1);
-        // The deviation of the largest doubles is infinite; such slices are dropped like all above the
-        // maximum.
+        // The deviation of huge values is infinite; such slices are dropped like all above the maximum.
         result.push_back(std::isfinite(t) ? t : std::numeric_limits<double>::infinity());
     }
     return result;
@@ -28,9 +27,9 @@ std::vector<double> multiples(const ElevationStatistics& statistics, const Level
     const double offset = options.offset;
     const double first = std::floor((statistics.minimum - offset) / interval) + 1;
     const double last = std::ceil((statistics.maximum - offset) / interval) - 1;
-    check_level_count(last - first + 2, options);  // before they are listed
+    check_level_count(last - first + 2, options);  // before the list is allocated
     std::vector<double> result;
-    // Counted, since adding 1 to a number beyond 2^53 leaves it as it is.
+    // Counted by an integer, because adding 1 to a double beyond 2^53 does not change it.
     const auto count = static_cast<int>(std::max(0.0, last - first + 1));
     result.reserve(static_cast<std::size_t>(count));
     for (int k = 0; k < count; ++k)
@@ -47,7 +46,7 @@ std::vector<double> candidates(const ElevationStatistics& statistics, const Leve
     if (options.interval)
         return multiples(statistics, options);
     if (source != LevelSource::global)
-        return {};  // each building has its own
+        return {};  // each building has its own thresholds
     return sliced(statistics, options.lod);
 }
 
@@ -96,7 +95,7 @@ LevelPlan plan_global_levels(const ElevationStatistics& statistics, const LevelO
 void check_level_count(double levels, const LevelOptions& options) {
     if (levels <= most_levels)
         return;
-    const std::string most = std::to_string(most_levels - 1);  // the root is none to the user
+    const std::string most = std::to_string(most_levels - 1);  // the root is not a level for users
     if (options.interval && options.fixed.empty())
         throw OptionError("-i " + number_text(*options.interval) + " gives more than " + most +
                           " levels on this DEM; use a larger interval.");

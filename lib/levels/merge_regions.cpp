@@ -13,14 +13,14 @@
 namespace d2b {
 namespace {
 
-// Prices rise to the one asked for, so that what belongs together most is joined first.
+// Prices rise to the requested one, so that the most similar regions are merged first.
 constexpr std::array<double, 8> shares_of_price{1.0 / 256, 1.0 / 64, 1.0 / 16, 1.0 / 8,
                                                 1.0 / 4,   1.0 / 2,  3.0 / 4,  1.0};
-// A square that two narrow regions make together may be wide enough.
+// Limit of rounds. Rounds are repeated, because two narrow regions may form a wide one together.
 constexpr int most_rounds = 8;
 
-/// Cells with the first regions they belong to: neighbours that hardly differ, joined as a scan meets them.
-/// Most cells are joined here, which saves a graph of all cells.
+/// Initial regions: neighbours that hardly differ, joined during a scan. Most cells are joined here, which
+/// saves a graph of all cells.
 class Seeds {
   public:
     Seeds(const BuildingCells& cells, double price, const StopRequest& stop)
@@ -53,7 +53,7 @@ class Seeds {
     std::vector<RegionGraph::Region> sums_;
 };
 
-/// Regions that are still to be joined, and the first one of each cell.
+/// Region adjacency graph, and the initial region of each cell.
 struct Image {
     std::vector<std::uint32_t> first;  ///< by cell
     RegionGraph graph;
@@ -66,7 +66,7 @@ Image first_image(const BuildingCells& cells, const RegionOptions& options, cons
     std::vector<std::uint32_t> number(cells.elevations.size());
     std::vector<RegionGraph::Region> regions;
     for (std::uint32_t cell = 0; cell < number.size(); ++cell) {
-        const std::uint32_t root = seeds.root(cell);  // the region's first cell
+        const std::uint32_t root = seeds.root(cell);  // first cell of the region
         if (root == cell) {
             number[cell] = static_cast<std::uint32_t>(regions.size());
             regions.push_back(seeds.of(root));
@@ -84,8 +84,8 @@ Image first_image(const BuildingCells& cells, const RegionOptions& options, cons
     return image;
 }
 
-/// Each region joins its cheapest neighbour, as long as that costs no more than the price.
-/// @param roots in ascending order; those that have joined another are taken out: most do so early
+/// Merges each region with its cheapest neighbour while that costs at most the price.
+/// @param roots in ascending order; merged ones are removed, because most merge early
 void merge_up_to(RegionGraph& graph, double price, std::vector<std::uint32_t>& roots,
                  const StopRequest& stop) {
     for (bool merged = true; merged;) {
@@ -106,10 +106,10 @@ void merge_up_to(RegionGraph& graph, double price, std::vector<std::uint32_t>& r
     }
 }
 
-/// For each region whether it holds a square of so many cells' width.
+/// Flags the regions that contain a square of the given width.
 std::vector<bool> wide_regions(const BuildingCells& cells, Image& image, int width, const StopRequest& stop) {
     std::vector<bool> wide(image.graph.size());
-    /// The largest square that ends at a cell within its region.
+    /// Largest square within a region whose lower right corner is a cell.
     struct Corner {
         std::uint32_t region = RegionGraph::none;
         std::int32_t side = 1;

@@ -8,30 +8,31 @@
 
 namespace d2b {
 
-/// Connected cells of a building that are one tier, as far as its elevations go.
+/// Connected cells of a building that form one tier.
 struct TierRegion {
-    std::int64_t points = 0;  ///< valid ones
-    double mean = 0;          ///< of their elevations; of no meaning where there is none
+    std::int64_t points = 0;  ///< number of valid points
+    double mean = 0;          ///< mean elevation; undefined without points
 };
 
 struct TierRegions {
     std::vector<TierRegion> regions;
-    std::vector<std::uint32_t> of_cell;  ///< by cell in scan order
+    std::vector<std::uint32_t> of_cell;  ///< region by cell in scan order
 };
 
 struct RegionOptions {
-    double price = 0;     ///< of a border as long as a cell, in squared elevations of a cell
-    int least_width = 1;  ///< cells: a region that holds no square of this width belongs to one beside it
-    double own_border =
-        0;  ///< border, in lengths of a cell, that each region is charged with beside what it has
+    double price = 0;  ///< price of a border of one cell, in squared elevations of a cell
+    int least_width =
+        1;  ///< width in cells: a region that contains no square of this width is merged with a neighbour
+    double own_border = 0;  ///< border in cells that is charged per region in addition to its actual one
 };
 
-/// A clean image of a building's tiers: regions of constant height that keep the squared error of their
-/// elevations plus a price on the length of their borders small (Mumford and Shah 1989, their piecewise
-/// constant model), by merging the neighbours whose union costs least a length of border (Koepfler, Lopez
-/// and Morel 1994). A strip of w cells' width that stands out by d on one side stays if w d^2 exceeds the
-/// price. What a wall smears, chimneys and speckle are too narrow and go to the region that it costs least
-/// to join. The result depends on the building's cells alone. @throws Cancelled
+/// Segments a building into tiers: regions of constant height that minimise the squared error of their
+/// elevations plus a price on the length of their borders (the piecewise constant model of Mumford and Shah
+/// 1989), by merging the neighbours whose union costs least per length of border (Koepfler, Lopez and Morel
+/// 1994). A strip w cells wide that stands out by d on one side stays if w d^2 exceeds the price. Blurred
+/// walls, chimneys and speckle are too narrow, and join the region at the lowest cost. The result only
+/// depends on the building's cells.
+/// @throws Cancelled
 [[nodiscard]] TierRegions merge_regions(const BuildingCells& cells, const RegionOptions& options,
                                         const StopRequest& stop = {});
 

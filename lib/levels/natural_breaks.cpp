@@ -9,18 +9,18 @@ namespace {
 
 constexpr double impossible = std::numeric_limits<double>::infinity();
 
-/// Squared errors of classes of bins, in bins squared, from sums up to each bin.
+/// Squared errors of classes of bins, in squared bins, from prefix sums.
 class ClassError {
   public:
     explicit ClassError(std::span<const HistogramBin> bins) : sums_(bins.size() + 1) {
         for (std::size_t i = 0; i < bins.size(); ++i) {
             const auto n = static_cast<double>(bins[i].points);
-            // From the lowest bin: small numbers keep their digits when they are squared.
+            // Relative to the lowest bin, because small numbers keep their digits when they are squared.
             const auto x = static_cast<double>(bins[i].bin - bins[0].bin);
             sums_[i + 1] = {sums_[i].n + n, sums_[i].x + n * x, sums_[i].xx + n * x * x};
         }
     }
-    /// Of bins [begin, end), which are not empty.
+    /// Returns the error of bins [begin, end), which are not empty.
     [[nodiscard]] double operator()(std::size_t begin, std::size_t end) const {
         const double n = sums_[end].n - sums_[begin].n;
         const double x = sums_[end].x - sums_[begin].x;
@@ -36,14 +36,14 @@ class ClassError {
     std::vector<Sums> sums_;
 };
 
-/// By break, which is the index of the bin that begins a class: the least error of all classes below it, and
-/// the break before it.
+/// Row of the dynamic programme. By break (index of the first bin of a class): the least error of all classes
+/// below it, and the previous break.
 struct Row {
     std::vector<double> error;
     std::vector<std::uint32_t> before;
 };
 
-/// Breaks whose best break before lies within a range.
+/// Breaks whose best previous break lies within a range.
 struct Task {
     std::size_t first;
     std::size_t last;
@@ -51,8 +51,8 @@ struct Task {
     std::size_t highest;
 };
 
-/// One class more, below each of the breaks first ... size.
-/// @param room whether two breaks may follow each other
+/// Adds a class below each of the breaks first ... size.
+/// @param room room(a, b): true if break b may follow break a
 template <typename Room>
 Row with_one_more(const Row& below, const ClassError& error, std::size_t first, const Room& room) {
     const std::size_t size = below.error.size() - 1;
@@ -99,11 +99,11 @@ std::vector<std::int64_t> natural_breaks(std::span<const HistogramBin> bins, int
     if (bins.size() < 2)
         return {};
     const ClassError error(bins);
-    // No break stands on the highest class, so that it may be narrow: two peaks are told apart.
+    // The highest class has no break above it and may be narrow, so that two peaks are separated.
     const auto room = [&](std::size_t before, std::size_t at) {
         return at == bins.size() || bins[at].bin - bins[before].bin >= least_bins;
     };
-    std::vector<Row> rows(1);  // rows[k]: k breaks below one
+    std::vector<Row> rows(1);  // rows[k]: k breaks below a break
     rows[0].error.assign(bins.size() + 1, impossible);
     for (std::size_t end = 1; end <= bins.size(); ++end)
         if (room(0, end))
@@ -123,7 +123,7 @@ std::vector<std::int64_t> natural_breaks(std::span<const HistogramBin> bins, int
             breaks = followed_back(rows, whole.before.back(), bins);
         }
         rows.push_back(with_one_more(rows.back(), error, 1, room));
-        rows[rows.size() - 2].error = {};  // only the way back is needed
+        rows[rows.size() - 2].error = {};  // only the back pointers are needed
     }
     return breaks;
 }

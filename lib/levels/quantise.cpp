@@ -11,7 +11,7 @@
 namespace d2b {
 namespace {
 
-// Up to here counting beats searching, and it has no branch.
+// Up to this number of thresholds counting is faster than searching, because it is branch-free.
 constexpr std::size_t few = 16;
 
 template <typename Count>
@@ -25,9 +25,9 @@ Count exceeded(double z, const std::vector<double>& thresholds) {
     return static_cast<Count>(count);
 }
 
-constexpr std::size_t piece = 256;  // cells, which stay in the nearest cache from one threshold to the next
+constexpr std::size_t piece = 256;  // cells that stay in the first-level cache from one threshold to the next
 
-/// For each of some cells how many thresholds it exceeds, and one more; 0 where it is not valid.
+/// Counts the thresholds that each cell exceeds, plus one; 0 if it is not valid.
 D2B_FOR_EACH_PROCESSOR void count_exceeded(std::span<const double> elevations,
                                            std::span<const double> thresholds,
                                            std::array<std::int64_t, piece>& counts) {
@@ -38,7 +38,7 @@ D2B_FOR_EACH_PROCESSOR void count_exceeded(std::span<const double> elevations,
             counts[i] += elevations[i] > t ? 1 : 0;
 }
 
-/// Cells of one label.
+/// Quantises cells of one label.
 template <typename Count>
 void quantise_run(std::span<const double> elevations, Label label, const LevelPlan& plan, Count* counts) {
     const std::vector<double>& thresholds = plan.thresholds[label];
@@ -60,7 +60,7 @@ void quantise_run(std::span<const double> elevations, Label label, const LevelPl
 
 template <typename Count>
 Count quantise(double z, Label label, const LevelPlan& plan) {
-    // A point of a footprint that is not valid is part of it all the same.
+    // Invalid points of a footprint belong to it as well.
     const Count least = plan.footprints && label != 0 ? 2 : std::isnan(z) ? 0 : 1;
     return std::isnan(z) ? least : std::max(least, exceeded<Count>(z, plan.thresholds[label]));
 }

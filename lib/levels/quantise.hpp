@@ -5,14 +5,15 @@
 
 namespace d2b {
 
-/// How many levels each point belongs to. Compared in double, strictly: a point on a threshold does not
-/// exceed it. Pointwise: no halo, nothing carried.
-/// @tparam Count std::uint8_t or std::uint16_t; plan.level_count() fits
+/// Counts the levels of each point. Compares doubles strictly: a point on a threshold does not exceed it.
+/// Pointwise: no halo, no state.
+/// @tparam Count std::uint8_t or std::uint16_t, wide enough for plan.level_count()
 template <typename Count>
 [[nodiscard]] LevelBand<Count> quantise(const ElevationBand& elevations, const LabelBand& labels,
                                         const LevelPlan& plan);
 
-/// The same of one point. @param z NaN where it is not valid
+/// Same, for one point.
+/// @param z NaN if not valid
 template <typename Count>
 [[nodiscard]] Count quantise(double z, Label label, const LevelPlan& plan);
 

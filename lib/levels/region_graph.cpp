@@ -19,7 +19,7 @@ RegionGraph::RegionGraph(std::vector<Region> regions, double own_border)
 void RegionGraph::add_border(std::uint32_t a, std::uint32_t b, std::uint32_t length) {
     const auto add = [&](std::uint32_t from, std::uint32_t to) {
         ++given_[from];
-        // A border comes cell by cell, so the last is mostly the same.
+        // Borders are added cell by cell, so the last one mostly matches.
         if (Borders& borders = borders_[from]; !borders.empty() && borders.back().region == to)
             borders.back().length += length;
         else
@@ -79,7 +79,7 @@ RegionGraph::Neighbour RegionGraph::cheapest(std::uint32_t root_of) {
 }
 
 std::uint32_t RegionGraph::merge(std::uint32_t a, std::uint32_t b) {
-    // The shorter list moves, so that no border moves more often than a logarithm says.
+    // Moves the shorter list, so that each border moves O(log n) times.
     if (given_[a] < given_[b])
         std::swap(a, b);
     sets_.join_into(a, b);

@@ -9,15 +9,15 @@
 
 namespace d2b {
 
-/// Regions that grow together: what they hold, and how long the borders between them are.
+/// Region adjacency graph whose regions are merged, with their sums and the lengths of their common borders.
 class RegionGraph {
   public:
     static constexpr std::uint32_t none = 0xFFFFFFFF;
 
     struct Region {
         double points = 0;
-        double sum = 0;   ///< of their elevations
-        double mean = 0;  ///< of no meaning where there is no point
+        double sum = 0;   ///< sum of elevations
+        double mean = 0;  ///< undefined without points
 
         void add(const Region& other) {
             points += other.points;
@@ -25,7 +25,7 @@ class RegionGraph {
             mean = sum / points;
         }
     };
-    /// Squared error that merging two adds.
+    /// Squared error added by merging two regions.
     [[nodiscard]] static double added_error(const Region& one, const Region& other) {
         if (one.points == 0 || other.points == 0)
             return 0;
@@ -33,10 +33,11 @@ class RegionGraph {
         return one.points * other.points / (one.points + other.points) * step * step;
     }
 
-    /// @param own_border of each region beside that which it has, in cells
+    /// @param own_border border in cells that each region has in addition to its actual one
     explicit RegionGraph(std::vector<Region> regions, double own_border = 0);
 
-    /// Also more than once for the same two: lengths add up. @param length in cells
+    /// Adds a border. Repeated calls for the same two regions add up.
+    /// @param length length in cells
     void add_border(std::uint32_t a, std::uint32_t b, std::uint32_t length);
 
     [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(regions_.size()); }
@@ -46,13 +47,13 @@ class RegionGraph {
 
     struct Neighbour {
         std::uint32_t region = none;
-        double cost = 0;  ///< of merging: squared error that is added a length of the border that goes, a
-                          ///< region's own included
+        double cost = 0;  ///< cost of merging: added squared error per length of the removed border,
+                          ///< including a region's own one
     };
-    /// The neighbour that is cheapest to merge with; the one with the lowest number where two cost the same.
-    /// Found anew only where the region or one beside it has changed since it was asked for last.
+    /// Returns the cheapest neighbour to merge with; the lowest index in case of a tie. Cached until the
+    /// region or a neighbour changes.
     [[nodiscard]] Neighbour cheapest(std::uint32_t root);
-    /// @return the root of the two
+    /// @return the root of both
     std::uint32_t merge(std::uint32_t a, std::uint32_t b);
 
   private:
@@ -60,27 +61,29 @@ class RegionGraph {
         std::uint32_t region = none;
         std::uint32_t length = 0;
     };
-    /// What was cheapest, and after how many merges; none where it was not asked for.
+    /// Cached cheapest neighbour, and the number of merges at that time; none if not cached.
     struct Cheapest {
         Neighbour neighbour;
         std::uint32_t merges = none;
     };
     [[nodiscard]] bool still_holds(std::uint32_t root) const;
-    /// Makes one border of all those with the same neighbour.
+    /// Merges the borders with the same neighbour.
     void gather(std::uint32_t root);
 
-    /// Borders of a region: most have few, which need no memory of their own. A plane has six on the average.
+    /// Borders of a region. Most regions have few, which need no heap allocation: the average of a planar
+    /// graph is below six.
     using Borders = boost::container::small_vector<Border, 10>;
 
     double own_border_;
     std::vector<Region> regions_;
     DisjointSets sets_;
     std::vector<Borders> borders_;
-    std::vector<std::uint32_t> given_;  ///< borders as they were given: what says which of two lists moves
+    std::vector<std::uint32_t>
+        given_;  ///< number of borders as added, which determines the list that is moved
     std::vector<Cheapest> cheapest_;
-    std::vector<std::uint32_t> changed_;  ///< after how many merges it last grew, or went into another
+    std::vector<std::uint32_t> changed_;  ///< number of merges when it last grew or was merged
     std::uint32_t merges_ = 0;
-    std::vector<std::uint32_t> place_;  ///< room of gather(): of a neighbour among the borders
+    std::vector<std::uint32_t> place_;  ///< scratch of gather(): index of a neighbour in the list of borders
 };
 
 }  // namespace d2b

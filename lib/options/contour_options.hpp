@@ -7,9 +7,9 @@
 
 namespace d2b {
 
-/// What becomes of an option of gdal_contour, 3.6 to 3.11.
+/// Treatment of an option of gdal_contour, 3.6 to 3.11.
 enum class Fate {
-    same,     ///< as there
+    same,     ///< same meaning as there
     ignored,  ///< accepted without effect
     refused
 };
@@ -17,14 +17,15 @@ inline constexpr std::array<std::string_view, 3> fate_names{"same", "accepted", 
 
 struct ContourOption {
     std::string_view name;      ///< without dash
-    std::string_view synopsis;  ///< as gdal_contour has it
+    std::string_view synopsis;  ///< synopsis in the documentation of gdal_contour
     Fate fate = Fate::same;
-    std::string_view note;  ///< ends a sentence that begins with the name; advice where it is refused
+    std::string_view
+        note;  ///< completes a sentence that begins with the name; advice if the option is refused
 };
 
 [[nodiscard]] std::span<const ContourOption> contour_options();
 
-/// The sentence for a refused option; "" for any other name. @param name without dashes
+/// Returns the message for a refused option; "" for any other name. @param name without dashes
 [[nodiscard]] std::string contour_option_refusal(std::string_view name);
 
 }  // namespace d2b

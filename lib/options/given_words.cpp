@@ -19,7 +19,7 @@ bool is_plain(char letter) {
            plain.find(letter) != std::string_view::npos;
 }
 
-/// A word of a shell.
+/// Quotes a word for a shell.
 std::string quoted(const std::string& word) {
     if (!word.empty() && std::ranges::all_of(word, is_plain))
         return word;
@@ -29,13 +29,14 @@ std::string quoted(const std::string& word) {
     return text + "'";
 }
 
-/// What begins with a dash and is no number is a value only where an equals sign joins it to its option.
+/// Joins option and value by an equals sign if the value begins with a dash and is not a number, because it
+/// would otherwise be parsed as an option.
 std::string with_value(const std::string& option, const std::string& value) {
     const bool joins = value.starts_with('-') && !looks_like_number(value);
     return joins ? quoted(option + "=" + value) : option + " " + quoted(value);
 }
 
-/// What comes after the last folder of a name; of an address, without what is asked of it.
+/// Returns the last component of a path, or of a URL without its query.
 std::string last_name(std::string name) {
     if (name.find("://") != std::string::npos)
         name = name.substr(0, name.find('?'));
@@ -49,7 +50,7 @@ bool names_a_file(OptionKind kind) {
            kind == OptionKind::terrain || kind == OptionKind::surface;
 }
 
-/// Whether a text that is most often none of a file names one.
+/// Guesses if a text option, which usually is not a path, names a file.
 bool is_path(const std::string& text) {
     const std::array<std::string_view, 4> beginnings{"/", "./", "../", "~"};
     return text.find('/') != std::string::npos &&
@@ -58,13 +59,13 @@ bool is_path(const std::string& text) {
             text.ends_with(".prj") || text.ends_with(".wkt"));
 }
 
-/// The value of an option, or what stands behind NAME= in it.
+/// Strips folders from the value of an option, or from VALUE in NAME=VALUE.
 std::string without_folder(const OptionRow& row, const std::string& text) {
     if (names_a_file(row.kind))
         return last_name(text);
     if (row.kind != OptionKind::text && row.kind != OptionKind::crs)
         return text;
-    const std::size_t value = row.kind == OptionKind::text ? text.find('=') + 1 : 0;  // 0: there is none
+    const std::size_t value = row.kind == OptionKind::text ? text.find('=') + 1 : 0;  // 0: the whole text
     return is_path(text.substr(value)) ? text.substr(0, value) + last_name(text.substr(value)) : text;
 }
 
@@ -89,7 +90,7 @@ std::string words_of(const OptionRow& row, const Request& request, bool with_fol
     return words;
 }
 
-/// The points of -write_problems depend on the surfaces that are made and on what they are made of.
+/// Returns true for options of surfaces with -write_problems, because its points depend on the surfaces.
 bool shapes_problems(const OptionRow& row, const Options& options) {
     return options.write.problems && row.name.starts_with("surface");
 }

@@ -7,14 +7,12 @@
 
 namespace d2b {
 
-/// The options without which a result cannot be made again, as they stand on a command line of a POSIX shell,
-/// in the order of the table: "-preset thesis -fl 10 12 -nln 'my roofs'". "" where there are none. Source and
-/// destination are not among them.
+/// Returns the options needed to reproduce a result, quoted for a POSIX shell, in the order of the table:
+/// "-preset thesis -fl 10 12 -nln 'my roofs'". Without source and destination; "" if there are none.
 [[nodiscard]] std::string given_words(const Options& options);
 
-/// The metadata of a run as they stand in files that are handed to others: sources are called by their names
-/// alone, because folders say who works where. The words of the options cannot be run as they are then.
-/// @param metadata as make_provenance() has them
+/// Strips folders from the metadata of a run, for files that are handed to others, because folders reveal who
+/// works where. The options then cannot be executed as they are. @param metadata from make_provenance()
 [[nodiscard]] std::map<std::string, std::string> without_folders(std::map<std::string, std::string> metadata,
                                                                  const Options& options);
 

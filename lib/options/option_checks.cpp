@@ -21,7 +21,7 @@ std::string lower(std::string_view text) {
     return result;
 }
 
-/// Letters to insert, remove, replace or swap with their neighbour to get from one to the other.
+/// Returns the Damerau-Levenshtein distance (optimal string alignment).
 std::size_t edit_distance(std::string_view one, std::string_view other) {
     std::vector<std::vector<std::size_t>> cost(one.size() + 1, std::vector<std::size_t>(other.size() + 1));
     for (std::size_t i = 0; i <= one.size(); ++i) {
@@ -39,7 +39,7 @@ std::size_t edit_distance(std::string_view one, std::string_view other) {
     return cost.back().back();
 }
 
-/// Whether an option that is set to `value` is used in this way.
+/// Returns true if an option set to `value` matches the use.
 bool is_so(const OptionUse& use, const std::string& value) {
     switch (use.match) {
         case Match::any:
@@ -54,7 +54,7 @@ bool is_so(const OptionUse& use, const std::string& value) {
     return true;
 }
 
-/// The use as it is written on a command line.
+/// Formats the use as on a command line.
 std::string written(const OptionUse& use, const Request& request) {
     std::string option = "-" + std::string(use.name);
     switch (use.match) {
@@ -88,7 +88,7 @@ void check_rule(const OptionRule& rule, const Request& request) {
         written(rule.other, request) + "; " + std::string(rule.advice) + ".");
 }
 
-/// "-surface <file>, -flow_ready <m> or -min_gap <m>"
+/// Returns "-surface <file>, -flow_ready <m> or -min_gap <m>".
 std::string choices_of(const OptionNeed& need) {
     std::string text = option_synopsis(*find_option(need.needed));
     for (std::size_t i = 0; i < need.or_else.size() && !need.or_else[i].empty(); ++i) {
@@ -121,7 +121,8 @@ void check_preset(const Request& request) {
     }
 }
 
-/// Beyond this many intervals thresholds would be off by a thousandth of one and more, or be the same.
+/// Rejects offsets that are too many intervals away, because thresholds would be off by a thousandth of an
+/// interval and more, or coincide.
 void check_offset(const LevelOptions& levels) {
     constexpr double most_intervals = 0x1p43;
     if (levels.interval && !(std::abs(levels.offset) <= most_intervals * *levels.interval))
@@ -129,7 +130,7 @@ void check_offset(const LevelOptions& levels) {
                           number_text(*levels.interval) + " from; give a base near the elevations.");
 }
 
-/// Formats of surfaces for which -surface_solids has no effect are CityJSON and glTF.
+/// Requires an OBJ or STL, because -surface_solids has no effect on CityJSON and glTF.
 void check_solids(const Request& request) {
     const auto is_parted = [](const std::string& name) {
         const std::string small = lower(name);
@@ -167,7 +168,7 @@ bool has_effect(const OptionRow& row, const Request& request) {
 
 std::string nearest_name(std::string_view typed, std::span<const std::string> candidates) {
     const std::string wanted = lower(typed);
-    // A third of the letters may be wrong, so that short names are not taken for just any other.
+    // Allows a third of the letters to be wrong, so that short names do not match arbitrary ones.
     std::size_t best = wanted.size() / 3 + 1;
     std::string nearest;
     for (const std::string& candidate : candidates) {

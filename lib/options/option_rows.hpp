@@ -15,12 +15,12 @@
 #include "options/option_table.hpp"
 #include "options/option_values.hpp"
 
-/// How the rows of the option table are made; for the files option_rows_*.cpp alone.
+/// Builders for the rows of the option table. Only for option_rows_*.cpp.
 namespace d2b::rows {
 
 using Texts = std::vector<std::string>;
 
-/// The rows of each group, in the order of the help.
+/// Rows of each group, in the order of the help.
 [[nodiscard]] std::vector<OptionRow> input();
 [[nodiscard]] std::vector<OptionRow> buildings();
 [[nodiscard]] std::vector<OptionRow> levels();
@@ -30,7 +30,7 @@ using Texts = std::vector<std::string>;
 
 enum class Python { none, extract_file, everywhere };
 
-/// What a row holds beside its name, its values and the field that they set.
+/// Properties of a row apart from its name, its values and the field that they set.
 struct Columns {
     std::string title{};
     DialogSection section = DialogSection::advanced;
@@ -40,18 +40,19 @@ struct Columns {
     std::vector<std::string> aliases{};
     PresetScope scope{};
     Python python = Python::everywhere;
-    std::string python_name{};  ///< where Python cannot spell the name, or has a better one
+    std::string python_name{};  ///< if Python cannot spell the name, or has a better one
     bool repeats = true;
     std::string item{};
 };
 
 [[nodiscard]] OptionRow described(std::string name, OptionKind kind, std::string values, Columns columns);
 
-/// Of what looks for buildings. @param elsewhere the value that says that it is not done; "" for none
+/// Scope of options that need building detection. @param elsewhere value that switches the option off; "" if
+/// there is none
 [[nodiscard]] PresetScope where_buildings_are_found(std::string elsewhere = "");
 
-// In all that follows `field` is a generic lambda from a Request, const or not, to a reference to the field
-// that the option sets, so that a row cannot read one field and write another.
+// Below, `field` is a generic lambda from a (const) Request to a reference to the field that the option sets,
+// so that a row cannot read one field and write another.
 
 template <class Field>
 OptionRow switch_row(std::string name, Field field, Columns columns) {
@@ -96,7 +97,8 @@ using Two = std::array<double, 2>;
 using Three = std::array<double, 3>;
 using Four = std::array<double, 4>;
 
-/// Some numbers. @param range what they must be, as text @param fits the same as a function
+/// Row of an option with several numbers. @param range constraint as text @param fits the constraint as a
+/// function
 template <std::size_t n, class Field>
 OptionRow several_row(std::string name, OptionKind kind, std::string values, std::string range,
                       bool (*fits)(const std::array<double, n>&), Field field, Columns columns) {
@@ -135,7 +137,7 @@ OptionRow text_row(std::string name, OptionKind kind, std::string values, Field 
     return row;
 }
 
-/// The words of a choice and what they stand for.
+/// Words of a choice and their values.
 template <class Value>
 using Choices = std::vector<std::pair<std::string, Value>>;
 
@@ -147,7 +149,7 @@ template <class Value>
     return words;
 }
 
-/// What a word stands for; nothing where it is none of them.
+/// Returns the value of a word, or nothing if it is not a choice.
 template <class Value>
 [[nodiscard]] std::optional<Value> choice_of(const Choices<Value>& choices, const std::string& text) {
     for (const auto& [word, value] : choices)
@@ -156,7 +158,7 @@ template <class Value>
     return std::nullopt;
 }
 
-/// The word for a value; nothing where there is none. @param chosen a value, which may be optional
+/// Returns the word for a value, or nothing if there is none. @param chosen a value, which may be optional
 template <class Value, class Chosen>
 [[nodiscard]] Texts word_for(const Choices<Value>& choices, const Chosen& chosen) {
     for (const auto& [word, value] : choices)
@@ -165,7 +167,7 @@ template <class Value, class Chosen>
     return {};
 }
 
-/// One word out of a few.
+/// Row of an option that takes one of a few words.
 template <class Value, class Field>
 OptionRow choice_row(std::string name, const Choices<Value>& choices, Field field, Columns columns) {
     const Texts words = words_of(choices);
@@ -182,7 +184,7 @@ OptionRow choice_row(std::string name, const Choices<Value>& choices, Field fiel
     return row;
 }
 
-/// Texts that add up over repeated options. @param range "NAME=VALUE", or "" where any text will do
+/// Row of a repeatable option whose texts accumulate. @param range "NAME=VALUE", or "" if any text is valid
 template <class Field>
 OptionRow texts_row(std::string name, std::string values, std::string range, Field field, Columns columns) {
     OptionRow row = described(std::move(name), OptionKind::text, std::move(values), std::move(columns));

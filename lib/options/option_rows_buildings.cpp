@@ -19,7 +19,7 @@ OptionRow preset() {
          .item = "PRESET"});
 }
 
-/// "auto", "none" or the name of a terrain model.
+/// Takes "auto", "none" or the name of a terrain model.
 OptionRow ground() {
     const Choices<GroundMode> modes{{"auto", GroundMode::automatic}, {"none", GroundMode::none}};
     OptionRow row =

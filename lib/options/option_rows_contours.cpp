@@ -4,7 +4,7 @@
 namespace d2b::rows {
 namespace {
 
-/// A greedy list: "-fl 10 12.5 15".
+/// Takes all numbers that follow: "-fl 10 12.5 15".
 OptionRow fixed_levels() {
     OptionRow row =
         described("fl", OptionKind::numbers, "<level> [<level>...]",
@@ -59,7 +59,7 @@ std::vector<OptionRow> noise() {
     return rows;
 }
 
-/// What flow solvers can take.
+/// Options for flow solvers.
 std::vector<OptionRow> flow() {
     constexpr double most = 100;
     std::vector<OptionRow> rows;
@@ -88,7 +88,7 @@ std::vector<OptionRow> flow() {
     return rows;
 }
 
-/// How outlines become walls.
+/// Regularization of outlines.
 OptionRow walls() {
     const Choices<Walls> choices{
         {"auto", Walls::automatic}, {"off", Walls::off}, {"right", Walls::right}, {"free", Walls::free}};

@@ -8,7 +8,7 @@
 namespace d2b::rows {
 namespace {
 
-/// "m", "ft", "us-ft" or metres in a unit.
+/// Takes "m", "ft", "us-ft" or metres in a unit.
 OptionRow vertical_unit() {
     const NumberRange metres{.lowest = 0, .above_lowest = true};
     const Texts units{"m", "ft", "us-ft"};
@@ -38,7 +38,7 @@ OptionRow vertical_unit() {
     return row;
 }
 
-/// Of elevations.
+/// Range of valid elevations.
 OptionRow elevation_range() {
     return several_row<2>(
         "zrange", OptionKind::numbers, "<lowest> <highest>", "two numbers, the lowest below the highest",
@@ -56,7 +56,8 @@ bool whole(double value) {
     return value == std::floor(value);
 }
 
-/// Some tools of GDAL take the upper left corner first, and some the lower left. @throws OptionError
+/// Detects the upper left corner given first, because some GDAL tools take it first and others the lower
+/// left. @throws OptionError
 void require_lower_left_first(const Four& extent) {
     const auto& [left, top, right, bottom] = extent;
     if (left < right && top > bottom)
@@ -66,7 +67,7 @@ void require_lower_left_first(const Four& extent) {
             numbers_text(Four{left, bottom, right, top}, " ") + ".");
 }
 
-/// What of the input is used.
+/// Options that select a part of the input.
 std::vector<OptionRow> windows() {
     std::vector<OptionRow> rows;
     rows.push_back(several_row<4>(

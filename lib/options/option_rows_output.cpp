@@ -51,7 +51,7 @@ std::vector<OptionRow> dataset() {
     return rows;
 }
 
-/// The surface of the buildings.
+/// Options of building surfaces.
 std::vector<OptionRow> surface() {
     const Choices<SurfaceOf> of{{"buildings", SurfaceOf::buildings}, {"contours", SurfaceOf::contours}};
     const Choices<SurfaceRoof> roofs{{"mean", SurfaceRoof::mean}, {"p50", SurfaceRoof::p50},
@@ -116,7 +116,7 @@ std::vector<OptionRow> surface() {
     return rows;
 }
 
-/// What is written beside buildings and contours, and by which names.
+/// Options of additional output, and of field names.
 std::vector<OptionRow> also_written() {
     const Choices<FieldNames> names{{"own", FieldNames::own},
                                     {"urock", FieldNames::urock},
@@ -213,7 +213,7 @@ std::vector<OptionRow> also_written() {
     return rows;
 }
 
-/// gdal_contour's switch for polygons, so that its command lines work here.
+/// Accepts gdal_contour's switch for polygons, so that its command lines work here.
 OptionRow polygons() {
     OptionRow row = described(
         "p", OptionKind::toggle, "",
@@ -316,7 +316,7 @@ std::vector<OptionRow> report() {
     rows.push_back(switch_row("bash_completion", [](auto& r) -> auto& { return r.tool.bash_completion; },
                               {.help = "Print a script that completes command lines in Bash and exit."}));
     for (OptionRow& row : rows) {
-        // Programs ask for these when the tool is built, installed or shown in a dialog.
+        // Hidden, because programs use them to build, install or present the tool.
         row.hidden = row.name == "man" || row.name == "options_md" || row.name == "options_json" ||
                      row.name == "bash_completion";
         row.repeats = false;

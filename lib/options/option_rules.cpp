@@ -82,7 +82,7 @@ constexpr std::array rules{
     no_effect(given("max_building_width"), is_not("ground", "auto"),
               "it helps to find the ground, which is given"),
 
-    // The surface.
+    // Surfaces.
     no_effect(given("surface_roof"), is("surface_of", "contours"), "tiers have heights of their own"),
     no_effect(given("surface_roof"), is("preset", "thesis"),
               "its surface is that of the contours unless -surface_of buildings is given",

@@ -7,13 +7,13 @@
 namespace d2b {
 
 enum class Match {
-    any,    ///< whatever its value
-    equal,  ///< with this value
-    other,  ///< with any value but this one
-    names   ///< with a value that names this: "lod" in "lod=1..6,nf=5"
+    any,    ///< any value
+    equal,  ///< this value
+    other,  ///< any value except this one
+    names   ///< a value that names this: "lod" in "lod=1..6,nf=5"
 };
 
-/// An option as it was given. Values are texts as OptionRow::show gives them.
+/// Condition on a given option. Values are texts as returned by OptionRow::show.
 struct OptionUse {
     std::string_view name{};  ///< without dash
     Match match = Match::any;
@@ -22,7 +22,7 @@ struct OptionUse {
 
 enum class RuleKind {
     exclude,   ///< both cannot hold
-    no_effect  ///< the first changes nothing beside the second
+    no_effect  ///< the first changes nothing if the second holds
 };
 
 /// Two uses of options that are refused together.
@@ -31,18 +31,18 @@ struct OptionRule {
     OptionUse one{};
     OptionUse other{};
     std::string_view advice{};  ///< ends the sentence
-    OptionUse unless{};         ///< a third that makes sense of the two; without a name there is none
+    OptionUse unless{};  ///< exception: with this third use the two make sense; ignored if it has no name
 };
 
-/// An option that says more of another.
+/// Option that is meaningless without another.
 struct OptionNeed {
     std::string_view name{};
     std::string_view needed{};
     std::string_view advice{};                  ///< ends the sentence
-    std::array<std::string_view, 3> or_else{};  ///< others that will do
+    std::array<std::string_view, 3> or_else{};  ///< alternatives to `needed`
 };
 
-/// In the order in which they are looked at.
+/// Rules in the order of checking.
 [[nodiscard]] std::span<const OptionRule> option_rules();
 [[nodiscard]] std::span<const OptionNeed> option_needs();
 

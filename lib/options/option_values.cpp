@@ -12,7 +12,7 @@
 namespace d2b {
 namespace {
 
-/// number_from_chars() takes no plus sign, which atof, and with it every tool of GDAL, accepts.
+/// number_from_chars() rejects a plus sign, which atof, and therefore every GDAL tool, accepts.
 std::string_view without_plus(std::string_view text) {
     if (text.size() > 1 && text[0] == '+' && text[1] != '-')
         text.remove_prefix(1);

@@ -8,7 +8,8 @@
 namespace d2b {
 namespace {
 
-/// What stands in layers that are not written: asked for by name that is refused by the table of rules.
+/// Refuses options for layers that are not written because of the format. The table of rules covers layers
+/// excluded by name.
 void refuse_for_layers(const Options& options, Layers layers) {
     const WriteOptions& write = options.write;
     if (options.outline.disjoint && layers == Layers::buildings)

@@ -4,28 +4,28 @@
 
 namespace d2b {
 
-/// The smallest building where -min_area is not given.
+/// Default of -min_area for buildings.
 inline constexpr double smallest_building_m2 = 30;
 
-/// -detail where it is not given: rails, dormers and what trees hang over a roof go, a storey stays.
+/// Default of -detail. Removes railings, dormers and branches over a roof, but keeps a storey.
 inline constexpr double usual_detail_m = 0.5;
 
-/// How far a wall may leave its trace where -regularize_tolerance is not given: so many cells, but no more
-/// metres, since coarse cells would let it come nearer to its neighbours than they are away; and at least a
-/// cell, without which no slanted wall fits its staircase.
+/// Default of -regularize_tolerance. Limited in metres, because in coarse cells walls would otherwise come
+/// closer to their neighbours than the distance between them; at least one cell, because a slanted wall
+/// cannot fit its staircase within less.
 inline constexpr double wall_tolerance_cells = 1.5;
 inline constexpr double least_wall_tolerance_cells = 1;
 inline constexpr double wall_tolerance_m = 1.25;
 
-/// Whether buildings are looked for: Preset::buildings. Preset::thesis takes everything above its thresholds.
+/// Returns true for Preset::buildings. Preset::thesis takes everything above its thresholds.
 [[nodiscard]] inline bool detects_buildings(const Options& options) {
     return options.preset == Preset::buildings;
 }
 
-/// -detail, or what stands for it where it is not given. m
+/// Returns -detail or its default, in m.
 [[nodiscard]] double detail_of(const Options& options);
 
-/// What a run does: what was asked for, and what became of that which was left open.
+/// Decided options of a run: the given ones, and values for those left open.
 struct RunPlan {
     Options asked;
     GroundMode ground;
@@ -33,31 +33,31 @@ struct RunPlan {
     double detail;  ///< m
     TraceMode trace;
     Walls walls;
-    double building_m2;  ///< smallest area of what is taken for a building
+    double building_m2;  ///< smallest area of a building
     double contour_m2;   ///< smallest area of a contour
     Layers layers;
     SurfaceOf surface_of;
 
     [[nodiscard]] bool detects_buildings() const { return d2b::detects_buildings(asked); }
-    /// Cells. @param cell_m side of a cell in metres; 0 where it is not known
+    /// Returns the tolerance in cells. @param cell_m side of a cell in metres; 0 if unknown
     [[nodiscard]] double wall_tolerance(double cell_m) const;
-    /// The options with all that was left open filled in, but for what depends on the cells.
+    /// Returns the options with all decisions filled in, except those that depend on the cell size.
     [[nodiscard]] Options settled() const;
 };
 
-/// Decides what the options leave open:
+/// Decides options that were left open:
 ///
-///                 buildings                    thesis
-///   -ground       auto                         none
-///   -levels       natural                      global
-///   -detail       0.5 m                        0
-///   -trace        cells                        points
-///   -regularize   auto, off if simplified      off
-///   -min_area     30 m2, of buildings          0, of all contours
-///   -surface_of   buildings                    contours
+///                     buildings                    thesis
+///       -ground       auto                         none
+///       -levels       natural                      global
+///       -detail       0.5 m                        0
+///       -trace        cells                        points
+///       -regularize   auto, off if simplified      off
+///       -min_area     30 m2, of buildings          0, of all contours
+///       -surface_of   buildings                    contours
 ///
-/// @param options as check_options() takes them @param layers what the destination gets
-/// @throws OptionError where an option speaks of a layer that the destination does not get
+/// @param options already accepted by check_options() @param layers that the destination gets
+/// @throws OptionError if an option concerns a layer that the destination does not get
 [[nodiscard]] RunPlan make_run_plan(Options options, Layers layers);
 
 }  // namespace d2b

@@ -7,8 +7,8 @@
 
 namespace d2b {
 
-/// The names of the rasters, surfaces and the page that are written beside the layers; "" for those that are
-/// not.
+/// Returns the names of rasters, surfaces and the page written besides the layers; "" for those not
+/// requested.
 [[nodiscard]] inline std::vector<std::string> side_files_of(const WriteOptions& write) {
     std::vector<std::string> names{write.ground, write.height, write.canopy};
     names.push_back(write.page);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::string_view blank = " \t\n\v\f\r";
 
-/// Where what begins at a place ends: with its quote, or else before a blank.
+/// Returns the end of a word: after its closing quote, otherwise before a blank.
 std::size_t end_of_word(std::string_view text, std::size_t begin) {
     if (begin < text.size() && (text[begin] == '\'' || text[begin] == '"'))
         if (const std::size_t quote = text.find(text[begin], begin + 1); quote != std::string_view::npos)
@@ -31,7 +31,7 @@ std::string without_words(const std::string& text) {
     return result + text.substr(done);
 }
 
-/// As in postgresql://user:password@host.
+/// Redacts passwords in URLs such as postgresql://user:password@host.
 std::string without_addresses(const std::string& text) {
     std::string result;
     std::size_t done = 0;

@@ -4,8 +4,8 @@
 
 namespace d2b {
 
-/// What messages and reports call a destination: a password in it, as the name of a database may have, is
-/// left out.
+/// Returns the destination for messages and reports, with passwords redacted: the name of a database may
+/// contain one.
 [[nodiscard]] std::string spoken_destination(const std::string& destination);
 
 }  // namespace d2b

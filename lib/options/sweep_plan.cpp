@@ -78,7 +78,7 @@ std::vector<double> reals_of(const std::string& text, const NumberRange& range) 
     const double step = numbers.size() == 3    ? numbers[2]
                         : all || last == first ? 1
                                                : (last - first) / (most_by_themselves - 1);
-    // A hair more than the steps that fit, as ten times a tenth is less than one.
+    // Add a tolerance, because ten times a tenth is less than one.
     const double steps = std::floor((last - first) / step + 1e-9);
     if (steps > static_cast<double>(most_trials))
         refuse(text);

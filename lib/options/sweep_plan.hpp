@@ -7,8 +7,8 @@
 
 namespace d2b {
 
-/// What is tried: every lod with every noise factor and every detail. A list that is empty leaves its option
-/// as it is.
+/// Grid of trials: every lod with every noise factor and every detail. An empty list keeps the option's
+/// value.
 struct SweepPlan {
     std::vector<int> lods;
     std::vector<int> noise_factors;
@@ -23,16 +23,16 @@ struct SweepPlan {
     [[nodiscard]] bool empty() const { return lods.empty() && noise_factors.empty() && details.empty(); }
 };
 
-/// Of a trial's share of a contact sheet: on less its caption cannot be read.
+/// Smallest side of a trial on a contact sheet whose caption is legible.
 inline constexpr int legible_trial_px = 400;
 
-/// @param longest side of the sheet, in pixels @throws OptionError where it has no room for so many trials
+/// @param longest side of the sheet, in pixels @throws OptionError if it has no room for that many trials
 void require_legible(std::size_t trials, int longest);
 
-/// "lod=1..6,nf=5..60": whole numbers from the first to the last, all where they are six or fewer, else six
-/// spread evenly; a third number is the step between them ("nf=5..60..5"), and one alone is one value.
-/// "detail=0..2..0.5": the same, but any numbers; between two that are not whole six are spread.
-/// @throws OptionError where the text is anything else, or names more than 400 trials
+/// Parses "lod=1..6,nf=5..60": integers from the first to the last, all if they are six or fewer, otherwise
+/// six spread evenly. A third number is the step ("nf=5..60..5"); a single number is one value.
+/// "detail=0..2..0.5" also takes fractions; between two that are not integers six are spread. @throws
+/// OptionError if the text is anything else, or names more than 400 trials
 [[nodiscard]] SweepPlan parse_sweep(const std::string& text);
 
 }  // namespace d2b

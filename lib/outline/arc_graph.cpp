@@ -37,8 +37,8 @@ class ArcCutter {
   private:
     static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
 
-    /// The arc that has been walked; it is known by its first edge, in the direction in which that is the
-    /// smaller one.
+    /// Returns the current arc. Arcs are identified by their first edge in the direction with the smaller
+    /// one.
     ArcUse use() {
         const std::pair forwards(arc_.front(), arc_[1]);
         const std::pair backwards(arc_.back(), arc_[arc_.size() - 2]);
@@ -59,7 +59,7 @@ class ArcCutter {
 
     const LatticeNet& net_;
     std::vector<Arc>& arcs_;
-    std::vector<std::uint32_t> known_;  // arc of each way from each vertex
+    std::vector<std::uint32_t> known_;  // arc per vertex and direction
     std::vector<Vertex> arc_;
 };
 
@@ -67,7 +67,7 @@ LatticeRing assemble(const std::vector<ArcUse>& uses, const std::vector<Arc>& ar
     LatticeRing ring;
     for (const ArcUse& use : uses) {
         const Arc& arc = arcs[use.arc];
-        // Each arc but for its last point, which is the first of the next one.
+        // Omit the last point of each arc, because it is the first of the next arc.
         if (use.reversed)
             ring.insert(ring.end(), arc.rbegin(), arc.rend() - 1);
         else

@@ -28,13 +28,13 @@ double twice_area(const FinePolygon& polygon) {
     return static_cast<double>(sum);
 }
 
-/// Edges by their boxes.
+/// Edges of a polygon in an R-tree.
 class NearEdges {
   public:
     NearEdges(const FinePolygon& polygon, const CellShape& shape) : shape_(shape), tree_(boxes(polygon)) {}
 
-    /// How far a point is from the nearest edge, in cells. What lies near is asked first, so that all edges
-    /// are seldom looked at.
+    /// Distance in cells from the nearest edge. Searches a growing box, because scanning all edges is rarely
+    /// necessary.
     [[nodiscard]] double distance_to(FinePoint point) const;
 
   private:
@@ -78,7 +78,7 @@ double NearEdges::distance_to(FinePoint point) const {
     return least;
 }
 
-/// How far those corners of one that the other lacks are from its edges.
+/// Largest distance between the corners of one polygon that the other lacks and the other's edges.
 double farthest(const FinePolygon& from, const FinePolygon& to, const CellShape& shape) {
     std::set<FinePoint> known;
     for (const FineRing* ring : rings_of(to))

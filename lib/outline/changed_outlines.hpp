@@ -12,7 +12,7 @@
 
 namespace d2b {
 
-/// Outlines that are drawn otherwise than from their traces, in some bytes a vertex.
+/// Outlines that replace those derived from traces, spooled at a few bytes per vertex.
 class ChangedOutlines {
   public:
     struct Kept {
@@ -21,15 +21,15 @@ class ChangedOutlines {
     };
     explicit ChangedOutlines(std::unique_ptr<Spool> spool) : spool_(std::move(spool)) {}
 
-    /// @param place a number of the caller's, one per outline
+    /// @param place a number chosen by the caller, unique per outline
     void put(std::size_t place, const FinePolygon& outline, const OutlineQuality& quality);
-    /// @return null where it has not changed
+    /// @return nullptr if it has not been replaced
     [[nodiscard]] const Kept* find(std::size_t place) const;
     [[nodiscard]] FinePolygon outline(const Kept& kept) const;
 
-    /// Area after, over area before.
+    /// Ratio of the areas after and before.
     [[nodiscard]] static double grown(const FinePolygon& before, const FinePolygon& after);
-    /// How far corners of either are from the other's edges, in cells.
+    /// Largest distance in cells between corners of one outline and edges of the other.
     [[nodiscard]] static double apart_cells(const FinePolygon& before, const FinePolygon& after,
                                             const CellShape& shape);
 

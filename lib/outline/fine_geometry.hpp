@@ -8,7 +8,7 @@
 
 namespace d2b {
 
-/// Twice the signed area of a triangle, positive where a, b, c run counter-clockwise with y up. Exact.
+/// Twice the signed area of a triangle, positive if a, b, c are counter-clockwise with y up. Exact.
 [[nodiscard]] inline Int128 turn(FinePoint a, FinePoint b, FinePoint c) {
     return static_cast<Int128>(b.row - a.row) * (c.col - a.col) -
            static_cast<Int128>(b.col - a.col) * (c.row - a.row);
@@ -18,7 +18,7 @@ namespace d2b {
     return value > 0 ? 1 : (value < 0 ? -1 : 0);
 }
 
-/// Which way a, b, c turn: the sign of turn(a, b, c). Exact; quick where they lie within a million cells.
+/// Orientation predicate: the sign of turn(a, b, c). Exact; fast if the points are within a million cells.
 [[nodiscard]] inline int side(FinePoint a, FinePoint b, FinePoint c) {
     const std::int64_t rows_b = b.row - a.row;
     const std::int64_t cols_b = b.col - a.col;
@@ -44,19 +44,19 @@ struct FineSegment {
            std::max(t.a.col, t.b.col) >= std::min(s.a.col, s.b.col);
 }
 
-/// Whether two segments have a point in common, ends included. Exact.
+/// Returns true if two segments intersect, ends included. Exact.
 [[nodiscard]] inline bool meet(const FineSegment& s, const FineSegment& t) {
     if (!boxes_meet(s, t))
         return false;
     const int a = side(s.a, s.b, t.a);
     const int b = side(s.a, s.b, t.b);
-    // On one line they meet where their boxes do.
+    // Collinear segments intersect if their boxes do.
     if (a == 0 && b == 0)
         return true;
     return a * b <= 0 && side(t.a, t.b, s.a) * side(t.a, t.b, s.b) <= 0;
 }
 
-/// Whether two segments that begin in one point have another one in common. Exact.
+/// Returns true if two segments from a common point share another point. Exact.
 [[nodiscard]] inline bool overlap_from(FinePoint common, FinePoint s, FinePoint t) {
     if (side(common, s, t) != 0)
         return false;
@@ -65,10 +65,10 @@ struct FineSegment {
            0;
 }
 
-/// Whether direction `to` comes before direction `than` as one turns counter-clockwise (y up) from due west;
-/// both seen from one point. Exact.
+/// Angular comparison around a point: true if `to` precedes `than` counter-clockwise (y up) from due west.
+/// Exact.
 [[nodiscard]] inline bool earlier_from_west(FinePoint from, FinePoint to, FinePoint than) {
-    // West and all below it first: counter-clockwise from west one looks south, east, north.
+    // Counter-clockwise from west come south, east, north, so west and everything below it is the first half.
     const auto half = [&](FinePoint p) {
         return p.row > from.row || (p.row == from.row && p.col < from.col) ? 0 : 1;
     };

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::uint32_t sign_bit = 0x80000000U;
 
-/// A number that sorts as first and second do.
+/// Key that sorts like the pair (first, second).
 std::uint64_t sort_key(std::int32_t first, std::int32_t second) {
     return static_cast<std::uint64_t>(static_cast<std::uint32_t>(first) ^ sign_bit) << 32 |
            (static_cast<std::uint32_t>(second) ^ sign_bit);
@@ -55,7 +55,7 @@ LatticeNet::LatticeNet(std::span<const Contour* const> contours, const StopReque
     }
 }
 
-/// @return the vertex that each corner is
+/// @return vertex per corner
 std::vector<LatticeNet::Vertex> LatticeNet::number_corners(const std::vector<LatticePoint>& corners,
                                                            const StopRequest& stop) {
     std::vector<std::pair<std::uint64_t, std::uint32_t>> order(corners.size());
@@ -93,7 +93,7 @@ LatticeNet::Way LatticeNet::way(Vertex from, Vertex to) const {
     return from < to ? Way::south : Way::north;
 }
 
-/// All vertices from one corner to the next, without the latter.
+/// Appends all vertices from one corner to the next, exclusive.
 void LatticeNet::append_edge(Vertex from, Vertex to) {
     const Way forwards = way(from, to);
     const bool along_row = points_[from].row == points_[to].row;

@@ -11,12 +11,11 @@
 
 namespace d2b {
 
-/// All rings of some contours over the distinct corners of all of them: every corner that another outline has
-/// on a ring's edge is a vertex of that ring.
+/// Noded rings of contours: every corner of another ring on an edge of a ring becomes a vertex of it.
 class LatticeNet {
   public:
     using Vertex = std::uint32_t;
-    /// The four ways from a vertex; a way and its opposite differ by 2.
+    /// Directions from a vertex; opposite directions differ by 2.
     enum class Way : std::uint8_t { east, south, west, north };
 
     /// @throws Cancelled
@@ -25,10 +24,10 @@ class LatticeNet {
     [[nodiscard]] std::size_t size() const { return points_.size(); }
     /// Vertices are sorted by row, then column.
     [[nodiscard]] LatticePoint point(Vertex v) const { return points_[v]; }
-    /// Whether other than two edges meet there.
+    /// True if the degree of the vertex is not two.
     [[nodiscard]] bool junction(Vertex v) const { return two_ways.at(ways_[v]) == 0; }
     [[nodiscard]] Way way(Vertex from, Vertex to) const;
-    /// Exteriors and interiors of one contour after the other.
+    /// Rings grouped by contour: exterior, then interiors.
     [[nodiscard]] std::size_t rings() const { return first_.size() - 1; }
     [[nodiscard]] std::span<const Vertex> ring(std::size_t r) const {
         return std::span(vertices_).subspan(first_[r], first_[r + 1] - first_[r]);
@@ -42,10 +41,10 @@ class LatticeNet {
 
     std::vector<LatticePoint> points_;
     std::vector<Vertex> by_col_;        // vertices sorted by column, then row
-    std::vector<Vertex> place_in_col_;  // of a vertex among these
-    std::vector<std::uint8_t> ways_;    // bits of a vertex
-    std::vector<Vertex> vertices_;      // of all rings
-    std::vector<std::size_t> first_;    // of each ring
+    std::vector<Vertex> place_in_col_;  // per vertex: its index in by_col_
+    std::vector<std::uint8_t> ways_;    // per vertex: bits of the directions of its edges
+    std::vector<Vertex> vertices_;      // concatenated vertices of all rings
+    std::vector<std::size_t> first_;    // per ring: its first vertex
 };
 
 }  // namespace d2b

@@ -8,16 +8,15 @@
 
 namespace d2b {
 
-/// The corners of all outlines, by rows and by columns. Compression leaves a corner of one outline in the
-/// middle of an edge of another where they share a wall; noding puts it into both, so that what they share is
-/// vertex for vertex the same, and rounding, reprojection or simplification cannot pull it apart.
+/// Index of the corners of all outlines by row and by column. Compression may leave a corner of one outline
+/// in the middle of an edge of another on a shared wall. Noding inserts it into both, because otherwise
+/// rounding, reprojection or simplification could separate the shared edge.
 class CornerIndex {
   public:
     explicit CornerIndex(const std::vector<Contour>& contours);
     explicit CornerIndex(std::span<const Contour* const> contours);
 
-    /// @param ring corners of a rectilinear ring @return the ring with every corner of any outline that lies
-    /// on it
+    /// @param ring corners of a rectilinear ring @return the ring with all corners of other outlines on it
     [[nodiscard]] LatticeRing noded(const LatticeRing& ring) const;
     [[nodiscard]] LatticePolygon noded(const LatticePolygon& polygon) const;
 
@@ -27,10 +26,10 @@ class CornerIndex {
     void append_between(LatticePoint from, LatticePoint to, LatticeRing& ring) const;
 
     std::vector<LatticePoint> by_row_;  ///< distinct, sorted by row, then column
-    std::vector<LatticePoint> by_col_;  ///< the same turned over: row and column swapped
+    std::vector<LatticePoint> by_col_;  ///< same with row and column swapped
 };
 
-/// A contour's outline as it was traced.
+/// Traced outline of a contour.
 [[nodiscard]] LatticePolygon traced_polygon(const Contour& contour);
 
 }  // namespace d2b

@@ -37,7 +37,7 @@ Drawing choose_drawing(const OutlineRules& rules, const Georeference& georeferen
 
 OutlineReach outline_reach(const ContourList& contours, const OutlineRules& rules,
                            const Georeference& georeference, double x_stretch, const StopRequest& stop) {
-    // Where no walls are drawn outlines share the corners that others have on them.
+    // Without walls, outlines affect each other only through shared corners.
     const WallOptions walls = choose_drawing(rules, georeference) == Drawing::regularized
                                   ? wall_options(rules, georeference, x_stretch)
                                   : WallOptions{Walls::off, 0, {{1, 0}, {0, 1}}};
@@ -53,10 +53,10 @@ struct Outliner::Impl {
     std::optional<ArcGraph> arcs;
     std::optional<RegularOutlines> walls;
     std::optional<ChangedOutlines> changed;
-    std::unique_ptr<Spool> spool;  // for them
+    std::unique_ptr<Spool> spool;  // moved into `changed` on first use
     CellShape shape;
 
-    /// Outlines and footprints of their own take turns.
+    /// Even keys are outlines, odd keys are separate footprints.
     [[nodiscard]] const ChangedOutlines::Kept* changed_at(std::size_t contour) const {
         return changed ? changed->find(2 * contour) : nullptr;
     }
@@ -73,7 +73,7 @@ struct Outliner::Impl {
 namespace {
 
 OutlineQuality quality_of(const WallQuality& quality) {
-    // The least form that more than a twentieth of its length has.
+    // Closest mode used by more than 5 % of the length.
     constexpr double little = 0.05;
     OutlineStatus status = OutlineStatus::regularized;
     if (quality.simplified_share + quality.traced_share > little)
@@ -111,7 +111,7 @@ OutlineQuality Outliner::changed_quality(OutlineQuality known, const FinePolygon
     if (impl_->walls)
         known.area_change = (1 + known.area_change) * ChangedOutlines::grown(before, after) - 1;
     known.deviation_cells += impl_->walls ? ChangedOutlines::apart_cells(before, after, impl_->shape) : 0;
-    // What is neither traced nor known to be valid is looked at.
+    // A replaced outline is no longer traced, so it must be validated.
     if (known.status == OutlineStatus::traced)
         known.status = OutlineStatus::simplified;
     return known;
@@ -159,7 +159,7 @@ FinePolygon Outliner::footprint(std::size_t contour) const {
     return impl_->walls ? impl_->walls->footprint(contour) : outline(contour);
 }
 
-/// What does not touch in its trace does not where it is simplified.
+/// Traces that do not touch cannot touch after simplification.
 std::vector<std::vector<std::uint32_t>> Outliner::groups(const StopRequest& stop) const {
     std::vector<std::vector<std::uint32_t>> groups;
     const auto add = [&](const std::vector<ClusterPlan>& clusters) {

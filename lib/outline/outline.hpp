@@ -15,67 +15,73 @@
 
 namespace d2b {
 
-/// What outlines are to look like.
+/// Options for drawing outlines.
 struct OutlineRules {
     Walls walls = Walls::off;
-    double wall_tolerance = 0;  ///< cells: no outline with walls leaves its trace by more
-    double wall_inset = 0;      ///< cells: walls move inward by it, as far as the tolerance lets them
-    double simplify = 0;        ///< tolerance in units of the CRS; 0: every corner is kept
-    bool reprojected = false;   ///< corners are moved afterwards
+    double wall_tolerance = 0;  ///< cells; largest distance between an outline with walls and its trace
+    double wall_inset = 0;      ///< cells by which walls move inward, within the tolerance
+    double simplify = 0;        ///< tolerance in units of the CRS; 0 keeps every corner
+    bool reprojected = false;   ///< corners are transformed afterwards
 };
 
-/// How outlines are drawn from contours.
+/// Methods of drawing outlines from contours.
 enum class Drawing {
-    traced,      ///< corner by corner: exact where rows and columns run along the axes and nothing moves them
-    noded,       ///< with every corner that another outline has on it, so that what is shared stays shared
-    simplified,  ///< from shared arcs, straightened
-    regularized  ///< with straight walls, right angles and arcs in place of the staircase
+    traced,  ///< only corners: exact if rows and columns run along the axes and corners are not transformed
+    noded,   ///< includes corners of other outlines, so that shared edges stay shared
+    simplified,  ///< simplified arcs, shared by neighbours
+    regularized  ///< straight walls, right angles and circular arcs instead of staircases
 };
 
-/// How an outline differs from its trace.
+/// Difference between an outline and its trace.
 struct OutlineQuality {
     OutlineStatus status = OutlineStatus::traced;
-    double simplified = 0;       ///< share of the length that is simplified although walls were asked for
-    double kept_traced = 0;      ///< share of the length that runs as it was traced although walls were asked
-                                 ///< for
-    double deviation_cells = 0;  ///< outline and trace are nowhere farther apart, either way; a cell is the
-                                 ///< square root of its area. Regularized outlines alone: else 0
-    double area_change = 0;      ///< share of the traced area. Regularized outlines alone: else 0
+    double simplified = 0;   ///< share of the length that is only simplified although walls were requested
+    double kept_traced = 0;  ///< share of the length that keeps the trace although walls were requested
+    double deviation_cells = 0;  ///< upper bound of both Hausdorff distances between outline and trace, in
+                                 ///< cells (square root of the cell area); 0 unless regularized
+    double area_change = 0;      ///< relative to the traced area; 0 unless regularized
 };
 
-/// Draws outlines of contours on the lattice, one at a time. What is const may be called from several
-/// threads.
+/// Draws the outlines of contours on the lattice. The work that needs all contours (noding, simplification,
+/// fitting walls) is done by the constructor, so that outlines can be fetched one at a time:
+///
+///     const auto method = choose_drawing(rules, georeference);
+///     const Outliner outliner(contours, method, rules, georeference, x_stretch, context);
+///     for (std::size_t i = 0; i < contours.size(); ++i)
+///         write(outliner.outline(i));
+///
+/// Outlines of neighbours and of other levels share vertices exactly in all modes except `traced`. Results
+/// are on the fine lattice and not transformed to the CRS. An outline may be invalid after a transformation;
+/// callers then fall back to traced(), or replace() it. Const members are thread-safe.
 class Outliner {
   public:
-    /// @param contours they stay the caller's and must outlive this
-    /// @param x_stretch length on the ground of a unit of x over that of a unit of y: what is a right angle
-    /// @param context its threads fit walls, which wait in a spool of its
+    /// @param contours must outlive this
+    /// @param x_stretch ratio of the ground lengths of one unit of x and one of y; needed for right angles
+    /// @param context provides threads for fitting walls and a spool for the results
     Outliner(const ContourList& contours, Drawing drawing, const OutlineRules& rules,
              const Georeference& georeference, double x_stretch, Context& context);
     Outliner(Outliner&&) noexcept;
     Outliner& operator=(Outliner&&) noexcept;
     ~Outliner();
 
-    /// Draws a contour like this from now on, and its footprint where this is no other. While nobody else
-    /// asks for outlines.
+    /// Replaces the outline of a contour, and its footprint unless that is separate. Not thread-safe.
     void replace(std::size_t contour, const FinePolygon& outline);
-    /// Draws its own footprint like this from now on, where there are such. While nobody else asks for
-    /// outlines.
+    /// Replaces the separate footprint of a contour. Requires has_own_footprints(); not thread-safe.
     void replace_footprint(std::size_t contour, const FinePolygon& outline);
 
     [[nodiscard]] OutlineQuality quality(std::size_t contour) const;
     [[nodiscard]] FinePolygon outline(std::size_t contour) const;
-    /// The outline of a contour of level 0 or 1 for those who do not look at higher levels. Where outlines
-    /// are regularized, footprints are drawn as if nothing stood on them: without vertices that higher levels
-    /// need, and also where their outline keeps its traced form for the sake of what stands on it.
+    /// Outline of a contour of level 0 or 1 for users who ignore higher levels. Regularized footprints lack
+    /// the vertices that only higher levels need, and are regularized even if the outline keeps its trace
+    /// because of a higher level.
     [[nodiscard]] FinePolygon footprint(std::size_t contour) const;
     [[nodiscard]] OutlineQuality footprint_quality(std::size_t contour) const;
-    /// Whether footprints may differ from outlines at all.
+    /// True if footprints may differ from outlines.
     [[nodiscard]] bool has_own_footprints() const;
-    /// Divides the contours into groups whose outlines nowhere meet those of other groups, but that outlines
-    /// of level 0 may meet all. @return the contours of each, ascending; sorted by their first contours
+    /// Divides contours into groups whose outlines do not touch other groups; outlines of level 0 may touch
+    /// all of them. @return contours of each group, ascending; groups sorted by their first contours
     [[nodiscard]] std::vector<std::vector<std::uint32_t>> groups(const StopRequest& stop) const;
-    /// The outline without simplification: the way back where a polygon would be invalid.
+    /// Outline without simplification: the fallback for invalid polygons.
     [[nodiscard]] FinePolygon traced(std::size_t contour) const;
 
   private:
@@ -85,19 +91,22 @@ class Outliner {
     std::unique_ptr<Impl> impl_;
 };
 
-/// What an outline depends on beside its own contour.
+/// Neighbourhood on which an outline depends.
 struct OutlineReach {
-    LatticePoint cells;  ///< rows and columns of the lattice over which outlines get into each other's way
-    /// Contours that may do so, ascending, and what stands on them; sorted by their first contours.
+    LatticePoint cells;  ///< rows and columns within which outlines may conflict
+    /// Contours that may conflict and the contours on top of them, ascending; groups sorted by their first
+    /// contours.
     std::vector<std::vector<std::uint32_t>> groups;
 };
-/// The outlines of a group depend on nothing but its contours. Not where they are simplified.
-/// @param x_stretch as Outliner's
+/// Finds groups of contours whose outlines depend only on the contours of the group. Not valid for simplified
+/// outlines.
+/// @param x_stretch as for Outliner
 [[nodiscard]] OutlineReach outline_reach(const ContourList& contours, const OutlineRules& rules,
                                          const Georeference& georeference, double x_stretch,
                                          const StopRequest& stop);
 
-/// What the rules and the grid call for: nothing is noded that cannot come apart.
+/// Chooses the cheapest method that satisfies the rules, because noding is unnecessary on axis-parallel
+/// grids.
 [[nodiscard]] Drawing choose_drawing(const OutlineRules& rules, const Georeference& georeference);
 
 }  // namespace d2b

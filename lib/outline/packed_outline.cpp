@@ -5,7 +5,7 @@
 namespace d2b {
 namespace {
 
-/// Numbers in groups of seven bits, small ones in few, whatever their sign.
+/// Writes variable-length integers: zigzag encoding in groups of seven bits (as in Protocol Buffers).
 class NumberWriter {
   public:
     explicit NumberWriter(ByteWriter& writer) : writer_(writer) {}

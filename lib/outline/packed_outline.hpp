@@ -5,7 +5,7 @@
 
 namespace d2b {
 
-/// A drawn polygon in some four bytes a vertex: from each vertex the way to the next one.
+/// Serializes a drawn polygon with delta encoding, about four bytes per vertex.
 void save(const FinePolygon& polygon, ByteWriter& bytes);
 [[nodiscard]] FinePolygon load_outline(const Spool& spool, SpoolEntry entry);
 

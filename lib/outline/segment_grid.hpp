@@ -10,28 +10,27 @@
 
 namespace d2b {
 
-/// Edges of drawn arcs in square buckets, to find those that are near each other. Arcs come and change one by
-/// one.
+/// Uniform grid of the edges of drawn arcs for finding nearby edges. Arcs can be inserted and changed.
 class SegmentGrid {
   public:
     struct Edge {
         std::uint32_t arc;
-        std::uint32_t index;  ///< of its first vertex
+        std::uint32_t index;  ///< index of its first vertex
         friend auto operator<=>(const Edge&, const Edge&) = default;
     };
     using Arcs = std::vector<std::vector<FinePoint>>;
 
-    /// @param arcs must outlive this @param box of all vertices, about; others are found as well
-    /// @param edges how many there are, about
+    /// @param arcs must outlive this @param box approximate extent; vertices outside are found as well
+    /// @param edges approximate number
     SegmentGrid(const Arcs& arcs, const LatticeBox& box, std::size_t edges);
 
-    /// Puts an arc's edges where they are now.
+    /// Inserts or moves the edges of an arc.
     void update(std::uint32_t arc);
 
     [[nodiscard]] FineSegment segment(Edge e) const {
         return {(*arcs_)[e.arc][e.index], (*arcs_)[e.arc][e.index + 1]};
     }
-    /// Calls visit(edge) for edges near a segment, some more than once: all that meet it are among them.
+    /// Calls visit(edge) for edges near a segment, including all that intersect it; may repeat edges.
     template <typename Visit>
     void near(const FineSegment& segment, const Visit& visit) const {
         const Box box = box_of(segment);
@@ -48,19 +47,19 @@ class SegmentGrid {
             if (entries_[i].version == versions_[entries_[i].edge.arc])
                 visit(entries_[i].edge);
     }
-    /// The bucket of a coordinate. Those beyond the box are the outermost ones.
+    /// Bucket of a coordinate, clamped to the grid.
     [[nodiscard]] std::int64_t row_of(std::int64_t row) const {
         return std::clamp((row - low_.row) >> shift_, std::int64_t{0}, rows_ - 1);
     }
     [[nodiscard]] std::int64_t col_of(std::int64_t col) const {
         return std::clamp((col - low_.col) >> shift_, std::int64_t{0}, cols_ - 1);
     }
-    /// Where a column of buckets begins.
+    /// First coordinate of a column of buckets.
     [[nodiscard]] std::int64_t first_of(std::int64_t col) const { return low_.col + (col << shift_); }
 
   private:
     static constexpr std::uint32_t none = 0xffffffff;
-    /// Rows and columns of an edge in 64ths of a cell from the grid's, rounded downwards.
+    /// Bounds of an edge in 64ths of a cell relative to the grid, rounded down.
     struct Box {
         std::int32_t top;
         std::int32_t bottom;
@@ -73,8 +72,8 @@ class SegmentGrid {
     struct Entry {
         Box box;
         Edge edge;
-        std::uint32_t version;  // of the arc when this was entered
-        std::uint32_t next;     // in the bucket
+        std::uint32_t version;  // version of the arc at insertion
+        std::uint32_t next;     // next entry of the bucket
     };
     [[nodiscard]] std::size_t slot(std::int64_t row, std::int64_t col) const {
         return static_cast<std::size_t>(row * cols_ + col);
@@ -89,12 +88,12 @@ class SegmentGrid {
 
     const Arcs* arcs_;
     FinePoint low_;
-    int shift_ = 12;  // buckets of 4 x 4 cells, where these are not too many
+    int shift_ = 12;  // buckets of 4 x 4 cells, larger if there would be too many
     std::int64_t rows_ = 0;
     std::int64_t cols_ = 0;
-    std::vector<std::uint32_t> heads_;  // the first entry of each bucket
+    std::vector<std::uint32_t> heads_;  // first entry of each bucket
     std::vector<Entry> entries_;
-    std::vector<std::uint32_t> versions_;  // of each arc
+    std::vector<std::uint32_t> versions_;  // per arc
 };
 
 template <typename Visit>
@@ -119,8 +118,8 @@ void SegmentGrid::for_buckets(const FineSegment& segment, const Visit& visit) co
         return static_cast<double>(upper.col) + slope * static_cast<double>(border - upper.row);
     };
     for (std::int64_t row = first_row; row <= last_row; ++row) {
-        // Columns between the bucket's upper and lower border; a little more where doubles round. The last
-        // row holds all below as well.
+        // Columns between the upper and lower border of the bucket, with a margin for rounding. The last row
+        // includes everything below it.
         double from = row > first_row ? col_at(row) : static_cast<double>(upper.col);
         double to = row < last_row ? col_at(row + 1) : static_cast<double>(lower.col);
         if (from > to)

@@ -24,9 +24,9 @@ class Straightener {
   private:
     struct Vertex {
         LatticePoint at;
-        std::size_t previous;  // of those that remain
+        std::size_t previous;  // among the remaining vertices
         std::size_t next;
-        bool fixed;  // an end of its arc
+        bool fixed;  // end of its arc
         bool removed = false;
     };
     using Edge = std::array<LatticePoint, 2>;
@@ -43,8 +43,8 @@ class Straightener {
     const Georeference& georeference_;
     double tolerance_;
     const StopRequest& stop_;
-    std::vector<Vertex> vertices_;    // of all arcs, one after the other
-    std::vector<std::size_t> first_;  // of each arc, and one past the last
+    std::vector<Vertex> vertices_;    // all arcs, concatenated
+    std::vector<std::size_t> first_;  // per arc, and one past the last
     VertexGrid grid_;
     std::set<Edge> edges_;
     std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue_;
@@ -54,7 +54,7 @@ class Straightener {
 Straightener::Straightener(const std::vector<Arc>& arcs, double tolerance, const Georeference& georeference,
                            const StopRequest& stop)
     : georeference_(georeference), tolerance_(tolerance), stop_(stop) {
-    std::set<LatticePoint> ends;  // junctions are shared by arcs, and stand in the grid once
+    std::set<LatticePoint> ends;  // junctions are shared by arcs but inserted into the grid once
     for (const Arc& arc : arcs) {
         first_.push_back(vertices_.size());
         for (std::size_t i = 0; i < arc.size(); ++i) {
@@ -70,7 +70,7 @@ Straightener::Straightener(const std::vector<Arc>& arcs, double tolerance, const
     first_.push_back(vertices_.size());
 }
 
-/// The largest distance of the original points between two vertices from the edge that would join these.
+/// Largest distance between the original points between two vertices and the edge joining them.
 double Straightener::deviation(std::size_t from, std::size_t to) const {
     const LatticePoint origin = vertices_[from].at;
     const auto offset = [&](LatticePoint p) {
@@ -134,7 +134,7 @@ void Straightener::run() {
             stop_.check();
             const Vertex& v = vertices_[vertex];
             if (v.removed || v.previous != previous || v.next != next)
-                continue;  // its neighbours have changed: it stands in the queue again
+                continue;  // outdated entry: its neighbours have changed, so it was queued again
             if (!free_to_go(vertex)) {
                 blocked_.push_back(vertex);
                 continue;
@@ -142,7 +142,7 @@ void Straightener::run() {
             remove(vertex);
             any_removed = true;
         }
-        // What stood in the way may be gone.
+        // Retry blocked vertices, because the obstacles may have been removed.
         std::vector<std::size_t> again;
         std::swap(again, blocked_);
         for (const std::size_t vertex : again)

@@ -7,18 +7,16 @@
 
 namespace d2b {
 
-/// Straightens the arcs of a planar graph, so that outlines that share them stay nested, disjoint and valid.
+/// Simplifies the arcs of a planar graph, keeping all outlines that share them nested, disjoint and valid.
 ///
-/// One vertex after the other goes, the one that moves the outline least first, if
-///  - every point of the original arc that the new edge replaces lies within the tolerance of it, and so
-///  every
-///    point of the edge within the tolerance of the arc: both Hausdorff distances are bounded; and
-///  - no other vertex of the graph lies in the triangle that the outline sweeps over, its border included,
-///  and the
-///    new edge is not there yet. Then nothing is crossed, and nothing changes sides.
-/// The second test is exact, on integers. Junctions and the first point of a closed arc stay. What remains
-/// has no point that was not in the trace.
-/// @param tolerance in units of the CRS, more than 0 @throws Cancelled
+/// Removes vertices one by one, beginning with the one that changes the outline least, if
+///  - every point of the original arc that the new edge replaces is within the tolerance of that edge, and
+///    vice versa, so both Hausdorff distances are bounded; and
+///  - no other vertex of the graph lies in the swept triangle, border included, and the new edge does not
+///    exist yet. This prevents intersections and changes of side.
+/// The second test is exact, with integers. Junctions and the first point of a closed arc are kept, and no
+/// new points are created.
+/// @param tolerance in units of the CRS, positive @throws Cancelled
 void simplify(std::vector<Arc>& arcs, double tolerance, const Georeference& georeference,
               const StopRequest& stop = {});
 

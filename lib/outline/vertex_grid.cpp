@@ -5,7 +5,7 @@
 namespace d2b {
 namespace {
 
-/// Twice the signed area of a triangle: exact, since rows and columns are less than 2^31 apart.
+/// Twice the signed area of a triangle; exact because rows and columns differ by less than 2^31.
 std::int64_t turn(LatticePoint a, LatticePoint b, LatticePoint c) {
     const auto rows_b = static_cast<std::int64_t>(b.row) - a.row;
     const auto cols_b = static_cast<std::int64_t>(b.col) - a.col;
@@ -14,7 +14,7 @@ std::int64_t turn(LatticePoint a, LatticePoint b, LatticePoint c) {
     return cols_b * rows_c - rows_b * cols_c;
 }
 
-/// On the border counts as inside; for a flat triangle, on its longest side.
+/// Returns true for points in the closed triangle; a degenerate one is its longest side.
 bool inside(LatticePoint p, LatticePoint a, LatticePoint b, LatticePoint c) {
     const std::int64_t ab = turn(a, b, p);
     const std::int64_t bc = turn(b, c, p);

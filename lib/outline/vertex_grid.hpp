@@ -8,15 +8,15 @@
 
 namespace d2b {
 
-/// Points in buckets of 16 x 16, to find those in a triangle.
+/// Uniform grid of points with buckets of 16 x 16, for finding points in triangles.
 class VertexGrid {
   public:
     void add(LatticePoint point) {
         buckets_[bucket(point.row >> shift, point.col >> shift)].push_back(point);
     }
-    /// One of the points equal to this.
+    /// Removes one of the points equal to this.
     void remove(LatticePoint point);
-    /// Whether a point other than its three corners lies in a triangle or on its border.
+    /// Returns true if the closed triangle contains a point other than its corners.
     [[nodiscard]] bool any_in(LatticePoint a, LatticePoint b, LatticePoint c) const;
 
   private:

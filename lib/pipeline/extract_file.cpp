@@ -15,7 +15,8 @@
 namespace d2b {
 namespace {
 
-/// Who gives the file names in the wrong order reads nothing of the raster that he gave.
+/// If the file names were given in the wrong order, the destination is the raster and the source cannot be
+/// read.
 std::unique_ptr<DemSource> open_source(const Options& options, const Callbacks& callbacks) {
     try {
         return open_dem(options.read, callbacks);
@@ -64,7 +65,8 @@ RunReport extract_file(const Options& options, const Callbacks& callbacks,
     const auto sink = open_sink(options.write, heard);
     const SideSinks side = open_side_sinks(options, inputs.dem->info());
     Preview preview(options, *sink, inputs.dem->info());
-    // A page shows the buildings on their terrain, or where there is none on what the elevations have lowest.
+    // The page shows buildings on the terrain, or on the lowest elevations if there is no terrain because the
+    // run does not detect buildings.
     const bool has_terrain = detects_buildings(options);
     RasterTee ground(side.ground.get(), has_terrain ? side.page_relief.get() : nullptr);
     RasterTee elevations(preview.elevations(), has_terrain ? nullptr : side.page_relief.get());

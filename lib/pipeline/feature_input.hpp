@@ -8,25 +8,26 @@
 
 namespace d2b {
 
-/// What is drawn.
+/// Contours and outlines to be drawn, with the values that their features need.
 struct ToDraw {
     const StoredContours& contours;
     const Outliner& outliner;
-    Label buildings;  ///< labels above are doubtful
+    Label buildings;  ///< labels above are low-confidence candidates
     FixedPoint fixed;
     ParcelSource* parcels = nullptr;
 };
 
-/// What the features of a run need. @param setup which must outlive it, as what is drawn must
-/// @param compare, kept as FeatureInput has them
+/// Collects the input of write_features(). @param setup must outlive the result, as must the referenced
+/// contours
+/// @param stack_error, building_records see FeatureInput
 [[nodiscard]] FeatureInput feature_input(const RunSetup& setup, const ToDraw& what, const RunReport& report,
                                          std::function<StackError(const DrawnStack&)> compare,
                                          BuildingRecords* kept = nullptr);
 
-/// Which contours of a run the outlines of each depend on.
+/// Groups of contours whose outlines depend on each other, and the reach of that dependence in cells.
 [[nodiscard]] OutlineReach reach_of(const ContourList& contours, const RunSetup& setup, Context& context);
 
-/// The outlines of contours of a run.
+/// Draws the outlines of the contours of a run.
 [[nodiscard]] Outliner draw_outlines(const ContourList& contours, const RunSetup& setup, Context& context);
 
 }  // namespace d2b

@@ -18,13 +18,13 @@ void put_into(FoundBuildings& found, UnitMerger::Merged&& merged, double metres)
     found.labels.renumber(std::move(merged.number));
 }
 
-/// Puts together what is found in units, which come row by row.
+/// Accumulates the results of units, which arrive row by row.
 class UnitSum {
   public:
     UnitSum(const UnitSearch& search, std::int32_t unit_cols, FoundBuildings& found)
         : search_(search), found_(found), seams_(unit_cols) {}
 
-    /// @param col place of the unit in its row
+    /// @param col column of the unit in its row
     void add(const Unit& unit, std::int32_t col, FoundInUnit&& here) {
         const StageClock clock(search_.context.report, Stage::detect);
         Executor& threads = *search_.context.threads;
@@ -108,7 +108,7 @@ FoundBuildings find_buildings(const UnitSearch& search, const UnitSize& size) {
     if (plan.ground == GroundMode::given)
         context.report.count(Reason::terrain_outside_range, search.sources.terrain->cells_outside_range());
     sum.finish(units);
-    context.threads->blocks()->clear();  // no grid comes after these
+    context.threads->blocks()->clear();  // no grid is allocated after this point
     return found;
 }
 

@@ -22,8 +22,8 @@ Executor& threads_of(const UnitSearch& search) {
     return *search.context.threads;
 }
 
-/// The terrain as it is given or estimated. Where that finds a cell to be far below the ground, the surface
-/// is not known.
+/// Reads or estimates the terrain. Cells that the estimate finds far below the ground become NaN in the
+/// surface.
 MetreGrid terrain_of(const UnitSearch& search, const Window& seen, SeenSurface& seen_surface) {
     MetreGrid& surface = seen_surface.elevations();
     if (search.plan.ground == GroundMode::none)
@@ -33,12 +33,12 @@ MetreGrid terrain_of(const UnitSearch& search, const Window& seen, SeenSurface& 
     const StageClock clock(search.context.report, Stage::ground);
     Terrain terrain = estimate_ground(surface, search.frame.cell, search.plan.asked.ground, search.context,
                                       {seen.row, seen.col});
-    // What is far below the ground is neither building nor ground.
+    // Cells far below the ground are measurement errors, neither building nor ground.
     seen_surface.take_out(terrain.flags, low_outlier, threads_of(search));
     return std::move(terrain.elevation);
 }
 
-/// The terrain that detection stands on is nowhere above the surface.
+/// Clamps a given terrain to the surface, because detection expects heights that are not negative.
 void keep_below(const UnitSearch& search, const MetreGrid& surface, MetreGrid& terrain) {
     if (search.plan.ground != GroundMode::given)
         return;
@@ -49,7 +49,7 @@ void keep_below(const UnitSearch& search, const MetreGrid& surface, MetreGrid& t
     });
 }
 
-/// A unit's own cells in the grid of what it sees.
+/// Returns the window of a unit's own cells within its extent.
 Window own_in_seen(const Unit& unit) {
     return {unit.own.row - unit.seen.row, unit.own.col - unit.seen.col, unit.own.rows, unit.own.cols};
 }
@@ -71,7 +71,7 @@ std::vector<SeenObject> seen_objects(const Detection& detection, const std::vect
     return seen;
 }
 
-/// What was left out or cut off whose first cells are the unit's own.
+/// Counts rejected or cut-off objects whose first cell belongs to the unit, so that each is counted once.
 void count_left_out(const LeftOut& left_out, const Window& own, RunReport& report) {
     const auto is_own = [&](const FirstCell& cell) {
         return cell.row >= own.row && cell.row < own.end_row() && cell.col >= own.col &&

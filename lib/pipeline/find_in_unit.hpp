@@ -18,14 +18,14 @@
 
 namespace d2b {
 
-/// What holds for the whole window and is the same for all its units: none of it is worked out from a unit.
+/// Values shared by all units of a window, so that no result depends on the division into units.
 struct UnitFrame {
     Window window;
-    CellSize cell;      ///< at the window's middle
-    double metres = 1;  ///< in one vertical unit
+    CellSize cell;      ///< at the centre of the window
+    double metres = 1;  ///< metres per vertical unit
 };
 
-/// How ground and buildings are looked for.
+/// Inputs and outputs of the search for ground and buildings.
 struct UnitSearch {
     const RunPlan& plan;
     const Sources& sources;
@@ -35,11 +35,11 @@ struct UnitSearch {
     Context& context;
 };
 
-/// What stands in a unit.
+/// Detection result of one unit.
 struct FoundInUnit {
-    Grid<Label> labels;               ///< of what it sees
+    Grid<Label> labels;               ///< labels of the unit's extent
     std::vector<SeenObject> objects;  ///< by label - 1
-    GroundFit fit;                    ///< the rest is of its own cells
+    GroundFit fit;                    ///< this and the following statistics cover the unit's own cells only
     GroundSlope slope;
     SidesKnown sides;
     ParcelFit parcels;
@@ -47,8 +47,8 @@ struct FoundInUnit {
     ValidIslands islands;
 };
 
-/// Estimates or reads the terrain, detects buildings above it, and writes the rasters that are asked for. The
-/// result is a function of the cells that the unit sees, and of the search's plan and frame.
+/// Estimates or reads the terrain, detects buildings above it, and writes the requested rasters. The result
+/// is a pure function of the cells in the unit's extent and of the plan and frame of the search.
 /// @throws InputError, OutputError, Cancelled
 [[nodiscard]] FoundInUnit find_in_unit(const UnitSearch& search, const Unit& unit);
 

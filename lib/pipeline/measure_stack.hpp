@@ -8,11 +8,11 @@
 
 namespace d2b {
 
-/// How far the stack is from the elevations. @param stack as it is drawn, in the reader's window
+/// Measures the error of the stack against the elevations. @param stack as drawn, in the reader's window
 [[nodiscard]] StackError measure_stack(const DrawnStack& stack, const FixedPoint& fixed,
                                        ElevationReader& reader);
 
-/// The same of the stacks that end at level 1, 2, ... @param levels how many
+/// Same for each of the stacks that end at level 1, 2, ... @param levels number of levels
 [[nodiscard]] std::vector<StackError> measure_cuts(const DrawnStack& stack, std::int32_t levels,
                                                    const FixedPoint& fixed, ElevationReader& reader);
 

@@ -7,7 +7,7 @@
 namespace d2b {
 namespace {
 
-/// What the thresholds of each building depend on.
+/// Collects the elevation statistics from which each building's thresholds are derived.
 void add_statistics(ElevationReader& reader, const FoundBuildings& found, BuildingStatistics& buildings,
                     Context& context) {
     reader.for_each(

@@ -12,14 +12,15 @@
 
 namespace d2b {
 
-/// What of the buildings' points belongs to which level.
+/// Levels of the buildings' points.
 struct Tiers {
     LevelPlan plan;
-    std::optional<CleanRows> clean;  ///< elevations that stand for those of the points, where there are such
+    std::optional<CleanRows> clean;  ///< simplified elevations of the points; empty if detail is 0
 };
 
-/// The levels of each building from the elevations in it, cleaned where that is asked for.
-/// @param found in the reader's window, which need not be the run's @param fixed of all elevations of the run
+/// Derives the levels of each building from its elevations, simplified first if detail is asked for.
+/// @param found in the reader's window, which may be a part of the run's @param fixed covers all elevations
+/// of the run
 /// @param global levels of the whole DEM @throws OptionError, InputError, OutputError, Cancelled
 [[nodiscard]] Tiers plan_tiers(ElevationReader& reader, const FoundBuildings& found, const Window& window,
                                const RunSetup& setup, const FixedPoint& fixed, const LevelPlan& global,

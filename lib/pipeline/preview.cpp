@@ -17,14 +17,15 @@ CellSize cell_of(const DemInfo& dem, const Crs& crs) {
     try {
         return cell_steps(dem.window, Georeference(dem.transform, TraceMode::cells), crs);
     } catch (const InputError&) {
-        // The middle is not on the earth; nor need it be where levels are traced alone.
+        // The centre lies outside the projection's domain, which is allowed when levels are traced without
+        // detection.
         const AffineTransform& g = dem.transform;
         const double metres = crs.horizontal_unit() ? crs.horizontal_unit()->metres : 1;
         return {std::hypot(g[1], g[4]) * metres, std::hypot(g[2], g[5]) * metres, 1};
     }
 }
 
-/// The options that shape a stack.
+/// Describes the options that shape a stack.
 std::string tried(const Options& options) {
     std::string text = "lod " + std::to_string(options.levels.lod);
     if (!options.levels.fixed.empty() || options.levels.interval)

@@ -13,19 +13,20 @@
 
 namespace d2b {
 
-/// The picture of -preview, on the way of the features to their sink.
+/// Picture of -preview. Intercepts the features and elevations on their way to their sinks.
 class Preview {
   public:
-    /// @param features must outlive this @throws OptionError, OutputError where the picture cannot be written
+    /// @param features must outlive this @throws OptionError, OutputError if the picture cannot be written
     Preview(const Options& options, FeatureSink& features, const DemInfo& dem);
 
-    /// Where the run's features are to go: through the picture, if there is one.
+    /// Returns the sink for the run's features: the picture's if there is one, otherwise the given one.
     [[nodiscard]] FeatureSink& features() { return sink_ ? *sink_ : features_; }
-    /// Where its elevations are to go; nullptr where there is no picture.
+    /// Returns the sink for the run's elevations; nullptr if there is no picture.
     [[nodiscard]] RasterSink* elevations() { return sink_ ? &sink_->relief() : nullptr; }
-    /// After the run. @param commit shows the picture while this lives @throws OutputError
+    /// Prepares the picture after the run. @param commit publishes it and must not outlive this @throws
+    /// OutputError
     void prepare(CommitList& commit);
-    /// What has been noticed since the last call.
+    /// Returns the warnings since the last call.
     [[nodiscard]] std::vector<std::string> take_warnings();
 
   private:
@@ -34,9 +35,9 @@ class Preview {
     std::optional<PreviewSink> sink_;
 };
 
-/// Where the picture goes.
+/// Returns the destination of the picture.
 [[nodiscard]] RasterTarget picture_target(const Options& options);
-/// What the picture shows. @throws OptionError
+/// Returns the grid and CRS that the picture shows. @throws OptionError
 [[nodiscard]] MapGround ground_of(const Options& options, const DemInfo& dem);
 
 }  // namespace d2b

@@ -21,7 +21,7 @@ std::string thresholds_of(const RunReport& report) {
     return text;
 }
 
-/// What became of the options that shape the result, each by the name that its row gives.
+/// Returns the decided values of the options that shape the result, by the names in their rows.
 std::map<std::string, std::string> decisions(const RunPlan& plan) {
     const Request settled{plan.settled(), {}};
     std::map<std::string, std::string> items;
@@ -37,7 +37,8 @@ Provenance make_provenance(const RunPlan& plan, const DemInfo& info, const Crs& 
                            const RunReport& report) {
     Provenance provenance;
     provenance.crs_wkt = target.kind() == Crs::Kind::none ? crs.wkt() : target.wkt();
-    // Elevations in two units, or stacked contours among disjoint ones, would make nonsense of a layer.
+    // A layer must not mix vertical units, or stacked with disjoint contours, because its fields would lose
+    // their meaning.
     provenance.binding = {"D2B_VERTICAL_UNIT", "D2B_CONTOURS"};
     provenance.metadata = {
         {"D2B_VERSION", std::string(version)},

@@ -8,8 +8,8 @@
 
 namespace d2b {
 
-/// What a dataset says of where it comes from: source, the options that make it again, what became of them,
-/// thresholds, units and version; nothing that changes from run to run.
+/// Describes the origin of a dataset: source, options that reproduce it, decided values, thresholds, units
+/// and version. Contains nothing that changes from run to run.
 [[nodiscard]] Provenance make_provenance(const RunPlan& plan, const DemInfo& info, const Crs& crs,
                                          const Crs& target, const RunReport& report);
 

@@ -9,12 +9,12 @@
 
 namespace d2b {
 
-/// Hands a raster on to two sinks, either of which may be nullptr.
+/// Forwards a raster to two sinks, either of which may be nullptr.
 class RasterTee final : public RasterSink {
   public:
     RasterTee(RasterSink* one, RasterSink* other) : one_(one), other_(other) {}
 
-    /// Where the raster is to go; nullptr where nobody takes it.
+    /// Returns the sink to write to; nullptr if neither sink exists.
     [[nodiscard]] RasterSink* sink() {
         return one_ != nullptr && other_ != nullptr ? this : one_ != nullptr ? one_ : other_;
     }

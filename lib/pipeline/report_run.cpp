@@ -87,7 +87,7 @@ void prepare_sinks(const Sinks& sinks, CommitList& commit, Context& context) {
     }
     sinks.features.take_report(context.report);
     sinks.features.prepare(commit);
-    context.check_stop();  // from now on nobody can
+    context.check_stop();  // the run can no longer be cancelled
 }
 
 }  // namespace d2b

@@ -19,19 +19,19 @@
 
 namespace d2b {
 
-/// What sinks have noticed since the last call.
+/// Returns the warnings of all sinks since the last call.
 [[nodiscard]] std::vector<std::string> take_warnings(const Sinks& sinks);
 
-/// Warns of what sources and sinks have noticed, on whichever thread.
+/// Issues the warnings of sources and sinks, whichever thread raised them.
 void pass_warnings(const Sources& sources, const Sinks& sinks, Context& context);
 
-/// @param levels of the label with most, the root counted
+/// @param levels of the label with the most levels, including the root
 void report_levels(const LevelPlan& plan, int levels, RunReport& report);
 
-/// Labels above the last are doubtful.
+/// Counts buildings with labels up to `last`; labels above are low-confidence candidates.
 [[nodiscard]] std::size_t buildings_up_to(Label last, const ContourList& contours);
 
-/// What a search for buildings says of itself.
+/// Statistics gathered during the search for buildings.
 struct SearchFacts {
     GroundFit fit;
     GroundSlope slope;
@@ -39,17 +39,17 @@ struct SearchFacts {
     ParcelFit parcels;
     SurfaceSampling sampling;
     ValidIslands islands;
-    double terrain_outside = 0;  ///< share of the window outside of the terrain model that is given
+    double terrain_outside = 0;  ///< share of the window outside of the given terrain model
 };
 /// @param terrain may be null
 [[nodiscard]] double share_outside(const DemSource* terrain);
 
-/// Warns where nothing was found, and of what makes doubtful what was. @param facts null where nothing was
-/// searched
+/// Warns if nothing was found, and of conditions that make the result unreliable. @param facts null if there
+/// was no search
 void warn_of_result(const RunSetup& setup, const LevelPlan& plan, std::size_t buildings,
                     const SearchFacts* facts, Context& context);
 
-/// Completes the results of all sinks. @param commit shows them @throws OutputError, Cancelled
+/// Completes the results of all sinks. @param commit publishes them @throws OutputError, Cancelled
 void prepare_sinks(const Sinks& sinks, CommitList& commit, Context& context);
 
 }  // namespace d2b

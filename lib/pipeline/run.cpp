@@ -29,7 +29,7 @@
 namespace d2b {
 namespace {
 
-/// Shares of a run that are done at the end of its parts.
+/// Progress of a run at the end of each of its parts, as a share of 1.
 struct Milestones {
     double read;
     double found;
@@ -42,19 +42,19 @@ const Milestones& milestones(const RunPlan& plan) {
     return plan.detects_buildings() ? of_buildings : of_thesis;
 }
 
-/// What `work` gives, where its progress is a part of the whole.
+/// Runs `work` with its progress mapped to [begin, end] and returns its result.
 template <typename Work>
 auto within(Context& context, double begin, double end, const Work& work) {
     const ProgressSpan span(context, begin, end);
     return work();
 }
 
-/// What is an elevation, and the statistics of what is.
+/// Decides which values are valid elevations and collects their statistics.
 ElevationStatistics collect_statistics(ElevationReader& reader, const RunSetup& setup, DemSource& source,
                                        Context& context) {
     const Options& options = setup.plan.asked;
     const DemInfo& info = setup.dem;
-    // The thesis preset takes elevations as they are.
+    // The thesis preset does not filter elevations.
     SiftRules rules =
         sift_rules(options.read, detects_buildings(options), info, context.report.units.vertical_metres);
     const auto survey_all = [&] {
@@ -75,7 +75,7 @@ ElevationStatistics collect_statistics(ElevationReader& reader, const RunSetup& 
     return survey.statistics;
 }
 
-/// The elevations that all else is found in, in metres.
+/// Writes the filtered elevations in metres.
 void write_elevations(ElevationReader& reader, std::int32_t first_col, RasterSink& sink, double metres) {
     std::vector<float> values;
     reader.for_each([&](const ElevationBand& band) {
@@ -86,21 +86,21 @@ void write_elevations(ElevationReader& reader, std::int32_t first_col, RasterSin
     });
 }
 
-/// How a run divides its window.
+/// Sizes of the pieces into which a run divides its window.
 struct RunSize {
     const BandSize& bands;
     const UnitSize& units;
 };
 
-/// What is known of a run before its contours are traced.
+/// Results of the stages before tracing.
 struct Searched {
     ElevationStatistics statistics;
     Tiers tiers;
     std::optional<FoundBuildings> found;
 };
 
-/// From the elevations to the levels of what stands on the ground. @param lattice null where no surface is
-/// asked for
+/// Runs all stages from the elevations to the levels of buildings. @param lattice null if no surface is asked
+/// for
 Searched search_levels(ElevationReader& reader, const RunSetup& setup, const Sources& sources,
                        const Sinks& sinks, const UnitSize& size, SurfaceLattice* lattice, Context& context) {
     const RunPlan& decided = setup.plan;
@@ -127,7 +127,7 @@ Searched search_levels(ElevationReader& reader, const RunSetup& setup, const Sou
     return searched;
 }
 
-/// Changes outlines so that air or water flows around them, where that is asked for. @return what was changed
+/// Adjusts outlines to be flow-ready if asked for. @return the changes and remaining problems
 std::vector<FlowProblem> make_flow_ready(const StoredContours& contours, Outliner& outliner,
                                          const RunSetup& setup, Context& context) {
     const OutlineOptions& asked = setup.plan.asked.outline;
@@ -141,13 +141,13 @@ std::vector<FlowProblem> make_flow_ready(const StoredContours& contours, Outline
         context);
 }
 
-/// What is written beside the features.
+/// Inputs of the outputs other than features.
 struct Beside {
     const std::vector<FlowProblem>& flow;
-    const SurfaceLattice* lattice;  ///< null where no surface is asked for
+    const SurfaceLattice* lattice;  ///< null if no surface is asked for
 };
 
-/// Draws the contours and hands them to the sinks.
+/// Draws the contours and writes them to the sinks.
 void write_result(const FeatureInput& input, const RecordMaker& records, const RunSetup& setup,
                   const Sinks& sinks, const Beside& beside, Context& context) {
     const Milestones& at = milestones(setup.plan);
@@ -169,6 +169,12 @@ void write_result(const FeatureInput& input, const RecordMaker& records, const R
     context.progress(at.drawn);
 }
 
+/// Runs all stages on the calling thread; each stage uses all threads of the context.
+///
+///     set_up_run -> survey -> find_buildings -> plan_tiers
+///                -> trace_contours -> draw_outlines -> write_result
+///
+/// Stages between the survey and tracing are skipped if the plan does not detect buildings (-preset thesis).
 void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks, const RunSize& size,
                 CommitList& commit, Context& context) {
     const DemInfo& info = sources.dem.info();
@@ -222,13 +228,13 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
     prepare_sinks(sinks, commit, context);
 }
 
-/// With all that is to be warned of, whether it ends well or not.
+/// Runs all stages and issues the pending warnings, even if a stage throws.
 void run_to_commit(const Options& asked, const Sources& sources, const Sinks& sinks, const RunSize& size,
                    CommitList& commit, Context& context) {
     try {
         run_stages(asked, sources, sinks, size, commit, context);
     } catch (...) {
-        pass_warnings(sources, sinks, context);  // which may say why
+        pass_warnings(sources, sinks, context);  // may explain the error
         throw;
     }
     pass_warnings(sources, sinks, context);

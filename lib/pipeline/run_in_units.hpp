@@ -5,7 +5,7 @@
 
 namespace d2b {
 
-/// run() with units of another size, which shapes the result.
+/// Same as run(), but with units of another size. The size affects the result.
 RunReport run_in_units(const Options& options, const Sources& sources, const Sinks& sinks,
                        const Callbacks& callbacks, const UnitSize& units, const BandSize& bands = {});
 

@@ -47,7 +47,7 @@ Crs target_crs(const Options& options, const Crs& crs) {
     return Crs(options.outline.target_crs);
 }
 
-/// Asks the destination before the work whether it can hold the CRS. @param place in it
+/// Asks the destination before the run whether it can store the CRS. @param place a position in that CRS
 void require_crs(const Options& options, const Crs& crs, const Crs& target, const Position& place,
                  FeatureSink& sink) {
     const bool moved = target.kind() != Crs::Kind::none;
@@ -69,7 +69,7 @@ void describe(const DemInfo& dem, const RunPlan& plan, const Crs& crs, const Crs
     report.points = report.rows * report.cols;
 }
 
-/// What large rasters are divided into must fit in memory.
+/// Checks that one unit of the window fits in memory. Windows of a single unit are exempt.
 void require_memory(const RunPlan& plan, const Window& window, const CellSize& cell, Context& context) {
     const UnitGrid units = unit_grid(plan, window, cell);
     if (units.count() == 1)

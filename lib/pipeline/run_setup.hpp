@@ -10,25 +10,25 @@
 
 namespace d2b {
 
-/// What is known of a run before an elevation is read.
+/// State of a run before any elevation is read: decided options, CRSs, geometry of the grid, layers.
 struct RunSetup {
     RunPlan plan;
     const DemInfo& dem;
     Crs crs;
-    Crs target;  ///< kind none: the DEM's
+    Crs target;  ///< kind none: the CRS of the DEM
     Georeference georeference;
     SquareArea area;
-    CellSize cell;      ///< known where buildings are looked for
-    LayerSpecs layers;  ///< without their styles
+    CellSize cell;      ///< set only if buildings are detected
+    LayerSpecs layers;  ///< styles are added later
 
-    /// Side of a square of a cell's area, in metres.
+    /// Returns the side in metres of a square with the area of a cell.
     [[nodiscard]] double cell_m() const { return cell_size_m(dem.window, area); }
-    /// The CRS of what is written.
+    /// Returns the CRS of the output.
     [[nodiscard]] const Crs& written() const { return target.kind() == Crs::Kind::none ? crs : target; }
 };
 
-/// Checks what was asked for, decides what was left open, starts the threads, and asks the destination
-/// whether it can hold the result: what cannot be is refused before the work.
+/// Validates the options, decides the open ones, starts the threads, and asks the destination whether it can
+/// hold the result, because an impossible request should fail before the work, not after it.
 /// @throws OptionError, InputError, OutputError
 [[nodiscard]] RunSetup set_up_run(const Options& asked, const DemInfo& dem, FeatureSink& sink,
                                   Context& context);

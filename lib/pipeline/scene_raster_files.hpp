@@ -9,18 +9,18 @@
 
 namespace d2b {
 
-/// Names of the rasters that a search writes; "" for those that it does not.
+/// File names of the rasters that a search writes; "" for those not asked for.
 struct SceneRasterNames {
     std::string ground;
     std::string height;
     std::string canopy;
 };
 
-/// The grid in the CRS that -a_srs gives.
+/// Returns the grid with the CRS overridden by -a_srs.
 [[nodiscard]] DemInfo in_its_crs(DemInfo dem, const Options& options);
 
-/// GeoTIFFs, which appear whole or not at all. @param dem whose window they get
-/// @param in_use names of what else is read and written, to which theirs are added
+/// Opens GeoTIFFs that are published complete or not at all. @param dem its window is the rasters' extent
+/// @param in_use names of all other inputs and outputs; the new names are appended
 /// @throws OptionError, OutputError
 [[nodiscard]] SideSinks open_scene_rasters(const Options& options, const DemInfo& dem,
                                            const SceneRasterNames& names, bool overwrite,

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::int32_t rows_given_at_once = 256;
 
-/// The unit's own cells, value(i) for each: i is its index in a grid of what the unit sees.
+/// Writes value(i) for each of the unit's own cells, i being the index in a grid of the unit's extent.
 template <typename Value>
 void write_values(RasterSink& sink, const Unit& unit, const Value& value) {
     std::vector<float> values;
@@ -28,7 +28,7 @@ void write_values(RasterSink& sink, const Unit& unit, const Value& value) {
     }
 }
 
-/// Heights above the ground; of the canopy 0 where no plant stands.
+/// Heights above the ground. The canopy height of a cell without vegetation is 0.
 class Heights {
   public:
     Heights(const Scene& scene, const Detection& detection, double min_height)

@@ -7,9 +7,9 @@
 
 namespace d2b {
 
-/// Writes what is asked for of the terrain, the heights above it, and those of plants: what rises by more
-/// than `min_height` metres and is no building. Rows are made as they are written.
-/// @param unit whose own cells are written @param scene what it sees @throws OutputError
+/// Writes the requested rasters of a unit: terrain, heights above it, and canopy heights. Canopy is
+/// everything higher than `min_height` metres that is not a building. Rows are computed while writing.
+/// @param unit its own cells are written @param scene covers the unit's extent @throws OutputError
 void write_scene_rasters(const Sinks& sinks, const Scene& scene, const Detection& detection,
                          double min_height, const Unit& unit);
 

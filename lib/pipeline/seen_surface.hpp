@@ -10,20 +10,21 @@
 
 namespace d2b {
 
-/// The elevations of a part of the window in metres, NaN where there is none. Where the reader keeps all of
-/// them like that they are its own, which it gets back as they were: that saves a grid and a pass over it.
+/// Elevations of a part of the window in metres; NaN if there is none.
+/// Borrows the reader's grid if that holds all elevations in this form, because this saves a copy and a pass
+/// over it. The destructor restores and returns it.
 class SeenSurface {
   public:
-    /// @param metres in a vertical unit @throws InputError, Cancelled
+    /// @param metres per vertical unit @throws InputError, Cancelled
     SeenSurface(ElevationReader& reader, const Window& seen, double metres, Executor& threads);
     SeenSurface(const SeenSurface&) = delete;
     SeenSurface& operator=(const SeenSurface&) = delete;
     ~SeenSurface();
 
     [[nodiscard]] const MetreGrid& elevations() const { return elevations_; }
-    /// For who leaves them as they were.
+    /// Mutable access for callers that undo their changes.
     [[nodiscard]] MetreGrid& elevations() { return elevations_; }
-    /// Makes NaN of what has a flag. @param flags of the cells
+    /// Sets flagged cells to NaN until destruction. @param flags per cell
     void take_out(const Grid<std::uint8_t>& flags, std::uint8_t flag, Executor& threads);
 
   private:

@@ -8,13 +8,13 @@
 namespace d2b {
 namespace {
 
-/// Readers of shells have single precision.
+/// True if a sink writes meshes, whose readers use single precision.
 bool has_shells(const Sinks& sinks) {
     return std::ranges::any_of(sinks.surfaces,
                                [](const SurfaceSink* sink) { return sink->form() == SurfaceForm::shell; });
 }
 
-/// Whether there are tiers alone.
+/// True if all surface sinks take tiers.
 bool is_page(const Sinks& sinks) {
     return std::ranges::all_of(sinks.surfaces,
                                [](const SurfaceSink* sink) { return sink->form() == SurfaceForm::tiers; });

@@ -9,15 +9,17 @@
 
 namespace d2b {
 
-/// Where the surfaces of a run lie; asks the sinks whether they can hold it. @return nothing where there are
-/// none @throws OptionError, OutputError
+/// Creates the lattice of the run's surfaces and asks the sinks whether they can hold it. @return nullopt if
+/// there are none
+/// @throws OptionError, OutputError
 [[nodiscard]] std::optional<SurfaceLattice> set_up_surfaces(const RunSetup& setup, const Sinks& sinks,
                                                             const UnitReport& units);
 
-/// Whether a sink gets the tiers of stacks.
+/// True if a sink takes the tiers of stacks.
 [[nodiscard]] bool has_tiers(const Sinks& sinks);
 
-/// Told as soon as it is known. @param range of the elevations, in the vertical unit @throws OptionError
+/// Passes on the elevation range as soon as it is known. @param range in the vertical unit @throws
+/// OptionError
 void set_heights(SurfaceLattice& lattice, const ElevationRange& range, const Sinks& sinks);
 
 }  // namespace d2b

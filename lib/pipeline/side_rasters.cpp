@@ -27,7 +27,7 @@ std::string shape_text(std::int32_t rows, std::int32_t cols) {
     return "(" + std::to_string(rows) + ", " + std::to_string(cols) + ")";
 }
 
-/// @param option that names it
+/// @param option name of the option that gives the raster
 SideRaster side_raster(const std::string& option, const std::string& name,
                        const std::optional<ElevationArray>& array, const DemInfo& dem) {
     if (!array)

@@ -20,7 +20,7 @@ LabelBand labels_of(const ElevationBand& band, const BandTracing& tracing) {
     return found == nullptr ? detect_one_label(band, none) : found->band(band.shape);
 }
 
-/// Buildings' cells have the levels of their clean elevations.
+/// Overwrites the levels of building cells by those of their simplified elevations.
 template <typename Count>
 void take_clean_levels(const CleanRows& clean, const LabelBand& labels, const LevelPlan& plan,
                        LevelBand<Count>& levels) {
@@ -45,8 +45,8 @@ PointRows<Count> point_rows(const std::shared_ptr<const ElevationBand>& elevatio
     return rows;
 }
 
-/// Bands are taken apart on all threads, each with the rows above it that it needs, which it counts again.
-/// @param work goes on with the lines, on the same thread @param use gets what that gives, on this one
+/// Splits bands into runs on all threads. Each band repeats the rows above it that it depends on.
+/// @param work processes the lines on the same thread @param use receives its results on the calling thread
 template <typename Count, typename Work, typename Use>
 void take_apart_as(ElevationReader& reader, const BandTracing& tracing, const Work& work, const Use& use) {
     reader.for_each_below(
@@ -75,7 +75,7 @@ void take_apart_by_counts(ElevationReader& reader, const BandTracing& tracing, c
         take_apart_as<std::uint16_t>(reader, tracing, work, use);
 }
 
-/// What the tracer takes is given back at the end.
+/// Traces all bands. The tracer's memory is released at the end.
 void trace_into(ContourStore& store, ElevationReader& reader, const BandTracing& tracing, Context& context) {
     const Window& window = tracing.frame.window;
     Tracer tracer(tracing.frame, tracing.mode, store);
@@ -105,7 +105,7 @@ void take_bands_apart(ElevationReader& reader, const BandTracing& tracing, const
 ContourStore contour_store(const TraceFrame& frame, const FoundBuildings* found, const RunPlan& plan,
                            const SquareArea& area, double metres, Context& context) {
     const NoiseRules noise{plan.asked.filter.noise_factor, plan.contour_m2, plan.detects_buildings()};
-    // Footprints that were found stand on nothing.
+    // Detected footprints do not stand on other contours.
     HeightRules heights;
     if (found != nullptr)
         heights = {plan.asked.detect.min_building_height, found->ground, metres};

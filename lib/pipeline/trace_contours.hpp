@@ -13,14 +13,14 @@
 
 namespace d2b {
 
-/// What of a DEM belongs to which level.
+/// Level of each point of a DEM.
 struct TierImage {
     const LevelPlan& plan;
-    const FoundBuildings* found;  ///< what the labels belong to; null: all points bear one label
-    const CleanRows* clean;  ///< elevations that stand for those of the buildings' points; null: their own
+    const FoundBuildings* found;  ///< buildings that the labels refer to; null if all points bear one label
+    const CleanRows* clean;       ///< simplified elevations of the buildings' points; null to use their own
 };
 
-/// How bands are taken apart.
+/// Parameters for splitting bands into runs.
 struct BandTracing {
     const TraceFrame& frame;
     const TierImage& image;
@@ -29,29 +29,30 @@ struct BandTracing {
 };
 using UseLines = std::function<void(const BandShape& band, std::vector<TraceLine>&& lines)>;
 
-/// Takes all bands apart, on all threads, and hands the lines to `use` in their order, on this one.
-/// @throws InputError, and what `use` throws
+/// Splits all bands into runs on all threads and passes the lines to `use` in order, on the calling thread.
+/// @throws InputError, and any exception of `use`
 void take_bands_apart(ElevationReader& reader, const BandTracing& tracing, const UseLines& use);
 
-/// Where contours wait. @param found null: all points bear one label @param metres in one vertical unit
+/// Creates the store of finished contours. @param found null if all points bear one label @param metres per
+/// vertical unit
 [[nodiscard]] ContourStore contour_store(const TraceFrame& frame, const FoundBuildings* found,
                                          const RunPlan& plan, const SquareArea& area, double metres,
                                          Context& context);
 
-/// A band of which is known what can be known without those above it.
+/// Band traced as far as possible without the bands above it.
 struct TracedBand {
-    PiledContours contours;  ///< that lie in it
+    PiledContours contours;  ///< contours that lie entirely in the band
     LinkedBand linked;
 };
-/// On any thread. @param lines of the band @param tally counts what is dropped
+/// Thread-safe. @param lines of the band @param tally counts dropped contours
 [[nodiscard]] TracedBand trace_band(const TraceFrame& frame, TraceMode mode, std::vector<TraceLine>&& lines,
                                     const ContourStore& store, Tally& tally);
-/// From the first row to the last. @param tracer whose sink is the store
+/// Joins bands in order, from the first row to the last. @param tracer its sink is the store
 void join_band(TracedBand&& band, Tracer& tracer, ContourStore& store);
 
-/// Traces and filters the contours of all levels, in one pass over the DEM.
-/// @param metres in one vertical unit
-/// @throws InputError, Cancelled, and what the spool throws
+/// Traces and filters the contours of all levels in one pass over the DEM.
+/// @param metres per vertical unit
+/// @throws InputError, Cancelled, and spool errors
 [[nodiscard]] std::unique_ptr<StoredContours> trace_contours(ElevationReader& reader, const TraceFrame& frame,
                                                              const TierImage& image, const RunPlan& plan,
                                                              const SquareArea& area, double metres,

@@ -12,7 +12,7 @@
 namespace d2b {
 namespace {
 
-/// A source that has been read whole.
+/// Source read into memory as a whole.
 class KeptSource final : public DemSource {
   public:
     explicit KeptSource(DemSource& source) : source_(source), info_(source.info()) {

@@ -9,21 +9,21 @@
 
 namespace d2b {
 
-/// The values that a trial has of its own.
+/// Option values that differ between trials.
 struct TrialValues {
     int lod = 0;
     int noise_factor = 0;
     double detail = 0;
 };
 
-/// One run of several, whose layers went nowhere.
+/// One run of a sweep; its features are discarded.
 struct Trial {
     TrialValues values;
     RunReport report;
-    double seconds = 0;  ///< on the clock
+    double seconds = 0;  ///< wall-clock time
 };
 
-/// What looks at a trial on its way, such as a picture of it.
+/// Observer of a trial, for example a preview picture.
 class TrialView {
   public:
     TrialView() = default;
@@ -34,13 +34,13 @@ class TrialView {
     [[nodiscard]] virtual FeatureSink& features() = 0;
     [[nodiscard]] virtual RasterSink& elevations() = 0;
 };
-/// Makes the view of a trial. @param nothing takes the features in the end
+/// Creates the view of a trial. @param nothing discards the features that the view passes on
 using MakeView = std::function<std::unique_ptr<TrialView>(FeatureSink& nothing, const TrialValues& values)>;
 
-/// Runs the whole job for every combination of the plan: the noise factors of one detail after the other, and
-/// the details of one lod. Each source is read once and kept, 8 bytes a point.
-/// What several trials would warn of is told once.
-/// @param make_view makes none where it is empty @throws Error
+/// Runs once per combination of the plan's values; noise factors vary fastest, then details, then lods. Reads
+/// each source once and keeps it in memory (8 bytes per point) because all trials need it. Issues a repeated
+/// warning only once.
+/// @param make_view may be empty @throws Error
 [[nodiscard]] std::vector<Trial> run_trials(const Options& options, const Sources& sources,
                                             const SweepPlan& plan, const MakeView& make_view,
                                             const Callbacks& callbacks = {});

@@ -6,7 +6,7 @@
 
 #include "preview/late_call.hpp"
 
-/// What this folder calls of Cairo.
+/// Functions of Cairo used in this folder.
 namespace d2b {
 
 D2B_LATE_CALL(cairo_clip);

@@ -7,7 +7,7 @@
 #include "preview/cairo_calls.hpp"
 #include "preview/colour.hpp"
 
-/// Cairo's objects with their owners; for the sources of this folder alone.
+/// RAII wrappers of Cairo objects. Include only in sources of this folder.
 namespace d2b {
 
 struct SurfaceCloser {
@@ -18,10 +18,11 @@ using SurfaceOwner = std::unique_ptr<cairo_surface_t, SurfaceCloser>;
 struct PenCloser {
     void operator()(cairo_t* pen) const { cairo_destroy(pen); }
 };
-/// What draws on a surface.
+/// Owns a drawing context.
 using PenOwner = std::unique_ptr<cairo_t, PenCloser>;
 
-/// Cairo goes on after an error and remembers the first. @throws OutputError where there was one
+/// Checks a status. Once per drawing is enough, because Cairo keeps the first error and ignores later calls.
+/// @throws OutputError on an error
 inline void check_drawn(cairo_status_t status) {
     if (status != CAIRO_STATUS_SUCCESS)
         throw OutputError("The picture cannot be drawn (" + std::string(cairo_status_to_string(status)) +

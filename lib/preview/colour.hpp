@@ -7,10 +7,10 @@
 
 namespace d2b {
 
-/// Red, green and blue.
+/// RGB, 8 bits per channel.
 using Colour = std::array<std::uint8_t, 3>;
 
-/// What is seen of a colour below another one. @param opacity of the upper one
+/// Blends two colours. @param opacity of the upper one
 [[nodiscard]] inline Colour covered(Colour lower, Colour upper, double opacity) {
     Colour seen{};
     for (std::size_t i = 0; i < seen.size(); ++i)
@@ -21,11 +21,11 @@ using Colour = std::array<std::uint8_t, 3>;
 inline constexpr Colour paper{255, 255, 255};
 inline constexpr Colour ink{35, 35, 35};
 inline constexpr Colour faint_ink{95, 95, 95};
-/// Of outlines and frames.
+/// Colour of outlines and frames.
 inline constexpr Colour edge{70, 45, 35};
-/// Of level ground in the relief.
+/// Colour of level ground in the relief.
 inline constexpr Colour level_ground{222, 222, 222};
-/// How much of the relief footprints hide.
+/// Opacity of footprints over the relief.
 inline constexpr double footprint_opacity = 0.82;
 
 }  // namespace d2b

@@ -12,10 +12,10 @@
 namespace d2b {
 namespace {
 
-constexpr double caption_letters = 17;  ///< width of a caption, in sizes of letters
-constexpr double caption_height = 3.3;  ///< with what is free above it
+constexpr double caption_letters = 17;  ///< width of a caption, in font sizes
+constexpr double caption_height = 3.3;  ///< including the space above it
 
-/// In pixels.
+/// Layout in pixels.
 struct SheetLayout {
     PixelSize page;
     PixelSize map;
@@ -43,12 +43,12 @@ SheetLayout lay_out(const MapGround& ground, const SheetPlan& plan) {
     const auto across = [&] { return columns * (std::max(width, least) + sheet.gap) - sheet.gap; };
     const auto footer = [&] { return Footer(across(), sheet.font, 1).height() + 2 * sheet.gap; };
     const bool too_high = rows * (height + caption) + footer() > longest;
-    // Twice, as the height of the footer depends on the width.
+    // Two iterations, because the height of the footer depends on the width.
     for (int step = 0; too_high && step < 2; ++step) {
         height = std::max((longest - footer()) / rows - caption, 1.0);
         width = height * aspect;
     }
-    // Rounded down, as many of them add up.
+    // Rounded down, because the errors of many maps would add up.
     sheet.map = {whole_pixels(std::floor(width)), whole_pixels(std::floor(height))};
     sheet.cell_width = std::max<double>(sheet.map.width, std::floor(least));
     sheet.cell_height = std::floor(caption) + sheet.map.height;

@@ -8,26 +8,26 @@
 
 namespace d2b {
 
-/// Trials on one page: how many, in how many columns, and the longest side of the page.
+/// Arrangement of trials on one page: number of trials, columns, and longest side of the page.
 struct SheetPlan {
     std::size_t trials = 1;
     int columns = 1;
     int longest = 1;
 };
 
-/// @param across trials that belong into one row where there is room for them
+/// @param across preferred number of trials per row, used if they fit
 [[nodiscard]] SheetPlan plan_sheet(std::size_t trials, std::size_t across, int longest);
 
-/// Of each map on the sheet.
+/// Returns the size of each map on the sheet.
 [[nodiscard]] PixelSize map_on_sheet(const MapGround& ground, const SheetPlan& plan);
 
 struct TrialPicture {
-    std::string caption;  ///< what was tried
-    MapPicture map;       ///< of the size of map_on_sheet()
+    std::string caption;  ///< option values of the trial
+    MapPicture map;       ///< has the size of map_on_sheet()
 };
 
-/// Maps side by side, each below its caption, row by row, with one legend. @param trials at least one
-/// @return the file @throws OutputError
+/// Draws maps row by row, each below its caption, with one shared legend. @param trials at least one
+/// @return content of the file @throws OutputError
 [[nodiscard]] std::string draw_contact_sheet(std::span<const TrialPicture> trials, const SheetPlan& plan,
                                              PictureFormat format);
 

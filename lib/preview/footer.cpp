@@ -10,13 +10,13 @@
 namespace d2b {
 namespace {
 
-// In sizes of letters.
-constexpr double block_height = 3.7;  // of the legend, and of what stands beside it
+// Sizes below are in font sizes.
+constexpr double block_height = 3.7;  // height of the legend and the blocks next to it
 constexpr double scale_room = 13;
 constexpr double arrow_room = 3.2;
 constexpr double arrow_height = 3.2;
 
-/// Whether lengths on the ground are known in metres.
+/// True if lengths on the ground are known in metres.
 bool in_metres(const Crs& crs) {
     return crs.horizontal_unit().has_value() || crs.on_ellipsoid();
 }

@@ -9,20 +9,20 @@
 
 namespace d2b {
 
-/// What stands below a map, or below several of one scale.
+/// Text below a map, or below several maps of the same scale.
 struct FooterText {
     std::string legend;              ///< title of the legend
-    std::vector<std::string> lines;  ///< the first in dark letters, the last in small faint ones
+    std::vector<std::string> lines;  ///< first line dark, last line small and faint
 };
 
-/// Legend, scale bar and north arrow, side by side where there is room, and lines of text.
+/// Legend, scale bar and north arrow, side by side if they fit, with lines of text below.
 class Footer {
   public:
-    /// @param width of the whole @param font size of its letters @param lines of text, at least one
+    /// @param width total width @param font font size @param lines number of text lines, at least one
     Footer(double width, double font, int lines);
 
     [[nodiscard]] double height() const;
-    /// Narrower than this the legend has no room.
+    /// Returns the minimum width, which is that of the legend.
     [[nodiscard]] static double least_width(double font);
     /// @param place upper left corner @param frame of the map, or of one of several
     void draw(cairo_t* pen, Spot place, const MapFrame& frame, const FooterText& text) const;

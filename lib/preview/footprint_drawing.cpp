@@ -14,7 +14,7 @@ SurfaceOwner make_surface(PixelSize size, PictureFormat format) {
     return SurfaceOwner(cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, &all));
 }
 
-/// So wide that a house is not all outline.
+/// Limits the line width, because small houses would otherwise be covered by their outlines.
 double width_of_lines(const MapFrame& frame) {
     constexpr double ground_m = 0.7;
     return std::clamp(ground_m / frame.metres_per_pixel(), 0.25, 1.4);

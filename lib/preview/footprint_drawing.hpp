@@ -10,8 +10,8 @@
 
 namespace d2b {
 
-/// Polygons on a map: pixels for PNG, shapes that stay shapes for SVG and PDF. All of it is translucent, but
-/// what lies over something else hides it.
+/// Polygons on a map: pixels for PNG, vector shapes for SVG and PDF. The drawing as a whole is translucent,
+/// but within it, later polygons hide earlier ones.
 class FootprintDrawing {
   public:
     FootprintDrawing(const MapFrame& frame, PictureFormat format);
@@ -20,9 +20,9 @@ class FootprintDrawing {
     ~FootprintDrawing();
 
     using Rings = std::span<const std::vector<Spot>>;
-    /// What an odd number of the rings goes round, and the rings. @param rings not closed by a repeated spot
+    /// Fills by the even-odd rule and draws the rings. @param rings without a repeated last point
     void fill(Rings rings, Colour colour);
-    /// The rings alone, fainter.
+    /// Draws the rings only, in a fainter colour.
     void trace(Rings rings);
 
     struct Impl;

@@ -12,7 +12,7 @@ struct FootprintDrawing::Impl {
     PenOwner pen;
 };
 
-/// Over the whole map, whose upper left corner is the pen's origin.
+/// Paints over the whole map, whose upper left corner is the origin of the pen.
 void paint(const FootprintDrawing& footprints, cairo_t* pen);
 
 }  // namespace d2b

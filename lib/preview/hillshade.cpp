@@ -12,7 +12,7 @@ std::uint32_t shade_of(double right, double down) {
     constexpr double flat = level_ground[0];
     constexpr double bright = 250;
     constexpr double steepest = 0.8;
-    constexpr double brightest = 1.7320508075688772;  // where level ground has 1
+    constexpr double brightest = 1.7320508075688772;  // relative to level ground
     const double less = steepest / (steepest + std::hypot(right, down));
     right *= less;
     down *= less;

@@ -4,12 +4,12 @@
 
 namespace d2b {
 
-/// Where there is no elevation: white. Pixels are red, green and blue, from the high byte to the low.
+/// Colour of cells without elevation: white. Pixels are 0xRRGGBB.
 inline constexpr std::uint32_t open_ground = 0xFFFFFF;
 
-/// Slopes to the right and downwards; light from the upper left, 45 degrees high. Walls and trees are not
-/// black: however steep, a slope counts as less than 0.8, and gentle ones nearly as they are.
-/// @param right, down rise over run @return a pixel
+/// Lambertian hillshade with light from the upper left, 45 degrees above the horizon. Slopes are compressed
+/// to less than 0.8, because walls and trees would otherwise be black; gentle slopes are almost unchanged.
+/// @param right, down slope (rise over run) in that direction @return a pixel
 [[nodiscard]] std::uint32_t shade_of(double right, double down);
 
 }  // namespace d2b

@@ -8,7 +8,7 @@
 namespace d2b {
 
 void* late_function(const char* library, const char* function) {
-    // It stays: libraries of its kind do not bear to be unloaded.
+    // Never closed, because GLib and similar libraries do not support unloading.
     void* const opened = dlopen(library, RTLD_LAZY | RTLD_LOCAL);
     void* const found = opened != nullptr ? dlsym(opened, function) : nullptr;
     if (found == nullptr) {

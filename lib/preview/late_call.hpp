@@ -6,12 +6,12 @@
 
 namespace d2b {
 
-/// A function of a library that is loaded when one of its functions is called for the first time.
-/// @param library as the dynamic linker looks for it @param function its name in C
-/// @throws OutputError where there is no such library or function
+/// Loads a library on first use and returns one of its functions.
+/// @param library name for the dynamic linker @param function C name
+/// @throws OutputError if the library or function does not exist
 [[nodiscard]] void* late_function(const char* library, const char* function);
 
-/// Text as an argument of a template.
+/// String literal as a template argument.
 template <std::size_t size>
 struct FixedText {
     // NOLINTNEXTLINE(modernize-avoid-c-arrays): that is what a literal is
@@ -19,16 +19,17 @@ struct FixedText {
     std::array<char, size> bytes{};
 };
 
-/// Cairo and Pango bring many libraries along, for which every program would wait when it starts; few runs
-/// draw. So they are not linked, but loaded by the first call. Pango's library for Cairo
-/// needs all others that are called here, so that it finds their functions, too.
+/// Function of Cairo or Pango that is resolved by the first call.
+/// Cairo and Pango are not linked because they pull in many libraries, which would delay the start of every
+/// run although few runs draw. Loading pangocairo is enough, because it depends on all other libraries that
+/// are called here.
 template <FixedText name, class Function>
 class LateCall;
 
 template <FixedText name, class Result, class... Values>
 class LateCall<name, Result(Values...)> {
   public:
-    /// @throws OutputError where Cairo or Pango are missing
+    /// @throws OutputError if Cairo or Pango is missing
     Result operator()(Values... values) const {
         static const auto function = reinterpret_cast<Result (*)(Values...)>(
             late_function("libpangocairo-1.0.so.0", name.bytes.data()));
@@ -38,6 +39,6 @@ class LateCall<name, Result(Values...)> {
 
 }  // namespace d2b
 
-/// In the namespace d2b: calls of a function of C there, under its own name, are late ones.
+/// Declares a lazily resolved wrapper of a C function in namespace d2b, under its own name.
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage,bugprone-macro-parentheses): nothing else makes text of a name
 #define D2B_LATE_CALL(function) inline constexpr LateCall<#function, decltype(::function)> function

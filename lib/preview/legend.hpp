@@ -7,11 +7,11 @@
 
 namespace d2b {
 
-/// Width of a legend, in sizes of letters.
+/// Width of a legend, in font sizes.
 inline constexpr double legend_width = 24;
 
-/// The classes of height side by side, as their colours look on level ground, with the heights between them.
-/// @param place upper left corner @param title what the colours say, with its unit
+/// Draws the height classes side by side in their colours on level ground, with the heights between them.
+/// @param place upper left corner @param title meaning of the colours, with unit
 void draw_legend(cairo_t* pen, Spot place, double font, const std::string& title);
 
 }  // namespace d2b

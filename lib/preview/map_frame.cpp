@@ -13,7 +13,7 @@ double MapFrame::metres_per_pixel() const {
 }
 
 Spot MapFrame::spot(Position position) const {
-    // Cairo's coordinates have 24 bits before the point; what lies farther off than this is not seen.
+    // Clamps far points, because Cairo's fixed-point coordinates have only 24 integer bits.
     constexpr double far = 1e6;
     const AffineTransform& g = ground_.dem.transform;
     const Window& window = ground_.dem.window;
@@ -34,7 +34,7 @@ std::optional<Spot> MapFrame::north() const {
         return std::nullopt;
     const AffineTransform& g = ground_.dem.transform;
     const double determinant = g[1] * g[5] - g[2] * g[4];
-    // Columns and rows of a step along y, to scale.
+    // Columns and rows of a step along y, in metres.
     const double across = -g[2] / determinant * ground_.cell.across * (right_to_left() ? -1 : 1);
     const double down = g[1] / determinant * ground_.cell.down * (bottom_up() ? -1 : 1);
     const double length = std::hypot(across, down);

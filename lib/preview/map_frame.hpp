@@ -9,42 +9,43 @@
 
 namespace d2b {
 
-/// In pixels, from the upper left corner of a map or page, y down.
+/// Point in pixels from the upper left corner of a map or page, y pointing down.
 struct Spot {
     double x = 0;
     double y = 0;
 };
 
-/// Of a map or page, in pixels.
+/// Size of a map or page in pixels.
 struct PixelSize {
     int width = 1;
     int height = 1;
 };
 
-/// The part of the earth that a picture shows.
+/// Area shown by a picture.
 struct MapGround {
     DemInfo dem;
-    Crs crs;        ///< of the DEM
-    CellSize cell;  ///< in metres, or in units of the CRS where nobody knows these in metres
+    Crs crs;        ///< CRS of the DEM
+    CellSize cell;  ///< metres, or units of the CRS if their length is unknown
 };
 
-/// How a DEM's window lies in a picture: its rows and columns run along the sides, from the upper left, or
-/// where y grows with the rows or x against the columns from the other end; on the ground all is to scale.
+/// Placement of a DEM's window in a picture, to scale on the ground. Rows and columns are parallel to the
+/// sides. They start at the upper left, but are mirrored if y increases with rows or x decreases with
+/// columns.
 class MapFrame {
   public:
     MapFrame(MapGround ground, PixelSize size);
 
     [[nodiscard]] const MapGround& ground() const { return ground_; }
     [[nodiscard]] PixelSize size() const { return size_; }
-    /// Whether the first row lies at the bottom.
+    /// True if the first row is at the bottom.
     [[nodiscard]] bool bottom_up() const { return ground_.dem.transform[5] > 0; }
-    /// Whether the first column lies on the right.
+    /// True if the first column is on the right.
     [[nodiscard]] bool right_to_left() const { return ground_.dem.transform[1] < 0; }
-    /// Units of MapGround::cell.
+    /// Returns the pixel size, in the units of MapGround::cell.
     [[nodiscard]] double metres_per_pixel() const;
     /// @param position in the CRS of the DEM
     [[nodiscard]] Spot spot(Position position) const;
-    /// Where the y axis of the CRS points to, of length 1; nothing where it need not be north.
+    /// Returns the unit vector of the CRS's y axis; nullopt if the axis does not have to point north.
     [[nodiscard]] std::optional<Spot> north() const;
 
   private:
@@ -52,10 +53,10 @@ class MapFrame {
     PixelSize size_;
 };
 
-/// At least one.
+/// Rounds to at least one pixel.
 [[nodiscard]] int whole_pixels(double length);
 
-/// Width of a map over its height.
+/// Returns width over height of a map.
 [[nodiscard]] double aspect_of(const MapGround& ground);
 
 }  // namespace d2b

@@ -26,7 +26,7 @@ struct PageLayout {
     double font = 0;
 };
 
-/// The map as wide as the page, or where it is too high for that, less wide.
+/// Makes the map as wide as the page, or narrower if it would be too high.
 PageLayout lay_out(const MapGround& ground, int longest) {
     const double font = font_of(longest);
     const double margin = margin_of(font);
@@ -36,7 +36,7 @@ PageLayout lay_out(const MapGround& ground, int longest) {
     double footer = Footer(width, font, lines).height();
     const double around = 2.5 * margin;
     if (width / aspect + footer + around > longest) {
-        // Twice, as the height of the footer depends on the width.
+        // Two iterations, because the height of the footer depends on the width.
         for (int step = 0; step < 2; ++step) {
             width = std::max((longest - footer - around) * aspect, least);
             footer = Footer(width, font, lines).height();

@@ -5,8 +5,8 @@
 namespace d2b {
 namespace {
 
-/// Whichever way a name is written, it ends before what follows: between Unicode's first strong isolate and
-/// the end of one.
+/// Wraps a name in Unicode's first strong isolate, because a right-to-left name would otherwise reorder the
+/// text after it.
 std::string isolated(const std::string& name) {
     const std::string both_begin_with = "\xE2\x81";
     return both_begin_with + '\xA8' + name + both_begin_with + '\xA9';

@@ -10,35 +10,35 @@
 
 namespace d2b {
 
-/// What a run found, for the line below its map.
+/// Results of a run for the line below its map.
 struct PictureCounts {
-    std::int64_t number = 0;  ///< of the buildings that are written, or of the contours where these are alone
+    std::int64_t number = 0;  ///< number of buildings written, or of contours if there are only contours
     bool contours_alone = false;
-    std::int64_t points = 0;  ///< of the outlines
-    bool stacked = false;     ///< contours were written
-    double rmse_m = 0;        ///< of the stack
-    bool paler = false;       ///< some colours are, as what has them is not certain
+    std::int64_t points = 0;  ///< number of outline vertices
+    bool stacked = false;     ///< true if contours were written
+    double rmse_m = 0;        ///< RMS error of the stack
+    bool paler = false;       ///< true if some colours are lightened for uncertain features
 };
 
-/// A map that is drawn and not yet laid out on a page.
+/// Finished map before the page layout.
 struct MapPicture {
     MapFrame frame;
-    std::shared_ptr<Relief> relief;  ///< who gives it elevations asks it for warnings in the end
+    std::shared_ptr<Relief> relief;  ///< shared with the source of elevations, which takes its warnings
     FootprintDrawing footprints;
-    std::string legend;  ///< what the colours say
+    std::string legend;  ///< meaning of the colours
     PictureCounts counts;
 };
 
-/// What paler colours mean, at the end of a line.
+/// Explanation of paler colours, appended to a line.
 inline constexpr const char* less_certain = " · paler: less certain";
 
-/// "1,234 buildings"
+/// Returns text such as "1,234 buildings".
 [[nodiscard]] std::string found(const PictureCounts& counts);
-/// "Source: town.tif", without folders, and the name of its CRS.
+/// Returns text such as "Source: town.tif" without folders, and the name of the CRS.
 [[nodiscard]] std::string source_line(const MapGround& ground);
-/// "1 building", "12,345 points"
+/// Returns text such as "1 building" or "12,345 points".
 [[nodiscard]] std::string counted(std::int64_t number, const std::string& one);
-/// "0.8 m"
+/// Returns text such as "0.8 m".
 [[nodiscard]] std::string rounded_metres(double metres);
 
 }  // namespace d2b

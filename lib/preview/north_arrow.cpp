@@ -6,9 +6,9 @@ namespace d2b {
 
 void draw_north_arrow(cairo_t* pen, Spot middle, double height, Spot north) {
     const double letter = height * 0.4;
-    const double half = height * 0.3;  // of the arrow
+    const double half = height * 0.3;  // half of the arrow's length
     const double gap = height * 0.08;
-    // The letter stands upright beyond the tip; both together are in the middle.
+    // The letter is upright beyond the tip. Arrow and letter are centred together.
     const auto along = [&](double by) { return Spot{middle.x + north.x * by, middle.y + north.y * by}; };
     const auto beside = [&](double by, double aside) {
         const Spot on = along(by);

@@ -5,8 +5,8 @@
 
 namespace d2b {
 
-/// An arrow with an N at its tip. @param middle of the whole @param height of the whole
-/// @param north where it points to, of length 1
+/// Draws an arrow with an N at its tip. @param middle, height of both together
+/// @param north direction as a unit vector
 void draw_north_arrow(cairo_t* pen, Spot middle, double height, Spot north);
 
 }  // namespace d2b

@@ -15,7 +15,7 @@ cairo_status_t append(void* bytes, const unsigned char* data, unsigned int lengt
 
 constexpr double points_a_pixel = 0.75;
 
-/// @param bytes must outlive it
+/// @param bytes must outlive the surface
 SurfaceOwner make_surface(PixelSize size, PictureFormat format, std::string& bytes) {
     if (format == PictureFormat::png)
         return SurfaceOwner(cairo_image_surface_create(CAIRO_FORMAT_RGB24, size.width, size.height));
@@ -31,8 +31,8 @@ SurfaceOwner make_surface(PixelSize size, PictureFormat format, std::string& byt
     return surface;
 }
 
-/// Cairo numbers surfaces, images and sources of an SVG from the beginning of the process; here they are
-/// numbered from the beginning of the file.
+/// Renumbers the ids of surfaces, images and sources in an SVG, because Cairo counts them per process and
+/// equal drawings would differ.
 std::string with_own_numbers(const std::string& svg) {
     constexpr std::array<std::string_view, 6> names{"id=\"image", "#image",       "id=\"surface",
                                                     "#surface",   "id=\"source-", "#source-"};

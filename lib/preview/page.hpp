@@ -9,9 +9,9 @@
 
 namespace d2b {
 
-/// Draws a picture on white paper and gives its file. The same drawing gives the same bytes: they hold no
-/// date. A pixel of a PDF is a 96th of an inch.
-/// @param draw with a pen whose units are pixels, from the upper left corner @throws OutputError
+/// Draws a picture on white paper and returns the content of its file. Deterministic: the file has no date. A
+/// pixel of a PDF is 1/96 inch.
+/// @param draw gets a pen in pixel units, origin in the upper left corner @throws OutputError
 [[nodiscard]] std::string draw_page(PixelSize size, PictureFormat format,
                                     const std::function<void(cairo_t* pen)>& draw);
 

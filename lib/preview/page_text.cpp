@@ -19,7 +19,8 @@ struct OptionsCloser {
 };
 using LayoutOwner = std::unique_ptr<PangoLayout, ObjectCloser>;
 
-/// What a screen would do to letters, and what a user's language would, is left out: a picture is a file.
+/// Creates a layout independent of screen and locale, because a picture must not depend on the machine that
+/// draws it.
 LayoutOwner make_layout(cairo_t* pen) {
     const std::unique_ptr<PangoContext, ObjectCloser> context(pango_cairo_create_context(pen));
     const std::unique_ptr<cairo_font_options_t, OptionsCloser> options(cairo_font_options_create());
@@ -33,7 +34,7 @@ LayoutOwner make_layout(cairo_t* pen) {
 
 std::string valid_utf8(const std::string& text) {
     struct Closer {
-        void operator()(gchar* made) const { (g_free)(made); }  // not the macro of newer versions
+        void operator()(gchar* made) const { (g_free)(made); }  // bypasses the macro of newer versions
     };
     const std::unique_ptr<gchar, Closer> made(
         g_utf8_make_valid(text.data(), static_cast<gssize>(text.size())));
@@ -52,7 +53,7 @@ void draw_text(cairo_t* pen, Spot place, const TextStyle& style, const std::stri
     pango_layout_set_single_paragraph_mode(layout.get(), TRUE);
     const std::string valid = valid_utf8(text);
     pango_layout_set_text(layout.get(), valid.data(), static_cast<int>(valid.size()));
-    // In a line that begins with a word of another script the sentence still runs from left to right.
+    // Keeps the sentence left-to-right even if it begins with a right-to-left name.
     pango_layout_set_auto_dir(layout.get(), FALSE);
     if (style.room > 0) {
         pango_layout_set_width(layout.get(), static_cast<int>(style.room * PANGO_SCALE));

@@ -5,8 +5,8 @@
 
 namespace d2b {
 
-/// Relief, footprints and a frame around both. @param place upper left corner @param font size of letters
-/// beside it
+/// Paints relief and footprints with a frame around them. @param place upper left corner @param font font
+/// size of the page
 void paint(const MapPicture& map, cairo_t* pen, Spot place, double font);
 
 }  // namespace d2b

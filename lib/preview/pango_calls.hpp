@@ -4,7 +4,7 @@
 
 #include "preview/cairo_calls.hpp"
 
-/// What this folder calls of Pango, and of GLib below it.
+/// Functions of Pango and GLib used in this folder.
 namespace d2b {
 
 D2B_LATE_CALL(g_free);

@@ -12,19 +12,21 @@
 
 namespace d2b {
 
-/// Hands features on to another sink and draws them over the relief: buildings in the colours of their
-/// heights and the parts that they are made of as lines; where no buildings are written the parts in colours,
-/// from low to high.
+/// Passes features on to another sink and draws them over the relief: buildings coloured by height, and their
+/// contours as lines. If no buildings are written, contours are coloured instead, from low to high.
+///
+/// Elevations and features may arrive in any interleaving: write elevations to relief(), features to this
+/// sink, and receive the finished map in `on_map`.
 class PreviewSink final : public FeatureSink {
   public:
-    /// Takes the map.
+    /// Receives the map.
     using Taken = std::function<void(MapPicture map)>;
 
-    /// @param features must outlive this @param taken called in finish() or prepare(), before the features'
-    /// own
+    /// @param features must outlive this @param on_map called in finish() or prepare(), before those of
+    /// `features`
     PreviewSink(FeatureSink& features, const MapFrame& frame, PictureFormat format, Taken taken);
 
-    /// Gets the elevations, all of them before finish().
+    /// Returns the sink for the elevations, which must be complete before finish().
     [[nodiscard]] RasterSink& relief() { return *relief_; }
 
     void require_crs(const std::string& wkt, const std::string& name, const Position& place) override {
@@ -50,14 +52,14 @@ class PreviewSink final : public FeatureSink {
     }
 
   private:
-    /// A layer that is drawn.
+    /// Layer to be drawn.
     struct Drawn {
         std::size_t layer = 0;
-        std::size_t height = 0;  ///< its field
+        std::size_t height = 0;  ///< index of the height field
         std::optional<std::size_t> certainty = {};
         double certain = 1;
     };
-    /// The colour of a feature; nothing where it has no height.
+    /// Returns the colour of a feature; nullopt if it has no height.
     [[nodiscard]] std::optional<Colour> colour_of(const Feature& feature, const Drawn& drawn);
     void draw(const WorldPolygon& polygon, const Drawn& drawn, Colour colour);
 
@@ -65,7 +67,7 @@ class PreviewSink final : public FeatureSink {
     Taken taken_;
     std::shared_ptr<Relief> relief_;
     MapPicture map_;
-    std::optional<CoordinateTransform> to_dem_;  ///< where the features are in another CRS
+    std::optional<CoordinateTransform> to_dem_;  ///< set if the features are in another CRS
     std::optional<Drawn> filled_;
     std::optional<Drawn> traced_;
 };

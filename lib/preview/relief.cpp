@@ -107,7 +107,7 @@ void paint(const Relief& relief, cairo_t* pen) {
     cairo_scale(pen, static_cast<double>(width) * of.step / window.cols,
                 static_cast<double>(height) * of.step / window.rows);
     cairo_set_source_surface(pen, of.image.get(), 0, 0);
-    // Elsewhere whoever shows the picture decides how its cells are drawn.
+    // Not for SVG and PDF, because the viewer decides how to interpolate their cells.
     if (cairo_surface_get_type(cairo_get_target(pen)) == CAIRO_SURFACE_TYPE_IMAGE)
         cairo_pattern_set_extend(cairo_get_source(pen), CAIRO_EXTEND_PAD);
     cairo_paint(pen);

@@ -9,8 +9,8 @@
 
 namespace d2b {
 
-/// The surface of a DEM as if lit from the upper left of the map. Takes elevations in metres, all rows of the
-/// window, and keeps one shade per pixel. What is NaN stays white.
+/// Hillshaded relief of a DEM, lit from the upper left of the map. Takes elevations in metres, all rows of
+/// the window, and keeps about one shade per pixel. NaN cells stay white.
 class Relief final : public RasterSink {
   public:
     explicit Relief(const MapFrame& frame);
@@ -18,7 +18,7 @@ class Relief final : public RasterSink {
     Relief& operator=(const Relief&) = delete;
     ~Relief() override;
 
-    /// @param rows the window's next, whole
+    /// @param rows next rows of the window, in full width
     void write(const Window& rows, std::span<const float> values) override;
     void finish() override {}
 

@@ -25,7 +25,7 @@ std::string length_text(double length, bool metres) {
 
 void draw_scale_bar(cairo_t* pen, Spot place, double room, double font, double metres_per_pixel,
                     bool metres) {
-    // Half of a label stands out on either side.
+    // Leaves space for half of a label on either side.
     const double aside = font * 1.6;
     const ScaleLength length = scale_length((room - 2 * aside) * metres_per_pixel);
     const double width = length.metres / metres_per_pixel;

@@ -7,19 +7,19 @@
 
 namespace d2b {
 
-/// A length in round numbers.
+/// Round length of a scale bar.
 struct ScaleLength {
     double metres = 1;  ///< 1, 2 or 5 times a power of ten
-    int parts = 2;      ///< of the bar, each in round numbers
+    int parts = 2;      ///< number of segments, each of a round length
 };
 
-/// The longest that is not longer than so many metres.
+/// Returns the longest round length up to a maximum.
 [[nodiscard]] ScaleLength scale_length(double most_metres);
-/// "200 m", "5 km"; "200 units" where nobody knows them in metres.
+/// Returns text such as "200 m" or "5 km", or "200 units" if the metres are unknown.
 [[nodiscard]] std::string length_text(double length, bool metres);
 
-/// @param place upper left corner @param room how long the bar may be, with half of its last label
-/// @param metres whether the frame's units are metres
+/// @param place upper left corner @param max_width of the bar including half of the last label
+/// @param metres true if the units of the frame are metres
 void draw_scale_bar(cairo_t* pen, Spot place, double room, double font, double metres_per_pixel, bool metres);
 
 }  // namespace d2b

@@ -30,7 +30,7 @@ DemInfo describe(const OpenRaster& file, const std::string& path, Warnings& warn
         info.driver = GDALGetDriverShortName(driver);
     if (const char* unit = GDALGetRasterUnitType(file.band))
         info.band_unit = unit;
-    Warnings unheard;  // what is said of a missing CRS or georeference is true of the DEM alone
+    Warnings unheard;  // warnings about a missing CRS or georeference concern the DEM alone
     read_transform(file.dataset.get(), info, unheard);
     read_crs(file.dataset.get(), "", info, unheard);
     messages.pass_all(warnings);
@@ -43,7 +43,7 @@ DemInfo on_grid(DemInfo grid, const DemInfo& raster) {
     return grid;
 }
 
-/// The cells of a raster that a window of a DEM lies in, by places along its edge.
+/// Returns the cells of the raster that cover a window of the DEM, estimated from points along its edge.
 Window cells_around(const GridTransform& transform, const Window& window, const DemInfo& raster) {
     constexpr int steps = 64;
     std::vector<Position> edge;
@@ -67,7 +67,7 @@ Window cells_around(const GridTransform& transform, const Window& window, const 
             top = std::min(top, p.y);
             bottom = std::max(bottom, p.y);
         }
-    constexpr double near = 1e-3;  // of a cell: the same cells stay the same
+    constexpr double near = 1e-3;  // of a cell, so that coinciding cells stay the same cells
     const auto whole = [](double place, std::int32_t most) {
         return static_cast<std::int32_t>(std::clamp(place, 0.0, static_cast<double>(most)));
     };
@@ -171,7 +171,7 @@ void AlignedRaster::read(const Window& part, std::span<double> values) {
 
 void AlignedRaster::copy(const Window& part, std::span<double> values) {
     std::fill(values.begin(), values.end(), std::numeric_limits<double>::quiet_NaN());
-    // Where the part lies in the raster, and what of it is in it.
+    // Part in cells of the raster, clipped to the raster.
     const std::int32_t top = part.row + offset_->rows;
     const std::int32_t left = part.col + offset_->cols;
     Window here{std::max(top, 0), std::max(left, 0), 0, 0};

@@ -5,9 +5,9 @@
 
 namespace d2b {
 
-/// A copy of an array as a raster that GDAL has in memory, with NaN where a value is masked or not finite.
-/// @param grid whose rows, columns, transform and plane CRS it gets; it has no vertical CRS, so that
-/// elevations are taken in the DEM's unit
+/// Copies an array into a raster in memory of GDAL, with NaN for values that are masked or not finite.
+/// @param grid gives rows, columns, transform and plane CRS. The copy has no vertical CRS, so that elevations
+/// are taken in the unit of the DEM
 [[nodiscard]] OpenRaster array_raster(const ElevationArray& array, const DemInfo& grid);
 
 }  // namespace d2b

@@ -20,7 +20,7 @@ namespace d2b {
 
 namespace {
 
-/// GDAL would fill up with zeros what it cannot read of an uncompressed file in one piece.
+/// Disables GDAL's single read of uncompressed files, because it fills unreadable parts with zeros.
 class NoBigReads {
   public:
     NoBigReads() {
@@ -37,13 +37,13 @@ class NoBigReads {
     std::optional<std::string> before_;
 };
 
-/// What GDAL has opened; of the standard input that is a file which users do not know.
+/// Name of the opened dataset. Standard input has a temporary file that users do not know.
 std::string path_of(GDALRasterBandH band) {
     const GDALDatasetH dataset = GDALGetBandDataset(band);
     return dataset == nullptr ? "" : GDALGetDescription(dataset);
 }
 
-/// The first alpha band beside a band, or null.
+/// Returns the first alpha band of the dataset other than `band`, or null.
 GDALRasterBandH alpha_beside(GDALRasterBandH band) {
     const GDALDatasetH dataset = GDALGetBandDataset(band);
     const int bands = dataset == nullptr ? 0 : GDALGetRasterCount(dataset);
@@ -54,7 +54,7 @@ GDALRasterBandH alpha_beside(GDALRasterBandH band) {
     return nullptr;
 }
 
-/// What is masked in a band of floats whose mask is that of its NoData; nothing where it is another one.
+/// Returns the NoData value of a floating-point band if its mask is derived from NoData alone.
 std::optional<double> masked_value(GDALRasterBandH band) {
     const GDALDataType type = GDALGetRasterDataType(band);
     int known = FALSE;
@@ -66,9 +66,10 @@ std::optional<double> masked_value(GDALRasterBandH band) {
     return type == GDT_Float32 ? as_single(nodata) : nodata;
 }
 
-/// NoData, and what is no number, to NaN. @return how many are near NoData, but not equal to it
+/// Sets NoData and values that are not finite to NaN. @return number of values near NoData that do not equal
+/// it
 D2B_FOR_EACH_PROCESSOR std::size_t take_nodata_out(std::span<double> values, double nodata) {
-    constexpr double near = 1e-5;  // relative; GDAL takes some 1e-6 for equal
+    constexpr double near = 1e-5;  // relative; GDAL treats about 1e-6 as equal
     constexpr double largest = std::numeric_limits<double>::max();
     constexpr double invalid = std::numeric_limits<double>::quiet_NaN();
     const double distance = std::abs(nodata) * near;
@@ -109,7 +110,7 @@ BandReader::BandReader(GDALRasterBandH band, const ReadOptions& options, DemInfo
             ", which give no elevations; correct them, for example with gdal_edit.py -scale -offset.");
     const int flags = GDALGetMaskFlags(band_);
     const bool replaced = options.nodata && (flags & GMF_NODATA) != 0;
-    // GDAL makes a mask of an alpha band of bytes alone, and divides one of 16 bits by 257.
+    // GDAL derives a mask only from alpha bands of bytes and divides 16-bit alpha by 257.
     alpha_ = options.ignore_nodata ? nullptr : alpha_beside(band_);
     const bool is_alpha = alpha_ != nullptr && (flags & GMF_ALPHA) != 0;
     masked_ = !options.ignore_nodata && !replaced && !is_alpha && (flags & GMF_ALL_VALID) == 0;
@@ -134,7 +135,7 @@ std::int32_t BandReader::chunk_rows() const {
 void BandReader::read(const Window& part, std::span<double> elevations, Warnings& warnings) {
     const auto cols = static_cast<std::size_t>(part.cols);
     require_part(info_, part, elevations.size());
-    // Whole rows of blocks: the mask that GDAL makes of NoData reads the same blocks again, from its cache.
+    // Reads whole rows of blocks, because GDAL's NoData mask then reads the same blocks from its cache.
     const std::int32_t step = chunk_rows();
     const std::int32_t end = part.end_row();
     for (std::int32_t row = part.row; row < end;) {
@@ -147,13 +148,13 @@ void BandReader::read(const Window& part, std::span<double> elevations, Warnings
 }
 
 void BandReader::forget_blocks() const {
-    static_cast<void>(GDALFlushRasterCache(band_));  // what it could not write is not ours: it is read alone
+    static_cast<void>(GDALFlushRasterCache(band_));  // errors are ignored because the dataset is read-only
 }
 
 void BandReader::read_part(const Window& part, std::span<double> elevations, Warnings& warnings) {
     load(band_, GDT_Float64, part, elevations.data(), warnings);
-    // What is NoData is masked, and what is far from it is not: in between GDAL decides, which reads all
-    // values once more for it.
+    // Values equal to NoData are masked and values far from it are not. Only if there are values in between
+    // is GDAL's mask asked, because it reads all values once more.
     const bool told = masked_ && mask_nodata_ && take_nodata_out(elevations, *mask_nodata_) == 0;
     const bool asks_mask = masked_ && !told;
     if (asks_mask) {
@@ -168,12 +169,12 @@ void BandReader::read_part(const Window& part, std::span<double> elevations, War
         take_out(part, elevations);
 }
 
-/// @param masked the mask says which of them are valid
+/// @param masked true if mask_ decides which values are valid
 void BandReader::make_elevations(std::span<double> values, bool masked) const {
     constexpr double invalid = std::numeric_limits<double>::quiet_NaN();
     const bool scaled = is_scaled();
     if (!masked && !scaled) {
-        const double none = nodata_.value_or(invalid);  // which nothing equals
+        const double none = nodata_.value_or(invalid);  // equals no value
         for (double& value : values)
             value = value != none && std::isfinite(value) ? value : invalid;
         return;

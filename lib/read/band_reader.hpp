@@ -16,44 +16,44 @@
 
 namespace d2b {
 
-/// Cells that have values within and outside of limits.
+/// Counts of cells with values within and outside of limits.
 struct LimitCounts {
     std::int64_t within = 0;
     ValueCounts outside;
-    ValueCounts undeclared;  ///< values that stand for no data, see UndeclaredValues
+    ValueCounts undeclared;  ///< values that stand for NoData, see UndeclaredValues
 };
 
-/// A NoData value as a band of 32-bit floats would hold it. Decimal texts of the largest float may lie a
-/// little above it; what is farther out equals no float.
+/// NoData value as a band of 32-bit floats would hold it. Decimal texts of the largest float may lie a little
+/// above it and are rounded to it; values farther out equal no float.
 [[nodiscard]] double as_single(double value);
 
-/// Reads elevations of one band: scale and offset applied, NaN where a value is not valid.
-/// Valid is what is finite and what the band's mask (NoData, mask of the dataset) and an alpha band of any
-/// type let through, where 0 is invalid and any other value valid. options.nodata takes the place of the
-/// file's NoData value and is compared with values as stored; options.ignore_nodata sets every mask aside.
+/// Reads elevations of one band: applies scale and offset, and returns NaN for values that are not valid.
+/// A value is valid if it is finite and neither the mask of the band (NoData, mask of the dataset) nor an
+/// alpha band of any type rules it out (0 is invalid, any other alpha is valid). options.nodata replaces the
+/// NoData value of the file and is compared with stored values; options.ignore_nodata disables all masks.
 class BandReader {
   public:
-    /// @param band belongs to a dataset that must outlive the reader
-    /// @throws OptionError both nodata and ignore_nodata. @throws InputError a scale that is zero or not
-    /// finite
+    /// @param band its dataset must outlive the reader
+    /// @throws OptionError if both nodata and ignore_nodata are given. @throws InputError if the scale is
+    /// zero or not finite
     BandReader(GDALRasterBandH band, const ReadOptions& options, DemInfo info, Warnings& warnings);
 
-    /// From now on values outside of these are not valid, and are counted.
+    /// Rejects values outside of `limits` from now on, and counts them.
     void take_only(const ElevationLimits& limits);
-    /// Nor are values that stand for no data from now on, and counts begin anew. @pre take_only()
+    /// Also rejects `undeclared` values from now on and restarts the counts. @pre take_only()
     void take_out(std::vector<double> undeclared);
-    /// What has been read so far of that, each cell once.
+    /// Counts of all cells read so far. Each cell is counted once.
     [[nodiscard]] const LimitCounts& counts() const { return counts_; }
-    /// Before scale and offset.
+    /// Value before scale and offset were applied.
     [[nodiscard]] double stored(double value) const { return stored_value(value, scale_, offset_); }
 
-    /// A part of the window, a few rows at a time. @param elevations part.rows * part.cols values
+    /// Reads part of the window, a few rows at a time. @param elevations part.rows * part.cols values
     /// @throws InputError with GDAL's reason
     void read(const Window& part, std::span<double> elevations, Warnings& warnings);
-    /// Any part of the raster, in one piece. @param elevations part.rows * part.cols values
+    /// Reads any part of the raster in one call. @param elevations part.rows * part.cols values
     /// @throws InputError with GDAL's reason
     void read_part(const Window& part, std::span<double> elevations, Warnings& warnings);
-    /// Gives the memory of the blocks back that GDAL has decoded and keeps.
+    /// Releases the decoded blocks in GDAL's cache.
     void forget_blocks() const;
 
   private:
@@ -61,27 +61,27 @@ class BandReader {
     void count(double value);
     [[nodiscard]] bool is_scaled() const { return scale_ != 1 || offset_ != 0; }
     void make_elevations(std::span<double> values, bool masked) const;
-    /// Makes NaN of what the alpha band has 0 for.
+    /// Sets cells with alpha 0 to NaN.
     void take_transparent_out(const Window& part, std::span<double> values, Warnings& warnings);
     void load(GDALRasterBandH band, GDALDataType type, const Window& part, void* values,
               Warnings& warnings) const;
     [[nodiscard]] std::int32_t chunk_rows() const;
 
     GDALRasterBandH band_;
-    GDALRasterBandH alpha_ = nullptr;  ///< of the same dataset; null where there is none, or it is ignored
+    GDALRasterBandH alpha_ = nullptr;  ///< alpha band of the dataset; null if there is none or it is ignored
     DemInfo info_;
     double scale_ = 1;
     double offset_ = 0;
     bool masked_ = false;
-    std::optional<double> mask_nodata_;  ///< what masked cells have; nothing where they may have any value
+    std::optional<double> mask_nodata_;  ///< value of masked cells; nothing if they may have any value
     bool single_precision_ = false;
-    std::optional<double> nodata_;  ///< set where the user's own takes effect
+    std::optional<double> nodata_;  ///< set if it replaces the file's
     std::vector<std::uint8_t> mask_;
     std::vector<double> alpha_values_;
     ElevationLimits limits_;
     std::vector<double> undeclared_;
     LimitCounts counts_;
-    std::optional<SeenCells> counted_;  ///< not set where nothing is counted
+    std::optional<SeenCells> counted_;  ///< not set if nothing is counted
 };
 
 }  // namespace d2b

@@ -11,7 +11,8 @@ bool are_apart(std::vector<CellBox> boxes) {
     std::ranges::sort(boxes, {}, [](const CellBox& box) { return box[1][0]; });
     std::ranges::sort(ended, {}, [](const CellBox& box) { return box[1][1]; });
     auto next_end = ended.begin();
-    // Those that the row holds at which a box begins, from left to right: first column and the one behind.
+    // Sweep line: boxes that contain the row at which the next box begins, from left to right, [begin, end)
+    // of columns.
     std::map<double, double> in_row;
     for (const auto& [cols, rows] : boxes) {
         for (; (*next_end)[1][1] <= rows[0]; ++next_end)

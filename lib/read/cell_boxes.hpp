@@ -5,10 +5,10 @@
 
 namespace d2b {
 
-/// Rectangles of cells: columns, then rows, each the first and the one behind the last.
+/// Rectangle of cells: columns, then rows, as half-open ranges [begin, end).
 using CellBox = std::array<std::array<double, 2>, 2>;
 
-/// Whether no cell is in two of them. @pre none is empty
+/// Returns true if no two boxes overlap. @pre no box is empty
 [[nodiscard]] bool are_apart(std::vector<CellBox> boxes);
 
 }  // namespace d2b

@@ -22,7 +22,7 @@ ColumnReaders::ColumnReaders(OpenRaster raster, const ReadOptions& options, std:
 
 std::unique_ptr<RasterReader> ColumnReaders::reopen() const {
     try {
-        Warnings unheard;  // all has been said when it was opened first
+        Warnings unheard;  // repeats warnings of the first opening
         return std::make_unique<RasterReader>(open_raster(options_, path_, unheard), options_, info_,
                                               unheard);
     } catch (const Error&) {
@@ -48,13 +48,14 @@ void ColumnReaders::read(const Window& part, std::span<double> elevations) {
     }
 }
 
-/// What of a part lies in a column, which the caller has locked.
+/// Reads the part that lies in a column. The caller holds the lock of the column.
 void ColumnReaders::read(Column& column, const Window& part, std::span<double> elevations) {
     if (!column.reader)
         column.reader = reopen();
     if (column.reader)
         return read(column, *column.reader, part, elevations);
-    // Who holds the first column waits for no other.
+    // Falls back on the first reader. A deadlock is impossible because a thread that holds the first column
+    // waits for no other.
     const std::lock_guard lock(columns_.front().at_work);
     read(column, *columns_.front().reader, part, elevations);
 }

@@ -12,29 +12,30 @@
 
 namespace d2b {
 
-/// A mosaic that several threads read at a time: it is opened once for each of its columns of rasters, which
-/// one thread reads at a time; who finds one at work takes another one first. So no block is decoded twice.
+/// Mosaic that several threads read concurrently. It is opened once per column of rasters, and only one
+/// thread at a time reads a column; a thread that finds a column locked takes another one first. No block is
+/// therefore decoded twice.
 class ColumnReaders final : public SharedRaster {
   public:
-    /// @param ends of the columns, which cut no raster: see ends_of_columns()
+    /// @param ends right ends of the columns. They cut no raster: see ends_of_columns()
     ColumnReaders(OpenRaster raster, const ReadOptions& options, std::string path, const DemInfo& info,
                   Warnings& warnings, const std::vector<std::int32_t>& ends);
 
     void read(const Window& part, std::span<double> elevations) override;
 
   private:
-    /// Columns of cells.
+    /// Range of cell columns.
     struct Column {
         std::int32_t begin = 0;
         std::int32_t end = 0;
         std::mutex at_work{};
-        /// Null until it is read, or where it cannot be opened again.
+        /// Null until it is read, or if it cannot be opened again.
         std::unique_ptr<RasterReader> reader{};
         std::vector<double> values{};
     };
     void read(Column& column, const Window& part, std::span<double> elevations);
     void read(Column& column, RasterReader& reader, const Window& part, std::span<double> elevations);
-    /// Null where it cannot be opened again.
+    /// Returns null if the mosaic cannot be opened again.
     [[nodiscard]] std::unique_ptr<RasterReader> reopen() const;
 
     ReadOptions options_;

@@ -4,8 +4,7 @@
 
 namespace d2b {
 
-/// A configuration option of GDAL's in this thread for as long as this object lives, unless the user has set
-/// it.
+/// Sets a configuration option of GDAL in this thread during its lifetime, unless the user has set it.
 class ConfigOption {
   public:
     ConfigOption(const char* key, const char* value)

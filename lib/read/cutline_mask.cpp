@@ -17,14 +17,14 @@ namespace {
 
 constexpr std::int64_t most_strip_cells = std::int64_t{1} << 24;
 
-/// Where the first cell of a strip lies in pixel coordinates.
+/// Pixel coordinates of the first cell of a strip.
 struct Corner {
     double col = 0;
     double row = 0;
 };
 
-/// A GDALTransformerFunc from pixel coordinates of the DEM to those of a strip. GDAL's own transformers take
-/// an identity for a missing georeference.
+/// GDALTransformerFunc from pixel coordinates of the DEM to those of a strip. Needed because GDAL's own
+/// transformers treat an identity as a missing georeference.
 int shift(void* argument, int to_source, int count, double* x, double* y, double*, int* success) {
     const auto* corner = static_cast<const Corner*>(argument);
     const double sign = to_source != 0 ? 1.0 : -1.0;
@@ -36,7 +36,8 @@ int shift(void* argument, int to_source, int count, double* x, double* y, double
     return TRUE;
 }
 
-/// GDAL counts cells in 32 bits; what is farther away than any side is long makes no difference.
+/// Limits of clipping, because GDAL counts cells in 32 bits. Geometry farther away than any side is long
+/// makes no difference.
 ClipBox countable(const Window& w) {
     constexpr double room = 1e8;
     return {w.col - room, w.row - room, w.col + w.cols + room, w.row + w.rows + room};
@@ -67,7 +68,8 @@ CutlineMask::CutlineMask(const std::vector<PixelPolygon>& polygons, const Window
 void CutlineMask::burn(const Window& strip) {
     strip_ = strip;
     inside_.assign(static_cast<std::size_t>(strip.points()), 0);
-    // Each on its own and not as one geometry: where two polygons overlap a point is inside.
+    // Burns polygons separately, not as one geometry, because points in an overlap of two polygons are
+    // inside.
     std::vector<OGRGeometryH> handles;
     for (const Shape& shape : shapes_)
         if (meets(shape.box, strip))

@@ -14,21 +14,21 @@
 
 namespace d2b {
 
-/// Which cell centres of a window lie inside of any of some polygons.
+/// Mask of the cells of a window whose centres lie inside any of the polygons.
 class CutlineMask {
   public:
     CutlineMask(const std::vector<PixelPolygon>& polygons, const Window& window);
 
-    /// Whether the envelopes of the polygons and the window have anything in common.
+    /// Returns true if the envelope of any polygon overlaps the window.
     [[nodiscard]] bool meets_window() const { return !shapes_.empty(); }
-    /// Sets to NaN what lies outside. Any thread may call it.
+    /// Sets cells outside to NaN. Thread-safe.
     /// @param part of the window @param elevations part.rows * part.cols values
     /// @throws InputError with GDAL's reason
     void apply(const Window& part, std::span<double> elevations);
 
   private:
     struct Shape {
-        ClipBox box;  ///< around it; y is rows
+        ClipBox box;  ///< envelope; y is rows
         GeometryOwner geometry;
     };
     void burn(const Window& strip);
@@ -36,12 +36,12 @@ class CutlineMask {
     Window window_;
     std::mutex burning_;
     std::vector<Shape> shapes_;
-    Window strip_;                      ///< cells that are burnt
-    std::vector<std::uint8_t> inside_;  ///< one a cell of these
+    Window strip_;                      ///< cells rasterised last
+    std::vector<std::uint8_t> inside_;  ///< one value per cell of the strip
 };
 
-/// The cutline that the options name, with a warning where it does not meet the window; null where they name
-/// none. @throws InputError, OptionError as read_cutline()
+/// Opens the cutline that the options name and warns if it does not overlap the window. Returns null if there
+/// is no cutline. @throws InputError, OptionError as read_cutline()
 [[nodiscard]] std::unique_ptr<CutlineMask> open_cutline(const ReadOptions& options, const DemInfo& info,
                                                         Warnings& warnings);
 

@@ -32,7 +32,7 @@ std::vector<WorldRing> rings_of(OGRGeometryH polygon) {
     return rings;
 }
 
-/// What of the rings lies in a box.
+/// Clips rings to a box and drops empty ones.
 std::vector<WorldRing> clipped(const std::vector<WorldRing>& rings, const ClipBox& box) {
     std::vector<WorldRing> kept;
     for (const WorldRing& ring : rings)
@@ -42,7 +42,7 @@ std::vector<WorldRing> clipped(const std::vector<WorldRing>& rings, const ClipBo
 }
 
 bool is_valid(OGRGeometryH polygon) {
-    const GdalMessages quiet;  // which would say why it is not
+    const GdalMessages quiet;  // suppresses GDAL's explanation
     return OGR_G_IsValid(polygon) != FALSE;
 }
 

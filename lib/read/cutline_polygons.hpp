@@ -11,20 +11,21 @@
 
 namespace d2b {
 
-/// The rings of one polygon; a point is inside where it is inside of an odd number of them.
+/// Rings of one polygon under the even-odd rule.
 using PixelPolygon = std::vector<WorldRing>;
 
-/// The polygons of a layer of a vector dataset in pixel coordinates of a DEM: x is columns, y is rows
-/// (downwards), (0, 0) the outer corner of the first cell. Edges that bend on the way from the layer's CRS to
-/// the DEM's are followed to a small part of a cell. What lies far from the window of the DEM may be left
-/// out.
+/// Reads the polygons of a vector layer in pixel coordinates of a DEM: x is columns, y is rows (downwards),
+/// (0, 0) the outer corner of the first cell. Edges that become curves between the CRS of the layer and that
+/// of the DEM are densified to a small part of a cell. Parts far from the window of the DEM may be left out.
+/// Warns of invalid polygons near the window.
 /// @param info georeferencing of the DEM
-/// @throws InputError: cannot be opened or read, no polygons, a CRS where the DEM has none, not transformable
-/// @throws OptionError: no such layer. Polygons near the window that are not valid are warned of
+/// @throws InputError: cannot be opened or read, no polygons, a CRS although the DEM has none, not
+/// transformable
+/// @throws OptionError: no such layer
 [[nodiscard]] std::vector<PixelPolygon> read_cutline(const PolygonPlace& place, const DemInfo& info,
                                                      Warnings& warnings);
 
-/// Around all rings, in pixel coordinates.
+/// Envelope of all rings in pixel coordinates.
 [[nodiscard]] ClipBox box_of(const PixelPolygon& polygon);
 [[nodiscard]] bool meets(const ClipBox& box, const Window& window);
 

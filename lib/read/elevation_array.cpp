@@ -88,7 +88,7 @@ DemInfo describe(const ElevationArray& array, const ReadOptions& options, Warnin
     return info;
 }
 
-/// Of a part, NaN where a value is masked or not finite.
+/// Reads a part, with NaN for values that are masked or not finite.
 void read_valid(const ElevationArray& array, const Window& part, std::span<double> values) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     read_values(array, part, values.data());
@@ -132,7 +132,7 @@ class ArrayDemSource final : public DemSource {
     std::optional<double> nodata_;
 };
 
-/// Throws where there is no room for a raster.
+/// Creates a raster in memory. @throws InputError if memory does not suffice
 DatasetOwner empty_raster(const DemInfo& grid, GDALDataType type) {
     const GdalMessages messages;
     DatasetOwner dataset(GDALCreate(GDALGetDriverByName("MEM"), "", grid.cols, grid.rows, 1, type, nullptr));

@@ -16,17 +16,17 @@
 namespace d2b {
 namespace {
 
-/// Formats of files that consist of the addresses of others.
+/// Formats whose files are lists of addresses.
 constexpr std::array<const char*, 17> lists_of_addresses{
     "VRT",    "OGR_VRT", "GTI",      "WMS",      "WMTS", "WCS",   "WFS", "OAPIF", "OGCAPI",
     "STACTA", "STACIT",  "PLMOSAIC", "PLSCENES", "EEDA", "EEDAI", "CSW", nullptr};
 
-/// What names of GDAL's begin with where a server is meant.
+/// Prefixes of GDAL dataset names that denote a server.
 constexpr std::array services{
     "WMS:", "WMTS:",    "WCS:",     "WFS:",      "OAPIF:",    "OGCAPI:", "STACTA:",     "STACIT:",
     "CSW:", "EEDA:",    "EEDAI:",   "PLMOSAIC:", "PLSCENES:", "CARTO:",  "AMIGOCLOUD:", "NGW:",
     "ES:",  "ELASTIC:", "COUCHDB:", "CLOUDANT:", "GNM:",      "DAAS:"};
-/// They may stand within others: /vsizip//vsicurl/...
+/// Prefixes of remote file systems. They may be nested: /vsizip//vsicurl/...
 constexpr std::array stores{"/vsicurl", "/vsis3",    "/vsigs",      "/vsiaz",  "/vsiadls",
                             "/vsioss",  "/vsiswift", "/vsiwebhdfs", "/vsihdfs"};
 
@@ -36,7 +36,7 @@ bool begins_with(const std::string& name, const char* beginning) {
     return EQUALN(name.c_str(), beginning, std::string_view(beginning).size());
 }
 
-/// "host:80" of the first address in a text; "" where there is none.
+/// Returns "host:80" of the first address in a text, or "" if there is none.
 std::string server_in(const std::string& text) {
     for (const std::string_view scheme : {"http://", "https://", "ftp://"})
         if (const auto at = text.find(scheme); at != std::string::npos) {
@@ -48,7 +48,7 @@ std::string server_in(const std::string& text) {
 
 bool is_list_of_addresses(const std::string& name) {
     VSIStatBufL status;
-    // Streams are read once: who looks at their beginning takes it away.
+    // Streams are left alone because looking at their beginning would consume it.
     const bool looks = name.starts_with('<') ||
                        (VSIStatExL(name.c_str(), &status, VSI_STAT_EXISTS_FLAG | VSI_STAT_NATURE_FLAG) == 0 &&
                         VSI_ISREG(status.st_mode) != 0);
@@ -56,8 +56,8 @@ bool is_list_of_addresses(const std::string& name) {
                                          lists_of_addresses.data(), nullptr) != nullptr;
 }
 
-/// True for the options of OSRImportFromUrl(), which fetches the definition of a CRS: it accepts OGC WKT or,
-/// from GDAL 3.10 on, gives nothing but a time-out.
+/// Returns true if the response would be parsed as a CRS definition: OSRImportFromUrl() accepts OGC WKT or,
+/// from GDAL 3.10 on, sets nothing but a timeout.
 bool asks_for_a_crs(CSLConstList options) {
     const char* headers = CSLFetchNameValue(options, "HEADERS");
     const char* timeout = CSLFetchNameValue(options, "TIMEOUT");
@@ -78,7 +78,7 @@ CPLHTTPResult* pass_or_refuse(const char* address, CSLConstList options, GDALPro
                               void* /*of_progress*/, CPLHTTPFetchWriteFunc /*write*/, void* /*of_write*/,
                               void* gate) {
     const bool passes = !asks_for_a_crs(options) && static_cast<FetchGate*>(gate)->lets_through(address);
-    return passes ? nullptr : refused(address);  // GDAL fetches what gets no answer here
+    return passes ? nullptr : refused(address);  // nullptr lets GDAL fetch the address itself
 }
 
 /// True if a file is of a format, by its beginning.
@@ -133,7 +133,7 @@ void FetchGate::close() {
     CPLHTTPPushFetchCallback(pass_or_refuse, this);
     if (const char* before = CPLGetThreadLocalConfigOption(allowed_file, nullptr))
         file_before_ = before;
-    // Of the files on servers that GDAL reads a part at a time, none has this name.
+    // "none" matches no remote file that GDAL reads in ranges.
     if (fetching_ == Fetching::none)
         CPLSetThreadLocalConfigOption(allowed_file, "none");
 }
@@ -155,7 +155,8 @@ DatasetOwner open_gated(const std::string& name, unsigned flags, const char* con
     const bool any_raster =
         drivers == nullptr && ((flags & GDAL_OF_RASTER) != 0 || (flags & GDAL_OF_VECTOR) == 0);
     CPLStringList others;
-    // The pictures of such a KML lie anywhere, and its driver fetches them by a way that nothing holds back.
+    // Images of a KML superoverlay may lie on any server, and its driver fetches them in a way that cannot be
+    // intercepted.
     if (any_raster && gate.lets_nothing_through() && is_file_of("KMLSUPEROVERLAY", name)) {
         others = other_drivers("KMLSUPEROVERLAY");
         drivers = others.List();

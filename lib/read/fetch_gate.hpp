@@ -10,41 +10,41 @@
 
 namespace d2b {
 
-/// Holds back what GDAL would fetch because a file asks for it: the CRS behind a link in a GeoJSON, the
-/// schema of a GML, overviews on a server. Who has data of somebody else looked at would tell a stranger's
-/// server of it, or reach servers of a network that are not the stranger's to ask. Fetched is what the user
+/// Blocks network access that GDAL would make because a file asks for it: the CRS behind a link in a GeoJSON,
+/// the schema of a GML, overviews on a server. Without it, opening somebody else's file could notify a
+/// stranger's server or reach servers of an internal network. Access is granted to sources that the user
 /// named:
-/// - a name with an address, or of a cloud's store, lets GDAL ask that server;
-/// - formats that are lists of addresses (VRT, WMS, WFS and their like) name servers in the user's stead.
-/// A CRS is never fetched. The gate works in its own thread for as long as it lives; gates may nest, and
-/// drivers that open what they list late need one while they are read, too.
+/// - a name with an address, or of a cloud store, lets GDAL access that server;
+/// - formats that are lists of addresses (VRT, WMS, WFS etc.) name servers on behalf of the user.
+/// A CRS is never fetched. The gate is active in its own thread for its lifetime; gates may nest. Drivers
+/// that open their sources lazily need a gate while they are read, too.
 class FetchGate {
   public:
-    /// @param name of a dataset, as the user gave it
+    /// @param name of a dataset, as given by the user
     explicit FetchGate(const std::string& name);
-    /// Of a dataset that is open; null for one in memory.
+    /// Gate for an open dataset; null for one in memory.
     explicit FetchGate(GDALDatasetH dataset);
     FetchGate(const FetchGate&) = delete;
     FetchGate& operator=(const FetchGate&) = delete;
     ~FetchGate();
 
     [[nodiscard]] bool lets_nothing_through() const { return fetching_ == Fetching::none; }
-    /// Whether an address may be fetched.
+    /// Returns true if an address may be fetched.
     [[nodiscard]] bool lets_through(const std::string& address) const;
 
   private:
     enum class Fetching { none, one_server, any };
 
-    /// By what a name says of itself.
+    /// Permission that a name alone implies.
     [[nodiscard]] static Fetching named_by(const std::string& name);
     void close();
 
     std::string name_;
     Fetching fetching_;
-    std::optional<std::string> file_before_;  ///< the option that close() sets
+    std::optional<std::string> file_before_;  ///< previous value of the option set by close()
 };
 
-/// GDALOpenEx() behind a gate. @param drivers null for all @return null where it cannot be opened
+/// Calls GDALOpenEx() behind a gate. @param drivers null for all @return null if it cannot be opened
 [[nodiscard]] DatasetOwner open_gated(const std::string& name, unsigned flags,
                                       const char* const* drivers = nullptr,
                                       const char* const* open_options = nullptr);

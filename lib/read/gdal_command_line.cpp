@@ -14,7 +14,7 @@
 namespace d2b {
 namespace {
 
-/// GDAL 3.6 takes KEY=VALUE for the key and the next argument for its value.
+/// Splits KEY=VALUE, because GDAL 3.6 takes it for the key and the next argument for its value.
 void split_config(std::vector<std::string>& arguments) {
     for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
         const std::string pair = arguments[i + 1];
@@ -26,8 +26,8 @@ void split_config(std::vector<std::string>& arguments) {
     }
 }
 
-/// What GDAL reads when its drivers register (GDAL_SKIP, GDAL_DRIVER_PATH, ...) must be set before they do,
-/// but the processor of the switches needs the drivers.
+/// Sets options that GDAL reads when its drivers register (GDAL_SKIP, GDAL_DRIVER_PATH, ...). They must be
+/// set earlier than by GDAL's processor of switches, because that needs registered drivers.
 void set_config(const std::vector<std::string>& arguments) {
     for (std::size_t i = 0; i + 2 < arguments.size(); ++i)
         if (arguments[i] == "--config")
@@ -40,7 +40,7 @@ struct FreeArguments {
 using Arguments = std::unique_ptr<char*, FreeArguments>;
 
 Arguments list_of(const std::vector<std::string>& arguments) {
-    // In place of the program's name; --optfile uses it in messages alone.
+    // Stands for the name of the program; only messages about --optfile use it.
     Arguments list(CSLAddString(nullptr, "dem2buildings"));
     for (const std::string& argument : arguments)
         list.reset(CSLAddString(list.release(), argument.c_str()));
@@ -54,7 +54,7 @@ std::optional<std::vector<std::string>> apply_gdal_switches(std::vector<std::str
     const std::vector<std::string> file_names(end, arguments.end());
     arguments.erase(end, arguments.end());
     split_config(arguments);
-    std::ranges::replace(arguments, "--version", "-version");  // GDAL would print its own
+    std::ranges::replace(arguments, "--version", "-version");  // keeps GDAL from printing its own version
     set_config(arguments);
 
     const GdalMessages messages;
@@ -67,7 +67,7 @@ std::optional<std::vector<std::string>> apply_gdal_switches(std::vector<std::str
         throw OptionError(messages.reason() + ".");
     if (count == 0)
         return std::nullopt;
-    const Arguments owner(left);  // a list of its own
+    const Arguments owner(left);  // the processor returns a separate list
     std::vector<std::string> rest(left + 1, left + count);
     rest.insert(rest.end(), file_names.begin(), file_names.end());
     return rest;

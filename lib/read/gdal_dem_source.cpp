@@ -85,7 +85,7 @@ class GdalDemSource final : public WarningSource {
     }
 
   private:
-    std::unique_ptr<KeptStandardInput> standard_input_;  // before the readers, which must be closed first
+    std::unique_ptr<KeptStandardInput> standard_input_;  // first, as the readers must be closed before it
     DemInfo info_;
     std::unique_ptr<SharedRaster> readers_;
     std::unique_ptr<CutlineMask> cutline_;

@@ -34,7 +34,7 @@ using FeatureOwner = GdalOwner<OGRFeatureH, OGR_F_Destroy>;
 using CrsOwner = GdalOwner<OGRSpatialReferenceH, OSRRelease>;
 using TransformOwner = GdalOwner<OGRCoordinateTransformationH, OCTDestroyCoordinateTransformation>;
 
-/// A list of strings as GDAL's C functions take it; views the strings, which must outlive it.
+/// List of strings as GDAL's C functions take it. Views the strings, which must outlive it.
 class StringList {
   public:
     explicit StringList(const std::vector<std::string>& strings) {
@@ -42,7 +42,7 @@ class StringList {
             pointers_.push_back(text.c_str());
         pointers_.push_back(nullptr);
     }
-    /// nullptr where the list is empty: GDAL takes an empty list of drivers for "none of them".
+    /// Returns nullptr if the list is empty, because GDAL takes an empty list of drivers for "none of them".
     [[nodiscard]] const char* const* get() const {
         return pointers_.size() == 1 ? nullptr : pointers_.data();
     }

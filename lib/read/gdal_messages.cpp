@@ -11,7 +11,7 @@ namespace d2b {
 namespace {
 
 constexpr std::size_t longest_message = 500;
-constexpr std::size_t most_warnings = 20;  // A damaged file can have one for every block.
+constexpr std::size_t most_warnings = 20;  // limited because a damaged file can have one per block
 
 void CPL_STDCALL collect(CPLErr level, CPLErrorNum, const char* text) {
     auto* messages = static_cast<GdalMessages*>(CPLGetErrorHandlerUserData());
@@ -19,7 +19,7 @@ void CPL_STDCALL collect(CPLErr level, CPLErrorNum, const char* text) {
         return;
     try {
         messages->add(level != CE_Warning, text);
-    } catch (...) {  // Out of memory; an exception must not travel through GDAL's C frames.
+    } catch (...) {  // out of memory; exceptions must not pass through GDAL's C frames
         return;
     }
 }
@@ -55,7 +55,7 @@ std::string one_line(std::string_view text) {
     if (line.size() > longest_message) {
         std::size_t end = longest_message;
         while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xC0U) == 0x80U)
-            --end;  // not within a character of UTF-8
+            --end;  // keeps UTF-8 characters whole
         return line.substr(0, end) + "...";
     }
     while (!line.empty() && (line.back() == ' ' || line.back() == '.'))

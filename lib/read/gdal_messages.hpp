@@ -9,35 +9,34 @@
 
 namespace d2b {
 
-/// Collects what GDAL says in this thread for as long as it lives, so that nothing reaches stderr by itself
-/// and our exceptions carry GDAL's own reason. Debug messages pass through: only who asks for them gets them.
-/// Scopes may nest; they must end in the reverse order, in the thread that began them.
+/// Collects GDAL's messages in this thread during its lifetime, so that nothing is printed to stderr and our
+/// exceptions carry GDAL's reason. Debug messages pass through because they appear only on request. Scopes
+/// may nest. They must end in reverse order, in the thread that began them.
 class GdalMessages {
   public:
-    /// @param hidden the name of a file or folder that users do not know @param shown what messages say
-    /// instead
+    /// @param hidden name of a file or folder that users do not know @param shown its replacement in messages
     explicit GdalMessages(std::string hidden = "", std::string shown = "");
     GdalMessages(const GdalMessages&) = delete;
     GdalMessages& operator=(const GdalMessages&) = delete;
     ~GdalMessages();
 
-    /// Whether GDAL has reported an error, even where the call claimed to have succeeded.
+    /// Returns true if GDAL has reported an error, even if the call claimed to have succeeded.
     [[nodiscard]] bool failed() const { return !last_error_.empty(); }
-    /// GDAL's last error: one line without a full stop; "GDAL gives no reason" where there is none.
+    /// GDAL's last error: one line without a full stop; "GDAL gives no reason" if there is none.
     [[nodiscard]] std::string reason() const;
-    /// GDAL's first error: what follows is often no more than its consequence.
+    /// GDAL's first error. Later errors are often only its consequences.
     [[nodiscard]] std::string first_reason() const;
-    /// The reason without the name of the file that our own sentence has given already.
+    /// Reason without the name of the file, because our own sentence has already given it.
     [[nodiscard]] std::string reason_for(const std::string& path) const;
-    /// One line each, without repetitions, in their order.
+    /// Distinct warnings in order, one line each.
     [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
-    /// Hands GDAL's warnings on, as quotes.
+    /// Passes GDAL's warnings on, as quotes.
     void pass_warnings(Warnings& warnings) const;
-    /// As pass_warnings(), and errors as well: for calls that have succeeded nevertheless.
+    /// Same as pass_warnings(), and errors as well: for calls that have succeeded nevertheless.
     void pass_all(Warnings& warnings) const;
 
-    /// For the callback: remembers one message.
+    /// Stores one message; called by GDAL's error handler.
     void add(bool is_error, const char* text);
 
   private:
@@ -49,8 +48,8 @@ class GdalMessages {
     std::vector<std::string> warnings_;
 };
 
-/// A message of GDAL's as one line: white space and control characters become single blanks, a full stop at
-/// the end goes, and what is too long is cut.
+/// Formats a GDAL message as one line: collapses white space and control characters to single blanks, removes
+/// a trailing full stop, and truncates long text.
 [[nodiscard]] std::string one_line(std::string_view text);
 
 }  // namespace d2b

@@ -11,9 +11,9 @@ namespace d2b {
 namespace {
 
 constexpr double same_cell = 1e-3;
-constexpr std::int32_t most_samples = 201;  // a row or column
+constexpr std::int32_t most_samples = 201;  // per row or column
 
-/// Indices of cells from the first to the last, evenly, both included.
+/// Returns centres of evenly spaced cells, including the first and the last.
 std::vector<double> sampled(std::int32_t first, std::int32_t count) {
     const std::int32_t n = std::min(count, most_samples);
     std::vector<double> centres;

@@ -15,7 +15,7 @@ GridTransform::GridTransform(const std::string& name, const DemInfo& raster, con
     const CrsOwner from = horizontal_crs(raster.crs_wkt);
     const CrsOwner to = horizontal_crs(grid.crs_wkt);
     same_crs_ = !from || !to || OSRIsSame(from.get(), to.get()) != FALSE;
-    const CrsOwner none(OSRNewSpatialReference(nullptr));  // GDAL takes no null here
+    const CrsOwner none(OSRNewSpatialReference(nullptr));  // because GDAL does not accept null
     transformer_.reset(
         GDALCreateGenImgProjTransformer4(same_crs_ ? none.get() : from.get(), raster.transform.data(),
                                          same_crs_ ? none.get() : to.get(), grid.transform.data(), nullptr));
@@ -25,7 +25,7 @@ GridTransform::GridTransform(const std::string& name, const DemInfo& raster, con
 }
 
 void GridTransform::apply(std::span<Position> positions, bool to_raster) const {
-    const GdalMessages quiet;  // what has no image is told by NaN
+    const GdalMessages quiet;  // failures become NaN instead
     std::vector<double> x;
     std::vector<double> y;
     for (const Position& p : positions) {

@@ -13,22 +13,22 @@ namespace d2b {
 
 using TransformerOwner = GdalOwner<void*, GDALDestroyTransformer>;
 
-/// Between pixel coordinates of the DEM's grid and those of another raster: x is columns, y is rows
-/// (downwards), (0, 0) the outer corner of the first cell. Heights play no part. Where one of the two has no
-/// CRS, it is taken as that of the other.
+/// Transforms between pixel coordinates of the DEM's grid and those of another raster: x is columns, y is
+/// rows (downwards), (0, 0) the outer corner of the first cell. Heights are ignored. If one of the two has no
+/// CRS, it is taken to be in the other's.
 class GridTransform {
   public:
     /// @param name of the raster, for messages: "terrain 'dtm.tif'"
-    /// @throws InputError where there is no operation between the two CRSs
+    /// @throws InputError if there is no operation between the two CRSs
     GridTransform(const std::string& name, const DemInfo& raster, const DemInfo& grid);
 
-    /// In place; NaN where a position has no image.
+    /// Transforms in place; NaN if a position has no image.
     void to_raster(std::span<Position> positions) const { apply(positions, true); }
     void to_grid(std::span<Position> positions) const { apply(positions, false); }
 
-    /// Whether coordinates of the one are coordinates of the other.
+    /// Returns true if both use the same coordinates.
     [[nodiscard]] bool same_crs() const { return same_crs_; }
-    /// Of GDAL's GDALGenImgProjTransform, with the raster as its source.
+    /// Argument of GDALGenImgProjTransform(), with the raster as its source.
     [[nodiscard]] void* handle() const { return transformer_.get(); }
 
   private:

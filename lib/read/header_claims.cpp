@@ -13,14 +13,14 @@ namespace d2b {
 
 namespace {
 
-/// Positions, and what is added to them, are numbers of 32 bits.
+/// Keeps positions and their sums within 32 bits.
 constexpr int longest_side = 1 << 30;
 
-/// A block of less is read whatever the length of the file.
+/// Smaller blocks are accepted whatever the length of the file.
 constexpr std::uint64_t ordinary_block = std::uint64_t{256} << 20;
 
-/// What a byte of a file may become. A plain file may hold eight cells in a byte; of what TIFFs are
-/// compressed by, runs of Zstandard are the longest for their bytes.
+/// Largest number of cell bytes per byte of a file. A plain file may hold eight cells per byte; among
+/// compressions of TIFF, runs of Zstandard expand the most.
 constexpr std::uint64_t most_of_plain_byte = 8;
 constexpr std::uint64_t most_of_packed_byte = 100000;
 
@@ -42,7 +42,7 @@ Header header_of(const OpenRaster& raster) {
             static_cast<std::uint64_t>(GDALGetDataTypeSizeBytes(GDALGetRasterDataType(raster.band)))};
 }
 
-/// Nothing where the system does not know, as of a stream.
+/// Returns nothing if the length is unknown, as for streams.
 std::optional<std::uint64_t> length_of_file(GDALDatasetH dataset) {
     VSIStatBufL status{};
     if (VSIStatExL(GDALGetDescription(dataset), &status, VSI_STAT_SIZE_FLAG) != 0)
@@ -60,23 +60,23 @@ std::string metadata(GDALMajorObjectH object, const char* name, const char* doma
                      needed + "; it is truncated, so copy it again.");
 }
 
-/// GDAL reads what is missing at the end of an ENVI file as zeros, since such files may be sparse. Zeros that
-/// nobody measured must not become elevations.
+/// Rejects truncated ENVI files. GDAL reads their missing end as zeros because such files may be sparse, and
+/// those zeros must not become elevations.
 void check_envi(const OpenRaster& raster, const Header& header, std::uint64_t bytes,
                 const std::string& name) {
     const std::string compression = metadata(raster.dataset.get(), "file_compression", "ENVI");
     if (!compression.empty() && compression != "0")
         return;
     const std::uint64_t needed =
-        header.cols * header.rows * header.bytes_a_cell;  // below 2^64: sides, 16 bytes
-    // Divided, not multiplied: a header may claim any number of bands.
+        header.cols * header.rows * header.bytes_a_cell;  // < 2^64: limited sides, 16 bytes per cell
+    // Divides because multiplication could overflow: a header may claim any number of bands.
     if (bytes / header.bands < needed)
         refuse_short(name, bytes,
                      header.bands == 1 ? std::to_string(needed)
                                        : std::to_string(header.bands) + " times " + std::to_string(needed));
 }
 
-/// Words of a text file, its header's included, as far as `enough`.
+/// Counts the words of a text file, including its header, up to `enough`.
 std::uint64_t count_words(GDALDatasetH dataset, std::uint64_t enough) {
     VSILFILE* const file = VSIFOpenL(GDALGetDescription(dataset), "rb");
     std::uint64_t words = 0;
@@ -97,12 +97,12 @@ std::uint64_t count_words(GDALDatasetH dataset, std::uint64_t enough) {
     return words;
 }
 
-/// GDAL looks for the rows that a text grid does not have again and again, twice as often with each of them:
-/// for hours where some dozens are missing.
+/// Rejects truncated text grids, because GDAL searches for each missing row again and doubles the effort
+/// every time: a few dozen missing rows take hours.
 void check_text(const OpenRaster& raster, const Header& header, std::uint64_t bytes,
                 const std::string& name) {
     const std::uint64_t cells = header.cols * header.rows;
-    const std::uint64_t needed = 2 * cells - 1;  // a digit and a blank per cell
+    const std::uint64_t needed = 2 * cells - 1;  // one digit and one blank per cell
     if (bytes < needed)
         refuse_short(name, bytes, std::to_string(needed) + " at least");
     if (const std::uint64_t words = count_words(raster.dataset.get(), cells); words < cells)
@@ -111,7 +111,7 @@ void check_text(const OpenRaster& raster, const Header& header, std::uint64_t by
                          "; it is truncated, so copy it again.");
 }
 
-/// GDAL keeps a whole block in memory, of all bands where they are interleaved.
+/// Rejects impossible blocks, because GDAL allocates a whole block, of all bands if they are interleaved.
 void check_block(const OpenRaster& raster, const Header& header, std::uint64_t bytes,
                  const std::string& name) {
     int cols = 0;
@@ -120,7 +120,7 @@ void check_block(const OpenRaster& raster, const Header& header, std::uint64_t b
     GDALDatasetH const dataset = raster.dataset.get();
     const bool together = metadata(dataset, "INTERLEAVE", "IMAGE_STRUCTURE") == "PIXEL";
     const bool packed = !metadata(dataset, "COMPRESSION", "IMAGE_STRUCTURE").empty();
-    // Doubles, as four numbers of a damaged header may have any product.
+    // Doubles, because the product of four numbers of a damaged header may overflow.
     const double block = static_cast<double>(cols) * rows * static_cast<double>(header.bytes_a_cell) *
                          static_cast<double>(together ? header.bands : 1);
     const double most =

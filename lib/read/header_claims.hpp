@@ -6,10 +6,10 @@
 
 namespace d2b {
 
-/// Refuses a raster whose header cannot be true, or not be followed, before anything of it is allocated or
-/// read: a side of more than 2^30 cells, an ENVI file or a text grid shorter than its cells need, a TIFF with
-/// a block that its bytes cannot fill. GDAL would take zeros for the cells that are missing, look for them
-/// for hours, or ask for as much memory as such a block claims.
+/// Rejects a raster with an impossible or unsupported header before anything is allocated or read: a side of
+/// more than 2^30 cells, an ENVI file or text grid shorter than its cells need, a TIFF with a block larger
+/// than its bytes can fill. GDAL itself would read missing cells as zeros, search for them for hours, or
+/// allocate the claimed block.
 /// @param name for messages @throws InputError
 void check_claims(const OpenRaster& raster, const std::string& name);
 

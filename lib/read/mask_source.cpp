@@ -61,7 +61,7 @@ class PolygonMask final : public WarningSource {
     CutlineMask mask_;
 };
 
-/// Whether a dataset has layers and no bands.
+/// Returns true if a dataset has layers and no bands.
 bool is_vector(const std::string& path, Warnings& warnings) {
     const GdalMessages messages;
     const DatasetOwner dataset =
@@ -69,7 +69,7 @@ bool is_vector(const std::string& path, Warnings& warnings) {
     if (!dataset)
         throw InputError("The mask '" + path +
                          "' cannot be opened as a raster or as polygons: " + messages.reason_for(path) + ".");
-    messages.pass_warnings(warnings);  // some are said of the first opening alone
+    messages.pass_warnings(warnings);  // GDAL repeats some of them at no later opening
     return GDALGetRasterCount(dataset.get()) == 0 && GDALDatasetGetLayerCount(dataset.get()) > 0;
 }
 
@@ -79,7 +79,7 @@ std::unique_ptr<DemSource> open_mask(const SideRaster& mask, const std::string& 
                                      const Callbacks& callbacks) {
     const std::string& path = mask.path;
     auto warnings = std::make_unique<Warnings>(callbacks.on_warning);
-    // What comes in on the standard input can be opened once; GDAL reads no rasters from there by itself.
+    // Standard input can be opened only once, and GDAL reads no rasters from it by itself.
     if (mask.array == nullptr && !is_standard_input(path) && is_vector(path, *warnings))
         return std::make_unique<PolygonMask>(PolygonPlace{"mask", "mask_layer", path, layer}, grid,
                                              std::move(warnings));

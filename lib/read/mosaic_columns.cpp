@@ -18,7 +18,8 @@ struct XmlRelease {
 };
 using XmlOwner = std::unique_ptr<CPLXMLNode, XmlRelease>;
 
-/// What the VRT says of itself; nothing where it is none, or so large that it is only read once.
+/// Parses the XML of a VRT. Returns null if the dataset is not a VRT or so large that a mosaic opened once is
+/// better.
 XmlOwner description_of(GDALDatasetH dataset) {
     constexpr vsi_l_offset most_bytes = vsi_l_offset{4} << 20;
     const GDALDriverH driver = GDALGetDatasetDriver(dataset);
@@ -32,7 +33,7 @@ XmlOwner description_of(GDALDatasetH dataset) {
     return XmlOwner(all == nullptr || *all == nullptr ? nullptr : CPLParseXMLString(*all));
 }
 
-/// The band of that number, where it only puts rasters together.
+/// Returns the band with this number if it is a plain mosaic band.
 const CPLXMLNode* band_of(const CPLXMLNode* vrt, int band) {
     const CPLXMLNode* root = CPLGetXMLNode(vrt, "=VRTDataset");
     for (const CPLXMLNode* node = root != nullptr ? root->psChild : nullptr; node != nullptr;
@@ -73,7 +74,7 @@ std::vector<std::int32_t> divide_columns(std::vector<ColumnSpan> rasters, std::i
     std::ranges::sort(rasters);
     std::vector<std::int32_t> ends;
     std::int32_t begin = 0;
-    std::int32_t covered = 0;  // by rasters that begin before
+    std::int32_t covered = 0;  // by rasters that begin earlier
     for (const auto& [first, end] : rasters) {
         if (first >= covered && first - begin >= least && cols - first >= least)
             ends.push_back(begin = first);

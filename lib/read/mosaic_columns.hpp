@@ -9,23 +9,23 @@
 
 namespace d2b {
 
-/// Columns of cells: the first and the one behind the last.
+/// Half-open range of columns [begin, end).
 using ColumnSpan = std::array<std::int32_t, 2>;
 
-/// How columns of a mosaic are put together.
+/// Limits for dividing a mosaic into columns.
 struct ColumnLimits {
-    std::int32_t least_cells = 2048;  ///< side by side
+    std::int32_t least_cells = 2048;  ///< minimal width
     std::size_t most_columns = 16;
-    std::size_t most_rasters = 16384;  ///< that are known of in all, where each column knows of all rasters
+    std::size_t most_rasters = 16384;  ///< sum over columns, because each opens all descriptions
 };
 
-/// Divides so many columns of cells where no raster is cut, as evenly as that goes.
-/// @param rasters that lie in them, none empty @return where each part ends, ascending; one where no place
-/// will do
+/// Divides the columns of a mosaic as evenly as possible without cutting a raster.
+/// @param rasters column ranges of the rasters, not empty @return ends of the parts, ascending; a single one
+/// if no cut is possible
 [[nodiscard]] std::vector<std::int32_t> divide_columns(std::vector<ColumnSpan> rasters, std::int32_t cols,
                                                        const ColumnLimits& limits = {});
 
-/// The same of a VRT that puts rasters side by side; cols of any other dataset.
+/// Same for a VRT mosaic; returns only the number of columns for any other dataset.
 [[nodiscard]] std::vector<std::int32_t> ends_of_columns(GDALDatasetH dataset, int band);
 
 }  // namespace d2b

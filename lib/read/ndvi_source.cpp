@@ -11,14 +11,14 @@ namespace d2b {
 
 namespace {
 
-constexpr double rounding = 1e-6;  // single precision, and scales such as 1/10000
+constexpr double rounding = 1e-6;  // single precision and scales such as 1/10000
 
 class NdviSource final : public WarningSource {
   public:
     NdviSource(const SideRaster& raster, const DemInfo& grid, std::unique_ptr<Warnings> own)
         : WarningSource(std::move(own)), raster_("NDVI", raster, grid, Resampling::bilinear, warnings()) {
         raster_.warn_of_gaps("nothing is known of vegetation");
-        // Of another product every row tells, and a run should not fail at its end.
+        // Reads one row, because a wrong product shows in any row and a run should not fail at its end.
         std::vector<double> row(static_cast<std::size_t>(grid.window.cols));
         read({grid.window.row + grid.window.rows / 2, grid.window.col, 1, grid.window.cols}, row);
         warnings().hold();
@@ -35,7 +35,7 @@ class NdviSource final : public WarningSource {
                     ", and an NDVI lies between -1 and 1; set the scale of a scaled product, for "
                     "example with gdal_edit.py -scale 0.0001, or compute it as (NIR - red) / (NIR "
                     "+ red) and clamp it.");
-            value = value < -1 ? -1 : value > 1 ? 1 : value;  // NaN stays
+            value = value < -1 ? -1 : value > 1 ? 1 : value;  // NaN stays NaN
         }
     }
 

@@ -35,7 +35,7 @@ DatasetOwner open_dataset(const ReadOptions& options, const std::string& path, W
     return dataset;
 }
 
-/// The first few sub-datasets by name, or "".
+/// Lists the first few sub-datasets by name, or returns "".
 std::string subdatasets_text(GDALDatasetH dataset) {
     std::string names;
     for (int i = 1;; ++i) {

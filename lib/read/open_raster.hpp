@@ -14,13 +14,13 @@ struct OpenRaster {
 };
 
 /// Opens a raster for reading and picks the band.
-/// @param path what GDAL is to open; messages speak of options.source
-/// @throws OptionError unknown format, an open option without "=". @throws InputError cannot be opened,
-/// sub-datasets
-///         only, no such band, complex values, shorter than its header says
+/// @param path file that GDAL opens; messages name options.source instead
+/// @throws OptionError: unknown format, an open option without "="
+/// @throws InputError: cannot be opened, only sub-datasets, no such band, complex values, shorter than its
+/// header says
 [[nodiscard]] OpenRaster open_raster(const ReadOptions& options, const std::string& path, Warnings& warnings);
 
-/// Opens a raster that accompanies the DEM and takes its first band. @param name for messages
+/// Opens the first band of a raster that accompanies the DEM. @param name for messages
 /// @throws InputError as open_raster()
 [[nodiscard]] OpenRaster open_first_band(const std::string& name, const std::string& path,
                                          Warnings& warnings);

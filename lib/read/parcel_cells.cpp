@@ -7,7 +7,7 @@
 namespace d2b {
 namespace {
 
-/// Steps from `low` to before `high`.
+/// Half-open range of rows or columns [low, high).
 struct Steps {
     std::int32_t low = 0;
     std::int32_t high = 0;
@@ -18,13 +18,14 @@ std::int32_t within(double value, const Steps& limits) {
         std::clamp(value, static_cast<double>(limits.low), static_cast<double>(limits.high)));
 }
 
-/// The first cell whose middle is not before a place.
+/// Returns the first cell whose centre is not less than `place`.
 std::int32_t first_middle(double place, const Steps& limits) {
     return within(std::ceil(place - 0.5), limits);
 }
 
-/// Calls use(step, place) for each middle line, of those within limits, that an edge crosses, with the place
-/// across at which it does. @param along, across of its ends
+/// Calls use(step, place) for each line through cell centres, within limits, that an edge crosses, with the
+/// coordinate of the crossing along that line. @param from, to ends of the edge: coordinate across the lines,
+/// then along them
 template <typename Use>
 void for_crossings(std::pair<double, double> from, std::pair<double, double> to, const Steps& limits,
                    const Use& use) {
@@ -57,7 +58,7 @@ class Burner {
 };
 
 void Burner::fill(const std::vector<WorldRing>& rings, const PixelParcel& parcel) {
-    std::vector<std::pair<std::int32_t, std::int32_t>> turns;  // row, and the first cell behind an edge
+    std::vector<std::pair<std::int32_t, std::int32_t>> turns;  // row, and first cell right of an edge
     for (const WorldRing& ring : rings)
         for (std::size_t i = 1; i < ring.size(); ++i)
             for_crossings(

@@ -9,20 +9,18 @@
 
 namespace d2b {
 
-/// A feature in pixel coordinates of a DEM: x is columns, y is rows, (0, 0) the outer corner of the first
-/// cell.
+/// Feature in pixel coordinates of a DEM: x is columns, y is rows, (0, 0) the outer corner of the first cell.
 struct PixelParcel {
     std::int64_t number = ParcelCell::nobody;
     bool valid = true;
-    std::vector<std::vector<WorldRing>>
-        polygons;  ///< closed rings; inside of an odd number of them is inside
+    std::vector<std::vector<WorldRing>> polygons;  ///< closed rings under the even-odd rule
     std::vector<WorldRing> lines;
 };
 
-/// Says of the cells of a part whose middles a parcel's polygons cover that they are its own, where they are
-/// nobody's so far, and which neighbours its lines part: those between whose middles a line passes. Where an
-/// edge lies between middles is worked out from the edge and the row alone, the same from either side and for
-/// every part: neighbours that share an edge leave out no cell and share none.
+/// Rasterises a parcel: cells whose centres its polygons cover get its number unless they already have one,
+/// and neighbours are separated if a line passes between their centres. Each crossing depends on the edge and
+/// the row alone, so that it is the same from both sides and for every part: parcels that share an edge leave
+/// no gap and do not overlap.
 /// @param cells of the part, row by row
 void burn(const PixelParcel& parcel, const Window& part, std::span<ParcelCell> cells);
 

@@ -22,13 +22,13 @@ namespace d2b {
 namespace {
 
 constexpr double margin_cells = 4;
-constexpr double margin_share = 0.05;  // of a part: its edges bend in another CRS
+constexpr double margin_share = 0.05;  // of a part, because straight edges become curves in another CRS
 
 PolygonPlace place_of(const ParcelChoice& choice) {
     return {"parcel dataset", "split_layer", choice.dataset, choice.layer};
 }
 
-/// @return -1 for the feature's id
+/// @return -1 for the feature id
 int field_of(OGRLayerH layer, const ParcelChoice& choice) {
     if (choice.field.empty())
         return -1;
@@ -47,7 +47,7 @@ int field_of(OGRLayerH layer, const ParcelChoice& choice) {
         (names.empty() ? "it has no fields at all." : "its fields are " + quoted_names(names) + "."));
 }
 
-/// A box in the coordinates of a layer.
+/// Box in the coordinates of a layer.
 struct LayerBox {
     double left = HUGE_VAL;
     double low = HUGE_VAL;
@@ -62,7 +62,8 @@ struct LayerBox {
     }
 };
 
-/// Around a part of a DEM. @param back to the layer's CRS, or null @return nothing where that cannot be told
+/// Returns the envelope of a part of a DEM in the CRS of the layer. @param back transformation to that CRS,
+/// or null @return nothing if a point cannot be transformed
 std::optional<LayerBox> box_around(const Window& part, const AffineTransform& g,
                                    OGRCoordinateTransformationH back) {
     constexpr int n = 16;
@@ -110,7 +111,7 @@ class ParcelReader final : public ParcelSource {
     PolygonPlace place_;
     Warnings warnings_;
     AffineTransform grid_;
-    std::optional<FetchGate> gate_;  ///< while this is made
+    std::optional<FetchGate> gate_;  ///< active during construction
     DatasetOwner dataset_;
     OGRLayerH layer_;
     int field_;
@@ -137,7 +138,7 @@ ParcelReader::ParcelReader(const ParcelChoice& choice, const DemInfo& grid, cons
     projector_.emplace(to_dem_.get(), grid_, place_.name());
     require_some(grid);
     warnings_.hold();
-    gate_.reset();  // later reads may come from other threads
+    gate_.reset();  // because later reads may come from other threads
 }
 
 void ParcelReader::filter_by(const Window& part) {
@@ -192,7 +193,7 @@ PixelParcel ParcelReader::parcel_of(OGRFeatureH feature, OGRGeometryH geometry) 
     for (OGRGeometryH const line : lines_within(straight.get()))
         parcel.lines.push_back(projector_->project(points_of(line)));
     if (!parcel.polygons.empty()) {
-        const GdalMessages quiet;  // which would say why it is not
+        const GdalMessages quiet;  // suppresses GDAL's explanation
         parcel.valid = OGR_G_IsValid(straight.get()) != FALSE;
         names_.try_emplace(parcel.number, text_of(feature));
     }
@@ -207,7 +208,7 @@ void ParcelReader::read(const Window& part, std::span<ParcelCell> cells) {
     for_each_geometry(
         layer_, "The " + place_.name(), warnings_,
         [&](OGRFeatureH feature, OGRGeometryH geometry) { parcels.push_back(parcel_of(feature, geometry)); });
-    // An index hands them out in any order.
+    // Sorts, because a spatial index returns features in any order.
     std::ranges::stable_sort(parcels, {}, &PixelParcel::number);
     for (const PixelParcel& parcel : parcels)
         burn(parcel, part, cells);

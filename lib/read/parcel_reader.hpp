@@ -8,17 +8,17 @@
 
 namespace d2b {
 
-/// What parcels are read from.
+/// Source of parcels.
 struct ParcelChoice {
     std::string dataset;  ///< anything with polygons or lines that GDAL opens
-    std::string layer;    ///< "": the first that has geometries, with a warning where there are several
-    std::string field;    ///< that identifies a parcel; "": the feature's id
+    std::string layer;    ///< "": first layer with geometries, with a warning if there are several
+    std::string field;    ///< identifies a parcel; "": feature id
 };
 
-/// Opens parcels on the grid of a DEM. Only those around a part are in memory while it is read; of the rest
-/// the names are kept.
-/// @throws InputError cannot be opened, a CRS where the DEM has none, or nothing of it in the DEM's window.
-/// @throws OptionError no such layer or field
+/// Opens parcels on the grid of a DEM. Only parcels around the current part are held in memory; only names of
+/// the others are kept.
+/// @throws InputError: cannot be opened, a CRS although the DEM has none, or no parcel in the DEM's window
+/// @throws OptionError: no such layer or field
 [[nodiscard]] std::unique_ptr<ParcelSource> open_parcels(const ParcelChoice& choice, const DemInfo& grid,
                                                          const Callbacks& callbacks = {});
 

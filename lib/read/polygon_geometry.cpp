@@ -34,11 +34,11 @@ void add_polygon(OGRGeometryH polygon, PolygonFeature& feature) {
         feature.polygons.push_back(std::move(result));
 }
 
-/// What of a geometry is of a wanted type, at any depth of its collections.
+/// Returns the parts of a wanted type at any depth of nested collections.
 template <typename IsWanted>
 std::vector<OGRGeometryH> parts_within(OGRGeometryH geometry, const IsWanted& is_wanted) {
     std::vector<OGRGeometryH> parts;
-    std::vector<OGRGeometryH> open{geometry};  // no recursion: files say how deep collections are nested
+    std::vector<OGRGeometryH> open{geometry};  // no recursion, because files decide the depth of nesting
     while (!open.empty()) {
         OGRGeometryH const next = open.back();
         open.pop_back();

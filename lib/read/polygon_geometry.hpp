@@ -8,14 +8,13 @@
 
 namespace d2b {
 
-/// Polygons, triangles as well, that a geometry is or holds at any depth, in its order. They live as long as
-/// it does.
+/// Returns the polygons and triangles in a geometry at any depth, in order. They are owned by the geometry.
 [[nodiscard]] std::vector<OGRGeometryH> polygons_within(OGRGeometryH geometry);
-/// Likewise lines; edges of polygons are none.
+/// Same for lines; edges of polygons do not count.
 [[nodiscard]] std::vector<OGRGeometryH> lines_within(OGRGeometryH geometry);
 
-/// The polygons of a geometry of any type, curves as lines, without heights of vertices; none where it has
-/// none.
+/// Returns the polygons of a geometry of any type without heights of vertices. Curves become lines; the
+/// result is empty if it contains no polygon.
 [[nodiscard]] PolygonFeature polygon_feature_of(OGRGeometryH geometry);
 
 }  // namespace d2b

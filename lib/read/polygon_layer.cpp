@@ -28,7 +28,7 @@ std::string field_list(OGRFeatureDefnH schema) {
     return quoted_names(names);
 }
 
-/// The index of the field of heights, or -1.
+/// Returns the index of the height field, or -1.
 int pick_height(OGRLayerH layer, const LayerChoice& choice) {
     const OGRFeatureDefnH schema = OGR_L_GetLayerDefn(layer);
     if (choice.height_field.empty()) {
@@ -46,7 +46,8 @@ int pick_height(OGRLayerH layer, const LayerChoice& choice) {
                       (names.empty() ? "it has no fields at all." : "its fields are " + names + "."));
 }
 
-/// Texts count where all of them is a number, as heights in OpenStreetMap's data are kept.
+/// Returns the height of a feature. Texts count if they are numbers throughout, because heights of
+/// OpenStreetMap are stored as texts.
 std::optional<double> height_of(OGRFeatureH feature, int field) {
     if (field < 0 || OGR_F_IsFieldSetAndNotNull(feature, field) == FALSE)
         return std::nullopt;
@@ -71,7 +72,6 @@ void warn_of_others(std::size_t others, const PolygonLayer& layer, Warnings& war
                      " no polygon and " + (others == 1 ? "is" : "are") + " left out.");
 }
 
-/// A dataset of polygons.
 DatasetOwner open_polygons(const std::string& path, Warnings& warnings) {
     return open_vector_dataset(path, "'" + path + "' cannot be opened as a vector dataset", warnings);
 }

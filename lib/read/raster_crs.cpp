@@ -20,7 +20,8 @@ std::string wkt_from_user(const std::string& text) {
                           " if that is meant.");
     const GdalMessages messages;
     OGRSpatialReference crs;
-    // As a library we may be handed this text from far away: it must not make us open files or connections.
+    // Limits GDAL because the text may come from an untrusted caller of the library and must not make it open
+    // files or connections.
     const OGRErr status =
         crs.SetFromUserInput(text.c_str(), OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get());
     std::string wkt = status == OGRERR_NONE ? wkt_of(OGRSpatialReference::ToHandle(&crs)) : "";
@@ -31,8 +32,8 @@ std::string wkt_from_user(const std::string& text) {
     return wkt;
 }
 
-/// GDAL makes these of the numbers 0 and -1 by which a GeoPackage says that it does not know, and writes them
-/// on into other files. The degrees of the first are none.
+/// Returns true for the placeholders that GDAL derives from codes 0 and -1 (unknown CRS) of a GeoPackage and
+/// writes on into other files. The degrees of the first are not real.
 bool stands_for_none(OGRSpatialReferenceH crs) {
     const char* name = OSRGetName(crs);
     return name != nullptr && OSRGetAuthorityCode(crs, nullptr) == nullptr &&
@@ -49,7 +50,7 @@ std::string wkt_of(OGRSpatialReferenceH crs) {
     char* text = nullptr;
     const OGRErr status = OSRExportToWktEx(crs, &text, options.data());
     const std::unique_ptr<char, GdalRelease<void*, VSIFree>> owner(text);
-    // Names in the keys of a GeoTIFF or in a .prj may be in any encoding.
+    // Repairs names, because those in GeoTIFF keys or a .prj may be in any encoding.
     return status == OGRERR_NONE && text != nullptr ? utf8_text(text) : "";
 }
 

@@ -10,21 +10,21 @@
 
 namespace d2b {
 
-/// Sets crs_wkt: what the user gave, else the raster's own; "" and a warning where there is none, or where it
-/// is one of degrees and the coordinates are pixels. After set_transform().
-/// @param own_wkt the raster's own; "" for none
-/// @param user_crs anything that names a CRS without a file or the network being read; "" for the raster's
-/// @throws OptionError where user_crs is no CRS, or has no plane; InputError where the raster's has none
+/// Sets crs_wkt to the CRS given by the user, otherwise to that of the raster. Sets "" and warns if there is
+/// none, or if it is in degrees although coordinates are pixels. @pre set_transform() was called
+/// @param own_wkt CRS of the raster; "" for none
+/// @param user_crs any definition of a CRS that needs neither files nor network; "" for that of the raster
+/// @throws OptionError if user_crs is not a CRS or has no plane; InputError if that of the raster has none
 void set_crs(const std::string& own_wkt, const std::string& user_crs, DemInfo& info, Warnings& warnings);
 
-/// The same from a dataset.
+/// Same, from a dataset.
 void read_crs(GDALDatasetH dataset, const std::string& user_crs, DemInfo& info, Warnings& warnings);
 
-/// As WKT; "" where it is null, empty, stands for an unknown one (as in a GeoPackage) or cannot be written
-/// so.
+/// Returns a CRS as WKT, or "" if it is null, empty, a placeholder for an unknown CRS (as in a GeoPackage) or
+/// not expressible as WKT.
 [[nodiscard]] std::string wkt_of(OGRSpatialReferenceH crs);
 
-/// The CRS without its heights, axes in GIS order: heights play no part where cells are placed, and could
+/// Returns the CRS without heights, axes in GIS order. Heights do not affect the positions of cells and could
 /// make PROJ ask for vertical grids. @param wkt "" gives null
 [[nodiscard]] CrsOwner horizontal_crs(const std::string& wkt);
 

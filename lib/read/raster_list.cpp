@@ -12,7 +12,7 @@ std::vector<std::string> listed_rasters(const std::string& list) {
     errno = 0;
     std::ifstream file(list, std::ios::binary);
     std::vector<std::string> names;
-    // A folder can be opened, but not read.
+    // errno is kept because a folder can be opened but not read.
     for (std::string line; std::getline(file, line);) {
         line.erase(line.find_last_not_of(" \t\r") + 1);
         if (!line.empty())

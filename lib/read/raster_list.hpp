@@ -5,8 +5,8 @@
 
 namespace d2b {
 
-/// Names of rasters, a line each, as gdalbuildvrt takes them; empty lines count for nothing.
-/// @throws InputError the file cannot be read, or has none
+/// Reads names of rasters, one per line as for gdalbuildvrt; empty lines are ignored.
+/// @throws InputError if the file cannot be read or names no raster
 [[nodiscard]] std::vector<std::string> listed_rasters(const std::string& list);
 
 }  // namespace d2b

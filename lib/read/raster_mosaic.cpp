@@ -23,17 +23,17 @@
 namespace d2b {
 namespace {
 
-/// How far, in cells, a cell may lie from that of the grid.
+/// Tolerance in cells for cells of two rasters to coincide.
 constexpr double same_place = 0.001;
 
 /// Columns or rows of a raster.
 struct RasterAxis {
-    double first = 0;  ///< coordinate of its edge
-    double step = 0;   ///< to the next cell
+    double first = 0;  ///< coordinate of its outer edge
+    double step = 0;   ///< distance to the next cell
     double cells = 0;
 };
 
-/// A raster of the list, closed again.
+/// Properties of a raster of the list, which is closed again.
 struct Listed {
     std::string name;
     std::array<RasterAxis, 2> axes;
@@ -108,7 +108,7 @@ void require_one_grid(const Listed& first, const Listed& other) {
             "say what holds with gdal_edit.py -units");
 }
 
-/// A value that stands for no data where no raster has one.
+/// Value that stands for NoData if no raster declares one.
 double unlikely(GDALDataType type) {
     switch (type) {
         case GDT_Byte:
@@ -126,7 +126,7 @@ double unlikely(GDALDataType type) {
     }
 }
 
-/// Whether there are as many cells as the mosaic has.
+/// Returns true if the rasters have at least as many cells as the mosaic.
 bool may_fill(const std::vector<Listed>& rasters) {
     std::array<double, 2> least{};
     std::array<double, 2> most{};
@@ -143,7 +143,7 @@ bool may_fill(const std::vector<Listed>& rasters) {
     return cells >= (most[0] - least[0]) * (most[1] - least[1]);
 }
 
-/// Where nothing says what no data is, GDAL takes 0 for what no raster covers.
+/// Returns the NoData value of the mosaic, because GDAL would otherwise fill gaps between rasters with 0.
 std::optional<double> nodata_of(const std::vector<Listed>& rasters) {
     for (const Listed& raster : rasters)
         if (raster.nodata)
@@ -153,8 +153,8 @@ std::optional<double> nodata_of(const std::vector<Listed>& rasters) {
     return unlikely(rasters.front().type);
 }
 
-/// Whether each cell has the value of one raster, or none, whatever that value is: GDAL then copies rows
-/// where it would look at each cell.
+/// Returns true if every cell takes the value of at most one raster, whatever that value is, so that GDAL can
+/// copy rows instead of testing each cell.
 bool may_copy(const std::vector<Listed>& rasters, double nodata) {
     const auto fits = [&](const Listed& raster) {
         return !raster.nodata || *raster.nodata == nodata ||
@@ -188,7 +188,7 @@ void build_mosaic(const std::string& path, const std::vector<std::string>& raste
         require_one_grid(all.front(), all.back());
     }
     CPLStringList words;
-    words.AddString("-strict");  // what does not fit is an error, not left out
+    words.AddString("-strict");  // reports rasters that do not fit instead of leaving them out
     if (const std::optional<double> nodata = nodata_of(all)) {
         words.AddString("-vrtnodata");
         words.AddString(number_text(*nodata).c_str());
@@ -206,7 +206,7 @@ void build_mosaic(const std::string& path, const std::vector<std::string>& raste
                                      options.get(), &wrong));
     if (!mosaic)
         throw InputError("The rasters of the list cannot be made into a mosaic: " + messages.reason() + ".");
-    mosaic.reset();  // which writes it
+    mosaic.reset();  // writes the file
     if (messages.failed())
         throw OutputError("'" + path + "' cannot be written: " + messages.reason() +
                           "; make room in the work folder, or give another one.");

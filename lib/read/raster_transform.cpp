@@ -10,7 +10,7 @@ namespace d2b {
 
 namespace {
 
-/// Whether cells have an area: a determinant that is no more than the rounding of its terms is zero.
+/// Returns true if cells have an area: a determinant within the rounding error of its terms counts as zero.
 bool invertible(const AffineTransform& g) {
     if (!std::all_of(g.begin(), g.end(), [](double term) { return std::isfinite(term); }))
         return false;
@@ -36,7 +36,7 @@ void read_transform(GDALDatasetH dataset, DemInfo& info, Warnings& warnings) {
     AffineTransform transform{};
     if (GDALGetGeoTransform(dataset, transform.data()) == CE_None)
         return set_transform(transform, "correct it, for example with gdal_edit.py -a_ullr", info, warnings);
-    // GDAL can place these cell by cell; outlines need a grid.
+    // Rejects rasters that GDAL can locate only cell by cell, because outlines need a grid.
     const auto has = [&](const char* domain) {
         const CSLConstList items = GDALGetMetadata(dataset, domain);
         return items != nullptr && items[0] != nullptr;

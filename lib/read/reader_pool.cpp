@@ -14,14 +14,14 @@ ReaderPool::ReaderPool(OpenRaster raster, const ReadOptions& options, std::strin
       path_(std::move(path)),
       info_(info),
       warnings_(warnings),
-      // Other drivers lock a library, unpack a file, or ask a server once more.
+      // Only GeoTIFF, because other drivers lock a library, unpack a file, or contact a server again.
       may_reopen_(info.driver == "GTiff") {
     idle_.push_back(std::make_unique<Reader>(std::move(raster), options, info, warnings));
 }
 
 ReaderPool::ReaderPtr ReaderPool::reopen() const {
     try {
-        Warnings unheard;  // all has been said when it was opened first
+        Warnings unheard;  // repeats warnings of the first opening
         return std::make_unique<Reader>(open_raster(options_, path_, unheard), options_, info_, unheard);
     } catch (const Error&) {
         return nullptr;
@@ -38,8 +38,8 @@ ReaderPool::ReaderPtr ReaderPool::idle_with(std::int32_t block_row) {
     return reader;
 }
 
-/// The only thread that decodes a row of blocks, and its reader once it has one. Whatever happens, both are
-/// free again at the end, and who waits for them hears of it.
+/// Exclusive right to decode a row of blocks, with its reader once there is one. The destructor releases both
+/// and wakes waiting threads, also after an exception.
 class ReaderPool::Turn {
   public:
     Turn(ReaderPool& pool, std::int32_t block_row) : pool_(pool), block_row_(block_row) {
@@ -84,7 +84,8 @@ ReaderPool::ReaderPtr ReaderPool::take(std::int32_t block_row) {
         reader = std::move(idle_.back());
         idle_.pop_back();
     }
-    // GDAL would keep what it has decoded, which nobody asks for again but for the rows beside a band.
+    // Frees decoded blocks, because GDAL would keep them although they are used again only by neighbouring
+    // bands.
     if (std::abs(block_row - reader->block_row) > 1)
         reader->bands.forget_blocks();
     reader->block_row = block_row;

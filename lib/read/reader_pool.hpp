@@ -11,12 +11,12 @@
 
 namespace d2b {
 
-/// A raster that several threads read at a time: GDAL's datasets serve one each, so it is opened again for
-/// those who would have to wait, where that is cheap and safe; else they wait. Those who want rows of the
-/// same blocks get the same reader, one after the other, so that no block is decoded twice.
+/// Raster that several threads read concurrently. A GDAL dataset serves one thread at a time, so it is opened
+/// again for threads that would have to wait, if that is cheap and safe; otherwise they wait. Threads that
+/// need rows of the same blocks use the same reader in turn, so that no block is decoded twice.
 class ReaderPool final : public SharedRaster {
   public:
-    /// @param path to open it again @param warnings outlives the pool
+    /// @param path for opening it again @param warnings outlives the pool
     ReaderPool(OpenRaster raster, const ReadOptions& options, std::string path, const DemInfo& info,
                Warnings& warnings);
 
@@ -25,7 +25,7 @@ class ReaderPool final : public SharedRaster {
   private:
     struct Reader : RasterReader {
         using RasterReader::RasterReader;
-        std::int32_t block_row = -1;  ///< of blocks, that it has decoded last and holds in its cache
+        std::int32_t block_row = -1;  ///< row of blocks that it decoded last and holds in its cache
     };
     using ReaderPtr = std::unique_ptr<Reader>;
 
@@ -43,8 +43,8 @@ class ReaderPool final : public SharedRaster {
     std::condition_variable returned_;
     bool may_reopen_;
     std::size_t readers_ = 1;
-    std::vector<ReaderPtr> idle_;        ///< has room for all
-    std::vector<std::int32_t> at_work_;  ///< rows of blocks that readers who are not idle decode
+    std::vector<ReaderPtr> idle_;        ///< capacity for all readers
+    std::vector<std::int32_t> at_work_;  ///< rows of blocks being decoded
 };
 
 }  // namespace d2b

@@ -8,9 +8,9 @@
 namespace d2b {
 namespace {
 
-/// One side of a box.
+/// Side of a box.
 struct Side {
-    double Position::*across;  ///< coordinate that the side bounds
+    double Position::*across;  ///< bounded coordinate
     double Position::*along;
     double limit = 0;
     bool keeps_above = true;

@@ -7,7 +7,7 @@
 
 namespace d2b {
 
-/// A part of the plane, its sides included; without limits where nothing else is said.
+/// Axis-parallel box, sides included; unbounded by default.
 struct ClipBox {
     double left = -std::numeric_limits<double>::infinity();
     double bottom = -std::numeric_limits<double>::infinity();
@@ -17,10 +17,10 @@ struct ClipBox {
     [[nodiscard]] bool holds(std::span<const Position> ring) const;
 };
 
-/// What of a ring lies in a box, along whose sides its parts may be joined (Sutherland and Hodgman, 1974):
-/// within the box a point is inside of both or of neither. A ring that lies in it whole is left as it is.
-/// @param ring may be closed by a repeated position @return closed by one; empty where nothing lies in the
-/// box
+/// Clips a ring to a box (Sutherland and Hodgman, 1974). Parts may be joined along the sides of the box;
+/// within the box, points keep their even-odd parity. A ring inside the box is returned unchanged.
+/// @param ring may be closed by a repeated position @return closed by a repeated position; empty if outside
+/// of the box
 [[nodiscard]] WorldRing clipped(const WorldRing& ring, const ClipBox& box);
 
 }  // namespace d2b

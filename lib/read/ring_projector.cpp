@@ -12,15 +12,16 @@ namespace d2b {
 namespace {
 
 constexpr double most_deviation = 0.02;  // cells
-constexpr double long_edge = 16;  // cells; such an edge is halved twice, for it might bend to both sides
-constexpr int deepest = 12;       // at most 4096 parts an edge
+constexpr double long_edge = 16;  // cells; longer edges are halved at least twice, because an S-shaped one
+                                  // may pass through the midpoint of the chord
+constexpr int deepest = 12;       // at most 4096 parts per edge
 
 }  // namespace
 
 RingProjector::RingProjector(OGRCoordinateTransformationH transform, const AffineTransform& grid,
                              std::string name)
     : transform_(transform), name_(std::move(name)) {
-    AffineTransform forward = grid;  // GDAL's inverse takes no constant
+    AffineTransform forward = grid;  // GDALInvGeoTransform() takes no const argument
     if (GDALInvGeoTransform(forward.data(), to_cells_.data()) == 0)
         throw InputError("The transform of the DEM cannot be inverted, so that the " + name_ +
                          " cannot be placed.");

@@ -8,15 +8,15 @@
 
 namespace d2b {
 
-/// Takes rings from the CRS of a cutline or mask to pixel coordinates of a DEM.
+/// Projects rings from the CRS of a cutline or mask to pixel coordinates of a DEM.
 class RingProjector {
   public:
-    /// @param transform to the DEM's CRS, or nullptr; must outlive this
-    /// @param grid the DEM's transform @param name of the polygons, for messages: "cutline 'area.shp'"
+    /// @param transform to the CRS of the DEM, or nullptr; must outlive this object
+    /// @param grid transform of the DEM @param name of the polygons in messages: "cutline 'area.shp'"
     RingProjector(OGRCoordinateTransformationH transform, const AffineTransform& grid, std::string name);
 
-    /// Puts points in between on edges that are bent in the DEM's CRS, so that what remains is less than a
-    /// fiftieth of a cell. @throws InputError where a position has no image
+    /// Projects a ring and densifies edges that become curves, so that they deviate by less than a fiftieth
+    /// of a cell. @throws InputError if a position has no image
     [[nodiscard]] WorldRing project(const WorldRing& ring);
 
   private:

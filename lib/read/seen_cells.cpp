@@ -7,7 +7,7 @@ namespace d2b {
 void SeenCells::add(std::int32_t row, std::int32_t begin, std::int32_t end,
                     const std::function<void(std::int32_t, std::int32_t)>& use) {
     std::vector<Stretch>& seen = rows_[static_cast<std::size_t>(row)];
-    // Those that the new one meets or touches; with it they become one.
+    // Merges the new range with all that it overlaps or touches.
     const auto first = std::ranges::lower_bound(seen, begin, {}, &Stretch::second);
     const auto last = std::ranges::upper_bound(seen, end, {}, &Stretch::first);
     Stretch whole{begin, end};

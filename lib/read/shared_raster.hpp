@@ -10,7 +10,7 @@
 
 namespace d2b {
 
-/// A raster that is open for one thread at a time, as GDAL's datasets are.
+/// Open raster for one thread at a time, because a GDAL dataset is not thread-safe.
 struct RasterReader {
     RasterReader(OpenRaster raster, const ReadOptions& options, const DemInfo& info, Warnings& warnings)
         : source(std::move(raster)), bands(source.band, options, info, warnings) {}
@@ -18,7 +18,7 @@ struct RasterReader {
     BandReader bands;
 };
 
-/// A raster that several threads read at a time.
+/// Raster that several threads read concurrently.
 class SharedRaster {
   public:
     SharedRaster() = default;
@@ -26,12 +26,13 @@ class SharedRaster {
     SharedRaster& operator=(const SharedRaster&) = delete;
     virtual ~SharedRaster() = default;
 
-    /// As BandReader::read().
+    /// Same as BandReader::read().
     virtual void read(const Window& part, std::span<double> elevations) = 0;
 };
 
-/// @param path to open it again, where several threads are quicker so @param warnings outlives what is made
-/// @throws as BandReader does
+/// Opens the implementation that suits the raster. @param path for opening it again, if that is faster for
+/// several threads @param warnings outlives the result
+/// @throws as BandReader
 [[nodiscard]] std::unique_ptr<SharedRaster> share_raster(OpenRaster raster, const ReadOptions& options,
                                                          std::string path, const DemInfo& info,
                                                          Warnings& warnings);

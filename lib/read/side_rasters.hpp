@@ -11,42 +11,43 @@
 
 namespace d2b {
 
-/// What accompanies a DEM, on its grid: sources with the rows, columns, window, transform and CRS of `grid`,
-/// NaN where they know nothing. Of rasters the first band is taken, brought over by GDAL's warper where the
-/// cells are not the same, a few rows at a time and with one thread; the same cells keep their values bit by
-/// bit. A raster or DEM without a CRS is taken in the coordinates of the other, with a warning.
+/// Rasters that accompany a DEM, on its grid: sources with the rows, columns, window, transform and CRS of
+/// `grid`, and NaN for cells without data. The first band of a raster is read. If its cells differ from those
+/// of the DEM, GDAL's warper resamples it, a few rows at a time in one thread; otherwise values are identical
+/// bit by bit. A raster or DEM without a CRS is taken to be in that of the other, with a warning.
 /// @throws InputError (all of them): cannot be opened or read, nothing in the window, a transform that is
 /// singular or missing, no operation between the CRSs
 
-/// A raster that accompanies a DEM: a file, or values in memory on the DEM's grid.
+/// Raster that accompanies a DEM: a file, or values in memory on the DEM's grid.
 struct SideRaster {
-    // One who has a name has all.
+    // Implicit, so that a file name suffices.
     SideRaster(std::string file) : path(std::move(file)) {}  // NOLINT(google-explicit-constructor)
     SideRaster(std::string name, const ElevationArray* values) : path(std::move(name)), array(values) {}
 
-    std::string path;  ///< or the name of the array
+    std::string path;  ///< name of the array if there is one
     const ElevationArray* array = nullptr;
 };
 
-/// A window that was made around the terrain model, in another CRS, has gaps that mean nothing.
+/// Handling of gaps in the terrain. A window derived from the terrain model, in another CRS, has gaps that
+/// are of no concern.
 enum class TerrainGaps { warned_of, expected };
 
-/// How a terrain model is read.
+/// Options for reading a terrain model.
 struct TerrainReading {
-    TerrainGaps gaps = TerrainGaps::warned_of;  ///< whether the share of the window outside is warned of
-    /// Whether values that seem to stand for no data without being declared (core/undeclared_values.hpp) are
+    TerrainGaps gaps = TerrainGaps::warned_of;  ///< decides if a share of the window outside is reported
+    /// Keeps values that seem to stand for NoData without being declared (core/undeclared_values.hpp) as
     /// elevations.
     bool keeps_undeclared = false;
 };
 
-/// A terrain model. Elevations are in the vertical unit of the DEM, so that equal files give equal numbers:
-/// those of another unit (the band's, else the vertical CRS's, else the DEM's own) are converted, vertical
-/// datums are not, with a warning. Between centres of cells, values are interpolated linearly; finer terrain
-/// models are averaged.
-/// What lies outside of the limits is not valid, also where it would be resampled, and is counted
-/// (DemSource::cells_outside_range); when all of the window has been read it is warned of.
-/// @param dem_vertical_metres metres in one vertical unit of the DEM
-/// @param limits of elevations, in the DEM's vertical unit
+/// Opens a terrain model. Elevations are in the vertical unit of the DEM, so that equal files give equal
+/// numbers: other units (of the band, else of the vertical CRS, else the DEM's own) are converted. Differing
+/// vertical datums are not converted but reported. Values are interpolated linearly between cell centres;
+/// finer terrain models are averaged. Elevations outside of `limits` are excluded before resampling and
+/// counted (DemSource::cells_outside_range); once the whole window has been read, a warning gives their
+/// number.
+/// @param dem_vertical_metres metres per vertical unit of the DEM
+/// @param limits of elevations, in the vertical unit of the DEM
 /// @throws InputError also when reading: more than half of the values are outside of the limits
 [[nodiscard]] std::unique_ptr<DemSource> open_terrain(const SideRaster& raster, const DemInfo& grid,
                                                       double dem_vertical_metres,
@@ -54,17 +55,17 @@ struct TerrainReading {
                                                       const Callbacks& callbacks = {},
                                                       const TerrainReading& reading = {});
 
-/// Where to look: 1 inside, 0 outside, never NaN. Polygons, the centres of cells inside of any of which are
-/// inside; or a raster, where all that is neither 0 nor invalid is inside, with the value of the cell in
-/// which a centre lies. What is not covered is outside.
-/// @param layer of the polygons; "" for the first that has geometries @throws OptionError: no such layer, or
-/// a raster, which has none
+/// Opens the mask of the search area: 1 inside, 0 outside, never NaN. It is either polygons, which contain
+/// the centres of cells inside, or a raster, whose values that are neither 0 nor invalid are inside (nearest
+/// neighbour). Cells that it does not cover are outside.
+/// @param layer of the polygons; "" for the first one with geometries @throws OptionError: no such layer, or
+/// the mask is a raster, which has none
 [[nodiscard]] std::unique_ptr<DemSource> open_mask(const SideRaster& mask, const std::string& layer,
                                                    const DemInfo& grid, const Callbacks& callbacks = {});
 
-/// The normalised difference vegetation index, resampled as terrain is. Scaled products (bytes, 16-bit
-/// integers) are understood by scale and offset of the band. A value outside of [-1, 1] is refused when it is
-/// read, and at once where one is in the middle row of the window.
+/// Opens the normalised difference vegetation index, resampled like terrain. Scaled products (bytes, 16-bit
+/// integers) are read with the scale and offset of the band. Values outside of [-1, 1] are rejected when they
+/// are read; the middle row of the window is checked at once.
 [[nodiscard]] std::unique_ptr<DemSource> open_ndvi(const SideRaster& raster, const DemInfo& grid,
                                                    const Callbacks& callbacks = {});
 

@@ -21,7 +21,7 @@ namespace d2b {
 
 namespace {
 
-/// The first bytes of a file, fewer where it has no more.
+/// Returns the first bytes of a file, or all if it is shorter.
 std::string head_of(const std::string& path) {
     constexpr std::size_t most = 8;
     const GdalOwner<VSILFILE*, VSIFCloseL> file(VSIFOpenL(path.c_str(), "rb"));
@@ -41,7 +41,7 @@ bool is_points(const std::string& path, const std::string& head) {
     return head.starts_with("LASF") || name.ends_with(".las") || name.ends_with(".laz");
 }
 
-/// What GDAL puts before an archive's name to look into it; "" where the file is none.
+/// Returns GDAL's prefix for an archive, or "" if the file is not one.
 std::string_view archive_prefix(const std::string& path, const std::string& head) {
     const std::string name = lower(path);
     if (head.starts_with("PK\x03\x04"))
@@ -55,7 +55,7 @@ bool opens_as(unsigned kind, const std::string& path) {
     return open_gated(path, kind | GDAL_OF_READONLY) != nullptr;
 }
 
-/// The first raster in an archive; "" where there is none.
+/// Returns the first raster in an archive, or "".
 std::string raster_within(const std::string& archive) {
     constexpr int most = 1000;
     if (opens_as(GDAL_OF_RASTER, archive))
@@ -102,7 +102,7 @@ std::string unread_advice(const std::string& path, const std::string& driver) {
 bool are_swapped(const std::string& source, const std::string& destination) {
     const GdalMessages quiet;
     std::error_code error;
-    // Streams are read once: another look would wait for what nobody sends.
+    // Streams can be read only once; probing one would wait for data that never comes.
     if (is_standard_input(source) || std::filesystem::is_fifo(source, error))
         return false;
     const bool no_source = !source.starts_with("/vsi") && !std::filesystem::exists(source, error);

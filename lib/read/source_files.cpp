@@ -28,7 +28,7 @@ bool is_vrt(const std::string& name) {
     return EQUAL(CPLGetExtension(name.c_str()), "vrt");
 }
 
-/// @return the VRTs among the files of a dataset that were not known before
+/// @return VRTs among the files of a dataset that were not known before
 std::vector<std::string> add_files(GDALDatasetH dataset, std::set<std::string>& names) {
     std::vector<std::string> vrts;
     const FetchGate gate(dataset);
@@ -39,9 +39,9 @@ std::vector<std::string> add_files(GDALDatasetH dataset, std::set<std::string>& 
     return vrts;
 }
 
-/// @param vrts among the names, which have files of their own
+/// @param vrts those among the names, which have files of their own
 std::vector<SourceFile> all_stated(std::set<std::string> names, std::vector<std::string> vrts) {
-    // GDAL lists the files of a VRT, but not those of the VRTs among them.
+    // Descends into nested VRTs, because GDAL lists the files of a VRT but not those of VRTs among them.
     while (!vrts.empty()) {
         const DatasetOwner inner = open_gated(vrts.back(), GDAL_OF_RASTER);
         vrts.pop_back();

@@ -8,13 +8,13 @@
 
 namespace d2b {
 
-/// Whether a source is the standard input, which can be read once and only forwards.
+/// Returns true if a source is standard input, which can be read only once and only forwards.
 [[nodiscard]] bool is_standard_input(std::string_view source);
 
-/// A temporary file that holds what came in on the standard input; removed when this goes.
+/// Temporary copy of standard input; the destructor removes it.
 class KeptStandardInput {
   public:
-    /// @param source a name for which is_standard_input() holds
+    /// @param source name that satisfies is_standard_input()
     /// @throws InputError nothing came in. @throws OutputError the temporary file cannot be written
     explicit KeptStandardInput(const std::string& source);
 
@@ -24,7 +24,7 @@ class KeptStandardInput {
     TemporaryFile file_;
 };
 
-/// What a source holds where it is the standard input, else null. @throws as above
+/// Copies the source if it is standard input; returns null otherwise. @throws as above
 [[nodiscard]] std::unique_ptr<KeptStandardInput> keep_standard_input(const std::string& source);
 
 }  // namespace d2b

@@ -29,12 +29,13 @@ void register_formats() {
 }
 
 void start_gdal() {
-    // Messages of GDAL's worker threads, or from outside of our own scopes, go to the handler of the process.
-    // This one says nothing but debug messages, which only appear where CPL_DEBUG asks for them.
+    // Messages of GDAL's worker threads, or outside of our own scopes, go to the handler of the process. This
+    // one drops everything except debug messages, which appear only if CPL_DEBUG asks for them.
     CPLSetErrorHandler(CPLQuietErrorHandler);
     register_formats();
     silence_libtiff();
-    // Rasters are read once, from the top to the bottom; GDAL would keep a twentieth of the machine's memory.
+    // Limits the cache, because rasters are read once from top to bottom and GDAL would keep a twentieth of
+    // the machine's memory.
     constexpr GIntBig cache_bytes = GIntBig{128} << 20;
     if (CPLGetConfigOption("GDAL_CACHEMAX", nullptr) == nullptr)
         GDALSetCacheMax64(cache_bytes);

@@ -12,9 +12,9 @@
 namespace d2b {
 namespace {
 
-constexpr double margin = 4;  // sizes of the window
+constexpr double margin = 4;  // in sizes of the window
 
-/// A lattice over the window; its rim alone would not show a pole within.
+/// Returns a lattice of points over the window, because its rim alone would miss a pole inside.
 std::vector<Position> places_of(const DemInfo& info) {
     constexpr int n = 16;
     const AffineTransform& g = info.transform;
@@ -28,8 +28,8 @@ std::vector<Position> places_of(const DemInfo& info) {
     return places;
 }
 
-/// The smallest range that holds all longitudes: what is left of the circle without its widest gap. It may
-/// end beyond half a turn.
+/// Returns the smallest range that contains all longitudes: the circle without its widest gap. It may end
+/// beyond half a turn.
 std::pair<double, double> range_of_longitudes(std::vector<double> longitudes, double turn) {
     for (double& longitude : longitudes)
         longitude = std::remainder(longitude, turn);
@@ -44,7 +44,7 @@ std::pair<double, double> range_of_longitudes(std::vector<double> longitudes, do
     return range;
 }
 
-/// Units of a CRS in a full circle of longitude, 0 where it has none.
+/// Returns a full circle of longitude in units of the CRS, or 0 for projected ones.
 double turn_of(OGRSpatialReferenceH crs) {
     return OSRIsGeographic(crs) != FALSE ? 2 * std::numbers::pi / OSRGetAngularUnits(crs, nullptr) : 0;
 }

@@ -9,17 +9,17 @@
 
 namespace d2b {
 
-/// Where polygons may matter, and where they can be.
+/// Search extents of polygons, and the range of valid latitudes.
 struct Surroundings {
-    std::vector<ClipBox> boxes;  ///< empty: everywhere
+    std::vector<ClipBox> boxes;  ///< empty: unlimited
     ClipBox earth;               ///< latitudes between the poles
 };
 
-/// Where polygons may matter to the window of a DEM, in the CRS of the polygons: around the window, and four
-/// times its size to all sides. What lies farther away need have no image in the CRS of the DEM, or has one
-/// anywhere. Where longitudes count around the Earth, the same place is in several boxes, a turn apart.
-/// @param polygons, dem their coordinate reference systems, neither null
-/// @return no boxes where that cannot be told
+/// Returns the extents, in the CRS of the polygons, in which they can affect the window of a DEM: the window
+/// and four times its size on all sides. Polygons farther away may have no image in the CRS of the DEM, or
+/// one at an arbitrary position. For geographic CRSs, the same place is in several boxes, one turn apart.
+/// @param polygons, dem coordinate reference systems, neither null
+/// @return no boxes if they cannot be determined
 [[nodiscard]] Surroundings surroundings(OGRSpatialReferenceH polygons, OGRSpatialReferenceH dem,
                                         const DemInfo& info);
 

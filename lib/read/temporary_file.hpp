@@ -7,26 +7,26 @@
 
 namespace d2b {
 
-/// Whether others can open a file. One without a name is gone with the process, however that ends.
+/// Decides if other processes can open a file. An unnamed file vanishes with the process, however that ends.
 enum class FileName { kept, none };
 
-/// A new file that nobody else can have made; gone when this goes. Errors are OutputErrors that say what
-/// could not be kept, why, and what to do.
+/// Exclusively created file, removed by the destructor. Errors are OutputErrors that name the data, the
+/// reason and a remedy.
 class TemporaryFile {
   public:
-    /// @param folder "": that of the configuration option CPL_TMPDIR, or the system's
-    /// @param what is kept in it, for messages: "The standard input" @throws OutputError
+    /// @param folder "": configuration option CPL_TMPDIR, or the system's
+    /// @param what data it holds, for messages: "The standard input" @throws OutputError
     TemporaryFile(const std::string& folder, std::string what, FileName name);
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
     ~TemporaryFile();
 
-    /// @throws OutputError there is no room
+    /// @throws OutputError if there is no room
     void append(std::span<const std::byte> bytes);
-    /// Of what was appended; from any thread. @throws OutputError
+    /// Reads appended bytes. Thread-safe. @throws OutputError
     void read(std::uint64_t begin, std::span<std::byte> bytes) const;
     [[nodiscard]] std::uint64_t size() const { return size_; }
-    /// "" where it has no name.
+    /// "" for an unnamed file.
     [[nodiscard]] const std::string& path() const { return path_; }
 
   private:

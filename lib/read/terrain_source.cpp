@@ -21,7 +21,7 @@ std::optional<LengthUnit> vertical_unit(const DemInfo& raster) {
     return Crs(raster.crs_wkt).vertical_unit();
 }
 
-/// What heights are above, by name; "" where it is not known.
+/// Returns the name of the reference surface of heights, or "" if it is unknown.
 std::string height_reference(const std::string& wkt) {
     const CrsOwner crs(wkt.empty() ? nullptr : OSRNewSpatialReference(wkt.c_str()));
     if (!crs)
@@ -75,7 +75,7 @@ class TerrainSource final : public WarningSource {
     }
 
   private:
-    /// Whether it is with this part that all of the window has been read.
+    /// Returns true if this part completes the window.
     [[nodiscard]] bool is_last(const Window& part);
     void judge() {
         judge_outside();
@@ -84,7 +84,7 @@ class TerrainSource final : public WarningSource {
     void judge_outside();
     void judge_undeclared();
     void decide_undeclared();
-    /// A value as gdal_edit.py wants it.
+    /// Advice on declaring a value, in the units of the file.
     [[nodiscard]] std::string declaring(double value) const {
         return "declare that with gdal_edit.py -a_nodata " + value_text(raster_.stored(value));
     }
@@ -92,7 +92,7 @@ class TerrainSource final : public WarningSource {
     AlignedRaster raster_;
     double factor_ = 1;
     double dem_metres_;
-    bool undecided_;  ///< which values stand for no data
+    bool undecided_;  ///< undeclared NoData values are still to be found
     std::vector<double> taken_;
     ElevationLimits limits_;
     SeenCells read_;

@@ -44,13 +44,13 @@ CellMask mask_of(DemSource& dem) {
     return mask;
 }
 
-/// GDAL 3.11 takes vectors into the driver MEM.
+/// Returns the driver of vectors in memory, because GDAL 3.11 merges it into MEM.
 GDALDriverH memory_driver() {
     const GDALDriverH driver = GDALGetDriverByName("Memory");
     return driver != nullptr ? driver : GDALGetDriverByName("MEM");
 }
 
-/// In columns and, downwards, rows.
+/// Outlines the mask in columns and, downwards, rows.
 std::vector<WorldPolygon> polygons_of(CellMask& mask, const std::string& name) {
     const GdalMessages messages;
     const DatasetOwner raster(
@@ -83,7 +83,7 @@ void place(WorldRing& ring, const AffineTransform& g) {
 ValidCells valid_cells(const std::string& path, Warnings& warnings) {
     ReadOptions options;
     options.source = path;
-    std::vector<std::string> heard;  // what is said of a missing CRS gives advice for another tool
+    std::vector<std::string> heard;  // kept back, because a missing CRS would give advice for another tool
     Callbacks callbacks;
     callbacks.on_warning = [&](const std::string& text) { heard.push_back(text); };
     const std::unique_ptr<DemSource> dem = open_dem(options, callbacks);

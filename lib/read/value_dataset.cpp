@@ -44,7 +44,7 @@ class ValueBand final : public GDALRasterBand {
     }
 
   private:
-    /// Blocks at the right and lower edge have cells beyond the raster.
+    /// Clips blocks at the right and lower edge, because they extend beyond the raster.
     void read_block(int block_col, int block_row, double* data) {
         Window part{block_row * nBlockYSize, block_col * nBlockXSize, nBlockYSize, nBlockXSize};
         part.rows = std::min(part.rows, source_.rows - part.row);

@@ -17,15 +17,16 @@ namespace d2b {
 
 namespace {
 
-constexpr double most_source_cells = 1 << 22;  // of the raster, that a part may need
-constexpr double tolerance = 1e-3;             // of a cell of the DEM, of positions
+constexpr double most_source_cells = 1 << 22;  // cells of the raster per part
+constexpr double tolerance = 1e-3;             // of positions, in cells of the DEM
 
 struct WarpOptionsRelease {
     void operator()(GDALWarpOptions* options) const { GDALDestroyWarpOptions(options); }
 };
 using OptionsOwner = std::unique_ptr<GDALWarpOptions, WarpOptionsRelease>;
 
-/// Half the width of the bilinear kernel in cells of the raster. Whole numbers keep a sloping plane as it is.
+/// Half the width of the bilinear kernel in cells of the raster. A whole number, because it reproduces a
+/// sloping plane exactly.
 double reach(double cell) {
     return std::max(1.0, std::round(cell));
 }
@@ -56,19 +57,19 @@ OptionsOwner options_for(GDALDatasetH source, void* transformer, Resampling resa
     options->eResampleAlg = resampling == Resampling::nearest ? GRA_NearestNeighbour : GRA_Bilinear;
     options->pfnTransformer = GDALApproxTransform;
     options->pTransformerArg = transformer;
-    // GDAL would guess the scale of each part from its extent, which misleads it at edges and on rotated
-    // grids.
+    // Sets the scale explicitly, because GDAL would guess it for each part from its extent, which is wrong at
+    // edges and on rotated grids.
     const auto set = [&](const char* key, const std::string& value) {
         options->papszWarpOptions = CSLSetNameValue(options->papszWarpOptions, key, value.c_str());
     };
     set("XSCALE", number_text(1 / reach(cell[0])));
     set("YSCALE", number_text(1 / reach(cell[1])));
     set("SOURCE_EXTRA", number_text(std::max(reach(cell[0]), reach(cell[1])) + 1));
-    set("NUM_THREADS", "1");  // others would not be heard by GdalMessages
+    set("NUM_THREADS", "1");  // GdalMessages hears only its own thread
     return options;
 }
 
-/// Depends on the two grids alone.
+/// Depends on the two grids alone, so that all windows use the same parts.
 std::int32_t cols_for(const std::array<double, 2>& cell) {
     return static_cast<std::int32_t>(std::clamp(512 / std::max(1.0, cell[0]), 16.0, 512.0));
 }

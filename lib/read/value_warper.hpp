@@ -17,22 +17,22 @@
 namespace d2b {
 
 enum class Resampling {
-    nearest,   ///< the value of the cell in which a centre lies
-    bilinear,  ///< between centres of cells; of finer rasters the mean around, weighted by distance
+    nearest,   ///< value of the cell that contains a centre
+    bilinear,  ///< between cell centres; for finer rasters, a mean weighted by distance
 };
 
-/// Brings a band onto the grid of a DEM with GDAL's warper, a part at a time.
+/// Resamples a band to the grid of a DEM with GDAL's warper, one part at a time.
 class ValueWarper {
   public:
-    /// @param reader of the band, @param raster where its cells are; the reader and the warnings must outlive
-    /// this @throws InputError with GDAL's reason
+    /// @param reader of the band @param raster its grid. The reader and the warnings must outlive this object
+    /// @throws InputError with GDAL's reason
     ValueWarper(BandReader& reader, const DemInfo& raster, const DemInfo& grid, GridTransform transform,
                 Resampling resampling, Warnings& warnings);
     ValueWarper(const ValueWarper&) = delete;
     ValueWarper& operator=(const ValueWarper&) = delete;
     ~ValueWarper();
 
-    /// @param wanted cells of the DEM @param values one a cell, NaN where the raster has none
+    /// @param wanted cells of the DEM @param values one per cell, NaN if the raster has none
     /// @throws InputError
     void read(const Window& wanted, std::span<double> values);
 
@@ -40,17 +40,17 @@ class ValueWarper {
     using OperationOwner = GdalOwner<GDALWarpOperationH, GDALDestroyWarpOperation>;
 
     [[nodiscard]] OperationOwner make_operation(Resampling resampling, double most_error);
-    /// Where no point of a part's edge has an image, which GDAL takes for an error.
+    /// Returns true if no point of a part's edge has an image, because GDAL treats that as an error.
     [[nodiscard]] bool elsewhere(const Window& part) const;
     void warp(const Window& part);
 
     std::string name_;
     GridTransform transform_;
-    std::array<double, 2> cell_;  ///< of the DEM, in columns and rows of the raster
-    /// Columns of a part. Parts begin at multiples of it in the whole DEM: GDAL interpolates positions along
-    /// their rows, and so windows and bands of the same DEM get the same values.
+    std::array<double, 2> cell_;  ///< size of a DEM cell in columns and rows of the raster
+    /// Columns of a part. Parts begin at multiples of it in the whole DEM, because GDAL interpolates
+    /// positions along their rows: windows and bands of the same DEM then get the same values.
     std::int32_t part_cols_;
-    std::int32_t most_rows_;  ///< of a part
+    std::int32_t most_rows_;  ///< per part
     ValueSource source_;
     DatasetOwner dataset_;
     TransformerOwner approximate_;

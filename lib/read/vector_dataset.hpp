@@ -11,23 +11,24 @@
 
 namespace d2b {
 
-/// @param complaint "'x' cannot be opened", before GDAL's reason @throws InputError
+/// Opens a dataset with vector layers. @param complaint "'x' cannot be opened", before GDAL's reason @throws
+/// InputError
 [[nodiscard]] DatasetOwner open_vector_dataset(const std::string& path, const std::string& complaint,
                                                Warnings& warnings);
 
-/// Names of the layers that have geometries, in their order.
+/// Names of layers with geometries, in order.
 [[nodiscard]] std::vector<std::string> geometry_layers(GDALDatasetH dataset);
 
-/// @throws InputError where there is no layer with geometries. @throws OptionError where the one that was
-/// asked for is not there
+/// Returns the layer that `choice` names. @throws InputError if there is no layer with geometries. @throws
+/// OptionError if the requested one does not exist
 [[nodiscard]] OGRLayerH pick_layer(GDALDatasetH dataset, const LayerChoice& choice);
 
 /// Calls visit(feature, geometry) for all features of a layer whose geometry is not empty.
-/// @param what "The layer 'x' of 'y'", for messages @throws InputError it cannot be read to its end
+/// @param what "The layer 'x' of 'y'", for messages @throws InputError if it cannot be read to its end
 void for_each_geometry(OGRLayerH layer, const std::string& what, Warnings& warnings,
                        const std::function<void(OGRFeatureH, OGRGeometryH)>& visit);
 
-/// "'a', 'b' and 'c'", or only the first of very many; "" for none.
+/// Formats "'a', 'b' and 'c'", shortened if there are very many; "" for none.
 [[nodiscard]] std::string quoted_names(std::span<const std::string> names);
 
 }  // namespace d2b

@@ -10,7 +10,7 @@
 
 namespace d2b {
 
-/// A source with warnings of its own, which what it consists of may refer to.
+/// Source that owns its warnings, so that its members can refer to them.
 class WarningSource : public DemSource {
   public:
     [[nodiscard]] std::vector<std::string> take_warnings() final { return warnings_->take(); }

@@ -11,7 +11,7 @@ namespace d2b {
 
 namespace {
 
-/// One axis of a grid: the centre of cell i is at origin + (i + 0.5) * step.
+/// Axis of a grid: the centre of cell i is at origin + (i + 0.5) * step.
 struct Axis {
     double origin = 0;
     double step = 1;
@@ -26,19 +26,19 @@ struct CellRange {
     std::int32_t count = 0;
 };
 
-/// Index, with fractions, of the cell whose centre is at a coordinate. What is within a millionth of a cell
-/// of a centre is on it: decimal coordinates are seldom exact in binary.
+/// Returns the fractional index of the cell whose centre is at a coordinate. Rounds within a millionth of a
+/// cell, because decimal coordinates are seldom exact in binary.
 double cell_at(const Axis& axis, double coordinate) {
     const double cell = (coordinate - axis.origin) / axis.step - 0.5;
     const double nearest = std::round(cell);
     return std::abs(cell - nearest) < 1e-6 ? nearest : cell;
 }
 
-/// The cells with low <= centre < high, clipped to the grid.
+/// Returns the cells with low <= centre < high, clipped to the grid.
 CellRange cells_between(const Axis& axis, double low, double high) {
     double first = std::ceil(cell_at(axis, low));
     double end = std::ceil(cell_at(axis, high));
-    if (axis.step < 0) {  // The higher the coordinate, the lower the index.
+    if (axis.step < 0) {  // index decreases with the coordinate
         first = std::floor(cell_at(axis, high)) + 1;
         end = std::floor(cell_at(axis, low)) + 1;
     }
@@ -71,7 +71,7 @@ bool within(const Axis& axis, double low, double high) {
     return axis.low() <= low && low < high && high <= axis.high();
 }
 
-/// Where x and y have changed places, the right order. @param box xmin, ymin, xmax, ymax
+/// Returns the right order if x and y were exchanged. @param box xmin, ymin, xmax, ymax
 std::string order_hint(const std::array<double, 4>& box, const Axis& x, const Axis& y) {
     const auto& [a, b, c, d] = box;
     if (!within(x, b, d) || !within(y, a, c))

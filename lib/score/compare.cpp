@@ -20,10 +20,10 @@
 namespace d2b {
 namespace {
 
-/// Polygons that bound what is measured.
+/// Polygons that limit the area measured.
 struct Limit {
-    std::string name;  ///< of the dataset
-    std::string what;  ///< for messages
+    std::string name;  ///< name of the dataset
+    std::string what;  ///< description for messages
     Crs crs;
     Polygons area;
 };
@@ -62,7 +62,7 @@ std::optional<Limit> raster_with_data(const ScoreRequest& request, Warnings& war
                  std::move(cells.polygons)};
 }
 
-/// One side on its way into the plane.
+/// One side of the comparison, before and after its transformation to the plane.
 struct Side {
     std::string name;
     Crs crs;
@@ -80,7 +80,7 @@ std::string extent(const Box& box) {
            number_text(box.high);
 }
 
-/// What lies elsewhere was hardly meant to be compared: a wrong file or a wrong CRS.
+/// Disjoint extents indicate a wrong file or CRS.
 void check_meets(const std::string& a, const Box& box_a, const std::string& b, const Box& box_b) {
     if (box_a.empty() || box_b.empty() || box_a.meets(box_b))
         return;
@@ -88,7 +88,7 @@ void check_meets(const std::string& a, const Box& box_a, const std::string& b, c
                      ") do not meet; check the files and their coordinate reference systems.");
 }
 
-/// The area that lies in all limits.
+/// Intersection of all limits.
 std::optional<Polygons> region_of(std::vector<Limit>& limits, const MeasurePlane& plane, const Side& found,
                                   const Side& reference, Overlay& overlay, Warnings& warnings) {
     std::optional<Polygons> region;
@@ -168,7 +168,7 @@ ScoreRun compare_layers(const ScoreRequest& request, const PolygonLayer* found, 
     if (reference == nullptr)
         read_reference = read_polygon_layer(reference_choice(request), warnings);
     else
-        with_limits.reference.clear();  // what is in memory has no area of interest beside it
+        with_limits.reference.clear();  // datasets in memory have no layer with an area of interest
     return compare(with_limits, found != nullptr ? *found : read_found,
                    reference != nullptr ? *reference : read_reference, warnings);
 }

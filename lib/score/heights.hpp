@@ -10,12 +10,12 @@
 
 namespace d2b {
 
-/// @return nothing where there is no error
+/// @return nullopt if there are no errors
 [[nodiscard]] std::optional<HeightErrors> height_errors(std::span<const double> errors);
 
-/// The height of each object: the mean of the heights of the features in it, weighted by their areas.
-/// @param heights one a feature @param areas one a feature, valid
-/// @return one an object; nothing where no feature with a height has a point of its inside in it
+/// Height per object: area-weighted mean of the heights of the features in it.
+/// @param heights one per feature @param areas one per feature, valid
+/// @return one per object; nullopt unless it contains an interior point of a feature with a height
 [[nodiscard]] std::vector<std::optional<double>> object_heights(
     std::span<const std::optional<double>> heights, std::span<const Polygons> areas, const Polygons& objects,
     Overlay& overlay);

@@ -5,7 +5,7 @@
 namespace d2b {
 namespace {
 
-/// Relative to the first position, so that large coordinates do not drown it.
+/// Relative to the first position, because large coordinates would cancel the area.
 double ring_area(const WorldRing& ring) {
     double twice = 0;
     for (std::size_t i = 1; i + 1 < ring.size(); ++i)

@@ -7,16 +7,16 @@
 
 namespace d2b {
 
-// All in the units of the coordinates and their squares.
+// Units are those of the coordinates and their squares.
 
-/// Exterior less interiors, whatever way the rings run.
+/// Area of the exterior minus interiors, whatever the orientation of rings.
 [[nodiscard]] double area_of(const WorldPolygon& polygon);
 [[nodiscard]] double area_of(std::span<const WorldPolygon> polygons);
 
-/// Of all rings. @param closing whether the repetition of a ring's first position counts
+/// Number of vertices of all rings. @param closing counts the repetition of the first position
 [[nodiscard]] std::size_t vertex_count(std::span<const WorldPolygon> polygons, bool closing);
 
-/// The rings as closed lines.
+/// Rings as closed lines.
 [[nodiscard]] std::vector<Polyline> rings_of(std::span<const WorldPolygon> polygons);
 
 }  // namespace d2b

@@ -13,7 +13,7 @@
 namespace d2b {
 namespace {
 
-/// An edge gets a vertex every 64th of the box: of what it bends, a 4096th is left.
+/// Edges get a vertex every 64th of the box, because this reduces their curvature error to a 4096th.
 constexpr double parts_of_box = 64;
 
 void for_each_ring(Polygons& polygons, const std::function<void(WorldRing&)>& visit) {
@@ -24,7 +24,7 @@ void for_each_ring(Polygons& polygons, const std::function<void(WorldRing&)>& vi
     }
 }
 
-/// Whether there is anything to transform; says so where it cannot be told.
+/// Returns true if coordinates must be transformed; warns if only one side has a CRS.
 bool differs(const MeasurePlane& plane, const Crs& from, const std::string& name, Warnings& warnings) {
     const bool plane_has = plane.crs.kind() != Crs::Kind::none;
     const bool from_has = from.kind() != Crs::Kind::none;

@@ -11,24 +11,24 @@
 
 namespace d2b {
 
-/// The plane in which areas and lengths are measured.
+/// Plane in which areas and lengths are measured.
 struct MeasurePlane {
-    Crs crs;             ///< none: plain units
-    double metres = 1;   ///< in one unit of the coordinates
-    bool local = false;  ///< a projection of our own about the middle of what is measured
+    Crs crs;             ///< none: unknown units
+    double metres = 1;   ///< metres per unit of the coordinates
+    bool local = false;  ///< a projection centred on the data
 };
 
-/// The CRS itself where it is a projected or a local one; about the middle of `box`, a transverse Mercator
-/// projection in metres where it is geographic. Warns where there is no CRS: its units are taken as metres.
-/// @param box in the CRS @throws InputError where the CRS has no plane coordinates (a geocentric one, say)
+/// Returns the CRS itself if it is projected or local, or a transverse Mercator projection in metres centred
+/// on `box` if it is geographic. Warns if there is no CRS, because units are then assumed to be metres.
+/// @param box in the CRS @throws InputError if the CRS has no plane coordinates (e.g. a geocentric one)
 [[nodiscard]] MeasurePlane measure_plane(const Crs& crs, const Box& box, Warnings& warnings);
 
-/// Whether edges get vertices where they are long, since they bend on the way.
+/// Densifies long edges, because straight edges become curves in another CRS.
 enum class LongEdges { keep, divide };
 
-/// Areas from one CRS to that of the plane, in place. Coordinates without a CRS, or for a plane without one,
-/// stay as they are, with a warning. @param name of what is brought, for messages
-/// @throws OptionError, InputError: no operation, or a position without an image
+/// Transforms areas to the CRS of the plane, in place. If either side has no CRS, warns and keeps the
+/// coordinates. @param name of the dataset, for messages
+/// @throws OptionError, InputError if there is no operation or a position cannot be transformed
 void bring_to(const MeasurePlane& plane, const Crs& from, const std::string& name, std::span<Polygons> areas,
               LongEdges long_edges, Warnings& warnings);
 

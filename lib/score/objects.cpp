@@ -27,7 +27,7 @@ Comparison compare(Polygons found, Polygons reference, Overlay& overlay) {
     result.reference = objects_of(std::move(reference));
     result.found_area = area_of(result.found.pieces);
     result.reference_area = area_of(result.reference.pieces);
-    // A piece of the intersection is connected, so it lies in one piece of each side.
+    // A connected part of the intersection lies in one object of each side.
     const auto of_found = overlay.holders(both, result.found.pieces);
     const auto of_reference = overlay.holders(both, result.reference.pieces);
     std::map<std::pair<std::size_t, std::size_t>, double> shared;
@@ -41,7 +41,7 @@ Comparison compare(Polygons found, Polygons reference, Overlay& overlay) {
         if (of_found[i] && of_reference[i])
             shared[{*of_found[i], *of_reference[i]}] += area;
     }
-    // A sum of rounded parts may exceed the whole.
+    // Rounding may make the sum of the parts exceed the whole.
     result.shared_area = std::min({result.shared_area, result.found_area, result.reference_area});
     for (const auto& [pair, area] : shared) {
         const double all = result.found.areas[pair.first] + result.reference.areas[pair.second] - area;

@@ -8,21 +8,21 @@
 
 namespace d2b {
 
-/// The connected pieces of a dissolved area; those that only touch in points are separate.
+/// Connected parts of a dissolved area; those that only touch in points are separate.
 struct ScoredObjects {
     Polygons pieces;
-    std::vector<double> areas;   ///< one a piece, in square units of the coordinates
-    std::vector<double> shared;  ///< what the other side covers of each
+    std::vector<double> areas;   ///< one per object, in square units of the coordinates
+    std::vector<double> shared;  ///< area of each object covered by the other side
 };
 
-/// A found and a reference object that share an area.
+/// A found and a reference object that overlap.
 struct ObjectPair {
-    std::size_t found = 0;      ///< index of the piece
-    std::size_t reference = 0;  ///< index of the piece
+    std::size_t found = 0;      ///< index in pieces
+    std::size_t reference = 0;  ///< index in pieces
     double iou = 0;             ///< area of the intersection / area of the union
 };
 
-/// Two sides of a comparison, and what they share.
+/// Objects of both sides and their overlaps.
 struct Comparison {
     ScoredObjects found;
     ScoredObjects reference;
@@ -35,11 +35,11 @@ struct Comparison {
 /// @param found dissolved @param reference dissolved
 [[nodiscard]] Comparison compare(Polygons found, Polygons reference, Overlay& overlay);
 
-/// Whether an area or a share is as large as it has to be. What follows the cells of one raster is often so
-/// exactly, and must not depend on how coordinates were rounded.
+/// Compares with a tolerance for rounding, because objects made of raster cells often meet thresholds
+/// exactly.
 [[nodiscard]] bool reaches(double value, double least);
 
-/// How many objects are at least so large, and of how many of these the other side covers at least half.
+/// Number of objects of at least the minimum area, and of those covered at least half by the other side.
 struct ObjectCount {
     std::size_t large = 0;
     std::size_t covered = 0;

@@ -12,25 +12,26 @@ namespace {
 
 constexpr int steps_a_piece = 20;
 
-/// A point of an edge between its ends.
+/// Interpolates between two positions.
 Position between(Position from, Position to, double share) {
     return {from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
 }
 
-/// The segments that may be the nearest to some point of a short piece of an outline.
+/// Candidate segments nearest to the points of a short piece of an outline.
 class Neighbours {
   public:
-    /// @param limit distances from it on are all the same
+    /// @param limit largest distance of interest
     Neighbours(std::span<const Polyline> lines, double limit) : segments_(lines), limit_(limit) {}
 
     void move_to(Position middle, double length) {
         found_.clear();
-        const double reach = limit_ + length;  // more than what the ends of the piece can be nearer
+        const double reach = limit_ + length;  // no end of the piece is nearer than this minus its length
         const double distance = segments_.distance(middle, reach);
-        if (distance < reach)  // What is nearest to a point of the piece is at most this far from the middle.
+        if (distance <
+            reach)  // the nearest segment of any point of the piece is within this distance of the middle
             segments_.within(middle, (distance + length) * (1 + 1e-9), found_);
     }
-    /// Of a point of the piece to the nearest; nothing where that is beyond the limit.
+    /// Squared distance to the nearest segment; nullopt beyond the limit.
     [[nodiscard]] std::optional<double> squared_distance_from(Position p) const {
         std::optional<double> nearest;
         for (const OutlineSegment& segment : found_) {

@@ -7,15 +7,15 @@
 
 namespace d2b {
 
-/// How far one outline runs from another, in units of the coordinates.
+/// Distance of an outline from a reference, in units of the coordinates.
 struct OutlineDistance {
-    double length = 0;          ///< of the outline that was measured
-    double near = 0;            ///< of that, within the limit of the reference
-    std::optional<double> rms;  ///< over what is near; nothing where there is none
+    double length = 0;          ///< length of the measured outline
+    double near = 0;            ///< length within the limit of the reference
+    std::optional<double> rms;  ///< over that length; nullopt if it is 0
 };
 
-/// Distances from points of `outline`, at most `step` apart, to the nearest point of `reference`.
-/// @param limit points farther than this from the reference do not count
+/// Samples `outline` at most every `step` and measures distances to the nearest point of `reference`.
+/// @param limit points farther than this from the reference are ignored
 [[nodiscard]] OutlineDistance outline_distance(std::span<const Polyline> outline,
                                                std::span<const Polyline> reference, double limit,
                                                double step);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#define BOOST_ALLOW_DEPRECATED_HEADERS             // which Boost 1.74 itself includes
-#include <boost/geometry/algorithms/distance.hpp>  // which the tree of Boost 1.83 leaves to its user
+#define BOOST_ALLOW_DEPRECATED_HEADERS             // required by Boost 1.74's own headers
+#include <boost/geometry/algorithms/distance.hpp>  // required by the R-tree of Boost 1.83
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/register/point.hpp>
 #include <boost/geometry/geometries/register/segment.hpp>

@@ -9,7 +9,7 @@
 
 namespace d2b {
 
-/// A straight piece of an outline.
+/// Straight segment of an outline.
 struct OutlineSegment {
     Position a;
     Position b;
@@ -17,7 +17,7 @@ struct OutlineSegment {
 
 [[nodiscard]] double squared_distance(Position p, const OutlineSegment& segment);
 
-/// The segments of lines, found by their place: Boost's R-tree.
+/// Spatial index of the segments of lines: Boost's R-tree.
 class OutlineSegments {
   public:
     explicit OutlineSegments(std::span<const Polyline> lines);
@@ -25,9 +25,9 @@ class OutlineSegments {
     OutlineSegments(const OutlineSegments&) = delete;
     OutlineSegments& operator=(const OutlineSegments&) = delete;
 
-    /// To the nearest segment; `limit` where all are farther. Lengths, not squares.
+    /// Distance to the nearest segment; `limit` if all are farther.
     [[nodiscard]] double distance(Position p, double limit) const;
-    /// Replaces `found` by all segments that come nearer than `limit`.
+    /// Replaces `found` with all segments nearer than `limit`.
     void within(Position p, double limit, std::vector<OutlineSegment>& found) const;
 
   private:

@@ -11,13 +11,14 @@
 namespace d2b {
 namespace {
 
-/// Of the vertices of one outline to the nearest points of another.
+/// Mean distance between the vertices of one outline and the nearest points of another.
 double mean_distance(std::span<const Polyline> from, std::span<const Polyline> to) {
     const OutlineSegments outline(to);
     double sum = 0;
     std::size_t count = 0;
     for (const Polyline& line : from) {
-        for (std::size_t i = 1; i < line.size(); ++i)  // the first position comes again as the last
+        for (std::size_t i = 1; i < line.size();
+             ++i)  // skips the first position, because it is repeated at the end
             sum += outline.distance(line[i], std::numeric_limits<double>::infinity());
         count += line.size() - 1;
     }

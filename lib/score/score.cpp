@@ -20,15 +20,15 @@ double share(std::size_t part, std::size_t whole) {
     return share(static_cast<double>(part), static_cast<double>(whole));
 }
 
-/// Far below what is measured, far above what coordinates are rounded to.
+/// Far below measured lengths, far above rounding errors of coordinates.
 constexpr double border_m = 0.001;
 
 void shift(Position& p, double right, double up) {
     p = {p.x + right, p.y + up};
 }
 
-/// The rings in a region whose left and upper border belong to it and whose right and lower border do not, as
-/// with the cells of a raster: where footprints end with the data, half of such outlines count.
+/// Clips rings to a region with half-open borders: left and upper belong to it, right and lower do not, as
+/// for raster cells. Along the border of the data, half of the outlines count.
 std::vector<Polyline> rings_in_region(Polygons area, const Polygons& region, double border,
                                       Overlay& overlay) {
     const auto shift_ring = [border](WorldRing& ring) {
@@ -46,7 +46,7 @@ std::vector<Polyline> rings_in_region(Polygons area, const Polygons& region, dou
     return rings;
 }
 
-/// Valid areas may have lost that on the way from one CRS to another.
+/// Repairs areas that became invalid by transformation.
 void repair(std::vector<Polygons>& areas, Overlay& overlay) {
     for (Polygons& area : areas)
         if (!overlay.valid(area))

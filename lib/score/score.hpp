@@ -12,26 +12,30 @@ namespace d2b {
 
 /// One side of a comparison.
 struct ScoreSide {
-    std::vector<Polygons> areas;                 ///< one a feature, valid
-    std::vector<std::optional<double>> heights;  ///< one a feature, in metres
-    std::vector<std::size_t> vertices;           ///< one a feature as it was given, closing ones counted
-    std::size_t invalid = 0;                     ///< features that had to be repaired
+    std::vector<Polygons> areas;                 ///< one per feature, valid
+    std::vector<std::optional<double>> heights;  ///< one per feature, in metres
+    std::vector<std::size_t> vertices;           ///< one per original feature, including closing vertices
+    std::size_t invalid = 0;                     ///< number of repaired features
 };
 
-/// Counts and repairs what is not valid; before a transformation, which could hide it.
+/// Counts and repairs invalid features. Call before a transformation, because that could hide them.
 [[nodiscard]] ScoreSide score_side(const std::vector<PolygonFeature>& footprints, Overlay& overlay);
 
 struct ScoreOptions {
-    std::optional<Polygons> region;  ///< what is outside of it is left out
-    double metres = 1;               ///< in one unit of the coordinates
+    std::optional<Polygons> region;  ///< areas and outlines are clipped to it
+    double metres = 1;               ///< metres per unit of the coordinates
     double min_object_m2 = 50;
-    double outline_limit_m = 3;    ///< the outline counts where it is as near to the reference's
-    double outline_step_m = 0.05;  ///< between the points of the outline that are measured
-    double simplify_m = 0.05;      ///< of the reference, before its vertices are counted
-    double match_iou = 0.5;        ///< objects with at least this IoU are a pair
+    double outline_limit_m = 3;    ///< largest distance from the reference at which the outline counts
+    double outline_step_m = 0.05;  ///< distance between sample points on the outline
+    double simplify_m = 0.05;      ///< tolerance for simplifying the reference before counting its vertices
+    double match_iou = 0.5;        ///< minimum IoU of a pair of objects
 };
 
-/// @throws Error where GEOS fails
+/// Scores found footprints against a reference: completeness, correctness and IoU of areas, counts of objects
+/// covered at least half, and, for pairs of objects with a sufficient IoU, PoLiS distances and height errors.
+/// Both sides must be in the same plane (see bring_to()). Areas are dissolved first, because touching
+/// features would otherwise count as several objects; overlaps within the found side are reported instead.
+/// @throws Error if GEOS fails
 [[nodiscard]] Score score(ScoreSide found, ScoreSide reference, const ScoreOptions& options);
 
 }  // namespace d2b

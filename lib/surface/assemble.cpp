@@ -9,13 +9,13 @@
 namespace d2b {
 namespace {
 
-/// Collects corners and buildings of a part.
+/// Collects the vertices and buildings of a part.
 class PartBuilder {
   public:
     PartBuilder(const Plan& plan, std::span<const std::int64_t> ids)
         : plan_(plan), ids_(ids), corners_(plan.nodes.size()) {}
 
-    /// The number of a corner; a new one where it is met for the first time.
+    /// Returns the index of a vertex, which is added on first use.
     [[nodiscard]] std::uint32_t corner(std::uint32_t node, std::int64_t z) {
         auto& known = corners_[node];
         const auto found = std::ranges::find(known, z, &std::pair<std::int64_t, std::uint32_t>::first);
@@ -40,12 +40,12 @@ class PartBuilder {
   private:
     const Plan& plan_;
     std::span<const std::int64_t> ids_;
-    std::vector<std::vector<std::pair<std::int64_t, std::uint32_t>>> corners_;  // of each node, by height
-    std::map<std::int32_t, std::size_t> places_;                                // of buildings
+    std::vector<std::vector<std::pair<std::int64_t, std::uint32_t>>> corners_;  // per node: height and vertex
+    std::map<std::int32_t, std::size_t> places_;  // building -> position in the part
     SurfacePart part_;
 };
 
-/// A horizontal face; from below its rings run the other way.
+/// Returns a horizontal face. Seen from below (ground), its rings are reversed.
 SurfaceFace level_face(const LevelFace& level, FaceKind kind, PartBuilder& builder) {
     const auto ring_of = [&](const std::vector<std::uint32_t>& nodes) {
         std::vector<std::uint32_t> ring;
@@ -62,7 +62,7 @@ SurfaceFace level_face(const LevelFace& level, FaceKind kind, PartBuilder& build
     return face;
 }
 
-/// Corners from below up.
+/// Returns vertices in ascending order.
 std::vector<std::uint32_t> column(std::uint32_t node, const std::vector<std::int64_t>& heights,
                                   PartBuilder& builder) {
     std::vector<std::uint32_t> corners;
@@ -80,7 +80,7 @@ SurfaceFace wall_face(const WallFace& wall, PartBuilder& builder) {
     return face;
 }
 
-/// The lower of the next corners on both sides makes the next triangle.
+/// Triangulates a wall: the lower of the next vertices on both sides completes the next triangle.
 void add_wall(const WallFace& wall, PartBuilder& builder) {
     const std::vector<std::uint32_t> left = column(wall.left_node, wall.left, builder);
     const std::vector<std::uint32_t> right = column(wall.right_node, wall.right, builder);
@@ -94,7 +94,7 @@ void add_wall(const WallFace& wall, PartBuilder& builder) {
     }
 }
 
-/// Roof and ground of a building are often one face.
+/// Caches triangulations, because the roof and the ground of a building are often the same face.
 class FaceTriangles {
   public:
     FaceTriangles(const Plan& plan, const Triangulate& triangulate)

@@ -10,14 +10,14 @@
 
 namespace d2b {
 
-/// A surface of polygons. @param ids of the buildings, by their places
+/// Builds a surface of polygons. @param ids of the buildings, by index
 [[nodiscard]] SurfacePart assemble_faces(const Extrusion& extrusion, const Plan& plan,
                                          std::span<const std::int64_t> ids);
 
-/// A surface of triangles, or the buildings of which a face could not be divided.
+/// Surface of triangles, or the buildings with a face that could not be triangulated.
 struct AssembledTriangles {
     SurfacePart part;
-    std::vector<std::int32_t> failed;  ///< ascending; the part is of no use where there are any
+    std::vector<std::int32_t> failed;  ///< ascending; if not empty, the part is unusable
 };
 [[nodiscard]] AssembledTriangles assemble_triangles(const Extrusion& extrusion, const Plan& plan,
                                                     std::span<const std::int64_t> ids,

@@ -11,25 +11,25 @@
 namespace d2b {
 namespace {
 
-/// A node with its neighbours on a ring; the face lies on the left of the way through it.
+/// Node with its neighbours on a ring; the interior of the face is on the left.
 struct RingCorner {
     std::uint32_t before = 0;
     std::uint32_t node = 0;
     std::uint32_t after = 0;
 };
 
-/// An edge that runs down with the face to the east of it, where the sweep line meets it.
+/// Downward edge on the sweep line that has the face to its east.
 struct OpenEdge {
     std::uint32_t top = 0;
     std::uint32_t bottom = 0;
-    std::uint32_t helper = 0;  // the lowest node so far between it and the next edge to the east
-    bool merges = false;       // two pieces come together at the helper
+    std::uint32_t helper = 0;  // lowest node so far between this edge and the next one to the east
+    bool merges = false;       // the helper is a merge vertex
 };
 
-/// A face with nodes of its own, in the order of their places: from north to south, then from west to east.
+/// Face with renumbered nodes, sorted from north to south, then from west to east.
 struct LocalFace {
     Plan plan;
-    std::vector<std::uint32_t> nodes;  // of the plan that it comes from
+    std::vector<std::uint32_t> nodes;  // node numbers of the original plan
     std::vector<RingCorner> corners;   // ascending nodes
 };
 
@@ -61,7 +61,7 @@ class FaceSweep {
   public:
     explicit FaceSweep(LocalFace& face) : face_(face) {}
 
-    /// Adds the diagonals to the plan of the face.
+    /// Adds the diagonals to the face's plan.
     void run() {
         for (const RingCorner& corner : face_.corners)
             visit(corner);
@@ -73,7 +73,7 @@ class FaceSweep {
     void visit(const RingCorner& corner);
     void visit_lowest(const RingCorner& corner, bool merges);
     void visit_highest(const RingCorner& corner, bool splits);
-    /// The first edge that does not lie to the west of a node.
+    /// Returns the first edge that is not west of a node.
     [[nodiscard]] Open east_of(std::uint32_t node) {
         const std::vector<FinePoint>& points = face_.plan.nodes;
         return std::ranges::partition_point(open_, [&](const OpenEdge& edge) {
@@ -98,7 +98,7 @@ class FaceSweep {
     std::vector<OpenEdge> open_;  // from west to east
 };
 
-/// Both neighbours lie further down.
+/// Start or split vertex: both neighbours are below.
 void FaceSweep::visit_highest(const RingCorner& corner, bool splits) {
     const auto east = east_of(corner.node);
     if (splits) {
@@ -110,7 +110,7 @@ void FaceSweep::visit_highest(const RingCorner& corner, bool splits) {
     open_.insert(east, {corner.node, corner.after, corner.node, false});
 }
 
-/// Both neighbours lie further up.
+/// End or merge vertex: both neighbours are above.
 void FaceSweep::visit_lowest(const RingCorner& corner, bool merges) {
     const auto ended = ending_at(corner.node);
     join_where_it_merges(*ended, corner.node);

@@ -12,7 +12,7 @@ struct Cols {
     double high = 0;
 };
 
-/// The columns of a straight line between two rows.
+/// Returns the columns of a segment between two rows.
 std::optional<Cols> cols_between(FinePoint a, FinePoint b, double low_row, double high_row) {
     if (b.row < a.row)
         std::swap(a, b);

@@ -11,16 +11,15 @@
 
 namespace d2b {
 
-/// Finds edges of a plan by their place, on a grid of two cells. An edge that has changed is put down again
-/// where it runs now, and is still found where it ran before: callers look at the edges themselves. A long
-/// edge costs its length, and not the area of its box.
+/// Uniform grid index of the edges of a plan, with buckets of 2 x 2 cells. Modified edges are added again and
+/// stay in their old buckets, so callers must test the edges themselves. A long edge costs its length, not
+/// the area of its box.
 class EdgeGrid {
   public:
     void add(std::uint32_t edge, FinePoint a, FinePoint b);
 
-    /// Calls visit(edge) for all that may meet a box, in any order, some more than once, until it returns
-    /// false.
-    /// @return whether it never did
+    /// Calls visit(edge) for all edges that may meet a box, in any order and possibly repeatedly, until it
+    /// returns false. @return true if it never returned false
     template <typename Visit>
     bool all_in_box(FinePoint low, FinePoint high, const Visit& visit) const {
         for (std::int64_t row = cell(low.row - margin); row <= cell(high.row + margin); ++row)
@@ -28,8 +27,8 @@ class EdgeGrid {
                 return false;
         return true;
     }
-    /// The same of all that may meet a triangle; with b == c of a straight line.
-    /// @param around steps by which it is larger
+    /// Same for edges that may meet a triangle, or a segment if b == c. @param around distance in steps by
+    /// which the triangle is enlarged
     template <typename Visit>
     bool all_in_triangle(FinePoint a, FinePoint b, FinePoint c, const Visit& visit,
                          std::int64_t around = 0) const {
@@ -42,18 +41,18 @@ class EdgeGrid {
     }
 
   private:
-    using Range = std::pair<std::int64_t, std::int64_t>;  // of cells, both ends included
+    using Range =
+        std::pair<std::int64_t, std::int64_t>;  // range of buckets, inclusive; also a bucket's row and column
     struct CellHash {
         std::size_t operator()(const Range& cell) const {
             return static_cast<std::size_t>(cell.first * 1000003 + cell.second);
         }
     };
     [[nodiscard]] static std::int64_t cell(std::int64_t at) { return at >> 11; }
-    /// Steps that are looked farther, because an edge may be divided at a place that lies hardly beside it
-    /// and is not put down again.
+    /// Margin of queries in steps, because a split may move an edge slightly without adding it again.
     static constexpr std::int64_t margin = 2;
     [[nodiscard]] static Range rows_of(FinePoint a, FinePoint b, FinePoint c, std::int64_t more);
-    /// The cells of a row that a triangle covers.
+    /// Returns the buckets of a row that a triangle covers.
     [[nodiscard]] static std::optional<Range> cols_of(FinePoint a, FinePoint b, FinePoint c, std::int64_t row,
                                                       std::int64_t more);
 

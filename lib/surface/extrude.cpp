@@ -38,7 +38,7 @@ class Extruder {
     void add_wall(const PlanEdge& edge, Extrusion& result) const;
 
     const Standing& standing_;
-    std::vector<std::vector<std::int64_t>> heights_;  // of what is around each node, ascending
+    std::vector<std::vector<std::int64_t>> heights_;  // heights around each node, ascending
 };
 
 void Extruder::add_roofs(Extrusion& result) const {
@@ -46,7 +46,7 @@ void Extruder::add_roofs(Extrusion& result) const {
         result.roofs.push_back({building(owned.owner), height(owned.owner), std::move(owned.face)});
 }
 
-/// Of the whole of a building, whatever stands on it.
+/// Adds the ground of each building as a whole, whatever stands on it.
 void Extruder::add_grounds(Extrusion& result) const {
     Plan plan{standing_.plan.nodes, {}};
     for (const PlanEdge& edge : standing_.plan.edges)

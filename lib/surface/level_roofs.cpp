@@ -19,7 +19,7 @@ namespace {
 
 constexpr double most_share = 0.01;  // of a block's volume
 
-/// What a contour shows, or several that have become one roof.
+/// Visible part of a contour, or of several that have been merged.
 struct Roof {
     double area = 0;    // square steps
     double height = 0;  // steps
@@ -37,7 +37,7 @@ class RoofLeveler {
     }
 
   private:
-    using Pair = std::tuple<double, std::uint32_t, std::uint32_t>;  // step, and the roofs on both sides
+    using Pair = std::tuple<double, std::uint32_t, std::uint32_t>;  // height difference, and the two roofs
     [[nodiscard]] std::uint32_t find(std::uint32_t roof) { return one_.find(roof); }
     [[nodiscard]] double step(std::uint32_t a, std::uint32_t b) const {
         return std::abs(roofs_[a].height - roofs_[b].height);
@@ -47,11 +47,11 @@ class RoofLeveler {
 
     double least_;
     std::vector<Roof> roofs_;
-    DisjointSets one_;                  // contours that are one roof
-    std::vector<std::uint32_t> block_;  // of each contour
-    std::vector<double> left_;          // what a block may still move
+    DisjointSets one_;                  // merged contours
+    std::vector<std::uint32_t> block_;  // by contour
+    std::vector<double> left_;          // volume that a block may still move
     std::priority_queue<Pair, std::vector<Pair>, std::greater<>> queue_;
-    bool joined_ = false;  // in this pass
+    bool joined_ = false;  // true if a merge happened in this pass
 };
 
 RoofLeveler::RoofLeveler(const SurfaceCluster& cluster, const Plan& plan, std::int64_t least)
@@ -108,8 +108,9 @@ void RoofLeveler::join(std::uint32_t a, std::uint32_t b) {
     joined_ = true;
     const std::uint32_t whole = one_.join(a, b);
     Roof& roof = roofs_[whole];
-    // The shorter list goes into the longer one, and its neighbours are looked at again. Those of the longer
-    // one are when their turn comes, since a large roof may have any number of them.
+    // The shorter list is merged into the longer one, and only its neighbours are considered now, because a
+    // large roof may have any number of neighbours. The others are considered when they reach the front of
+    // the queue.
     std::set<std::uint32_t> beside = std::move(roofs_[whole == a ? b : a].beside);
     if (beside.size() > roof.beside.size())
         std::swap(beside, roof.beside);

@@ -8,20 +8,19 @@
 
 namespace d2b {
 
-/// Two roofs beside each other, or a tier and what it stands on, that differ by less than they should.
+/// Neighbouring roofs, or a tier and the roof that it stands on, whose height difference is too small.
 struct RoofStep {
-    std::array<std::int32_t, 2> contours{};  ///< of the cluster
+    std::array<std::int32_t, 2> contours{};  ///< indices into the cluster
     FinePoint place;                         ///< on the wall between them
-    std::int64_t before = 0;                 ///< steps of height
-    std::int64_t after = 0;                  ///< likewise; 0 where they are one roof now
+    std::int64_t before = 0;                 ///< height difference before, in steps of height
+    std::int64_t after = 0;                  ///< height difference after; 0 if they are one roof now
 };
 
-/// Makes roofs beside each other that differ by less than a height one roof, at the mean of their heights
-/// weighted by area, so that together they hold what they held; the lowest steps first. All that moves in a
-/// block of touching roofs comes to no more than a share of its volume: what would take more stays.
-/// @param cluster whose tops change; one whose contours are at odds stays as it is
-/// @param least height of a step, in steps of height
-/// @return all steps that were lower, in the order of the plan's edges
+/// Merges neighbouring roofs whose heights differ by less than `least`, smallest difference first. The merged
+/// roof gets the area-weighted mean height, so that the volume is preserved. The total volume moved in a
+/// block of touching roofs is limited to a share of its volume; merges beyond that are skipped. @param
+/// cluster whose tops change; unchanged if its contours conflict @param least smallest height difference, in
+/// steps of height @return all differences that were too small, in the order of the plan's edges
 [[nodiscard]] std::vector<RoofStep> level_roofs(SurfaceCluster& cluster, std::int64_t least);
 
 }  // namespace d2b

@@ -17,9 +17,9 @@
 namespace d2b {
 namespace {
 
-using Places = std::vector<std::int32_t>;  ///< of buildings
+using Places = std::vector<std::int32_t>;  ///< indices of buildings
 
-/// The contours of the buildings that are still in.
+/// Contours of the buildings that have not been excluded.
 class Chosen {
   public:
     Chosen(const SurfaceCluster& cluster, const std::vector<bool>& is_out) {
@@ -40,7 +40,7 @@ class Chosen {
     [[nodiscard]] std::int32_t building(std::int32_t contour) const {
         return contours_[static_cast<std::size_t>(contour)].building;
     }
-    /// In the cluster.
+    /// Returns the contour's index in the cluster.
     [[nodiscard]] std::int32_t number(std::int32_t contour) const {
         return numbers_[static_cast<std::size_t>(contour)];
     }
@@ -50,7 +50,7 @@ class Chosen {
     std::vector<std::int32_t> numbers_;
 };
 
-/// What was made of the chosen buildings, or which of them are in the way.
+/// Surfaces of the chosen buildings, or the buildings to exclude.
 struct Attempt {
     MadeSurfaces made;
     Places in_the_way;
@@ -92,7 +92,7 @@ class SurfaceMaker {
     Attempt attempt_;
 };
 
-/// Of roofs that are not above the base of their building nothing stands out.
+/// Removes contours whose roofs are not above the base of their building.
 void SurfaceMaker::drop_what_is_flat() {
     const auto is_flat = [&](std::int32_t contour) {
         if (contour == open_ground)
@@ -108,7 +108,7 @@ void SurfaceMaker::drop_what_is_flat() {
     std::erase_if(plan_.edges, [](const PlanEdge& edge) { return edge.left == edge.right; });
 }
 
-/// @return whether the plan can be used
+/// @return true if the plan is usable
 bool SurfaceMaker::draw_plan() {
     Partition partition = make_partition(chosen_.contours());
     for (const std::uint32_t contour : partition.at_odds)
@@ -134,7 +134,7 @@ bool SurfaceMaker::draw_plan() {
     return true;
 }
 
-/// A number for each building that stands for all that it shares walls with.
+/// Returns a number per building that is equal for buildings with common walls.
 std::vector<std::uint32_t> SurfaceMaker::blocks() const {
     DisjointSets sets(static_cast<std::uint32_t>(cluster_.buildings.size()));
     for (const PlanEdge& edge : plan_.edges)
@@ -147,7 +147,7 @@ std::vector<std::uint32_t> SurfaceMaker::blocks() const {
     return block;
 }
 
-/// The edges that border on each group. @param group of each building
+/// Returns the edges that bound each group. @param group by building
 std::vector<SurfaceMaker::Edges> SurfaceMaker::edges_by(const std::vector<std::uint32_t>& group) const {
     std::vector<Edges> edges(cluster_.buildings.size());
     const auto group_of = [&](std::int32_t contour) {

@@ -11,42 +11,45 @@
 
 namespace d2b {
 
-/// A building of a cluster: its number and the height that it stands at, in steps.
+/// Building of a cluster: its id and base height in steps.
 struct PlanBuilding {
     std::int64_t id = 0;
     std::int64_t base = 0;
 };
 
-/// Contours that may touch each other, and nothing else; heights of those that stand on a building.
+/// Contours that may touch each other but no contour outside the cluster, with the buildings that they belong
+/// to.
 struct SurfaceCluster {
-    std::vector<PlanContour> contours;    ///< parents before what stands on them
+    std::vector<PlanContour> contours;    ///< parents before children
     std::vector<PlanBuilding> buildings;  ///< ascending ids
 };
 
-/// Which surfaces are asked for.
+/// Requested kinds of surfaces.
 struct SurfaceForms {
     bool solids = false;
     bool shell = false;
-    std::int64_t pinch_steps = 0;  ///< that touching corners are moved by, where more than the gap is wanted
+    std::int64_t pinch_steps =
+        0;  ///< distance by which touching corners are moved apart, if more than the minimum gap
     PlanGaps gaps = {};
 };
 
-/// The surfaces of a cluster. The shell's blocks come by their first buildings, and so do solids.
+/// Surfaces of a cluster. Solids and the blocks of the shell are ordered by their first building.
 struct MadeSurfaces {
-    std::vector<SurfacePart> solids;  ///< a building each
-    std::vector<SurfacePart> shell;   ///< a block of touching buildings each
-    std::vector<PinchMend> mends;     ///< their contours are those of the cluster
-    std::vector<std::int64_t>
-        left_out;  ///< ids of buildings that could not be brought into either; ascending
+    std::vector<SurfacePart> solids;     ///< one per building
+    std::vector<SurfacePart> shell;      ///< one per block of touching buildings
+    std::vector<PinchMend> mends;        ///< their contours are those of the cluster
+    std::vector<std::int64_t> left_out;  ///< ascending ids of buildings for which no valid surface was found
 };
 
-/// planar partition -> near corners made one -> pinches taken apart -> blocks, or buildings -> roofs, walls
-/// and grounds -> triangles
+/// Makes closed surfaces of a cluster of buildings:
 ///
-/// A building stands at its base, a block of buildings that share a wall at the lowest base of them. Where
-/// nothing stands above its building's base there is no surface. What is in the way of a closed surface is
-/// left out, and the rest is made as if it were not there.
-/// @param triangulate of the shell alone @throws Cancelled
+///     planar partition -> merge near nodes -> resolve non-manifold vertices -> blocks, or buildings
+///       -> roofs, walls and grounds -> triangles
+///
+/// A building stands at its base, a block of buildings with common walls at their lowest base. Buildings that
+/// do not rise above their base have no surface. Buildings that prevent a closed surface are left out, and
+/// the rest is made again without them.
+/// @param triangulate used for the shell only @throws Cancelled
 [[nodiscard]] MadeSurfaces make_surfaces(const SurfaceCluster& cluster, const SurfaceForms& forms,
                                          const Triangulate& triangulate, const StopRequest& stop = {});
 

@@ -17,7 +17,7 @@ std::int64_t floor_divided(std::int64_t number, std::int64_t by) {
     return number / by - (number % by < 0 ? 1 : 0);
 }
 
-/// Nodes that are not a gap apart, each pair once, the lower number first.
+/// Returns pairs of nodes closer than a gap, each once, lower number first.
 std::vector<NodePair> near_pairs(const std::vector<FinePoint>& nodes, const LatticeGap& gap) {
     struct Boxed {
         std::int64_t row = 0;
@@ -44,12 +44,12 @@ std::vector<NodePair> near_pairs(const std::vector<FinePoint>& nodes, const Latt
     return pairs;
 }
 
-/// Whether heights differ by less than a gap, in this order.
+/// Returns true if high is above low by less than a gap.
 bool is_step(std::int64_t low, std::int64_t high, std::int64_t gap) {
     return low < high && high < low + gap;
 }
 
-/// Contours that meet in a node and are not a gap of heights apart, the lower one first.
+/// Returns pairs of contours that share a node and differ in height by less than a gap, lower one first.
 std::vector<std::pair<std::size_t, std::size_t>> steps_between(const NodeStars& stars, std::size_t nodes,
                                                                const std::vector<PlanContour>& contours,
                                                                std::int64_t gap) {
@@ -64,7 +64,7 @@ std::vector<std::pair<std::size_t, std::size_t>> steps_between(const NodeStars& 
     return steps;
 }
 
-/// Whether any two heights differ by less than a gap, wherever they are.
+/// Returns true if any two heights differ by less than a gap, wherever they are.
 bool has_step(const std::vector<PlanContour>& contours, std::int64_t gap) {
     std::vector<std::int64_t> tops;
     tops.reserve(contours.size());
@@ -85,7 +85,7 @@ void merge_near_nodes(Plan& plan, const LatticeGap& gap) {
     for (const auto& [a, b] : pairs) {
         if (editor.degree(a) == 0 || editor.degree(b) == 0)
             continue;
-        // The one with more edges stays, where it can.
+        // Keep the node with more edges, if possible.
         const bool keep_first = editor.degree(a) >= editor.degree(b);
         const auto [stays, goes] = keep_first ? std::pair(a, b) : std::pair(b, a);
         if (!editor.merge(goes, stays))
@@ -98,7 +98,7 @@ void level_near_roofs(const Plan& plan, std::vector<PlanContour>& contours, std:
     if (!has_step(contours, gap))
         return;
     const NodeStars stars(plan);
-    // Each round raises a roof to another one that is there, so that this ends.
+    // Terminates, because each round raises a roof to the height of an existing one.
     for (auto steps = steps_between(stars, plan.nodes.size(), contours, gap); !steps.empty();
          steps = steps_between(stars, plan.nodes.size(), contours, gap))
         for (const auto& [low, high] : steps)

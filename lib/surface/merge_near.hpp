@@ -8,12 +8,12 @@
 
 namespace d2b {
 
-/// Makes nodes one that are not a gap apart, where nothing lies in the way, because programs that read
-/// solids do so and break what runs between them. The plan stays planar, exactly.
+/// Merges nodes closer than a gap, if nothing lies between them, because programs that read solids merge them
+/// and then find broken faces. The plan stays planar; exact.
 void merge_near_nodes(Plan& plan, const LatticeGap& gap);
 
-/// Brings roofs that meet in a node and are fewer steps of height apart than a gap to the higher one of them,
-/// because a wall of that height has corners that are taken for one.
+/// Raises roofs that share a node to the higher one if they differ by less than a gap, because the corners of
+/// such a low wall would be merged by readers.
 void level_near_roofs(const Plan& plan, std::vector<PlanContour>& contours, std::int64_t gap);
 
 }  // namespace d2b

@@ -8,15 +8,15 @@
 
 namespace d2b {
 
-/// An edge as it is seen from one of its ends.
+/// Edge as seen from one of its ends (a half-edge).
 struct NodeArm {
     std::uint32_t edge = 0;
-    std::uint32_t end = 0;  ///< node at its other end
+    std::uint32_t end = 0;  ///< node at the other end
     std::int32_t left = open_ground;
     std::int32_t right = open_ground;
 };
 
-/// The edges around each node of a plan, counter-clockwise (y up).
+/// Edges around each node of a plan, counter-clockwise (y up).
 class NodeStars {
   public:
     explicit NodeStars(const Plan& plan);
@@ -27,7 +27,7 @@ class NodeStars {
     std::vector<std::vector<NodeArm>> arms_;
 };
 
-/// The edges at one node, sorted likewise. @param arms in any order
+/// Sorts the edges at one node counter-clockwise. @param arms in any order
 void sort_around(const Plan& plan, std::uint32_t node, std::vector<NodeArm>& arms);
 
 }  // namespace d2b

@@ -9,7 +9,7 @@
 namespace d2b {
 namespace {
 
-/// Exact: lattices have far fewer than 2^53 steps.
+/// Exact, because lattices have far fewer than 2^53 steps.
 Box box_of(const OutlineSide& side) {
     Box box;
     for (const FinePoint& point : {side.from, side.to})
@@ -23,19 +23,19 @@ void add_ring(const FineRing& ring, std::uint32_t contour, std::vector<OutlineSi
             sides.push_back({ring[i], to, contour});
 }
 
-/// Whether a point lies on a side, but not at its ends.
+/// Returns true if a point is in the interior of a side.
 bool is_within(const OutlineSide& side, FinePoint point) {
     return point != side.from && point != side.to && boxes_meet({side.from, side.to}, {point, point}) &&
            d2b::side(side.from, side.to, point) == 0;
 }
 
-/// Whether two sides have one point in common, which is an end of neither.
+/// Returns true if two sides cross properly, in a point that is not an end of either.
 bool cross(const OutlineSide& s, const OutlineSide& t) {
     return side(s.from, s.to, t.from) * side(s.from, s.to, t.to) < 0 &&
            side(t.from, t.to, s.from) * side(t.from, t.to, s.to) < 0;
 }
 
-/// Those nearer to the beginning of a side first.
+/// Sorts along the direction of a side and removes duplicates.
 void sort_along(const OutlineSide& side, std::vector<FinePoint>& points) {
     std::ranges::sort(points);
     points.erase(std::unique(points.begin(), points.end()), points.end());

@@ -9,18 +9,19 @@
 
 namespace d2b {
 
-/// An edge of an outline; what the contour bounds lies on its left.
+/// Edge of an outline, with the interior of its contour on the left.
 struct OutlineSide {
     FinePoint from;
     FinePoint to;
     std::uint32_t contour = 0;
 };
 
-/// The edges of outlines one after the other, ring by ring, and how they meet.
+/// Edges of all outlines, ring by ring, and their intersections.
 struct OutlineSides {
-    std::vector<OutlineSide> sides;            ///< none without length
-    std::vector<std::vector<FinePoint>> cuts;  ///< corners of others within each side, from end to end
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing;  ///< contours whose sides cross
+    std::vector<OutlineSide> sides;  ///< none of zero length
+    std::vector<std::vector<FinePoint>>
+        cuts;  ///< per side: vertices of other outlines in its interior, in its direction
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing;  ///< pairs of contours whose edges cross
 };
 
 [[nodiscard]] OutlineSides outline_sides(std::span<const PlanContour> contours);

@@ -12,20 +12,20 @@
 namespace d2b {
 namespace {
 
-/// A side, or what lies of it between two cuts, seen from its lower node.
+/// Side, or the part of it between two cuts, directed from its lower node.
 struct Piece {
     std::uint32_t low = 0;
     std::uint32_t high = 0;
-    bool forwards = true;  // the contour lies on the left of the way from low to high
+    bool forwards = true;  // the contour is on the left of the direction from low to high
     std::uint32_t contour = 0;
 
     friend auto operator<=>(const Piece&, const Piece&) = default;
 };
 
-/// What lies on one side of a piece, of all contours whose outlines run there.
+/// Contours on one side of a piece, one standing on the other.
 struct Stack {
-    std::int32_t lowest = open_ground;   // the contour that stands on none of the others
-    std::int32_t highest = open_ground;  // the one that stands on all of them
+    std::int32_t lowest = open_ground;   // contour that stands on none of the others
+    std::int32_t highest = open_ground;  // contour that stands on all the others
 };
 
 class Partitioner {
@@ -83,7 +83,7 @@ std::vector<Piece> Partitioner::pieces(const OutlineSides& sides) {
     return pieces;
 }
 
-/// @param pieces of one side, ascending contours @return nothing where they do not stand on each other
+/// @param pieces on one side, ascending contours @return nothing if they do not form a chain of parents
 std::optional<Stack> Partitioner::stack(std::span<const Piece> pieces) {
     Stack stack;
     for (const Piece& piece : pieces) {
@@ -99,7 +99,7 @@ std::optional<Stack> Partitioner::stack(std::span<const Piece> pieces) {
     return stack;
 }
 
-/// @param alike all pieces between two nodes; those that run backwards come first
+/// @param alike all pieces between two nodes, backward ones first
 void Partitioner::add_edge(std::span<const Piece> alike) {
     const auto split = std::ranges::partition_point(alike, [](const Piece& p) { return !p.forwards; });
     const auto before = static_cast<std::size_t>(split - alike.begin());
@@ -119,7 +119,7 @@ void Partitioner::add_edge(std::span<const Piece> alike) {
         result_.plan.edges.push_back(edge);
 }
 
-/// Between two edges that follow each other around a node both must say the same.
+/// Checks that consecutive edges around each node agree on the sector between them.
 void Partitioner::look_around_nodes() {
     const NodeStars stars(result_.plan);
     for (std::uint32_t node = 0; node < result_.plan.nodes.size(); ++node) {

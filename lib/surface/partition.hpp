@@ -8,20 +8,20 @@
 
 namespace d2b {
 
-/// A partition, or what stands in its way.
+/// Planar partition, or the contours that prevent one.
 struct Partition {
     Plan plan;
-    /// Contours that cross others, overlap them without standing on them, or reach beyond what they stand on;
-    /// of two that are at odds the later one. The plan is of no use where there are any.
+    /// Contours that cross others, overlap them without being their children, or extend beyond their parents;
+    /// of a conflicting pair, the later one. If there are any, the plan is unusable.
     std::vector<std::uint32_t> at_odds;
 };
 
-/// Divides the plane into what each contour shows from above. Edges are cut where corners of others lie on
-/// them, so that all meet at nodes; all is decided on integers. O(n log n) in corners, but for crowds.
-/// @param contours parents before what stands on them
+/// Computes the planar partition by the topmost contour. Edges are split at vertices of other outlines, so
+/// that edges meet only at nodes. Exact, on integers. O(n log n) in the number of vertices, unless many boxes
+/// overlap. @param contours parents before children
 [[nodiscard]] Partition make_partition(std::span<const PlanContour> contours);
 
-/// The outlines with every corner of another that lies on one of their edges.
+/// Returns the outlines with a vertex wherever a vertex of another outline lies on an edge.
 [[nodiscard]] std::vector<FinePolygon> noded_outlines(std::span<const PlanContour> contours);
 
 }  // namespace d2b

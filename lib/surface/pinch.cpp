@@ -13,7 +13,7 @@ constexpr std::int64_t anything = std::numeric_limits<std::int64_t>::min();
 using Arms = std::vector<NodeArm>;
 using Stands = std::function<bool(std::int32_t contour)>;
 
-/// Runs of sectors in which something stands (or nothing, where that is asked for).
+/// Returns the runs of sectors for which stands(contour) == wanted.
 std::vector<SectorRun> runs_of(const Arms& arms, const Stands& stands, bool wanted) {
     const std::size_t n = arms.size();
     const auto is = [&](std::size_t i) { return stands(arms[i % n].left) == wanted; };
@@ -43,7 +43,7 @@ bool share_a_building(const Arms& arms, const SectorRun& a, const SectorRun& b, 
     });
 }
 
-/// A gap follows the run of the same place, since they take turns.
+/// Gaps and runs alternate, so a gap follows the run with the same index.
 std::optional<Pinch> pinch_of(const Arms& arms, const Stands& stands, const Heights& heights) {
     const std::vector<SectorRun> runs = runs_of(arms, stands, true);
     if (runs.size() < 2)

@@ -10,22 +10,23 @@
 
 namespace d2b {
 
-/// Neighbouring sectors around a node, counter-clockwise. Sector i lies on the left of arm i.
+/// Consecutive sectors around a node, counter-clockwise. Sector i is on the left of arm i.
 struct SectorRun {
     std::size_t first = 0;
     std::size_t count = 0;
 };
 
-/// The arms that bound the sectors of a run, one more than these. @param all around the node
+/// Returns the arms that bound the sectors of a run: count + 1. @param all around the node
 [[nodiscard]] std::vector<NodeArm> arms_of(const std::vector<NodeArm>& all, const SectorRun& run);
 
-/// How a pinch may be taken apart: any of the runs may be moved off the node.
+/// Options for resolving a non-manifold vertex: any of the runs may be moved off the node.
 struct Pinch {
-    bool fills = false;           ///< the runs are lower places within a building, else parts that stand out
+    bool fills = false;  ///< true if the runs are notches within a building, false if they are parts that
+                         ///< rise above the rest
     std::vector<SectorRun> runs;  ///< at least one
 };
 
-/// What a pinch depends on, of each contour.
+/// Properties of contours that decide if a vertex is manifold.
 struct Heights {
     std::span<const PlanContour> contours;
 
@@ -37,10 +38,10 @@ struct Heights {
     }
 };
 
-/// Looks for what makes the vertical line over a node the edge of more than two walls: above some height what
-/// stands there comes in more than one run of sectors, of all buildings or of one alone, which has a solid of
-/// its own. A roof that touches itself is taken for one, too: its polygon would be one that few can divide.
-/// @param arms around the node, counter-clockwise @return the first that is found
+/// Finds the lowest height at which the vertical line over a node is a non-manifold edge, with more than two
+/// walls: there, the solid occupies more than one run of sectors, for all buildings together or for a single
+/// one, because each has a solid of its own. A roof that touches itself counts, too, because few programs can
+/// triangulate its polygon. @param arms around the node, counter-clockwise @return the first one found
 [[nodiscard]] std::optional<Pinch> find_pinch(const std::vector<NodeArm>& arms, const Heights& heights);
 
 }  // namespace d2b

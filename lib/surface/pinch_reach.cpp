@@ -14,7 +14,7 @@
 namespace d2b {
 namespace {
 
-/// Edges that are hardly longer than what is cut off keep their whole length.
+/// Edges hardly longer than the cut are not split.
 constexpr double longest_share = 0.6;
 
 FinePoint towards(FinePoint from, double angle, double steps) {
@@ -22,10 +22,10 @@ FinePoint towards(FinePoint from, double angle, double steps) {
             from.col + std::llround(steps * std::cos(angle))};
 }
 
-/// A corner that is cut off, as it is planned.
+/// Planned cut of a corner.
 struct Cut {
     std::vector<NodeArm> arms;
-    std::vector<FinePoint> ends;  ///< of the arms that move
+    std::vector<FinePoint> ends;  ///< of the moving arms
     PassedOver area;
 };
 
@@ -44,7 +44,7 @@ class ReachPlanner {
     const PinchReach& wanted_;
 };
 
-/// The corner moves along the middle of its angle, and its walls end where the line across meets them.
+/// Moves the corner along its bisector and ends its walls at the perpendicular through it.
 Cut ReachPlanner::cut_at(std::uint32_t node, std::vector<NodeArm> arms, std::int64_t reach) const {
     const FinePoint from = editor_.at(node);
     const double first = angle_of(from, editor_.at(arms.front().end));
@@ -67,7 +67,7 @@ Cut ReachPlanner::cut_at(std::uint32_t node, std::vector<NodeArm> arms, std::int
     return cut;
 }
 
-/// The one that takes least. @return nothing where none is allowed
+/// Returns the cut that changes the least area, or nothing if none is allowed.
 std::optional<Cut> ReachPlanner::best(std::uint32_t node, const std::vector<NodeArm>& all, const Pinch& pinch,
                                       std::int64_t reach) const {
     std::optional<Cut> best;

@@ -13,43 +13,43 @@
 
 namespace d2b {
 
-/// How far corners that touch are to be moved.
+/// Distances by which touching corners are moved apart.
 struct PinchReach {
     using Contours = std::span<const std::int32_t>;
-    std::int64_t steps = 0;  ///< where more is wanted than the gap of a pinch
-    PlanGaps gaps = {};      ///< that corners are moved by at least
-    /// Whether a move may take so much of the contours around it, in square steps: beside open ground, and
-    /// between them. Nothing: always. What is usual is not asked for.
+    std::int64_t steps = 0;  ///< wanted distance, if more than the minimum gap
+    PlanGaps gaps = {};      ///< minimum distance of a move
+    /// Returns true if a move may change this area of the contours around it, in square steps: next to open
+    /// ground, and between contours. Empty: always. Not called for minimal moves.
     std::function<bool(Contours contours, double outside, double inside)> allows = {};
-    /// Told of every move that is made, also of what is usual.
+    /// Called for every move, including minimal ones.
     std::function<void(Contours contours, double outside)> take = {};
 };
 
-/// What edges pass over, in square steps.
+/// Area swept by moving edges, in square steps.
 struct PassedOver {
-    double outside = 0;  ///< those beside open ground
-    double inside = 0;   ///< those between contours
+    double outside = 0;  ///< by edges next to open ground
+    double inside = 0;   ///< by edges between contours
 
-    /// An edge whose one end moves. @param beside the edge
+    /// Adds an edge with one moving end. @param beside the contours on both sides of the edge
     void add(const NodeArm& beside, FinePoint end, FinePoint from, FinePoint to);
 };
 
-/// The contours around a node, each once.
+/// Returns the distinct contours around a node.
 [[nodiscard]] std::vector<std::int32_t> contours_of(const std::vector<NodeArm>& arms);
 
-/// Counter-clockwise from east, y up.
+/// Returns the angle counter-clockwise from east, y up.
 [[nodiscard]] double angle_of(FinePoint from, FinePoint to);
-/// From 0 to a full turn, counter-clockwise.
+/// Returns the angle from a to b, in (0, 2 pi], counter-clockwise.
 [[nodiscard]] double turned_from(double a, double b);
 
-/// The reach that is wanted, and from it on as little less as a move may take; all above the gap of a pinch.
+/// Returns decreasing distances to try, from `wanted` on; all exceed the minimum gap.
 [[nodiscard]] std::vector<std::int64_t> reaches_down_from(std::int64_t wanted, const LatticeGap& pinch);
 
-/// The reach of each pinch by its place; 0 where it may be moved no farther than is usual.
+/// Planned distance by position of the vertex; 0 if only a minimal move is allowed.
 using PlannedReaches = std::map<FinePoint, std::int64_t>;
 
-/// Chooses how far the corners of a plan are to move. Long edges of those that move get a node nearby, so
-/// that a corner is cut off, and not the whole of a wall moves.
+/// Chooses distances for the corners of a plan. Splits long edges near corners that will move, so that only
+/// the corner is cut off, instead of a whole wall moving.
 [[nodiscard]] PlannedReaches plan_reaches(Plan& plan, std::span<const PlanContour> contours,
                                           const PinchReach& wanted, const StopRequest& stop);
 

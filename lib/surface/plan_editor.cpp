@@ -74,7 +74,7 @@ Int128 PlanEditor::swept_outside(std::uint32_t node, FinePoint place) const {
     return sum;
 }
 
-/// Whether a straight line from a node to a place would have more of an edge than that node.
+/// Returns true if a segment from a node to a place would share nothing with an edge except that node.
 bool PlanEditor::is_clear_of(std::uint32_t edge, std::uint32_t from, FinePoint to) const {
     const PlanEdge& other = edges_[edge];
     for (const auto& [a, b] : {std::pair(other.from, other.to), std::pair(other.to, other.from)})
@@ -85,8 +85,8 @@ bool PlanEditor::is_clear_of(std::uint32_t edge, std::uint32_t from, FinePoint t
     return !meet({nodes_[other.from], nodes_[other.to]}, {nodes_[from], to});
 }
 
-/// An edge that follows its moved end sweeps a triangle: no other node may lie in it, nothing may cross where
-/// it then runs.
+/// Returns true if an edge can follow its moved end: it sweeps a triangle, which must contain no other node,
+/// and nothing may cross its new course.
 bool PlanEditor::is_way_free(std::uint32_t node, std::uint32_t into, std::uint32_t end) const {
     const FinePoint a = nodes_[node];
     const FinePoint b = nodes_[into];
@@ -113,7 +113,7 @@ void PlanEditor::remove(std::uint32_t edge) {
     edges_[edge].to = edges_[edge].from;
 }
 
-/// Two edges that run from one node to another: what lay between them is gone.
+/// Combines two edges between the same nodes, which removes the area between them.
 bool PlanEditor::combine(std::uint32_t gone, std::uint32_t stays, std::uint32_t from) {
     const auto sides = [&](std::uint32_t e, std::uint32_t first) {
         const PlanEdge& edge = edges_[e];
@@ -121,7 +121,7 @@ bool PlanEditor::combine(std::uint32_t gone, std::uint32_t stays, std::uint32_t 
     };
     const std::uint32_t to = other_end(stays, from);
     const auto [left, right] = sides(stays, from);
-    // The one that goes is known by its far end, since its near one is still where it was.
+    // Oriented from its far end, because its near end has not been moved yet.
     const auto [far_left, far_right] = sides(gone, to);
     const std::int32_t gone_left = far_right;
     const std::int32_t gone_right = far_left;
@@ -137,7 +137,7 @@ bool PlanEditor::combine(std::uint32_t gone, std::uint32_t stays, std::uint32_t 
     return true;
 }
 
-/// Between two edges that follow each other around a node both must say the same.
+/// Returns true if consecutive edges around a node agree on the sector between them.
 bool PlanEditor::agrees(std::uint32_t node) const {
     const std::vector<NodeArm> arms = around(node);
     for (std::size_t i = 0; i < arms.size(); ++i)
@@ -146,7 +146,7 @@ bool PlanEditor::agrees(std::uint32_t node) const {
     return true;
 }
 
-/// The other ends of a node's edges, if these may all follow it.
+/// Returns the other ends of a node's edges, if all edges can follow the node.
 std::optional<std::set<std::uint32_t>> PlanEditor::ends_that_follow(std::uint32_t node,
                                                                     std::uint32_t into) const {
     std::set<std::uint32_t> ends;
@@ -177,7 +177,7 @@ PlanEditor::Undo PlanEditor::remember(std::uint32_t node, std::uint32_t into,
     return undo;
 }
 
-/// @return whether edges that are one agree on what lay between them
+/// @return true if coinciding edges agree on the area between them
 bool PlanEditor::move_edge(std::uint32_t edge, std::uint32_t node, std::uint32_t into) {
     const std::uint32_t end = other_end(edge, node);
     const auto there = end == into ? std::nullopt : edge_between(into, end);
@@ -220,8 +220,8 @@ bool PlanEditor::merge(std::uint32_t node, std::uint32_t into) {
     return true;
 }
 
-/// On the edge itself there is nothing else. Beside it the two halves pass over a triangle, which must be
-/// free.
+/// Returns true if an edge can be split at a place. On the edge, that is always possible; next to it, the two
+/// halves sweep a triangle, which must be free.
 bool PlanEditor::may_split(std::uint32_t edge, FinePoint place) const {
     const PlanEdge& whole = edges_[edge];
     const FinePoint a = nodes_[whole.from];
@@ -251,8 +251,8 @@ std::optional<std::uint32_t> PlanEditor::split(std::uint32_t edge, FinePoint pla
         return std::hypot(static_cast<double>(nodes_[end].row - place.row),
                           static_cast<double>(nodes_[end].col - place.col));
     };
-    // The longer half keeps the number and where it is put down, else many splits of a long edge would cost
-    // its length each.
+    // The longer half keeps the number and the buckets, because repeated splits of a long edge would
+    // otherwise cost its length each time.
     PlanEdge& kept = edges_[edge];
     const std::uint32_t from = kept.from;
     const std::uint32_t to = kept.to;

@@ -15,31 +15,31 @@
 
 namespace d2b {
 
-/// Changes a plan in steps that leave it planar and its sides in agreement, exactly; what would not is
-/// refused. Nodes keep their numbers; those that are merged have no edges any more.
+/// Edits a plan in steps that keep it planar and the sides of its edges consistent; other changes are
+/// refused. Exact. Node numbers are stable; merged nodes have no edges.
 class PlanEditor {
   public:
     explicit PlanEditor(Plan plan);
 
     [[nodiscard]] const std::vector<FinePoint>& nodes() const { return nodes_; }
     [[nodiscard]] FinePoint at(std::uint32_t node) const { return nodes_[node]; }
-    /// Also those that are gone, see is_edge().
+    /// Returns all edges, including removed ones, see is_edge().
     [[nodiscard]] const std::vector<PlanEdge>& edges() const { return edges_; }
     [[nodiscard]] bool is_edge(std::uint32_t edge) const {
         return edge < edges_.size() && edges_[edge].from != edges_[edge].to;
     }
-    /// Counter-clockwise.
+    /// Returns the edges around a node, counter-clockwise.
     [[nodiscard]] std::vector<NodeArm> around(std::uint32_t node) const;
     [[nodiscard]] std::size_t degree(std::uint32_t node) const { return at_node_[node].size(); }
     [[nodiscard]] std::optional<std::uint32_t> edge_between(std::uint32_t a, std::uint32_t b) const;
-    /// Calls visit(edge) for edges that may meet a box, in any order, some more than once, until it returns
-    /// false. @return whether it never did
+    /// Calls visit(edge) for edges that may meet a box, in any order and possibly repeatedly, until it
+    /// returns false. @return true if it never returned false
     template <typename Visit>
     bool all_near(FinePoint low, FinePoint high, const Visit& visit) const {
         return grid_.all_in_box(low, high, [&](std::uint32_t edge) { return !is_edge(edge) || visit(edge); });
     }
-    /// Calls visit(edge) for edges that may come so near a straight line, in any order, some more than once.
-    /// @param reach in steps
+    /// Calls visit(edge) for edges that may come within a distance of a segment, in any order and possibly
+    /// repeatedly. @param reach in steps
     template <typename Visit>
     void each_near(FinePoint a, FinePoint b, std::int64_t reach, const Visit& visit) const {
         const auto look = [&](std::uint32_t edge) {
@@ -50,26 +50,27 @@ class PlanEditor {
         grid_.all_in_triangle(a, b, b, look, reach);
     }
 
-    /// Twice the area that a node's edges pass over when it moves to a place, in square steps.
+    /// Returns twice the area that a node's edges sweep when it moves to a place, in square steps.
     [[nodiscard]] Int128 swept(std::uint32_t node, FinePoint place) const;
-    /// The same of edges that border on open ground.
+    /// Returns the same for edges next to open ground only.
     [[nodiscard]] Int128 swept_outside(std::uint32_t node, FinePoint place) const;
-    /// Moves a node onto another one; what then lies between two equal edges is gone. @return whether it
-    /// could
+    /// Merges a node into another one and removes the area between edges that become equal. @return true on
+    /// success
     [[nodiscard]] bool merge(std::uint32_t node, std::uint32_t into);
-    /// Puts a node beside an edge or on it, which then runs through it. @return nothing where it cannot
+    /// Splits an edge at a point on it or next to it, which becomes a node of the edge. @return nothing if
+    /// that is impossible
     [[nodiscard]] std::optional<std::uint32_t> split(std::uint32_t edge, FinePoint place);
-    /// Takes splits back, the last one first, until so many nodes are left. Nothing was merged since.
+    /// Undoes splits, latest first, until `nodes` nodes are left. @pre no merge since
     void unsplit_to(std::size_t nodes);
-    /// Where edges have begun, ended or run since this was last asked, as pairs of nodes.
+    /// Returns the current and former ends of all edges changed since the last call, as pairs of nodes.
     [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> take_changes() {
         return std::exchange(changes_, {});
     }
-    /// What is left, with the nodes that are used.
+    /// Returns the current plan without unused nodes.
     [[nodiscard]] Plan plan() const;
 
   private:
-    /// What merge() has changed, to be put back.
+    /// State changed by merge(), for rolling back.
     struct Undo {
         std::vector<std::pair<std::uint32_t, PlanEdge>> edges;
         std::vector<std::pair<std::uint32_t, std::vector<std::uint32_t>>> nodes;

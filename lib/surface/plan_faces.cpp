@@ -33,7 +33,7 @@ Int128 twice_area(const Ring& ring, const Plan& plan) {
     return sum;
 }
 
-/// Each directed edge once, with the area on its left kept on the left at every node.
+/// Traverses each half-edge once, turning at every node so that the face stays on the left.
 class RingWalker {
   public:
     explicit RingWalker(const Plan& plan)
@@ -57,7 +57,7 @@ class RingWalker {
     const Plan& plan_;
     NodeStars stars_;
     std::vector<std::array<bool, 2>> done_;
-    std::vector<std::size_t> place_;  // of a node in the ring that is split
+    std::vector<std::size_t> place_;  // position of a node in the current ring
     std::vector<OwnedRing> rings_;
 };
 
@@ -68,7 +68,8 @@ Ring RingWalker::walk(std::uint32_t e, bool forwards) {
         const PlanEdge& edge = plan_.edges[e];
         ring.push_back(forwards ? edge.from : edge.to);
         const std::uint32_t node = forwards ? edge.to : edge.from;
-        // Of the sector on the left, the arm on the other side: the one before, counter-clockwise.
+        // The next half-edge is the clockwise neighbour of the one arrived on, because the face is on the
+        // left.
         const std::vector<NodeArm>& arms = stars_.around(node);
         const auto here = std::ranges::find(arms, e, &NodeArm::edge);
         const NodeArm& next = here == arms.begin() ? arms.back() : *(here - 1);
@@ -78,7 +79,7 @@ Ring RingWalker::walk(std::uint32_t e, bool forwards) {
     return ring;
 }
 
-/// A ring that comes through a node again is several.
+/// Splits a ring at repeated nodes.
 void RingWalker::split(const Ring& walked, std::int32_t owner) {
     Ring open;
     for (const std::uint32_t node : walked) {
@@ -100,8 +101,8 @@ void RingWalker::split(const Ring& walked, std::int32_t owner) {
     rings_.push_back({owner, std::move(open), area});
 }
 
-/// Finds the exterior ring that an interior one lies in, by the edges in its rows alone: with all edges of
-/// all rings a large face would cost its length for each of its holes.
+/// Finds the exterior ring that contains a hole, using only the edges in its band of rows, because testing
+/// all edges would cost the length of a large face per hole.
 class HoleHolders {
   public:
     HoleHolders(std::span<const OwnedRing> exteriors, const Plan& plan) : exteriors_(exteriors), plan_(plan) {
@@ -116,7 +117,8 @@ class HoleHolders {
             }
         }
     }
-    /// The place of the smallest one. Exact, on halves of steps. @param hole does not run through others
+    /// Returns the index of the smallest containing exterior. Exact, in half steps. @param hole must not
+    /// cross other rings
     [[nodiscard]] std::size_t of(const OwnedRing& hole) const {
         const FinePoint a = plan_.nodes[hole.ring[0]];
         const FinePoint b = plan_.nodes[hole.ring[1]];
@@ -153,7 +155,7 @@ class HoleHolders {
 
 /// @param rings of one owner
 void add_faces(std::span<OwnedRing> rings, const Plan& plan, std::vector<OwnedFace>& faces) {
-    // By iterators: of a range Clang 14 cannot compile it.
+    // Iterators, because Clang 14 does not compile the range version.
     const auto first_hole = std::stable_partition(rings.begin(), rings.end(),
                                                   [](const OwnedRing& r) { return r.twice_area > 0; });
     const auto exteriors = rings.first(static_cast<std::size_t>(first_hole - rings.begin()));

@@ -8,8 +8,8 @@
 
 namespace d2b {
 
-/// A polygon of nodes: the exterior counter-clockwise (y up), interiors clockwise. Rings touch themselves
-/// nowhere, each other in single nodes at most.
+/// Polygon of nodes: exterior counter-clockwise (y up), interiors clockwise. Rings do not touch themselves
+/// and touch each other only in single nodes.
 struct PlanFace {
     std::vector<std::uint32_t> exterior;
     std::vector<std::vector<std::uint32_t>> interiors;
@@ -17,16 +17,16 @@ struct PlanFace {
     friend auto operator<=>(const PlanFace&, const PlanFace&) = default;
 };
 
-/// A face and the contour that is on top in it.
+/// Face and its topmost contour.
 struct OwnedFace {
     std::int32_t owner = open_ground;
     PlanFace face;
 };
 
-/// The faces of a plan but those of the outside, by ascending owners.
+/// Returns the faces of a plan, except the outside, by ascending owners.
 [[nodiscard]] std::vector<OwnedFace> plan_faces(const Plan& plan);
 
-/// A face on the lattice. @param plan that it is of
+/// Returns the face as a polygon on the lattice. @param plan that the face belongs to
 [[nodiscard]] FinePolygon polygon_of(const PlanFace& face, const Plan& plan);
 
 }  // namespace d2b

@@ -6,7 +6,7 @@
 namespace d2b {
 
 LatticeGap lattice_gap(double metres, const CellSize& cell) {
-    // From the border of the box along a row to its middle it is the height of the parallelogram.
+    // The distance from the box's side to its centre is the height of the parallelogram.
     const auto steps = [&](double side) {
         return std::max(std::int64_t{1},
                         static_cast<std::int64_t>(std::ceil(metres / (side * cell.sine) * FinePoint::steps)));

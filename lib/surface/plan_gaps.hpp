@@ -9,7 +9,7 @@
 
 namespace d2b {
 
-/// A distance on the lattice: points are apart where one lies outside of a box of so many steps around the
+/// Minimum distance on the lattice: points are separated if one is outside the box of this size around the
 /// other.
 struct LatticeGap {
     std::int64_t rows = 1;
@@ -21,29 +21,28 @@ struct LatticeGap {
     friend bool operator==(const LatticeGap&, const LatticeGap&) = default;
 };
 
-/// The larger one of each side.
+/// Returns the larger value of each side.
 [[nodiscard]] inline LatticeGap largest_of(const LatticeGap& a, const LatticeGap& b) {
     return {std::max(a.rows, b.rows), std::max(a.cols, b.cols)};
 }
 
-/// The box around which all points lie at least a length away on the ground, in whole steps rounded up.
-/// @param metres above 0 @param cell a column and a row of FinePoint::steps, whatever the angle between them
+/// Returns the box outside of which all points are at least `metres` away on the ground, rounded up to whole
+/// steps. @param metres above 0 @param cell a column and a row of FinePoint::steps, at any angle
 [[nodiscard]] LatticeGap lattice_gap(double metres, const CellSize& cell);
 
-/// How far corners of a surface lie from each other. The defaults are the fewest steps of a lattice of which
-/// no size is known.
+/// Minimum distances between the corners of a surface. The defaults are for a lattice of unknown cell size.
 struct PlanGaps {
-    /// Programs that read solids take corners within a millimetre for one (the default of val3dity, and of
-    /// others), so that touching corners are parted by ten times as much.
+    /// Distance between corners that touched. Ten times the millimetre within which programs that read solids
+    /// merge vertices (the default of val3dity and others).
     static constexpr double pinch_m = 0.01;
-    /// Corners nearer than this are made one beforehand.
+    /// Corners closer than this are merged beforehand.
     static constexpr double corner_m = 0.002;
 
     LatticeGap pinch{2, 2};
     LatticeGap corners{1, 1};
-    std::int64_t heights = 1;  ///< of roofs that meet, and of a roof above its base, in millimetres
+    std::int64_t heights = 1;  ///< millimetres between roofs that meet and between a roof and its base
 
-    /// Whether there is a solid between two heights.
+    /// Returns true if there is a solid between two heights.
     [[nodiscard]] bool stands_out(std::int64_t top, std::int64_t base) const { return top >= base + heights; }
 };
 [[nodiscard]] PlanGaps plan_gaps(const CellSize& cell);

@@ -8,10 +8,9 @@
 
 namespace d2b {
 
-/// What a plan shows of some contours, as if nothing stood beside them: all else is outside, nodes at which
-/// they run on straight are gone. O(n log n) in the edges that are given.
-/// @param edges of the plan, all that border on these contours @param belongs whether a contour is one of
-/// them
+/// Extracts the plan of some contours as if the others did not exist: they become outside, and nodes between
+/// collinear edges are removed. O(n log n) in the given edges. @param edges of the plan, all that bound these
+/// contours @param belongs true if a contour is one of them
 [[nodiscard]] Plan plan_part(const Plan& plan, std::span<const std::uint32_t> edges,
                              const std::function<bool(std::int32_t)>& belongs);
 

@@ -15,13 +15,13 @@ namespace {
 
 constexpr int most_rounds = 4;
 
-/// How far along the way from a to b a point lies, times the square of its length.
+/// Returns the projection of a point onto a b, times the length of a b.
 Int128 along(FinePoint a, FinePoint b, FinePoint point) {
     return static_cast<Int128>(b.row - a.row) * (point.row - a.row) +
            static_cast<Int128>(b.col - a.col) * (point.col - a.col);
 }
 
-/// Whether a point lies beside the way from a to b, not before or behind it, and within a step of it.
+/// Returns true if a point projects into the interior of a b and is within a step of it.
 bool is_near(FinePoint a, FinePoint b, FinePoint point) {
     const Int128 square = along(a, b, b);
     const Int128 way = along(a, b, point);
@@ -29,13 +29,13 @@ bool is_near(FinePoint a, FinePoint b, FinePoint point) {
     return way > 0 && way < square && off * off <= square;
 }
 
-/// All corners, by where they lie.
+/// Spatial index of all vertices.
 class Corners {
   public:
     explicit Corners(const std::vector<PlanContour>& contours)
         : points_(points_of(contours)), tree_(boxes()) {}
 
-    /// Those that a ring passes within a step become corners of it.
+    /// Returns the ring with all vertices within a step of it inserted.
     [[nodiscard]] FineRing led_through(const FineRing& ring) const;
 
   private:
@@ -70,7 +70,7 @@ std::vector<FinePoint> Corners::points_of(const std::vector<PlanContour>& contou
     return points;
 }
 
-/// In the order of the way; both directions of it give the same.
+/// Returns vertices near a segment in its direction; the same for both directions.
 std::vector<FinePoint> Corners::beside(FinePoint from, FinePoint to) const {
     const auto [a, b] = std::minmax(from, to);
     std::vector<std::pair<Int128, FinePoint>> found;
@@ -103,7 +103,7 @@ FineRing Corners::led_through(const FineRing& ring) const {
     return led;
 }
 
-/// Takes out where a ring goes back the way it came, as it does where what lay between its walls is gone.
+/// Removes spikes (a ring that returns the way it came), because a narrow part may have collapsed.
 FineRing without_spikes(const FineRing& ring) {
     std::deque<FinePoint> rest;
     for (const FinePoint& point : ring) {
@@ -112,7 +112,7 @@ FineRing without_spikes(const FineRing& ring) {
         else
             rest.push_back(point);
     }
-    // Across its beginning: a, b, ..., b.
+    // Spikes across the start of the ring: a, b, ..., b.
     while (rest.size() > 2 && (rest[1] == rest.back() || rest.front() == rest[rest.size() - 2])) {
         if (rest[1] == rest.back())
             rest.pop_front();
@@ -135,7 +135,7 @@ void snap_rounded(std::vector<PlanContour>& contours) {
         const Corners corners(contours);
         for (PlanContour& contour : contours) {
             FinePolygon& outline = contour.outline;
-            // What is gone as a whole stays at odds, so that it is found to be.
+            // An outline that collapsed entirely stays as it was, so that the conflict is reported.
             if (FineRing led = without_spikes(corners.led_through(outline.exterior)); has_area(led))
                 outline.exterior = std::move(led);
             for (FineRing& ring : outline.interiors)

@@ -6,11 +6,10 @@
 
 namespace d2b {
 
-/// Of outlines that were rounded to a lattice after they had been made: a corner that lay hardly beside an
-/// edge may have come to lie on its other side, so that outlines cross by less than a step. Where contours
-/// are at odds all edges are led through every corner that lies within a step of them, as often as that makes
-/// new neighbours, but no more than some rounds. Corners stay where they are, and walls that outlines have in
-/// common are still common.
+/// Repairs outlines after rounding to a lattice: a vertex close to an edge may have moved to its other side,
+/// so that outlines cross by less than a step. While contours conflict, routes every edge through all
+/// vertices within a step of it, for a limited number of rounds. Vertices do not move, and common walls stay
+/// common. Related to iterated snap rounding (Halperin and Packer 2002).
 void snap_rounded(std::vector<PlanContour>& contours);
 
 }  // namespace d2b

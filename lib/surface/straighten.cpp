@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-/// How many edges a node has, and the first two of them.
+/// Degree of a node and its first two edges.
 struct Ends {
     std::uint32_t count = 0;
     std::array<std::uint32_t, 2> edges{none, none};

@@ -5,12 +5,11 @@
 namespace d2b {
 
 enum class Straighten {
-    all,    ///< every node at which two edges go on straight
-    inside  ///< those alone that no outside touches: walls stand on the others
+    all,    ///< every node between two collinear edges
+    inside  ///< only nodes that do not touch the outside, because walls stand on the others
 };
 
-/// Joins edges that run on straight with nothing else at their node. The nodes stay where they are in the
-/// list, also those that no edge needs any more.
+/// Merges collinear edges at nodes of degree two. Node numbers do not change; unused nodes stay in the list.
 void straighten(Plan& plan, Straighten what);
 
 }  // namespace d2b

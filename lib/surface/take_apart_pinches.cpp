@@ -17,14 +17,14 @@
 namespace d2b {
 namespace {
 
-/// How far a corner moves where nothing else is asked for, in halves of the gap of a pinch; the least comes
-/// first, more is for sharp angles and where others are near.
+/// Distances of minimal moves, in halves of the minimum gap, smallest first. The larger ones are for sharp
+/// angles and crowded places.
 constexpr std::array<std::int64_t, 8> usual_halves{2, 3, 4, 8, 16, 32, 64, 128};
-/// Steps that are no more than usual, whatever the gap, and gaps that are none.
+/// Limits of minimal moves: in steps, and in gaps.
 constexpr std::int64_t most_steps = 128;
 constexpr std::int64_t most_gaps = 8;
 
-/// A node with more edges is left as it is.
+/// Nodes with more edges are not resolved.
 constexpr std::size_t most_arms = 32;
 
 LatticeGap halves_of(const LatticeGap& gap, std::int64_t halves) {
@@ -40,8 +40,8 @@ std::vector<LatticeGap> usual_reaches(const LatticeGap& pinch) {
     return reaches;
 }
 
-/// Less than the gap of a pinch, where there is no room for that: still more than what is taken for one
-/// corner.
+/// Returns distances below the minimum gap for places without room. They still exceed the distance within
+/// which corners are merged.
 std::vector<LatticeGap> lesser_reaches(const PlanGaps& gaps) {
     std::vector<LatticeGap> reaches;
     LatticeGap reach = halves_of(gaps.pinch, 1);
@@ -53,7 +53,7 @@ std::vector<LatticeGap> lesser_reaches(const PlanGaps& gaps) {
     return reaches;
 }
 
-/// What lies on the border of a box around the middle, in all directions.
+/// Returns points on the border of a box around the origin, in all directions.
 std::vector<FinePoint> border_of(const LatticeGap& half) {
     constexpr std::int64_t most_a_half = 128;
     const auto along = [](std::int64_t length) {
@@ -75,7 +75,7 @@ std::vector<FinePoint> border_of(const LatticeGap& half) {
     return places;
 }
 
-/// Whether a segment meets the inside of a box around a place. Exact.
+/// Returns true if a segment meets the interior of a box around a point. Exact.
 bool comes_near(const FineSegment& segment, FinePoint place, const LatticeGap& gap) {
     const FinePoint low{place.row - gap.rows + 1, place.col - gap.cols + 1};
     const FinePoint high{place.row + gap.rows - 1, place.col + gap.cols - 1};
@@ -87,7 +87,7 @@ bool comes_near(const FineSegment& segment, FinePoint place, const LatticeGap& g
     return std::abs(sides) < 4;
 }
 
-/// What lies as far off in all directions.
+/// Returns points at equal distance in all directions.
 std::vector<FinePoint> circle(std::int64_t reach) {
     constexpr int directions = 512;
     std::vector<FinePoint> places;
@@ -136,12 +136,13 @@ class PinchTaker {
     const PinchReach& wanted_;
     const StopRequest& stop_;
     PlannedReaches planned_;
-    std::optional<EdgeGrid> near_;  // made when the first node moves
+    std::optional<EdgeGrid> near_;  // built at the first move
     std::vector<std::vector<NodeArm>> around_;
     PinchesTaken taken_;
 };
 
-/// Moving a corner sweeps a triangle an arm: no other node may lie in one, and nothing may cross the way.
+/// Returns true if a corner can move. Moving it sweeps one triangle per arm; no other node may be inside, and
+/// no edge may cross the path.
 bool PinchTaker::is_free(std::uint32_t node, const std::vector<NodeArm>& arms, FinePoint place) const {
     const FinePoint from = plan_.nodes[node];
     const auto in_triangle = [&](FinePoint a, FinePoint point) {
@@ -166,8 +167,9 @@ bool PinchTaker::is_free(std::uint32_t node, const std::vector<NodeArm>& arms, F
     });
 }
 
-/// A corner that moves must not come near others, or there would be a new place where corners touch. The
-/// walls that move with it may be short themselves, and lead to others.
+/// Returns true if the new position is far enough from other edges, because otherwise corners would touch
+/// there. Walls that move along are exempt if only their ends are, because they may be short and lead to
+/// other corners.
 bool PinchTaker::is_clear(std::uint32_t node, const std::vector<NodeArm>& arms, FinePoint place,
                           const LatticeGap& clearance) const {
     const auto is_end = [&](std::uint32_t of) {
@@ -186,7 +188,8 @@ bool PinchTaker::is_clear(std::uint32_t node, const std::vector<NodeArm>& arms, 
         });
 }
 
-/// The freest direction first. @return nothing where there is no room at this reach
+/// Tries directions with the largest angles to the neighbouring walls first. @return nothing if there is no
+/// room at this distance
 std::optional<FinePoint> PinchTaker::place_for(std::uint32_t node, const std::vector<NodeArm>& arms,
                                                std::span<const FinePoint> ring,
                                                const LatticeGap& clearance) const {
@@ -249,7 +252,7 @@ void PinchTaker::move(std::uint32_t node, const SectorRun& run, FinePoint place,
     sort_around(plan_, moved, around_[moved]);
 }
 
-/// As far as was planned, or as little less as there is room for and as is allowed.
+/// Moves by the planned distance, or by the largest smaller one that fits and is allowed.
 bool PinchTaker::move_far(std::uint32_t node, const Pinch& pinch) {
     const auto planned = planned_.find(plan_.nodes[node]);
     const std::vector<std::int32_t> contours = contours_of(around_[node]);
@@ -293,7 +296,7 @@ bool PinchTaker::move_by(std::uint32_t node, const Pinch& pinch, std::span<const
     return false;
 }
 
-/// Where all is too narrow, nearer to others first, and then not as far.
+/// In narrow places first allows smaller clearance, then smaller distances.
 bool PinchTaker::move_usual(std::uint32_t node, const Pinch& pinch) {
     const PlanGaps& gaps = wanted_.gaps;
     const std::vector<LatticeGap> reaches = usual_reaches(gaps.pinch);
@@ -312,7 +315,7 @@ bool PinchTaker::take_one(std::uint32_t node, const Pinch& pinch) {
     return move_far(node, pinch) || move_usual(node, pinch);
 }
 
-/// Each move leaves both nodes with fewer edges than the one had, so that this ends.
+/// Terminates, because each move leaves both nodes with fewer edges than the original one.
 PinchesTaken PinchTaker::take() {
     for (std::uint32_t node = 0; node < plan_.nodes.size(); ++node)
         while (const auto pinch = find_pinch(around_[node], heights_)) {

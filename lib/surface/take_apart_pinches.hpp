@@ -10,33 +10,33 @@
 
 namespace d2b {
 
-/// What was done at a node.
+/// Change made at a node.
 struct PinchMend {
     FinePoint place;
-    FinePoint moved;      ///< where the corner that moved is now
-    bool filled = false;  ///< a notch within a building, else buildings were cut back from each other
-    std::vector<std::int32_t> contours;  ///< around it
+    FinePoint moved;      ///< new position of the moved corner
+    bool filled = false;  ///< true if a notch within a building was filled, false if buildings were cut apart
+    std::vector<std::int32_t> contours;  ///< around the node
 };
 
 struct PinchesTaken {
     std::vector<PinchMend> mends;
-    std::vector<std::uint32_t> stuck;  ///< contours at nodes where there is no room; ascending
+    std::vector<std::uint32_t> stuck;  ///< contours at nodes without room for a move; ascending
 };
 
-/// Changes a plan until no vertical line has more than two walls, neither of all buildings together nor of
-/// one alone, and no face touches itself: where one does, a run of sectors is moved off the node by the gap
-/// of a pinch, or by as little more as its angle needs, and an edge joins it to the node. Where more is
-/// wanted it is moved by that, or by as little less as there is room for and as is allowed; where there is no
-/// room for the gap, by less than that.
+/// Resolves non-manifold vertices: changes a plan until every vertical edge has at most two walls, for all
+/// buildings together and for each one alone, and no face touches itself. A run of sectors is moved off the
+/// node and connected to it by an edge. The distance is the minimum gap, or as little more as a sharp angle
+/// needs. If more is wanted, the largest distance that fits and is allowed is used; if there is no room for
+/// the minimum gap, a smaller one.
 ///
-///                   A and C stand out,                      or, where A and C are of
-///      A | B        B and D are low:           A | B        one building, a corner      A \ B
-///     ---+---       a corner of C            ---+           of B moves, and so fills   ---+ +---
-///      D | C        moves                      D \ +---      the notch between them      D | C
-///                                                 | C
+///                       A and C are high,                   or, if A and C are of
+///          A | B        B and D are low:           A | B    one building, a corner      A \ B
+///         ---+---       a corner of C            ---+       of B moves, which fills    ---+ +---
+///          D | C        moves                      D \ +--- the notch between them      D | C
+///                                                     | C
 ///
-/// Corners of nothing else are passed over, so that the plan stays planar, exactly; and it is not moved near
-/// others, where there is room elsewhere.
+/// Moves pass over no other vertices, so the plan stays planar; exact. If possible, a corner is not moved
+/// close to others.
 /// @throws Cancelled
 [[nodiscard]] PinchesTaken take_apart_pinches(Plan& plan, std::span<const PlanContour> contours,
                                               const PinchReach& wanted = {}, const StopRequest& stop = {});

@@ -19,7 +19,7 @@ void add_ways(std::span<const std::uint32_t> ring, std::vector<Way>& ways) {
         ways.emplace_back(ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]);
 }
 
-/// The edges of the face, from node to node.
+/// Returns the directed edges of the face.
 std::vector<Way> border_of(const PlanFace& face) {
     std::vector<Way> ways;
     add_ways(face.exterior, ways);
@@ -29,7 +29,7 @@ std::vector<Way> border_of(const PlanFace& face) {
     return ways;
 }
 
-/// The edges of triangles that no other passes the other way.
+/// Returns the directed edges whose reverse is not an edge of any triangle.
 std::vector<Way> border_of(const std::vector<PlanTriangle>& triangles) {
     std::vector<Way> ways;
     for (const PlanTriangle& triangle : triangles)
@@ -42,7 +42,7 @@ std::vector<Way> border_of(const std::vector<PlanTriangle>& triangles) {
     return border;
 }
 
-/// The nodes of a face by their places.
+/// Looks up nodes of a face by position.
 class NodesByPlace {
   public:
     NodesByPlace(const PlanFace& face, const Plan& plan) {
@@ -62,7 +62,7 @@ class NodesByPlace {
     std::vector<std::pair<FinePoint, std::uint32_t>> nodes_;
 };
 
-/// @return nothing where a corner is none of the face's, or a triangle is flat
+/// @return nothing if a vertex is not a node of the face, or a triangle is degenerate
 std::optional<std::vector<PlanTriangle>> on_nodes(const std::vector<FineTriangle>& triangles,
                                                   const NodesByPlace& nodes) {
     std::vector<PlanTriangle> result;
@@ -83,7 +83,7 @@ FinePoint exchanged(FinePoint point) {
     return {point.col, point.row};
 }
 
-/// Mirrored and run through the other way, so that exteriors stay counter-clockwise.
+/// Mirrors and reverses, so that exteriors stay counter-clockwise.
 FinePolygon exchanged(FinePolygon polygon) {
     const auto exchange = [](FineRing& ring) {
         std::ranges::reverse(ring);
@@ -100,7 +100,7 @@ std::vector<FineTriangle> exchanged(std::vector<FineTriangle> triangles) {
     return triangles;
 }
 
-/// As it is, and once more turned.
+/// Tries the polygon as it is, then mirrored.
 std::optional<std::vector<PlanTriangle>> in_one_piece(const PlanFace& face, const Plan& plan,
                                                       const Triangulate& triangulate) {
     const FinePolygon polygon = polygon_of(face, plan);

@@ -11,18 +11,18 @@
 
 namespace d2b {
 
-/// Three corners, in either direction.
+/// Three vertices, in either orientation.
 using FineTriangle = std::array<FinePoint, 3>;
 
-/// Divides a polygon into triangles on its own corners; may fail with a GeometryError, and may be wrong.
+/// Triangulates a polygon without new vertices. May throw GeometryError, and may be wrong.
 using Triangulate = std::function<std::vector<FineTriangle>(const FinePolygon& polygon)>;
 
 /// Three nodes, counter-clockwise (y up).
 using PlanTriangle = std::array<std::uint32_t, 3>;
 
-/// The triangles of a face, checked: each has an area, and what is left of their edges, where those that two
-/// of them pass in opposite directions go, is the border of the face. What fails is tried once more with rows
-/// and columns exchanged, and then in pieces without interiors. @return nothing where all fail
+/// Triangulates a face and verifies the result: every triangle has an area, and after cancelling edges
+/// traversed in both directions exactly the face's boundary remains. Retries with rows and columns swapped,
+/// then in y-monotone pieces. @return nothing if everything fails
 [[nodiscard]] std::optional<std::vector<PlanTriangle>> triangulate_face(const PlanFace& face,
                                                                         const Plan& plan,
                                                                         const Triangulate& triangulate);

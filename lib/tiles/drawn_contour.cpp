@@ -93,7 +93,7 @@ void save(const DrawnContour& drawn, ByteWriter& writer) {
     writer.put(drawn.parent);
     writer.put(drawn.building_place);
     writer.put(static_cast<std::uint8_t>(drawn.is_doubtful ? 1 : 0));
-    // Their status is that of their polygons, which comes later.
+    // The status of records is saved with their polygons, below.
     writer.put(drawn.record);
     writer.put(drawn.own);
     if (drawn.key.level == 1) {
@@ -119,7 +119,7 @@ DrawnContour load_drawn_contour(ByteReader& reader) {
         const auto doubt = reader.take<std::uint8_t>();
         drawn.building_record = reader.take<BuildingRecord>();
         drawn.building_record.status = OutlineStatus::traced;
-        drawn.building_record.parcel = {};  // its number says which
+        drawn.building_record.parcel = {};  // restored later from its number
         drawn.building_record.doubt = doubt < doubts.size() ? doubt_name(doubts[doubt]) : std::string_view();
     }
     drawn.building = load_if_made(reader);

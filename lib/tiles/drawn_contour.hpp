@@ -5,9 +5,9 @@
 
 namespace d2b {
 
-/// A contour as it is drawn, without the cells that it is drawn in.
+/// Serialises a drawn contour without the cells of the contour.
 void save(const DrawnContour& drawn, ByteWriter& writer);
-/// @throws BrokenRecord
+/// Deserialises a contour. @throws BrokenRecord
 [[nodiscard]] DrawnContour load_drawn_contour(ByteReader& reader);
 
 }  // namespace d2b

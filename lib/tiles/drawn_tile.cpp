@@ -26,7 +26,7 @@ void save(const LeftContour& left, ByteWriter& writer) {
     save(left.stored, left.head.key.level, writer);
 }
 
-/// @param before contours of the tile that have been loaded
+/// @param tile its contours loaded so far
 LeftContour load_left_contour(ByteReader& reader, const DrawnTile& tile) {
     LeftContour left;
     left.head = reader.take<ContourHead>();

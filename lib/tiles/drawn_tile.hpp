@@ -19,56 +19,56 @@
 
 namespace d2b {
 
-/// A building whose outlines depend on those of another tile.
+/// Building whose outlines depend on those of another tile.
 struct LeftBuilding {
     JoinedBuilding facts;
     std::vector<double> thresholds;
 };
 
-/// A contour of such a building.
+/// Contour of such a building.
 struct LeftContour {
-    ContourHead head;  ///< its label is the place of its building among those that are left, plus one; its
-                       ///< parent the place of a contour before
+    ContourHead head;  ///< label: index of its building in left_buildings, plus one; parent: index of an
+                       ///< earlier contour
     StoredContours::Stored stored;
 };
 
-/// Elevations of the cells that such buildings can be drawn in.
+/// Elevations of the cells needed to draw such buildings.
 struct LeftCells {
     std::vector<RowSpan> runs;
-    std::vector<double> elevations;  ///< of one run after the other
+    std::vector<double> elevations;  ///< values of all runs, one run after the other
 };
 
-/// What draw says of a tile beside the contours that it has drawn.
+/// Results of step draw for a tile, other than the drawn contours.
 struct DrawnTile {
     Tally tally;
-    std::int32_t levels = 1;     ///< of the building with most, the root counted
-    std::int64_t buildings = 0;  ///< footprints that are buildings for sure
-    StackError error;            ///< of what is drawn
+    std::int32_t levels = 1;     ///< number of levels of the tallest stack, including the root
+    std::int64_t buildings = 0;  ///< footprints that are buildings with certainty
+    StackError error;            ///< error of the drawn stacks
     std::vector<LeftBuilding> left_buildings;
     std::vector<LeftContour> left;
     LeftCells cells;
 };
 void save(const DrawnTile& tile, ByteWriter& writer);
-/// @throws BrokenRecord
+/// Deserialises a tile. @throws BrokenRecord
 [[nodiscard]] DrawnTile load_drawn_tile(ByteReader& reader);
 
-/// Contours of one level, some of those that a tile has drawn.
+/// Consecutive contours of one level drawn by a tile.
 struct DrawnBlock {
     TailBlocks::Block bytes;
-    ContourKey first;  ///< of its contours
+    ContourKey first;  ///< key of its first contour
 };
 
-/// The contours that a tile has drawn, in blocks that are read one at a time. Since a block is of one level,
-/// merge holds those of the tiles that its front runs through alone: contours come level by level, and row by
-/// row.
+/// Contours drawn by a tile, in blocks that are read one at a time. Contours are ordered by level, then by
+/// row, and a block has a single level, so that step merge only needs the blocks of tiles at its front in
+/// memory.
 class DrawnBlocks {
   public:
-    /// In the order of their keys.
+    /// Adds a contour. @pre contours come in the order of their keys
     void add(const DrawnContour& drawn);
     /// Ends the last block.
     void finish();
     [[nodiscard]] const std::vector<DrawnBlock>& blocks() const { return blocks_; }
-    /// Of all blocks.
+    /// Bytes of all blocks.
     [[nodiscard]] std::span<const std::byte> bytes() const { return tail_.bytes(); }
 
   private:
@@ -79,15 +79,16 @@ class DrawnBlocks {
     std::vector<DrawnBlock> blocks_;
 };
 
-/// Gives the drawn contours of a file back, one after the other.
+/// Reads the drawn contours of a file one by one.
 class DrawnStream {
   public:
     DrawnStream(SealedFile file, std::vector<DrawnBlock> blocks)
         : file_(std::move(file)), blocks_(std::move(blocks)) {}
 
-    /// The key of the next contour; nothing where there is none. No block is read for it. @throws InputError
+    /// Returns the key of the next contour, or nothing at the end, without reading a block. @throws
+    /// InputError
     [[nodiscard]] std::optional<ContourKey> key();
-    /// @pre key() @throws InputError
+    /// Returns the next contour. @pre key() @throws InputError
     [[nodiscard]] DrawnContour take();
 
   private:
@@ -97,8 +98,8 @@ class DrawnStream {
     SealedFile file_;
     std::vector<DrawnBlock> blocks_;
     std::size_t next_block_ = 0;
-    std::uint64_t begin_ = 0;          ///< of that block
-    std::optional<ByteReader> block_;  ///< that contours are taken of, while there are some in it
+    std::uint64_t begin_ = 0;          ///< start of that block in the payload
+    std::optional<ByteReader> block_;  ///< current block, while contours are left in it
     std::unique_ptr<DrawnContour> next_;
     std::optional<ContourKey> last_;
 };

@@ -20,7 +20,7 @@ std::string load_text(ByteReader& reader) {
     return {letters.begin(), letters.end()};
 }
 
-/// As runs of cells of one label: most of a seam is 0.
+/// Run-length encodes the labels of a seam, because most of them are 0.
 void save_line(const std::vector<Label>& line, ByteWriter& writer) {
     writer.put_varint(line.size());
     for (auto begin = line.begin(); begin != line.end();) {
@@ -31,7 +31,7 @@ void save_line(const std::vector<Label>& line, ByteWriter& writer) {
     }
 }
 
-/// @param labels that there may be
+/// @param labels largest valid label
 std::vector<Label> load_line(ByteReader& reader, Label labels, std::int32_t cells) {
     const std::int32_t length = reader.take_varint(cells);
     if (length > 0 && length < cells)

@@ -19,41 +19,41 @@
 
 namespace d2b {
 
-/// Cells of a row of the whole raster that have one label.
+/// Run of cells with one label in a row of the whole raster.
 struct LabelRun {
     std::int32_t row = 0;
-    std::int32_t begin = 0;  ///< columns
+    std::int32_t begin = 0;  ///< columns [begin, end)
     std::int32_t end = 0;
     Label label = 0;
 };
-/// The runs of a unit's own cells, row by row. @param labels of what it sees
+/// Returns the runs in the core of a unit, row by row. @param labels of its whole extent
 [[nodiscard]] std::vector<LabelRun> label_runs(const Unit& unit, const Grid<Label>& labels);
 
-/// What find says of a unit. Labels are the unit's own, from 1 on.
+/// Results of step find for a unit. Labels are local to the unit and begin at 1.
 struct FoundUnit {
-    std::vector<SeenObject> objects;  ///< by label - 1
-    std::vector<Window> boxes;        ///< around those of their cells that are the unit's own; likewise
+    std::vector<SeenObject> objects;  ///< indexed by label - 1
+    std::vector<Window> boxes;        ///< bounding boxes of their cells in the core of the unit; likewise
     std::vector<LabelRun> runs;
     UnitEdges edges;
 };
-/// @param objects by label - 1, of which the boxes are made @param runs of their labels
+/// Returns the bounding boxes of objects. @param objects number of labels @param runs of their labels
 [[nodiscard]] std::vector<Window> boxes_of(std::size_t objects, const std::vector<LabelRun>& runs);
 
-/// What holds for all that a tile, or the whole, was searched for.
+/// Facts about everything searched in a tile, or in the whole raster.
 struct FoundFacts {
     explicit FoundFacts(const SiftRules& rules, double min_height)
         : survey{{}, StrangeValues(rules), {}}, fit(min_height) {}
     void merge(const FoundFacts& other);
     void save(ByteWriter& writer) const;
-    /// Takes what facts under the same rules saved. @throws BrokenRecord
+    /// Loads facts that were saved under the same rules. @throws BrokenRecord
     void load(ByteReader& reader);
 
-    ElevationSurvey survey;  ///< of the tile's own cells
+    ElevationSurvey survey;  ///< cells in the core of the tile
     GroundFit fit;
     GroundSlope slope;
     SidesKnown sides{false, false, false};
-    std::int64_t terrain_outside = 0;  ///< cells of a terrain model outside of its range; of several tiles
-                                       ///< some count more than once
+    std::int64_t terrain_outside = 0;  ///< cells of a terrain model outside of its range; sums over tiles
+                                       ///< count some of them more than once
     ParcelFit parcels;
     SurfaceSampling sampling;
     ValidIslands islands;
@@ -61,14 +61,14 @@ struct FoundFacts {
     std::vector<std::string> warnings;
 };
 
-/// What find says of a tile.
+/// Results of step find for a tile.
 struct FoundTile {
     FoundFacts facts;
     std::vector<FoundUnit> units;  ///< row by row
 };
 void save(const FoundTile& tile, ByteWriter& writer);
-/// @param facts that are loaded into @param windows own cells of the tile's units
-/// @throws BrokenRecord also where labels or cells are none of theirs
+/// @param facts empty facts with the rules of the run @param windows cores of the tile's units
+/// @throws BrokenRecord also for invalid labels or cells
 [[nodiscard]] FoundTile load_found_tile(ByteReader& reader, FoundFacts facts,
                                         const std::vector<Window>& windows);
 

@@ -10,35 +10,35 @@
 
 namespace d2b {
 
-/// A building, or what may be one, that a tile draws.
+/// Certain or possible building that a tile draws.
 struct JoinedBuilding {
     bool is_building = false;
     Doubt doubt = Doubt::rough;
-    double ground = 0;  ///< elevation, m; NaN where it is not known
+    double ground = 0;  ///< elevation in m; NaN if unknown
     double confidence = 0;
     std::int64_t parcel = ParcelCell::nobody;
 };
 
-/// What the labels of a unit are to a tile.
+/// Mapping from the labels of a unit to those of a tile.
 struct JoinedUnit {
-    std::int64_t unit = 0;      ///< its number, row by row
-    std::vector<Label> number;  ///< by the unit's label: 0 left out, a building of the tile's from 1 on, or
-                                ///< one more than these: of another tile
+    std::int64_t unit = 0;      ///< number of the unit, row by row
+    std::vector<Label> number;  ///< indexed by the label in the unit: 0 if rejected, 1 to n for a building of
+                                ///< the tile, n + 1 for one of another tile
 };
 
-/// What join says to a tile: its buildings, and where they are.
+/// Results of step join for a tile: its buildings and their location.
 struct JoinedTile {
-    std::vector<JoinedBuilding> buildings;  ///< what may be one comes last
-    Window
-        window;  ///< around all their cells, with what is drawn and looked at around them; empty: no building
-    std::vector<JoinedUnit> units;  ///< with own cells in the window
+    std::vector<JoinedBuilding> buildings;  ///< possible buildings come last
+    Window window;  ///< bounds of their cells and of the surroundings needed to draw them; empty if there are
+                    ///< no buildings
+    std::vector<JoinedUnit> units;  ///< units whose cores overlap the window
 
-    /// Of the buildings that are none for sure.
+    /// Number of certain buildings.
     [[nodiscard]] Label sure() const;
     [[nodiscard]] Label other() const { return static_cast<Label>(buildings.size() + 1); }
 };
 void save(const JoinedTile& tile, ByteWriter& writer);
-/// @param window of the whole @param units in it @throws BrokenRecord
+/// @param window of the whole raster @param units number of units in it @throws BrokenRecord
 [[nodiscard]] JoinedTile load_joined_tile(ByteReader& reader, const Window& window, std::int64_t units);
 
 }  // namespace d2b

@@ -11,34 +11,34 @@
 
 namespace d2b {
 
-/// What merge says to a tile whose features go into files of their own. Contours of the tile that merge has
-/// drawn follow in the tail of the file, with their numbers.
+/// Results of step merge for a tile whose features go into separate files. Contours of the tile drawn by
+/// merge, with their numbers, follow in the payload of the file.
 struct NumberedTile {
-    GivenNumbers numbers;  ///< of the contours that draw has drawn
+    GivenNumbers numbers;  ///< numbers of the contours drawn by step draw
     std::vector<DrawnBlock> left;
 };
 void save(const NumberedTile& tile, ByteWriter& writer);
-/// @throws BrokenRecord
+/// Deserialises a tile. @throws BrokenRecord
 [[nodiscard]] NumberedTile load_numbered_tile(ByteReader& reader);
 
-/// A layer that tiles write in parts.
+/// Layer that tiles write in parts.
 struct NumberedLayer {
     std::int64_t features = 0;
-    Position least{};  ///< of the vertices of all; 0 where there are none
+    Position least{};  ///< bounds of all vertices; 0 if there are none
     Position most{};
-    std::vector<std::int64_t> tiles;  ///< that have features in it, ascending
+    std::vector<std::int64_t> tiles;  ///< tiles with features in it, ascending
 
-    /// @param tile not before those of the features that were added
+    /// Adds a feature. @param tile not before those of features added earlier
     void add(std::int64_t tile, const std::vector<WorldPolygon>& parts);
 };
 
-/// What merge says to all tiles.
+/// Results of step merge for all tiles.
 struct NumberedWhole {
-    std::int32_t levels = 1;  ///< of the building with most, the root counted
+    std::int32_t levels = 1;  ///< number of levels of the tallest stack, including the root
     std::vector<NumberedLayer> layers;
 };
 void save(const NumberedWhole& whole, ByteWriter& writer);
-/// @param tiles of the plan @throws BrokenRecord
+/// @param tiles number of tiles of the plan @throws BrokenRecord
 [[nodiscard]] NumberedWhole load_numbered_whole(ByteReader& reader, std::int64_t tiles);
 
 }  // namespace d2b

@@ -21,7 +21,7 @@ std::uint64_t OpenFile::size() const {
 }
 
 void OpenFile::expect_no_order() const {
-    (void)::posix_fadvise(file_, 0, 0, POSIX_FADV_RANDOM);  // advice: nothing is lost where it is not taken
+    (void)::posix_fadvise(file_, 0, 0, POSIX_FADV_RANDOM);  // only a hint, so errors do not matter
 }
 
 bool OpenFile::read(std::uint64_t begin, std::span<std::byte> bytes) const {

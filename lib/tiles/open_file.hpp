@@ -7,7 +7,7 @@
 
 namespace d2b {
 
-/// A file that is open. Where it could not be opened errno says why.
+/// Open file descriptor. If is_open() is false, errno gives the reason.
 class OpenFile {
   public:
     /// @param flags of open(2)
@@ -18,11 +18,11 @@ class OpenFile {
 
     [[nodiscard]] bool is_open() const { return file_ >= 0; }
     [[nodiscard]] std::uint64_t size() const;
-    /// Nothing is read ahead of what is asked for.
+    /// Disables read-ahead.
     void expect_no_order() const;
-    /// From any thread. @return whether all of it was there
+    /// Reads all bytes at a position. Thread-safe. @return true if the file has that many
     [[nodiscard]] bool read(std::uint64_t begin, std::span<std::byte> bytes) const;
-    /// @return whether there was room, else errno says why
+    /// @return true if all bytes were written; otherwise errno gives the reason
     [[nodiscard]] bool write(std::span<const std::byte> bytes) const;
     [[nodiscard]] bool sync() const;
 

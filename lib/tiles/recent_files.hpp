@@ -13,18 +13,18 @@
 
 namespace d2b {
 
-/// Files that are read a little of each by turns: those that were read last stay open, as many as any system
-/// lets a process have. From any thread.
+/// LRU cache of open files, for reading many files in small alternating pieces. It stays below the usual
+/// limit of open files per process. Thread-safe.
 class RecentFiles {
   public:
-    /// What the system reads beside what it is asked for.
+    /// Read-ahead of the operating system.
     enum class ReadAhead : std::uint8_t { usual, none };
 
-    /// @param most that stay open
+    /// @param most largest number of open files
     explicit RecentFiles(ReadAhead ahead = ReadAhead::usual, std::size_t most = 256)
         : ahead_(ahead), most_(most) {}
 
-    /// To be read. Where it could not be opened errno says why.
+    /// Opens a file for reading. If it cannot be opened, errno gives the reason.
     [[nodiscard]] std::shared_ptr<const OpenFile> open(const std::filesystem::path& path);
 
   private:
@@ -35,7 +35,7 @@ class RecentFiles {
     ReadAhead ahead_;
     std::size_t most_;
     std::mutex mutex_;
-    std::list<Recent> files_;  ///< the one that was read last comes first
+    std::list<Recent> files_;                                              ///< most recently used first
     std::unordered_map<std::string, std::list<Recent>::iterator> places_;  ///< by path
 };
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::array<char, 8> magic{'d', '2', 'b', '-', 't', 'i', 'l', 'e'};
 
-/// What a file begins with.
+/// File header as stored.
 struct Head {
     std::array<char, 8> magic{};
     std::array<char, 16> version{};
@@ -48,7 +48,7 @@ std::optional<Head> read_head(const OpenFile& file) {
     return head;
 }
 
-/// Whether the file has all that its head announces, and nothing else.
+/// Returns true if the file has exactly the length that its header declares.
 bool is_whole(const Head& head, std::uint64_t size) {
     const std::uint64_t left = size - sizeof(Head);
     return head.body_size <= left && head.tail_size == left - head.body_size;
@@ -66,7 +66,7 @@ bool is_of(const Head& head, const Seal& seal) {
            head.step == wanted.step && head.part == wanted.part;
 }
 
-/// Why a file is not the one that is looked for; "" where it is.
+/// Returns the difference between a file and the requested one, or "".
 std::string misfit(const std::filesystem::path& path, const Head& head, const Seal& seal) {
     const Head wanted = head_of(seal);
     const std::string name = "'" + path.string() + "' ";
@@ -89,16 +89,15 @@ std::string reason(int error) {
                       "; make room in the work folder or let it be written to, and run the step again.");
 }
 
-/// @param sync force it to the disk before it has its name @throws OutputError
+/// @param sync force the file to disk before it is renamed @throws OutputError
 void write_file(const std::filesystem::path& path, const Seal& seal, std::span<const std::byte> body,
                 std::span<const std::byte> tail, bool sync) {
     Head head = head_of(seal);
     head.body_size = body.size();
     head.body_digest = digest_of(body);
     head.tail_size = tail.size();
-    // Two processes may work on one tile: what both write is the same, but for the seconds that it took, and
-    // the last rename stands.
-    // Process numbers of several machines may be the same.
+    // Temporary name with a random suffix, because processes on several machines may have the same number. If
+    // two processes work on one tile, their results are equal except for timings, and the last rename wins.
     const std::filesystem::path hidden =
         path.parent_path() / ("." + path.filename().string() + "." + std::to_string(::getpid()) + "." +
                               std::to_string(std::random_device()()));
@@ -111,14 +110,14 @@ void write_file(const std::filesystem::path& path, const Seal& seal, std::span<c
     }
     if (error == 0 && std::rename(hidden.c_str(), path.c_str()) != 0)
         error = errno;
-    // Someone else may have been quicker, and have seen this one as left over.
+    // Another process may have finished first and removed this file as a leftover.
     if (error == 0 || (error == ENOENT && is_sealed(path, seal)))
         return;
     ::unlink(hidden.c_str());
     fail(path, error);
 }
 
-/// @return its descriptor @throws OutputError
+/// @return file descriptor @throws OutputError
 int open_folder(const std::filesystem::path& folder) {
     std::error_code ignored;
     std::filesystem::create_directories(folder, ignored);
@@ -136,7 +135,7 @@ std::string_view step_name(TileStep step) {
 }
 
 std::uint64_t digest_of(std::span<const std::byte> bytes) {
-    // FNV-1a of words of eight bytes, and of what is left of them: each is some 1 GB a second.
+    // FNV-1a on words of eight bytes and the remaining bytes, at about 1 GB per second.
     constexpr std::uint64_t prime = 0x100000001b3;
     std::uint64_t digest = 0xcbf29ce484222325 ^ bytes.size();
     const auto add = [&](std::uint64_t word) {

@@ -18,69 +18,69 @@ namespace d2b {
 class OpenFile;
 class RecentFiles;
 
-/// The steps whose files others read, as messages call them.
+/// Steps that exchange files, named as in messages.
 enum class TileStep : std::uint32_t { find, join, draw, merge, write };
 [[nodiscard]] std::string_view step_name(TileStep step);
 
-/// What a file between two steps is: it is of one step of one plan.
+/// Identity of a file between two steps: step, plan and tile.
 struct Seal {
     TileStep step = TileStep::find;
     std::uint64_t plan = 0;  ///< digest of the plan
-    std::uint32_t part = 0;  ///< the tile; 0 where there is one file of the step
+    std::uint32_t part = 0;  ///< tile; 0 if the step has a single file
 };
 
-/// A digest of bytes that tells accidents, not attacks.
+/// Returns a digest that detects accidental damage, not attacks.
 [[nodiscard]] std::uint64_t digest_of(std::span<const std::byte> bytes);
 
-/// Writes a file under another name, forces it to the disk and renames it: it is there whole or not at all.
-/// @param body is read at once @param tail is read in pieces, see SealedFile @throws OutputError
+/// Writes a file under a temporary name, forces it to disk and renames it, so that it exists completely or
+/// not at all.
+/// @param body read at once @param tail read in pieces, see SealedFile @throws OutputError
 void write_sealed(const std::filesystem::path& path, const Seal& seal, std::span<const std::byte> body,
                   std::span<const std::byte> tail = {});
 
-/// Files that count together: where they are many, forcing each to the disk by itself takes longer than all
-/// else.
+/// Batch of files that are forced to disk together, because forcing many small files one by one takes longer
+/// than everything else.
 class SealedFiles {
   public:
-    /// @param folder that they are in, which is made @throws OutputError
+    /// @param folder of the files, which is created @throws OutputError
     explicit SealedFiles(std::filesystem::path folder);
     SealedFiles(const SealedFiles&) = delete;
     SealedFiles& operator=(const SealedFiles&) = delete;
     ~SealedFiles();
 
-    /// As write_sealed(), but what comes to the disk when is left to the system.
+    /// Same as write_sealed(), but the system decides when data reach the disk.
     /// @param path within the folder @throws OutputError
     void write(const std::filesystem::path& path, const Seal& seal, std::span<const std::byte> body,
                std::span<const std::byte> tail = {});
-    /// Forces all of them to the disk: what says that they are there may be written then. @throws OutputError
+    /// Forces all files to disk. Only afterwards may other files refer to them. @throws OutputError
     void finish();
 
   private:
     std::filesystem::path folder_;
-    int opened_;        ///< the folder, before anything could go wrong with what is in it
-    bool any_ = false;  ///< has been written
+    int opened_;        ///< descriptor of the folder, opened first because syncfs() reports only later errors
+    bool any_ = false;  ///< true if a file was written
 };
 
-/// Removes what write_sealed() has left in a folder where it was killed. A process that still writes a file
-/// which another one has written as well loses nothing by it.
+/// Removes temporary files that a killed write_sealed() left in a folder. Harmless for a process that is
+/// still writing a file which another one has also written.
 void remove_unfinished(const std::filesystem::path& folder);
 
-/// Whether the file is there, of this plan and version, and as long as it has to be.
+/// Returns true if the file exists, has this plan and version, and is complete.
 [[nodiscard]] bool is_sealed(const std::filesystem::path& path, const Seal& seal);
 
-/// A file that write_sealed() wrote.
+/// File written by write_sealed().
 class SealedFile {
   public:
-    /// @param recent keeps it open among others, and must outlive this; null: it is opened for each piece
-    /// @throws InputError where there is none, it is cut short or damaged, or of another step, plan or
-    /// version
+    /// @param recent cache of open files, which must outlive this object; null opens the file for each piece
+    /// @throws InputError if it does not exist, is truncated or damaged, or has another step, plan or version
     SealedFile(std::filesystem::path path, const Seal& seal, RecentFiles* recent = nullptr);
 
-    /// Takes the body. Call once.
+    /// Moves the body out. Call once.
     [[nodiscard]] ByteReader body() { return ByteReader(std::move(body_)); }
-    /// @throws InputError
+    /// Reads part of the payload. @throws InputError
     [[nodiscard]] std::vector<std::byte> tail(std::uint64_t begin, std::uint64_t size) const;
     [[nodiscard]] std::uint64_t tail_size() const { return tail_size_; }
-    /// "'work/find/3' is damaged: it ends too soon; delete it and run 'find' of tile 3 again."
+    /// Formats "'work/find/3' is damaged: it ends too soon; delete it and run 'find' of tile 3 again."
     [[nodiscard]] std::string damaged(const std::string& what) const;
 
   private:
@@ -94,8 +94,8 @@ class SealedFile {
     std::uint64_t tail_size_ = 0;
 };
 
-/// Calls load(reader) with the body of a file, all of which it has to take.
-/// @throws InputError where the file is not what it should be
+/// Calls load(reader) with the body of a file, all of which it must consume.
+/// @throws InputError if the content is invalid
 template <typename Load>
 auto load_body(SealedFile& file, const Load& load) {
     try {

@@ -10,16 +10,16 @@
 
 namespace d2b {
 
-/// The tail of a file in blocks, each with a digest of its own.
+/// Tail of a file in blocks, each with its own digest.
 class TailBlocks {
   public:
     struct Block {
         std::uint64_t size = 0;
         std::uint64_t digest = 0;
     };
-    /// Makes room at once, where it is known how much there will be.
+    /// Allocates memory once, if the size is known.
     void reserve(std::size_t bytes) { bytes_.reserve(bytes); }
-    /// Nothing where it is empty.
+    /// Adds a block; ignores empty ones.
     void add(const ByteWriter& block);
     [[nodiscard]] const std::vector<Block>& blocks() const { return blocks_; }
     [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_; }
@@ -29,7 +29,8 @@ class TailBlocks {
     std::vector<std::byte> bytes_;
 };
 
-/// @param begin of the block in the tail @throws InputError where it is damaged
+/// Reads a block and verifies its digest. @param begin of the block in the payload @throws InputError if it
+/// is damaged
 [[nodiscard]] ByteReader read_block(const SealedFile& file, std::uint64_t begin,
                                     const TailBlocks::Block& block);
 

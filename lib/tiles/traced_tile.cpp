@@ -30,14 +30,14 @@ ContourSum load_sum(ByteReader& reader, const TraceFrame& frame) {
     return sum;
 }
 
-/// Where stretches begin and end that come from left to right: by how far each is from the one before.
+/// Delta encoding of the bounds of ranges that come from left to right.
 class Gaps {
   public:
     void put(std::int32_t to, ByteWriter& writer) {
         writer.put_varint(static_cast<std::uint64_t>(to - at_));
         at_ = to;
     }
-    /// @param last that there may be @throws BrokenRecord
+    /// @param last largest valid value @throws BrokenRecord
     [[nodiscard]] std::int32_t take(ByteReader& reader, std::int32_t last) {
         at_ += reader.take_varint(last - at_);
         return at_;
@@ -127,7 +127,7 @@ void LineJoiner::add_squares(ByteReader& reader) {
         const std::int32_t count = reader.take_varint(frame_.levels);
         if (first == end || count == 0)
             throw BrokenRecord("squares belong to no level");
-        const std::int32_t begin = std::max(first, end_);  // what both know counts once
+        const std::int32_t begin = std::max(first, end_);  // skips squares of the previous tile
         if (begin < end)
             cutter_.add(begin, end, count, 1);
         end_ = std::max(end_, end);

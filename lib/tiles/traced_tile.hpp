@@ -11,35 +11,36 @@
 
 namespace d2b {
 
-/// Squares below a line that belong to the same levels. Columns count from the first of the whole window.
+/// Range of squares below a line that belong to the same levels. Columns count from the first one of the
+/// whole window.
 struct TileSquares {
-    std::int32_t begin = 0;  ///< columns
+    std::int32_t begin = 0;  ///< columns [begin, end)
     std::int32_t end = 0;
-    std::int32_t count = 0;  ///< of levels
+    std::int32_t count = 0;  ///< number of levels
 };
 
-/// Part of TraceLine::outside, as far as outlines of level 1 may run beside it.
+/// Part of TraceLine::outside, as far as outlines of level 1 may run along it.
 struct TileOutside {
-    std::int32_t begin = 0;  ///< column, likewise
+    std::int32_t begin = 0;  ///< first column, likewise
     std::span<const double> elevations;
 };
 
-/// A stop of the sweep line as far as a tile knows it, as it is written: all that is known of a tile stays in
-/// memory until the tile ends.
+/// Serialised part of a stop of the sweep line that lies in a tile. Compact, because all lines of a tile stay
+/// in memory until the tile ends.
 class PackedLine {
   public:
     explicit PackedLine(std::int32_t line) : line_(line) {}
 
     [[nodiscard]] std::int32_t line() const { return line_; }
-    /// At most, that save() takes.
+    /// Upper bound of the bytes written by save().
     [[nodiscard]] std::size_t bytes() const {
         constexpr std::size_t largest_varint = 10;
         return sizeof(line_) + cells_.bytes().size() + largest_varint + packed_sums_.bytes().size();
     }
-    /// Once. @param squares, outside from left to right
+    /// Sets squares and elevations. Call once. @param squares, outside from left to right
     void set(const std::vector<TileSquares>& squares, const std::vector<TileOutside>& outside);
     void add(const ContourSum& sum);
-    /// As LineJoiner takes it. @pre set()
+    /// Writes the line in the format that LineJoiner reads. @pre set()
     void save(ByteWriter& writer) const;
 
   private:
@@ -49,28 +50,28 @@ class PackedLine {
     ByteWriter packed_sums_;
 };
 
-/// What draw says of a tile where one label may fill the window, beside its lines.
+/// Results of step draw for a tile, other than its lines, if one label may fill the window.
 struct TracedTile {
     Tally tally;
     std::uint64_t lines = 0;
-    std::vector<TailBlocks::Block> blocks;  ///< of `lines_a_block` lines each, but the last
+    std::vector<TailBlocks::Block> blocks;  ///< `lines_a_block` lines each, except the last
 
     static constexpr std::size_t lines_a_block = 16;
 };
 void save(const TracedTile& tile, ByteWriter& writer);
-/// @throws BrokenRecord
+/// Deserialises a tile. @throws BrokenRecord
 [[nodiscard]] TracedTile load_traced_tile(ByteReader& reader);
 
-/// Makes a line of the window of what tiles side by side know of it.
+/// Joins the parts of a line from adjacent tiles.
 class LineJoiner {
   public:
-    /// @param frame of the whole, which must outlive this, as the line must
+    /// @param frame of the whole window. Both arguments must outlive this object
     LineJoiner(const TraceFrame& frame, TraceLine& line);
 
-    /// The next tile to the right; it may share a square with the one before.
-    /// @throws BrokenRecord also where it is of another line, or speaks of more levels or columns
+    /// Adds the part of the next tile to the right; it may share a square with the previous one.
+    /// @throws BrokenRecord also if it belongs to another line or exceeds the levels or columns of the frame
     void add(ByteReader& reader);
-    /// After the last.
+    /// Completes the line after the last part.
     void finish() { cutter_.finish(); }
 
   private:
@@ -80,8 +81,8 @@ class LineJoiner {
     const TraceFrame& frame_;
     TraceLine& line_;
     RunCutter cutter_;
-    std::int32_t end_ = 0;  ///< of the squares that are known
-    bool begun_ = false;    ///< a tile has been added
+    std::int32_t end_ = 0;  ///< end of the squares covered so far
+    bool begun_ = false;    ///< true if a part has been added
 };
 
 }  // namespace d2b

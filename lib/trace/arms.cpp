@@ -52,7 +52,7 @@ void Arms::extend_head(std::uint32_t arm, Corner turn, Corner down) {
 
 void Arms::extend_tail(std::uint32_t arm, Corner turn, Corner down) {
     Arm& tail = arms_[arm];
-    // The chain runs down -> turn -> what was first; the horizontal edge leads to `turn`.
+    // The chain runs down -> turn -> previous first corner; the horizontal edge leads to `turn`.
     set_outside(tail.node, tail.outside);
     turn.outside = down.outside;
     down.outside = nothing_outside;

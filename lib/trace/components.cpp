@@ -58,7 +58,7 @@ std::uint32_t Components::unite(std::uint32_t a, std::uint32_t b) {
     into.open_above = into.open_above || from.open_above;
     into.own.merge(from.own);
     into.above.merge(from.above);
-    // Only the exterior ring of the finished contour closes last, so what was closed before are interiors.
+    // The exterior ring of a contour closes last, so all rings closed before are interiors.
     if (into.interiors.size() < from.interiors.size())
         std::swap(into.interiors, from.interiors);
     into.interiors.insert(into.interiors.end(), std::make_move_iterator(from.interiors.begin()),
@@ -90,7 +90,7 @@ FinishedContour Components::finish(std::uint32_t root) {
         finished.sample = std::move(*c.sample);
     finished.standing_on_it = std::move(c.standing_on_it);
     c.sample.reset();
-    // The members form a ring through next_member: cut it open into the free list.
+    // Members form a circular list through next_member; splice it into the free list.
     const std::uint32_t second = c.next_member;
     c.next_member = free_;
     free_ = second;

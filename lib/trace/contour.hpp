@@ -11,8 +11,8 @@
 
 namespace d2b {
 
-/// What names a contour, whatever the bands, threads and tiles that found it: its level and its first unit
-/// square in the scan order of the whole raster.
+/// Identifies a contour independently of bands, threads and tiles: its level and its first unit square in the
+/// scan order of the whole raster.
 struct ContourKey {
     std::int32_t level = 0;
     LatticePoint first;
@@ -20,20 +20,20 @@ struct ContourKey {
     friend auto operator<=>(const ContourKey&, const ContourKey&) = default;
 };
 
-/// One connected piece of the points above a threshold, as traced: exact on the lattice, every ring simple.
+/// A connected component of the points above a threshold, as traced: exact on the lattice, with simple rings.
 struct Contour {
     ContourKey key;
     Label label = 0;
-    std::int64_t parent = -1;  ///< index of the contour one level down that contains it; -1: none
+    std::int64_t parent = -1;  ///< index of the containing contour one level down; -1: none
     PackedRing exterior;
     std::vector<PackedRing> interiors;
-    PointStats own;    ///< of the points that no contour above holds
-    PointStats above;  ///< of those that contours above hold
-    /// Level 1 only: the lowest valid point that does not qualify within a cell outside the exterior ring;
-    /// +infinity where there is none.
+    PointStats own;    ///< points outside all contours of the level above
+    PointStats above;  ///< points inside contours of the level above
+    /// Level 1 only: lowest valid elevation below the threshold within a cell outside the exterior ring;
+    /// +infinity if there is none.
     double lowest_outside = std::numeric_limits<double>::infinity();
 
-    /// Unit squares inside.
+    /// Number of unit squares inside.
     [[nodiscard]] std::int64_t squares() const {
         std::int64_t sum = exterior.area();
         for (const PackedRing& ring : interiors)
@@ -42,22 +42,21 @@ struct Contour {
     }
 };
 
-/// A contour whose last row has passed; what stands on it has been handed out before.
+/// A contour whose last row has passed. Its children are handed out before it.
 struct FinishedContour {
     Contour contour;
-    ElevationSample sample;                    ///< level 1: of all its points but spires
-    std::vector<std::int64_t> standing_on_it;  ///< what the sink called the contours that stand on it
+    ElevationSample sample;                    ///< level 1: all points except spires
+    std::vector<std::int64_t> standing_on_it;  ///< names of the child contours, as returned by the sink
 };
 
-/// Gets each contour as soon as its last row has passed, so that nothing finished stays in the tracer.
+/// Receives each contour as soon as its last row has passed, so that the tracer keeps only open contours.
 class ContourSink {
   public:
     ContourSink() = default;
     ContourSink(const ContourSink&) = delete;
     ContourSink& operator=(const ContourSink&) = delete;
     virtual ~ContourSink() = default;
-    /// @return a name for it; -1: it is dropped with all that stands on it, and the contour below holds its
-    ///         points
+    /// @return name of the contour; -1 drops it and its children, and adds its points to its parent
     virtual std::int64_t take(FinishedContour&& finished) = 0;
 };
 

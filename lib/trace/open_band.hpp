@@ -10,22 +10,23 @@
 
 namespace d2b {
 
-/// What lies in a band of an outline that leaves it: the chain between two of the band's borders.
+/// A part of an outline that leaves its band: the chain between two crossings of the borders of the band.
 struct OutlinePiece {
-    std::size_t first = 0;  ///< of its corners
+    std::size_t first = 0;  ///< index of its first corner
     std::size_t corners = 0;
-    /// Along the vertical edges that lead to its first corner and from its last one, as far as the band goes.
+    /// Lowest outside elevations along the vertical edges to its first and from its last corner, within the
+    /// band.
     double outside_begin = nothing_outside;
     double outside_end = nothing_outside;
 };
 
-/// What goes on beyond a band of rows: contours that its first row or its last one passes, and their
-/// outlines. A run's `component` and, at its sides, `head` and `tail` are places in the lists below.
+/// Contours and outlines that continue beyond a band of rows, because they cross its first or last row. In
+/// runs, `component`, `head` and `tail` are indices into the lists below.
 struct OpenBand {
-    RunRow top;     ///< a piece goes down from a run's head, and one ends at its tail
-    RunRow bottom;  ///< a piece ends at a run's head, and one goes up from its tail
+    RunRow top;     ///< a piece starts downwards at the head of a run, and one ends at its tail
+    RunRow bottom;  ///< a piece ends at the head of a run, and one starts upwards at its tail
     std::int32_t last_line = 0;
-    std::vector<Component> components;  ///< whose `below` is one of them, which comes before
+    std::vector<Component> components;  ///< sorted so that `below` refers to an earlier one
     std::vector<OutlinePiece> pieces;
     std::vector<Corner> corners;
 };

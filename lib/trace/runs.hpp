@@ -13,29 +13,29 @@ namespace d2b {
 
 inline constexpr std::uint32_t no_index = std::numeric_limits<std::uint32_t>::max();
 
-/// A longest stretch of squares of one row that belong to one level (and, above level 0, to one label).
+/// A maximal run of squares of one row that belong to one level (and, above level 0, to one label).
 struct Run {
-    std::int32_t begin = 0;  ///< column of its first square
-    std::int32_t end = 0;    ///< one past its last
+    std::int32_t begin = 0;  ///< first column
+    std::int32_t end = 0;    ///< one past the last column
     Label label = 0;
-    std::uint32_t below = no_index;  ///< the run one level down that contains it, in the same row
+    std::uint32_t below = no_index;  ///< index of the containing run one level down, in the same row
     std::uint32_t component = no_index;
-    std::uint32_t head = no_index;  ///< arm of the outline that comes down its left side
-    std::uint32_t tail = no_index;  ///< arm of the outline that goes up its right side
+    std::uint32_t head = no_index;  ///< end of the outline that runs down its left side
+    std::uint32_t tail = no_index;  ///< end of the outline that runs up its right side
 };
 
-/// A longest run of squares with the same levels, down from the highest: what statistics are added by.
+/// A maximal run of squares with the same highest level; the unit for adding statistics.
 struct TopRun {
     std::int32_t begin = 0;
     std::int32_t end = 0;
-    std::int32_t level = 0;             ///< the highest level that it belongs to
-    std::uint32_t run = no_index;       ///< there
-    std::uint32_t building = no_index;  ///< the run of level 1 that contains it
+    std::int32_t level = 0;             ///< highest level of the squares
+    std::uint32_t run = no_index;       ///< index of the run of that level
+    std::uint32_t building = no_index;  ///< index of the containing run of level 1
 };
 
-/// One row of squares, taken apart.
+/// Run-length encoding of a row of squares on all levels.
 struct RunRow {
-    std::vector<std::vector<Run>> levels;  ///< runs by level, ascending columns
+    std::vector<std::vector<Run>> levels;  ///< runs per level, ascending columns
     std::vector<TopRun> top_runs;
 
     void clear() {
@@ -45,15 +45,15 @@ struct RunRow {
     }
 };
 
-/// Makes runs on all levels of stretches of squares, in one pass from left to right: where their levels rise,
-/// runs open; where they fall, runs close.
+/// Builds the runs of all levels in one pass from left to right: runs open where levels rise and close where
+/// they fall.
 class RunCutter {
   public:
-    /// @param row with as many levels as there are; emptied
+    /// @param row with one list per level; cleared
     explicit RunCutter(RunRow& row) : row_(row) { row.clear(); }
 
-    /// A stretch of squares of one label that belong to the same levels. Squares between stretches belong to
-    /// none. @param count of levels, more than 0
+    /// Adds consecutive squares with the same levels and label. Squares in gaps belong to no level. @param
+    /// count number of levels, positive
     void add(std::int32_t begin, std::int32_t end, std::int32_t count, Label label) {
         if (begin > end_)
             finish();
@@ -65,7 +65,7 @@ class RunCutter {
         end_ = end;
         row_.top_runs.push_back({begin, end, count - 1, last(count - 1), count > 1 ? last(1) : no_index});
     }
-    /// After the last stretch.
+    /// Call after the last stretch.
     void finish() { close(0, end_); }
 
   private:
@@ -75,19 +75,19 @@ class RunCutter {
     [[nodiscard]] std::uint32_t last(std::int32_t level) {
         return static_cast<std::uint32_t>(runs(level).size() - 1);
     }
-    /// Ends the runs on levels from this one on.
+    /// Closes the runs of level `from` and above.
     void close(std::int32_t from, std::int32_t col) {
         while (open_ > from)
             runs(--open_).back().end = col;
     }
 
     RunRow& row_;
-    std::int32_t open_ = 0;  ///< runs are open on levels below
-    std::int32_t end_ = 0;   ///< of the last stretch
-    Label label_ = 0;        ///< likewise
+    std::int32_t open_ = 0;  ///< number of levels with open runs
+    std::int32_t end_ = 0;   ///< end of the last stretch
+    Label label_ = 0;        ///< label of the last stretch
 };
 
-/// Cuts a row into runs. @param labels one a square, or none: all are label 1
+/// Run-length encodes a row. @param labels one per square, or empty: label 1 everywhere
 template <typename Count>
 void cut_into_runs(std::span<const Count> counts, std::span<const Label> labels, RunRow& row) {
     RunCutter cutter(row);

@@ -9,10 +9,10 @@
 
 namespace d2b {
 
-/// Collapsed contouring (-trace points) on the engine of cells: a unit square between four grid points
-/// belongs to as many levels as all four of them do, so it is a cell whose count is the least of its
-/// corners'. Above level 0 all four must bear one label. Halo: one row below and one column to the right.
-/// @param upper, lower   counts of two neighbouring rows of points; @param squares one less, written
+/// Adapts collapsed contouring (-trace points) to the tracer of cells: a unit square between four grid points
+/// belongs to the levels that all four have, so its count is the smallest count of its corners. Above level 0
+/// all four must have the same label. Halo: one row below and one column to the right.
+/// @param upper, lower counts of two adjacent rows of points @param squares output, one element fewer
 template <typename Count>
 void squares_between(std::span<const Count> upper, std::span<const Count> lower,
                      std::span<const Label> upper_labels, std::span<const Label> lower_labels,

@@ -18,7 +18,7 @@ void SweepLine::link(std::int32_t line, const OutsideRows& outside) {
         link_level(level, outside);
 }
 
-/// Pairs of runs that share an edge, in the order of both rows.
+/// Finds pairs of runs that share an edge, in order.
 void SweepLine::find_links(const Runs& upper, const Runs& lower) {
     links_.clear();
     pinches_.clear();
@@ -31,7 +31,7 @@ void SweepLine::find_links(const Runs& upper, const Runs& lower) {
             pinches_.push_back(a.end == b.begin ? a.end : b.end);
         else if (a.label == b.label && a.begin < b.end && b.begin < a.end)
             links_.push_back({i, j});
-        // Neighbours of other labels may start where both end.
+        // Adjacent runs with other labels may start where both end.
         if (a.end == b.end)
             pinches_.push_back(a.end);
         i += a.end <= b.end ? 1U : 0U;
@@ -43,7 +43,7 @@ Corner SweepLine::corner(std::int32_t col, double outside) const {
     return {{line_, col + first_col_}, std::binary_search(pinches_.begin(), pinches_.end(), col), outside};
 }
 
-/// Of the points within a cell of the edge from `from` to `to`.
+/// Lowest elevation of points within a cell of the edge from `from` to `to`.
 double SweepLine::lowest(std::span<const double> row, std::int32_t from, std::int32_t to) const {
     if (!with_outside_ || row.empty())
         return nothing_outside;
@@ -62,7 +62,7 @@ void SweepLine::link_level(std::size_t level, const OutsideRows& outside) {
     find_links(upper, lower);
     for (std::size_t i = 0; i < links_.size(); ++i)
         follow(i, level, outside);
-    // Runs without a link are new below the line, or end above it.
+    // Unlinked runs begin below the line or end above it.
     std::size_t next = 0;
     for (std::uint32_t i = 0; i < upper.size(); ++i) {
         for (; next < links_.size() && links_[next].upper < i;)
@@ -78,8 +78,7 @@ void SweepLine::link_level(std::size_t level, const OutsideRows& outside) {
     }
 }
 
-/// Two runs that share an edge become one component, and the outlines between them and their neighbours go
-/// on.
+/// Unites two runs that share an edge and continues the outlines around them.
 void SweepLine::follow(std::size_t i, std::size_t level, const OutsideRows& outside) {
     const Link link = links_[i];
     Runs& uppers = previous_.levels[level];
@@ -89,14 +88,14 @@ void SweepLine::follow(std::size_t i, std::size_t level, const OutsideRows& outs
     const bool same_lower = i > 0 && links_[i - 1].lower == link.lower;
     const bool same_upper = i > 0 && links_[i - 1].upper == link.upper;
     if (same_lower) {
-        // A gap above the lower run ends: its two sides are joined along the line.
+        // A gap above the lower run ends: join its two sides along the line.
         lower.component = components_.unite(lower.component, upper.component);
         Run& left = uppers[links_[i - 1].upper];
         close_gap(upper, left, upper.begin, left.end, lower.component, outside.above);
     } else {
         lower.component = components_.find(upper.component);
         if (same_upper && traces_) {
-            // A gap opens under the upper run.
+            // A gap opens below the upper run.
             Run& left = lowers[links_[i - 1].lower];
             const double beside = lowest(outside.below, left.end, lower.begin);
             const Arms::Pair pair = arms_.open(corner(left.end), corner(lower.begin, beside));
@@ -143,8 +142,8 @@ void SweepLine::start(Run& run, std::size_t level, const OutsideRows& outside) {
     run.head = pair.head;
 }
 
-/// Joins the head at `head_run`'s left side, at column `from`, to the tail at `tail_run`'s right side, at
-/// `to`.
+/// Joins the head at the left side of `head_run`, column `from`, to the tail at the right side of `tail_run`,
+/// column `to`.
 void SweepLine::close_gap(Run& head_run, Run& tail_run, std::int32_t from, std::int32_t to,
                           std::uint32_t component, std::span<const double> outside) {
     if (!traces_)
@@ -156,7 +155,7 @@ void SweepLine::close_gap(Run& head_run, Run& tail_run, std::int32_t from, std::
 }
 
 void SweepLine::pass_sides(Run& run, const OutsideRows& outside) {
-    // Only the columns beside the run: what lies diagonally is seen from the horizontal edges.
+    // Adjacent columns only, because horizontal edges cover the diagonal neighbours.
     const std::int32_t left = run.begin - 1;
     const std::int32_t right = run.end + (of_points_ ? 1 : 0);
     for (const auto& row : {outside.on, outside.below}) {

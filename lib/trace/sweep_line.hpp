@@ -11,42 +11,43 @@
 
 namespace d2b {
 
-/// The lowest elevations beside outlines of level 1, by the rows next to the line that is being swept: points
-/// that are valid and do not qualify, +infinity elsewhere. Empty spans stand for rows that are not there.
+/// Elevations outside the contours of level 1 in the rows next to the sweep line: those of valid points below
+/// the threshold, +infinity elsewhere. Spans are empty if there is no such row.
 struct OutsideRows {
-    std::span<const double> above;  ///< the row above the line that is not on it
-    std::span<const double> on;     ///< -trace points: the row of points on the line; else empty
-    std::span<const double> below;  ///< the row below the line that is not on it
+    std::span<const double> above;  ///< row above the line, excluding points on it
+    std::span<const double> on;     ///< -trace points: points on the line; otherwise empty
+    std::span<const double> below;  ///< row below the line, excluding points on it
     bool of_points = false;
 };
 
-/// Whether contours get their outlines, or what their points add up to is all that is asked for.
+/// Selects tracing of outlines; without them only statistics are computed.
 enum class Outlines { traced, none };
 
-/// The engine: a line sweeps over the lattice, between the row of squares above it and the one below. All
-/// levels are linked, traced and finished in one pass; carried are one row of runs, the open outlines and
-/// the open components. O(squares + length of all outlines).
+/// The tracing engine. A line sweeps over the lattice between two rows of squares, and all levels are linked,
+/// traced and finished in one pass. The state consists of one row of runs, the open outlines and the open
+/// components. O(squares + length of all outlines).
 class SweepLine {
   public:
-    /// @param levels root included @param first_col of the window in the whole raster
+    /// @param levels including the root @param first_col first column of the window in the whole raster
     SweepLine(std::int32_t levels, std::int32_t first_col, const ElevationRange& range, Outlines outlines);
 
-    /// Links the row of squares below the line (given as `current`) to the one above.
-    /// @param line row number of the line, which is that of the squares below it
+    /// Links the row of squares below the line (`current`) to the row above.
+    /// @param line row number of the line, equal to that of the squares below it
     void link(std::int32_t line, const OutsideRows& outside);
-    /// Hands out what ended above the line, the highest levels first; then the row below becomes the row
+    /// Hands out the contours that ended above the line, highest levels first. The row below becomes the row
     /// above.
     void finish_ended(ContourSink& sink);
 
-    /// Begins with a row of squares under a line, where rows above are not known yet, in the place of the
-    /// first link(). What the row passes is not handed out.
+    /// Starts at a row of squares whose rows above are not known yet, instead of the first link(). Contours
+    /// in this row are not handed out.
     void begin_below(std::int32_t line, const RunRow& squares);
-    /// What is left of a band that was begun so: it goes on beyond it.
+    /// Returns the open contours and outlines of a band started by begin_below().
     [[nodiscard]] OpenBand take_open();
-    /// After link() to the first row of a band: takes what was found below that row. Before finish_band().
-    /// @param first_name what the sink calls the first contour that the band has handed out
+    /// Attaches the contours found below the first row of a band. Call after link() for that row and before
+    /// finish_band().
+    /// @param first_name name that the sink gives to the first contour of the band
     void join(OpenBand& band, std::int64_t first_name);
-    /// Hands out what ended above a band's last row, which then becomes the row above.
+    /// Hands out the contours that ended above the last row of a band, which becomes the row above.
     void finish_band(OpenBand&& band, ContourSink& sink);
 
     [[nodiscard]] RunRow& current() { return current_; }
@@ -78,7 +79,7 @@ class SweepLine {
     void place_components(OpenBand& band, RunRow& row);
     std::uint32_t add_piece(std::uint32_t tail, const std::vector<bool>& at_top, OpenBand& band) const;
 
-    bool traces_;  ///< outlines
+    bool traces_;  ///< traces outlines
     std::int32_t first_col_;
     std::int32_t line_ = 0;
     bool with_outside_ = false;  ///< level 1 is being linked
@@ -86,12 +87,11 @@ class SweepLine {
     RunRow previous_;
     RunRow current_;
     std::vector<Link> links_;
-    std::vector<std::int32_t>
-        pinches_;  ///< columns of this line and level where squares may meet in a corner
+    std::vector<std::int32_t> pinches_;  ///< columns at which squares may share just a corner
     Arms arms_;
     Components components_;
-    RunRow top_;        ///< what a band began in; the heads and tails are arms in the row
-    LatticeRing ring_;  ///< room to work in
+    RunRow top_;        ///< first row of a band; heads and tails are chain ends in that row
+    LatticeRing ring_;  ///< scratch buffer
 };
 
 }  // namespace d2b

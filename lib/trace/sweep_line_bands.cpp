@@ -1,4 +1,4 @@
-// A band of rows that is swept by itself, and how it comes to those above it.
+// Sweeping a band of rows independently and attaching it to the rows above.
 #include <algorithm>
 #include <utility>
 
@@ -27,7 +27,7 @@ void SweepLine::begin_below(std::int32_t line, const RunRow& squares) {
         }
 }
 
-/// Puts the components of a row into the band's list, low levels first.
+/// Adds the components of a row to the list of the band, low levels first.
 void SweepLine::place_components(OpenBand& band, RunRow& row) {
     for (std::vector<Run>& runs : row.levels)
         for (Run& run : runs) {
@@ -36,7 +36,7 @@ void SweepLine::place_components(OpenBand& band, RunRow& row) {
             std::uint32_t place = c.place;
             if (place == no_index) {
                 place = c.place = static_cast<std::uint32_t>(band.components.size());
-                // What is moved keeps its numbers.
+                // Moved-from components keep their numbers.
                 Component& placed = band.components.emplace_back(std::move(c));
                 if (placed.level > 0)
                     placed.below = components_[components_.find(placed.below)].place;
@@ -45,14 +45,14 @@ void SweepLine::place_components(OpenBand& band, RunRow& row) {
         }
 }
 
-/// @param tail at which the piece begins @param at_top which arms are of the row that the band began in
+/// @param tail beginning of the piece @param at_top true for chain ends in the first row of the band
 std::uint32_t SweepLine::add_piece(std::uint32_t tail, const std::vector<bool>& at_top,
                                    OpenBand& band) const {
     OutlinePiece piece{band.corners.size()};
     const std::uint32_t head = arms_.copy_chain(tail, band.corners);
     piece.outside_begin = arms_.outside(tail);
     piece.outside_end = arms_.outside(head);
-    // In the row that the band began in a chain has a corner that is none.
+    // Chains have a placeholder corner in the first row of the band.
     if (at_top[head]) {
         piece.outside_end = band.corners.back().outside;
         band.corners.pop_back();
@@ -79,7 +79,7 @@ OpenBand SweepLine::take_open() {
     for (const std::vector<Run>& runs : band.top.levels)
         for (const Run& run : runs)
             at_top[run.head] = at_top[run.tail] = true;
-    // By the arm that a piece ends at.
+    // Piece per chain end at its end.
     std::vector<std::uint32_t> piece_to(arms_.end(), no_index);
     const auto add = [&](std::uint32_t& tail) {
         const auto piece = static_cast<std::uint32_t>(band.pieces.size());
@@ -128,7 +128,7 @@ void SweepLine::join(OpenBand& band, std::int64_t first_name) {
     for_top_runs([&](Run& run, const Run& top) {
         run.component = components_.unite(run.component, components[top.component]);
     });
-    // Only now: a ring that closes may be the outline of all that hangs together.
+    // Close rings after uniting, because a ring may be the exterior of the united component.
     const auto close = [&](const Run& run, std::span<const Corner> ring) {
         if (!ring.empty())
             add_outline(components_.find(run.component), ring);

@@ -1,4 +1,4 @@
-// What ends on the line: rings that close, and contours whose last row has passed.
+// Finishing at the line: closed rings and contours whose last row has passed.
 #include <algorithm>
 #include <utility>
 
@@ -35,7 +35,8 @@ void SweepLine::finish_row(std::vector<Run>& runs, std::int32_t line, ContourSin
     for (const Run& run : runs) {
         const std::uint32_t root = components_.find(run.component);
         Component& c = components_[root];
-        // -1 marks those already handed out: several runs of the row above may have been theirs.
+        // Negative last rows mark contours already handed out, because several runs of the row above may
+        // belong to one contour.
         if (c.last_row >= 0 && c.last_row < line && !c.open_above)
             finish(root, sink);
     }

@@ -13,8 +13,9 @@ namespace {
 
 constexpr double nothing_outside = std::numeric_limits<double>::infinity();
 
-/// The top run of a row of squares that holds a square, and before it its level, so that the larger one is of
-/// the higher level; 0 where none does. Between both are two bits for where a square lies beside a point.
+/// Index of the top run that contains a square in the low bits, its level in the high bits, so that comparing
+/// holders compares levels first; 0 if there is none. Two bits in between encode the position of a square
+/// relative to a point.
 using Holder = std::int64_t;
 constexpr int place_bits = 32;
 constexpr int level_bits = 34;
@@ -22,7 +23,7 @@ constexpr Holder above_line = Holder{2} << place_bits;
 constexpr Holder on_the_left = Holder{1} << place_bits;
 constexpr Holder lowest_level = Holder{1} << level_bits;
 
-/// Of each square of a row, and of one more on either side.
+/// Holder of each square of a row, plus one on either side.
 using Holders = std::vector<Holder>;
 
 Holders holders_of(const RunRow& row, std::size_t squares) {
@@ -35,9 +36,9 @@ Holders holders_of(const RunRow& row, std::size_t squares) {
     return holders;
 }
 
-/// Of points on a line the highest holder among the four squares around each, the first in scan order where
-/// several are as high: with whether it lies above the line, but not on which side.
-/// @param above of the squares on the left of the first point and on; empty where there is no such row
+/// Finds the highest holder among the four squares around each point of a line, the first one in scan order
+/// if equal. The result has the bit for above the line but not the bit for left.
+/// @param above from the square on the left of the first point; empty if there is no such row
 D2B_FOR_EACH_PROCESSOR void pick_highest(std::span<const Holder> above, std::span<const Holder> below,
                                          std::span<Holder> highest) {
     for (std::size_t c = 0; c < highest.size(); ++c)
@@ -99,7 +100,7 @@ template <typename Count>
 std::vector<double> Cutter<Count>::outside_of(const Row<Count>& row) {
     std::vector<double> outside(row.elevations.size());
     for (std::size_t c = 0; c < outside.size(); ++c) {
-        const double z = row.elevations[c];  // read in any case, so that nothing branches
+        const double z = row.elevations[c];  // unconditional read, so that the loop has no branches
         outside[c] = row.counts[c] == 1 ? z : nothing_outside;
     }
     return outside;
@@ -113,10 +114,10 @@ RunRow Cutter<Count>::cut(std::span<const Count> counts, std::span<const Label> 
     return row;
 }
 
-/// With statistics of the points, which the line holds.
+/// Adds statistics of points of the line.
 template <typename Count>
 void Cutter<Count>::add_share(TraceLine& line, const PointShare& share) const {
-    PointStats stats;  // not in the list, where the compiler would have to write each sum
+    PointStats stats;  // local because the compiler would have to store every sum to memory in the list
     for (std::int32_t c = share.begin; c < share.end; ++c)
         if (const double z = line.elevations[static_cast<std::size_t>(c)]; !std::isnan(z))
             stats.add(z, frame_.fixed);
@@ -124,7 +125,7 @@ void Cutter<Count>::add_share(TraceLine& line, const PointShare& share) const {
         line.shares.emplace_back(share).stats = stats;
 }
 
-/// Every cell is a point of the contour that it lies in, and no cell is known for the sake of others.
+/// Each cell is a point of the contour in which it lies, so no halo is needed.
 template <typename Count>
 std::vector<TraceLine> Cutter<Count>::lines_of_cells() const {
     std::vector<TraceLine> lines;
@@ -146,7 +147,7 @@ std::vector<TraceLine> Cutter<Count>::lines_of_cells() const {
     return lines;
 }
 
-/// Between a row of points and the one before it.
+/// Squares between a row of points and the previous one.
 template <typename Count>
 RunRow Cutter<Count>::squares_above(std::int32_t r) const {
     const Row<Count> upper = row(r - 1);
@@ -156,9 +157,9 @@ RunRow Cutter<Count>::squares_above(std::int32_t r) const {
     return cut(squares, upper.labels.first(upper.labels.empty() ? 0 : squares.size()));
 }
 
-/// A point on the line is counted once, with the highest contour among the four squares around it (the first
-/// in scan order where several are as high): a point where two contours touch belongs to one of them.
-/// @param shares that there may be @param highest room that is kept from one line to the next
+/// Counts each point on the line once, for the highest contour among the four squares around it (the first
+/// one in scan order if equal), so that a point at which two contours touch belongs to only one of them.
+/// @param shares expected number of shares @param highest buffer reused for all lines
 template <typename Count>
 TraceLine Cutter<Count>::line_of_points(std::int32_t number, const Holders& above, RunRow squares,
                                         std::size_t shares, Holders& highest) const {

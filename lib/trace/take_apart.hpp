@@ -13,16 +13,16 @@
 
 namespace d2b {
 
-/// What the tracer needs to know of the whole DEM before its first row.
+/// Properties of the whole DEM required before tracing its first row.
 struct TraceFrame {
     Window window;
-    std::int32_t levels = 1;  ///< root included
-    FixedPoint fixed;         ///< for sums of elevations
-    ElevationRange range;     ///< for percentiles
+    std::int32_t levels = 1;  ///< including the root
+    FixedPoint fixed;         ///< used for sums of elevations
+    ElevationRange range;     ///< used for percentiles
 };
 
-/// Rows of points with all that tracing asks of them.
-/// @tparam Count as the levels are kept
+/// Rows of points with their elevations, labels and levels.
+/// @tparam Count type of the level counts
 template <typename Count>
 struct PointRows {
     std::shared_ptr<const ElevationBand> elevations = std::make_shared<ElevationBand>();
@@ -33,59 +33,58 @@ struct PointRows {
     [[nodiscard]] std::int32_t end_row() const { return shape().first_row + shape().rows; }
 };
 
-/// Points of a line, side by side, that belong to one contour: to the highest around them.
+/// Consecutive points of a line that belong to the same contour, the highest around them.
 struct PointShare {
-    bool above = false;         ///< the contour's square lies above the line, else below
-    std::uint32_t top_run = 0;  ///< of that row of squares
+    bool above = false;         ///< true if the square of the contour lies above the line
+    std::uint32_t top_run = 0;  ///< index in that row of squares
     std::int32_t begin = 0;     ///< columns
     std::int32_t end = 0;
     PointStats stats;
 };
 
-/// What points of a contour add up to that were looked at elsewhere, in a part of the window.
+/// Statistics of points of a contour that were computed elsewhere, for a part of the window.
 struct ContourSum {
-    bool above = false;      ///< a square of the contour's lies above the line, else below
-    std::int32_t level = 0;  ///< of the contour
-    std::int32_t col = 0;    ///< of the square
+    bool above = false;      ///< true if the square of the contour lies above the line
+    std::int32_t level = 0;  ///< level of the contour
+    std::int32_t col = 0;    ///< column of the square
     PointStats stats;
-    ElevationSample roof;  ///< level 1 alone: of all points but spires
+    ElevationSample roof;  ///< level 1 only: all points except spires
 };
 
-/// A stop of the sweep line with what can be known of it without what came before.
+/// One position of the sweep line, with everything that can be computed without the lines before it.
 struct TraceLine {
     static constexpr std::int32_t none = -1;
 
-    std::int32_t line = none;  ///< `none`: a first row of points alone, which no line has reached yet
+    std::int32_t line = none;  ///< `none`: first row of points, which no line has reached yet
     RunRow squares;            ///< below the line
     std::vector<PointShare> shares;
-    std::span<const double> elevations;          ///< of the points on the line
-    std::vector<std::int32_t> spires;            ///< columns of those that are no roof
-    std::shared_ptr<const ElevationBand> owner;  ///< of these, where it is not the band that was taken apart
-    /// Of the row of points below the line: the elevation where a point is valid and does not qualify, else
-    /// +infinity.
+    std::span<const double> elevations;          ///< elevations of points on the line
+    std::vector<std::int32_t> spires;            ///< columns of spires, which are not part of a roof
+    std::shared_ptr<const ElevationBand> owner;  ///< owner of `elevations` unless that is the band itself
+    /// Elevations of valid points below the threshold in the row below the line, +infinity elsewhere.
     std::vector<double> outside;
-    std::vector<ContourSum> sums;  ///< in place of shares
+    std::vector<ContourSum> sums;  ///< replaces shares
 };
 
-/// Columns side by side.
+/// A range of columns.
 struct ColSpan {
     std::int32_t begin = 0;
     std::int32_t end = std::numeric_limits<std::int32_t>::max();
 };
 
-/// So many rows above a band are needed to take it apart: a line between points has a row of squares on
-/// either side, each between two rows of points.
+/// Number of rows above a band needed for splitting it into runs: a line between points has a row of squares
+/// on either side, and each of those needs two rows of points.
 [[nodiscard]] constexpr std::int32_t rows_above(TraceMode mode) {
     return mode == TraceMode::points ? 2 : 0;
 }
 
-/// Cuts rows into runs and sums up their points: all of tracing that does not depend on what lies more than
-/// two rows above, so that bands can be taken apart side by side.
-/// @param before the last rows_above() rows above the band, or as many as there are; more are not looked at
+/// Splits rows into runs and sums up their points. This is the part of tracing that depends on at most two
+/// rows above, so bands can be processed in parallel.
+/// @param before the last rows_above() rows above the band, or fewer at the top; others are ignored
 /// @param band its elevations must outlive the lines
-/// @return the lines that the band's rows complete, from the top; after the window's last row also the line
-///         under it
-/// @param summed columns of the points that are summed up: others are known for the sake of squares
+/// @return the lines that the rows of the band complete, top down, and after the last row of the window the
+/// line below it
+/// @param summed columns of the points to sum up; others are only the halo for squares
 template <typename Count>
 [[nodiscard]] std::vector<TraceLine> take_apart(const TraceFrame& frame, TraceMode mode,
                                                 const PointRows<Count>& before, const PointRows<Count>& band,

@@ -43,7 +43,7 @@ void Tracer::trace(std::vector<TraceLine>&& lines) {
 
 LinkedBand Tracer::link(const TraceFrame& frame, TraceMode mode, std::vector<TraceLine>&& lines,
                         ContourSink& sink) {
-    // The line after the last of these has all the rows around it that count for it in the band.
+    // The line after the last of these has all relevant rows in the band.
     std::size_t first = mode == TraceMode::points ? 2 : 1;
     while (first <= lines.size() && lines[first - 1].line == TraceLine::none)
         ++first;
@@ -115,7 +115,7 @@ void Tracer::add_sums(TraceLine& line) {
     }
 }
 
-/// What stands on a roof is none.
+/// Adds points except spires, because objects on a roof are not part of it.
 void Tracer::add_roof(const TraceLine& line, const PointShare& share, ElevationSample& sample) const {
     std::int32_t begin = share.begin;
     const auto add_up_to = [&](std::int32_t end) {

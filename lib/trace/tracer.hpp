@@ -10,33 +10,42 @@
 
 namespace d2b {
 
-/// The lines of a band, linked as far as can be without those above it.
+/// Lines of a band, linked as far as possible without the lines above it.
 struct LinkedBand {
-    std::vector<TraceLine> first;  ///< that are linked when those above are; the last also to what is open
-    std::optional<OpenBand> open;  ///< none: there are too few lines
-    std::vector<std::vector<double>> outside;  ///< of the last of the others
+    std::vector<TraceLine> first;  ///< linked once the lines above are; the last one is also linked to `open`
+    std::optional<OpenBand> open;  ///< nullopt if there are too few lines
+    std::vector<std::vector<double>> outside;  ///< outside elevations of the last lines
 };
 
 /// Collapsed contouring (Chittineni 2003, 4.2) of all levels in one pass over the lines that take_apart()
-/// makes of bands of rows. At each level the region is the union of the unit squares (-trace points) or cells
-/// (-trace cells) that qualify; squares that share an edge belong to one contour. Carried from line to line:
-/// the row of runs above, what lies beside outlines two rows above, open outlines and components.
+/// produces from bands of rows. At each level, the region is the union of qualifying unit squares (-trace
+/// points) or cells (-trace cells); squares that share an edge belong to one contour. The state consists of
+/// the row of runs above, outside elevations of two rows, and the open outlines and components, so memory
+/// depends only on the contours that are still open:
+///
+///     Tracer tracer(frame, mode, sink);
+///     for (each band, top down)
+///         tracer.trace(take_apart(frame, mode, rows_before, band));
+///
+/// Only trace() and join() depend on the order of bands. Use take_apart() and link() on other threads for the
+/// expensive part of the work.
 class Tracer {
   public:
-    /// @param outlines none: contours are handed out without rings, and `outside` of lines counts for nothing
+    /// @param outlines none: contours have no rings, and `outside` of lines is ignored
     Tracer(const TraceFrame& frame, TraceMode mode, ContourSink& sink, Outlines outlines = Outlines::traced);
 
-    /// The next lines, without gap or overlap. After the last all contours have been handed out.
-    /// @throws BrokenRecord where a sum is of no contour
+    /// Traces the next lines, which must be contiguous. After the last line, all contours have been handed
+    /// out.
+    /// @throws BrokenRecord if a sum refers to no contour
     void trace(std::vector<TraceLine>&& lines);
 
-    /// Links a band of lines by itself, on any thread.
-    /// @param sink gets the contours that lie in the band
+    /// Links a band of lines independently; thread-safe.
+    /// @param sink receives the contours inside the band
     [[nodiscard]] static LinkedBand link(const TraceFrame& frame, TraceMode mode,
                                          std::vector<TraceLine>&& lines, ContourSink& sink);
-    /// The next band, in the place of trace() of its lines: the same contours are handed out.
-    /// @param first_name what the sink of this calls the first contour that lies in the band; it has got
-    /// those before
+    /// Appends a linked band instead of tracing its lines; hands out the same contours.
+    /// @param first_name name of the first contour inside the band, which this tracer's sink has already
+    /// received
     void join(LinkedBand&& band, std::int64_t first_name);
 
   private:
@@ -51,7 +60,7 @@ class Tracer {
     ElevationRange range_;
     ContourSink& sink_;
     SweepLine sweep_line_;
-    std::array<std::vector<double>, 3> outside_;  ///< of the newest rows of points, the newest first
+    std::array<std::vector<double>, 3> outside_;  ///< latest rows of points, newest first
 };
 
 }  // namespace d2b

@@ -25,10 +25,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// By FaceKind.
+/// Indexed by FaceKind.
 constexpr std::array surface_types{"RoofSurface", "WallSurface", "GroundSurface"};
 
-/// A box of corners, in steps.
+/// Bounding box of vertices, in steps of the frame.
 class Extent {
   public:
     void add(const SurfacePoint& point) {
@@ -36,7 +36,7 @@ class Extent {
         high_ = {std::max(high_.x, point.x), std::max(high_.y, point.y), std::max(high_.z, point.z)};
     }
     [[nodiscard]] bool is_empty() const { return low_.x > high_.x; }
-    /// In coordinates: the lowest of each, then the highest.
+    /// Minimum x, y, z, then maximum x, y, z, in coordinates of the CRS.
     [[nodiscard]] Json json(const SurfaceFrame& frame) const {
         Json numbers = Json::array();
         for (const SurfacePoint& corner : {low_, high_})
@@ -72,16 +72,16 @@ class CityJsonSink final : public FileSink<SurfaceSink> {
 
     SurfaceFile file_;
     SurfaceMeta meta_;
-    std::string url_;     // of the CRS
-    HeldBytes vertices_;  // the list, without its brackets
+    std::string url_;     // URL of the CRS
+    HeldBytes vertices_;  // JSON list without its brackets
     std::uint64_t vertex_count_ = 0;
-    std::map<std::string, std::vector<std::string>> parts_;  // names, by those of divided buildings
-    std::map<SurfacePoint, std::uint64_t> known_;  // numbers of corners, of buildings that may touch
+    std::map<std::string, std::vector<std::string>> parts_;  // names of parts by name of the divided building
+    std::map<SurfacePoint, std::uint64_t> known_;            // vertex numbers, shared by buildings that touch
     Extent extent_;
     bool has_any_ = false;
 };
 
-/// There is one unit of all coordinates, and nowhere to say another.
+/// Throws unless heights have the unit of x and y, because CityJSON cannot state a second unit.
 void CityJsonSink::rehearse(const SurfaceMeta& meta) {
     constexpr double same = 1e-9;
     if (meta.vertical_unit.empty())

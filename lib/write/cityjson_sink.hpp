@@ -7,11 +7,11 @@
 
 namespace d2b {
 
-/// CityJSON 2.0: a Building with a Solid each, or where it is divided a Building with a BuildingPart and a
-/// Solid for each of its parts. Surfaces know whether they are roof, wall or ground,
-/// and objects with a Solid have the attributes of the layer. Vertices are the whole numbers of SurfacePoint,
-/// and the transform is the frame's. Refuses coordinates whose heights are in another unit than x and y, or
-/// in one that nobody knows.
+/// CityJSON 2.0. An undivided building is a Building with one Solid, a divided one is a Building with one
+/// BuildingPart and Solid per part. Surfaces are marked as roof, wall or ground; objects with a Solid have
+/// the attributes of the layer. Vertices are the integers of SurfacePoint, and the transform is that of the
+/// frame. Throws an OptionError if heights are in another unit than x and y, or in an unknown one, because
+/// CityJSON has one unit for all coordinates.
 [[nodiscard]] std::unique_ptr<SurfaceSink> open_cityjson_sink(RasterPlace place);
 
 }  // namespace d2b

@@ -4,20 +4,20 @@
 
 namespace d2b {
 
-/// Where a disk fails, SQLite takes a whole transaction back by itself, and what is run after that is
-/// committed statement by statement: a driver that goes on after an error, as GDAL does where it drops a
-/// layer, would then leave half of it. From watch() on nothing is committed any more once a transaction has
-/// been taken back. It needs the SQLite that GDAL runs on; with any other it does nothing.
+/// Prevents commits after SQLite has rolled back a transaction by itself. SQLite does so after a disk error,
+/// and later statements are then committed one by one. A driver that continues after an error, as GDAL does
+/// when it drops a layer, would leave half of the changes. After watch() no commit succeeds once a
+/// transaction has been rolled back. Has an effect only if GDAL and this library share one copy of SQLite.
 class CommitGuard {
   public:
     CommitGuard() = default;
     CommitGuard(const CommitGuard&) = delete;
     CommitGuard& operator=(const CommitGuard&) = delete;
 
-    /// @param dataset in a transaction; it must be closed before this object goes. One of another kind of
-    /// database takes nothing back by itself.
+    /// @param dataset in a transaction; must be closed before this object is destroyed. Ignored if it is not
+    /// a SQLite database, because only SQLite rolls back by itself.
     void watch(GDALDatasetH dataset);
-    /// Whether the transaction has been taken back.
+    /// True if the transaction has been rolled back.
     [[nodiscard]] bool lost() const { return lost_; }
 
   private:

@@ -20,7 +20,7 @@ namespace d2b {
 
 namespace {
 
-/// The values of each axis, which no driver changes by turning rings round or beginning them elsewhere.
+/// Distinct values per axis: independent of the orientation and start of a ring, which drivers may change.
 struct AxisValues {
     std::set<double> x;
     std::set<double> y;
@@ -32,7 +32,7 @@ struct AxisValues {
     friend bool operator==(const AxisValues&, const AxisValues&) = default;
 };
 
-/// Around a place, with all digits that doubles have there; no two corners share a coordinate.
+/// Ring around a position with all digits of a double; no two vertices share a coordinate.
 WorldRing trial_ring(const Position& place) {
     constexpr std::size_t corners = 12;
     constexpr double irrational = 0.6180339887498949;
@@ -66,7 +66,7 @@ AxisValues read_back(const VectorFormat& format, const std::string& file) {
     return values;
 }
 
-/// What the user has said, for messages.
+/// Names the option that causes the rounding, for messages.
 std::string cause_of(const Draft& draft, bool appends) {
     if (!appends)
         for (const std::string& option : draft.options.layer_options)
@@ -83,7 +83,7 @@ std::string cause_of(const Draft& draft, bool appends) {
 void write_trial(const std::string& file, const std::string& folder, const Draft& draft, bool appends,
                  const WorldRing& ring) {
     WriteOptions options = draft.options;
-    if (appends)  // layers that are there know nothing of them
+    if (appends)  // layer options do not affect existing layers
         options.layer_options.clear();
     LayerSpec layer = draft.layers.front();
     layer.with_arcs = false;
@@ -108,7 +108,7 @@ std::optional<CoordinateRounding> coordinate_rounding(const Draft& draft, bool a
     try {
         write_trial(file, memory.file(""), draft, appends, ring);
     } catch (const Error&) {
-        return CoordinateRounding{};  // the rehearsal says why
+        return CoordinateRounding{};  // preflight reports the reason
     }
     const AxisValues there = read_back(draft.format, file);
     if (there.x.empty() || there == values_of(ring, {}))

@@ -9,12 +9,12 @@
 
 namespace d2b {
 
-/// How a format rounds coordinates with the options and the configuration of a run: polygons are written in
-/// memory, read back and compared, because each driver and each version of GDAL has rules of its own.
-/// @return nothing where it keeps them in a way of its own: on a grid that is not decimal, or in another CRS
+/// Finds out how a format rounds coordinates with the options and configuration of a run: writes polygons in
+/// memory, reads them back and compares, because each driver and GDAL version has its own rules.
+/// @return nothing if the format stores coordinates in another CRS or on a grid that is not decimal
 [[nodiscard]] std::optional<CoordinateRounding> coordinate_rounding(const Draft& draft, bool appends);
 
-/// Reads what has been written, and warns of polygons that are not valid there.
+/// Reads the result back and warns of polygons that are invalid after rounding.
 void warn_of_invalid(const WriteTarget& target, const VectorFormat& format, const std::string& path);
 
 }  // namespace d2b

@@ -12,7 +12,7 @@ namespace {
 constexpr int millimetres = 3;
 constexpr int most_decimals = 12;
 
-/// Whether so many decimals are all that a step has.
+/// True if `decimals` decimals represent the step exactly.
 bool has_no_more(double step, int decimals) {
     const double units = step * std::pow(10, decimals);
     return units >= 1 && std::abs(units - std::round(units)) < 1e-9;
@@ -22,12 +22,12 @@ int decimals_of(const std::array<double, 2>& steps) {
     for (int decimals = 0; decimals <= most_decimals; ++decimals)
         if (has_no_more(steps[0], decimals) && has_no_more(steps[1], decimals))
             return decimals;
-    constexpr double parts = 16;  // of a step
+    constexpr double parts = 16;  // parts per step
     return std::clamp(static_cast<int>(std::ceil(-std::log10(std::min(steps[0], steps[1]) / parts))), 0,
                       most_decimals);
 }
 
-/// The corner of a raster is known to a millionth of a metre at best.
+/// Rounds to a micrometre, because raster corners are not known more precisely.
 double to_micrometre(double metres) {
     return std::round(metres * 1e6) / 1e6;
 }

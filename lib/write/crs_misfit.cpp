@@ -11,7 +11,7 @@ namespace d2b {
 
 namespace {
 
-/// Whether the first position of a layer has stayed where it was.
+/// True if the first feature of a layer was read back at its position.
 bool is_at(OGRLayerH layer, const Position& place) {
     constexpr double near = 0.01;
     OGR_L_ResetReading(layer);
@@ -29,7 +29,7 @@ bool same_kind(OGRSpatialReferenceH a, OGRSpatialReferenceH b) {
            OSRIsDerivedGeographic(a) == OSRIsDerivedGeographic(b);
 }
 
-/// Else it is not the CRS that the driver does not take.
+/// True if the driver creates a layer in WGS 84; otherwise the CRS is not the reason for its failure.
 bool takes_plain_degrees(GDALDriverH driver, const std::string& destination) {
     const GdalMessages messages;
     const MemoryFolder memory;
@@ -40,7 +40,8 @@ bool takes_plain_degrees(GDALDriverH driver, const std::string& destination) {
     return dataset && add_trial_layer(dataset.get(), "probe", srs.get()) != nullptr && !messages.failed();
 }
 
-/// GDAL exports to WKT 1 what a GeoPackage is given, and reports where that cannot be.
+/// True if the CRS has a WKT 1, to which GDAL exports the CRS of a GeoPackage, reporting an error if it
+/// cannot.
 bool has_wkt1(OGRSpatialReferenceH srs) {
     const std::array<const char*, 2> options{"FORMAT=WKT1_GDAL", nullptr};
     char* text = nullptr;
@@ -68,7 +69,7 @@ CrsMisfit crs_misfit(GDALDriverH driver, const std::string& destination, const s
         return takes_plain_degrees(driver, destination) ? CrsMisfit{of_layer.reason()} : CrsMisfit{};
     const GdalMessages quiet;
     if (layer == nullptr || !add_trial_feature(layer, place))
-        return {};  // the trial says nothing
+        return {};  // inconclusive
     dataset.reset();
     dataset = reopen_trial(driver, file);
     layer = dataset ? GDALDatasetGetLayer(dataset.get(), 0) : nullptr;

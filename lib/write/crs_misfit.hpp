@@ -8,16 +8,16 @@
 
 namespace d2b {
 
-/// What becomes of a CRS in a format.
+/// Reasons why a format does not preserve a CRS.
 struct CrsMisfit {
-    std::string lost{};     ///< why a layer has none, or cannot be made; "" where it has one
-    std::string read_as{};  ///< name of another one that programs will take it for; "" where none will
+    std::string lost{};     ///< reason why a layer loses its CRS or cannot be created; "" if it keeps it
+    std::string read_as{};  ///< name of the CRS that programs will assume instead; "" if there is none
 };
 
-/// Whether a layer of the format gives a CRS back, by a trial in /vsimem/: some drivers refuse a projection
-/// that they have no name for, others drop it, or write the coordinates as if they were of the format's own.
-/// @param wkt "" for none @param place a position in it
-/// @return nothing where it is kept, or the coordinates are brought to the format's own
+/// Tests in /vsimem/ if a layer of the format preserves a CRS, because some drivers reject a projection that
+/// they have no name for, and others drop it or write the coordinates as if they were in the CRS of the
+/// format. @param wkt "" for none @param place position in that CRS @return empty if the CRS is kept or the
+/// coordinates are transformed to the CRS of the format
 [[nodiscard]] CrsMisfit crs_misfit(GDALDriverH driver, const std::string& destination, const std::string& wkt,
                                    const Position& place);
 

@@ -12,21 +12,21 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// How long one try waits for a server.
+/// Longest time that one attempt waits for a server.
 constexpr milliseconds patience(2000);
 
-/// Our layers that are there, in quotes.
+/// Returns the existing tables of our layers, quoted.
 std::vector<std::string> our_tables(GDALDatasetH database, std::span<const LayerSpec> layers) {
     std::vector<std::string> found;
     for (const LayerSpec& spec : layers)
         if (OGRLayerH layer = GDALDatasetGetLayerByName(database, spec.name.c_str()))
             found.push_back(sql_name(OGR_L_GetName(layer)));
-    // All take them in the same order: nobody waits for one who waits for him.
+    // A fixed order prevents deadlocks.
     std::sort(found.begin(), found.end());
     return found;
 }
 
-/// A statement that changes nothing, and waits for those who change something.
+/// Statement that changes nothing, but waits for other writers.
 std::string statement(const VectorFormat& format, const std::vector<std::string>& tables) {
     if (format.name != "PostgreSQL")
         return "DELETE FROM " + tables.front() + " WHERE 0";
@@ -48,7 +48,7 @@ bool take_turn(const WriteTarget& target, GDALDatasetH database, const VectorFor
     const auto start = std::chrono::steady_clock::now();
     OgrCall call(target);
     sql_run(database, statement(format, names));
-    // What a server says depends on its language; whoever has waited has been kept waiting.
+    // Messages of a server depend on its language, so a lock conflict is recognized by the time waited.
     const bool kept_waiting = sqlite ? call.reason().find("locked") != std::string::npos
                                      : std::chrono::steady_clock::now() - start >= patience * 9 / 10;
     if (!call.succeeded() && kept_waiting)

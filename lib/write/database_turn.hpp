@@ -9,11 +9,10 @@
 
 namespace d2b {
 
-/// Makes the transaction that a database is in the only one that changes our layers until it ends, so that
-/// what is read of them stays true; others wait. SQLite begins a transaction as one that reads, PostgreSQL
-/// lets two write side by side.
-/// @return false where others have kept the database from it for as long as a try lasts: the transaction is
-/// of no more use then @throws OutputError where the database does not allow it
+/// Takes a write lock on our layers until the transaction ends, so that values read from them stay true.
+/// Needed because SQLite transactions begin as readers and PostgreSQL lets two writers run concurrently.
+/// @return false if others held the database during the whole attempt; the transaction is then useless
+/// @throws OutputError if the database refuses
 [[nodiscard]] bool take_turn(const WriteTarget& target, GDALDatasetH database, const VectorFormat& format,
                              std::span<const LayerSpec> layers);
 

@@ -21,10 +21,11 @@ namespace d2b {
 
 namespace {
 
-/// Features in one transaction of a new dataset: large, for each commit waits for the disk.
+/// Features per transaction of a new dataset; large, because each commit waits for the disk.
 constexpr std::int64_t batch = 200'000;
 
-/// An empty log is none: opening the database makes one.
+/// Returns the state of a database and its log. Ignores an empty log, because opening the database creates
+/// one.
 std::string stamp_of_database(const std::string& path) {
     const std::string log = path + "-wal";
     std::error_code error;
@@ -40,8 +41,7 @@ bool has(GDALDatasetH dataset, const char* capability) {
 
 DatasetWriter::DatasetWriter(WriteTarget target, const VectorFormat& format, const WriteOptions& options)
     : target_(std::move(target)), format_(format), options_(options) {
-    // From GDAL 3.10 on that driver puts the name of a placemark into a field "id" of ours, which holds
-    // numbers.
+    // GDAL 3.10 and later write placemark names into our field "id", which holds integers.
     if (format_.name == "LIBKML")
         no_id_field_.emplace("LIBKML_ID_FIELD", "placemark_id");
 }
@@ -53,7 +53,7 @@ DatasetWriter::~DatasetWriter() {
         GDALDatasetRollbackTransaction(dataset_.get());
     layers_.clear();
     dataset_.reset();
-    // After an error of the disk SQLite leaves the undoing to whoever opens the file next for writing.
+    // After a disk error SQLite leaves the rollback to the next program that opens the file for writing.
     if (undo)
         open_dataset(format_, path_, GDAL_OF_UPDATE);
 }
@@ -63,7 +63,7 @@ void DatasetWriter::open(const std::string& path, Mode mode) {
     path_ = path;
     if (mode == Mode::create) {
         NameValueList options(options_.dataset_options);
-        // A GML names the file of its schema, and could not be read where that name is not UTF-8.
+        // A GML names its schema file, and cannot be read if that name is not UTF-8.
         const std::string file = std::filesystem::path(path).filename().string();
         if (format_.name == "GML" && utf8_text(file) != file && !options.has("XSISCHEMA") &&
             !options.has("XSISCHEMAURI"))
@@ -113,7 +113,7 @@ void DatasetWriter::open_in_turn(const std::string& path, Mode mode) {
         if (!in_transaction_ || mode == Mode::create)
             return;
         const bool ours = take_turn(target_, dataset_.get(), format_, specs_);
-        // What the driver has read on opening must be true still.
+        // Retry if the database changed after opening, because the driver has cached its contents.
         if (ours && stamp_of_database(path) == stamp)
             break;
         GDALDatasetRollbackTransaction(dataset_.get());
@@ -145,7 +145,7 @@ void DatasetWriter::begin(const std::string& path, Mode mode, std::span<const La
         remove_layers();
     if (mode != Mode::extend)
         describe(dataset_.get());
-    // Some formats (KML) write one layer after the other: those that follow wait in memory.
+    // Formats such as KML write layers sequentially, so later layers wait in memory.
     const bool one_by_one = mode == Mode::create && !has(dataset_.get(), ODsCRandomLayerWrite);
     for (std::size_t i = 0; i < specs_.size() && (i == 0 || !one_by_one); ++i)
         open_layer(specs_[i]);
@@ -154,7 +154,7 @@ void DatasetWriter::begin(const std::string& path, Mode mode, std::span<const La
         put_indices_off();
         return;
     }
-    // A driver that still had layers or metadata to write at its end would write them after a rollback, too.
+    // Flush now, because a driver with pending layers or metadata writes them even after a rollback.
     OgrCall call(target_);
     GDALFlushCache(dataset_.get());
     call.check(true, "creating the layers");
@@ -164,8 +164,8 @@ void DatasetWriter::begin(const std::string& path, Mode mode, std::span<const La
 void DatasetWriter::make_tables() {
     if (!transactions_)
         return;
-    // SQL drivers make the table of a layer when it is first used, in the order of the features, which is
-    // not that of the layers. Reading makes it too, and leaves spatial indices for later.
+    // SQL drivers create a table on first use, that is in the order of features instead of layers. Reading
+    // creates it too, and defers spatial indices.
     OgrCall call(target_);
     for (const LayerWriter& layer : layers_) {
         OGR_L_ResetReading(layer.handle());
@@ -218,7 +218,7 @@ void DatasetWriter::open_layer(const LayerSpec& spec) {
 }
 
 void DatasetWriter::describe(GDALMajorObjectH object) {
-    // Formats without a place for metadata say so, or nothing; either way the result is whole.
+    // Ignore errors of formats that cannot store metadata, because the result is complete without it.
     const GdalMessages quiet;
     for (const auto& [name, value] : provenance_.metadata)
         GDALSetMetadataItem(object, name.c_str(), value.c_str(), nullptr);
@@ -252,7 +252,7 @@ void DatasetWriter::write_pending() {
 void DatasetWriter::furnish() {
     const bool geopackage = format_.name == "GPKG" && transactions_;
     if (geopackage) {
-        // GDAL's own tables of metadata first: it makes them when it is done with the layers.
+        // GDAL creates its own metadata tables after the layers, so let it do so first.
         OgrCall call(target_);
         GDALFlushCache(dataset_.get());
         call.check(true, "writing the layers");

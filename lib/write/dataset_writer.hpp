@@ -17,13 +17,18 @@
 
 namespace d2b {
 
-/// Writes layers into one OGR dataset, new or there already. Without close() a transaction is rolled back.
+/// Writes layers into one OGR dataset, new or existing.
+///
+/// A new dataset is written in batches of features, an existing database in one transaction: unless close()
+/// is called, it is rolled back and the database is unchanged. Layers of an existing database are locked
+/// against other writers from begin() on. Files that must appear whole or not at all are staged by the caller
+/// (see Staging), because few formats have transactions.
 class DatasetWriter {
   public:
     enum class Mode {
-        create,   ///< a new dataset
-        replace,  ///< one that is there and has transactions: layers of the same names go first
-        extend,   ///< one that is there: features are added to layers of the same names
+        create,   ///< creates a new dataset
+        replace,  ///< replaces layers of the same names in an existing database, in a transaction
+        extend,   ///< appends features to layers of the same names in an existing dataset
     };
 
     DatasetWriter(WriteTarget target, const VectorFormat& format, const WriteOptions& options);
@@ -31,45 +36,46 @@ class DatasetWriter {
     DatasetWriter& operator=(const DatasetWriter&) = delete;
     ~DatasetWriter();
 
-    /// @param path what the driver opens or creates @throws OutputError
+    /// @param path file or connection that the driver opens or creates @throws OutputError
     void begin(const std::string& path, Mode mode, std::span<const LayerSpec> specs,
                const Provenance& provenance);
     /// @throws OutputError
     void add(std::size_t layer, const Feature& feature);
-    /// Writes what is pending. The layers of a transaction that changes a database in place are complete and
-    /// counted then, and nobody sees them before close(). @throws OutputError
+    /// Writes pending features and tables. If a database is changed in place, its layers are then complete
+    /// and counted, but invisible to others until close(). @throws OutputError
     void complete();
-    /// Completes it where it is not, commits and closes. @throws OutputError: also where only closing fails
+    /// Calls complete() if necessary, commits and closes. @throws OutputError, also if only closing fails
     void close();
-    /// Whether it changes a database in place, in a transaction.
+    /// True if a database is changed in place, in a transaction.
     [[nodiscard]] bool changes_in_place() const { return in_transaction_ && mode_ != Mode::create; }
 
-    /// The first number that a feature may take; known when begin() has been called.
+    /// Returns the first free feature id; valid after begin().
     [[nodiscard]] std::int64_t first_id() const { return first_id_; }
-    /// Of each field of a layer, as the driver calls it; none of a layer that waits for those before it.
+    /// Returns the column names of the driver, one per field of the layer; empty for a layer that is not
+    /// created yet.
     [[nodiscard]] std::vector<std::string> columns(std::size_t layer) const {
         return layer < layers_.size() ? layers_[layer].columns() : std::vector<std::string>();
     }
-    /// Name and number of features of each layer that was written; known when close() has been called.
+    /// Returns name and number of features per written layer; valid after close().
     [[nodiscard]] const LayerCounts& counts() const { return counts_; }
 
   private:
     void open(const std::string& path, Mode mode);
-    /// Opens it and waits until nobody else writes to the layers.
+    /// Opens the dataset and waits until no other program writes to the layers.
     void open_in_turn(const std::string& path, Mode mode);
     void make_tables();
     void put_indices_off();
     void start_transaction();
     void commit();
-    /// @throws OutputError where SQLite has ended it by itself
+    /// @throws OutputError if SQLite has rolled back the transaction
     void require_transaction() const;
-    /// Notes what of the user's hangs on the layers, and removes them.
+    /// Records the objects of users that depend on the layers, then deletes the layers.
     void remove_layers();
     void remove_layer(const std::string& name);
     void open_layer(const LayerSpec& spec);
     void describe(GDALMajorObjectH object);
     void write_pending();
-    /// What tells other programs how to show the new layers, and what is in them.
+    /// Adds styles, metadata and indices to new layers.
     void furnish();
 
     WriteTarget target_;
@@ -78,14 +84,14 @@ class DatasetWriter {
     std::optional<ConfigOption> no_id_field_;
     Mode mode_ = Mode::create;
     std::string path_;
-    CommitGuard guard_;  ///< goes after the dataset
+    CommitGuard guard_;  ///< declared before the dataset, because it must outlive it
     DatasetOwner dataset_;
     CrsOwner srs_;
     Provenance provenance_;
     std::vector<LayerSpec> specs_;
     std::optional<UsersObjects> users_;
-    std::vector<LayerWriter> layers_;            ///< the first ones of specs_, or all
-    std::vector<std::vector<Feature>> pending_;  ///< of layers that must wait for those before them
+    std::vector<LayerWriter> layers_;            ///< first layers of specs_, or all
+    std::vector<std::vector<Feature>> pending_;  ///< features of layers that are not created yet
     bool transactions_ = false;
     bool in_transaction_ = false;
     bool complete_ = false;

@@ -8,20 +8,20 @@
 
 namespace d2b {
 
-/// Where the result goes.
+/// Destination of the result.
 struct Destination {
-    std::string name;     ///< as the user gave it, without a password; for messages
-    std::string path;     ///< without symbolic links and a slash at the end
-    bool local = false;   ///< a file or folder of this machine: written beside, then renamed
-    bool exists = false;  ///< an empty folder does not count where the format makes a folder
+    std::string name;     ///< user input without a password; for messages
+    std::string path;     ///< without symbolic links and trailing slash
+    bool local = false;   ///< local file or folder: staged, then renamed
+    bool exists = false;  ///< false for an empty folder if the format creates a folder
 };
 
-/// For rasters as well. @throws OptionError: in an archive, or at a place that is only read
+/// Also used for rasters. @throws OptionError for names in archives and in read-only file systems
 void refuse_archive(const std::string& name);
 
-/// Looks at the destination and whether it can be written. @throws OptionError: -overwrite with -append,
-/// exists without either, a folder where a file is meant, files in the way. @throws OutputError: no such
-/// folder, not writable
+/// Finds out if the destination exists and can be written. @throws OptionError if -overwrite and -append are
+/// both given, it exists and neither is given, it is a folder instead of a file, or other files are in the
+/// way @throws OutputError if its folder does not exist or it is not writable
 [[nodiscard]] Destination locate(const WriteOptions& options, const VectorFormat& format);
 
 }  // namespace d2b

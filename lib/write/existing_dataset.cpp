@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Files beside a .shp that belong to it; an index that stays behind would be that of another file.
+/// Sidecar files of a .shp, replaced with it because an old index would not match the new file.
 constexpr std::array shapefile_sidecars{".shx", ".dbf", ".prj", ".cpg", ".qix", ".sbn",
                                         ".sbx", ".qpj", ".idm", ".ind", ".cst"};
 
@@ -49,7 +49,7 @@ std::vector<std::string> files_of(GDALDatasetH dataset, const fs::path& path, co
     return files;
 }
 
-/// Removing it is no good advice where a disk or a lock is to blame.
+/// Advises to remove the file only if neither a disk error nor a lock is to blame.
 [[noreturn]] void refuse_unopened(const Destination& destination, const VectorFormat& format,
                                   const GdalMessages& messages) {
     std::error_code error;
@@ -75,12 +75,11 @@ ExistingDataset inspect_existing(const Destination& destination, const VectorFor
     const FetchGate gate(
         destination.path);  // because some drivers read on only when their layers are asked for
     ExistingDataset existing;
-    // What a killed run has left is undone by whoever opens the file for writing; until then it may not open
-    // at all.
+    // Opening for writing rolls back the transaction of a killed run; the file may be unreadable before.
     if (format.transactions)
         open_dataset(format, destination.path, GDAL_OF_UPDATE);
     DatasetOwner dataset = open_dataset(format, destination.path, GDAL_OF_READONLY);
-    if (!dataset)  // one that holds rasters only opens as such alone
+    if (!dataset)  // datasets with rasters only must be opened as rasters
         dataset = open_dataset(format, destination.path, GDAL_OF_RASTER | GDAL_OF_READONLY);
     if (!dataset)
         refuse_unopened(destination, format, messages);

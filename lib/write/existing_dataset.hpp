@@ -8,30 +8,29 @@
 
 namespace d2b {
 
-/// What stands at the destination already.
+/// Dataset that exists at the destination.
 struct ExistingDataset {
-    std::vector<std::string> files;  ///< all that it consists of; the folder alone for a folder
+    std::vector<std::string> files;  ///< all files of the dataset; the folder alone if it is a folder
     std::vector<std::string> layers;
-    std::string stamp;  ///< changes when the files do
+    std::string stamp;  ///< changes when the files change
 };
 
-/// @param names layers that the run writes @throws OptionError where the flag cannot be obeyed: not a dataset
-/// of the format, layers or files of others that would be lost, a format that takes no further features.
-/// @throws OutputError where it cannot be opened for writing
+/// @param names layers that the run writes @throws OptionError if the flag cannot be obeyed, because it is
+/// not a dataset of the format, layers or files of others would be lost, or the format cannot append
+/// @throws OutputError if it cannot be opened for writing
 [[nodiscard]] ExistingDataset inspect_existing(const Destination& destination, const VectorFormat& format,
                                                const WriteOptions& options,
                                                const std::vector<std::string>& names);
 
-/// As inspect_existing for the name of a database or service; empty where it does not open, and is to be
-/// created. A database is there before its layers are: only layers of the same names stand in the way.
-/// @param format told whether the database has transactions @throws OptionError where a layer is there, and
-/// neither -overwrite nor -append is given
+/// Like inspect_existing(), but for a database or service; empty if it cannot be opened and is to be created.
+/// A database exists before its layers, so only layers of the same names conflict. @param format its
+/// transactions are set @throws OptionError if a layer exists and neither -overwrite nor -append is given
 [[nodiscard]] std::optional<ExistingDataset> inspect_database(const Destination& destination,
                                                               VectorFormat& format,
                                                               const WriteOptions& options,
                                                               const std::vector<std::string>& names);
 
-/// Sizes and times of the files; what it says changes when they do.
+/// Returns sizes and times of the files; differs after a change.
 [[nodiscard]] std::string stamp_of(const std::vector<std::string>& files);
 
 }  // namespace d2b

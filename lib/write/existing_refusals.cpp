@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The first file of the folder that is not part of a layer of ours; "" where there is none.
+/// Returns the first file of the folder that is not part of our layers; "" if there is none.
 std::string foreign_file(const fs::path& folder, GDALDatasetH dataset,
                          const std::vector<std::string>& names) {
     const CPLStringList listed(GDALGetFileList(dataset));
@@ -33,8 +33,8 @@ std::string foreign_file(const fs::path& folder, GDALDatasetH dataset,
     return "";
 }
 
-/// Whoever is about to write keeps all others from writing, but not from reading until he commits. One who is
-/// done soon is waited for.
+/// Waits briefly for a lock, then throws. BEGIN IMMEDIATE is needed because other writers block it, but not
+/// reading.
 void refuse_locked(const Destination& destination, GDALDatasetH dataset) {
     using std::chrono::steady_clock;
     constexpr std::chrono::seconds longest(3);

@@ -8,17 +8,17 @@
 
 namespace d2b {
 
-/// Whether the name is among the names, in any case, as OGR compares names of layers.
+/// True if the name is among the names; case-insensitive, because OGR compares layer names like that.
 [[nodiscard]] bool named(const std::vector<std::string>& names, const std::string& name);
 
-/// For what is replaced as a whole. @param names layers that the run writes
-/// @throws OptionError where layers or files of others would be lost
+/// Checks formats whose datasets are replaced whole. @param names layers that the run writes
+/// @throws OptionError if layers or files of others would be lost
 void refuse_foreign(const Destination& destination, const ExistingDataset& existing, GDALDatasetH dataset,
                     const VectorFormat& format, const WriteOptions& options,
                     const std::vector<std::string>& names);
 
-/// @throws OutputError where a database cannot be opened for writing @throws OptionError where -append is
-/// asked for and the driver adds no features to layers that are there
+/// @throws OutputError if a database cannot be opened for writing @throws OptionError if -append is given and
+/// the driver cannot append to existing layers
 void require_writable(const Destination& destination, const VectorFormat& format, const WriteOptions& options,
                       const std::vector<std::string>& names);
 

@@ -4,12 +4,12 @@
 
 namespace d2b {
 
-/// How formats with colours show a kind of face.
+/// Name and colour of a kind of face in formats with materials.
 struct FaceLook {
     const char* name;
-    std::array<double, 3> colour;  ///< linear red, green and blue
+    std::array<double, 3> colour;  ///< linear RGB
 };
-/// By FaceKind.
+/// Indexed by FaceKind.
 inline constexpr std::array face_looks{FaceLook{"roof", {0.45, 0.09, 0.05}},
                                        FaceLook{"wall", {0.6, 0.57, 0.5}},
                                        FaceLook{"ground", {0.2, 0.2, 0.2}}};

@@ -9,11 +9,11 @@
 
 namespace d2b {
 
-/// An object of the values of a feature under the names of their fields, in their order.
+/// Returns an object with the values of a feature by field name, in the order of the fields.
 [[nodiscard]] nlohmann::ordered_json field_json(std::span<const FieldSpec> fields,
                                                 std::span<const FieldValue> values);
 
-/// On one line. What is not UTF-8 becomes U+FFFD, since JSON cannot hold it.
+/// Returns one line. Invalid UTF-8 becomes U+FFFD, because JSON cannot hold it.
 [[nodiscard]] std::string json_text(const nlohmann::ordered_json& json);
 
 }  // namespace d2b

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
     throw std::system_error(number, std::generic_category());
 }
 
-/// Some file systems and kernels know no flags for renames.
+/// True if the file system or kernel does not support flags of renameat2.
 bool not_supported(int number) {
     return number == EINVAL || number == ENOSYS || number == ENOTSUP;
 }
@@ -97,7 +97,7 @@ void sync_to_disk(const fs::path& path) {
     const int result = ::fsync(file);
     const int number = errno;
     ::close(file);
-    // Special file systems have nothing to force.
+    // Special file systems do not support fsync.
     if (result != 0 && number != EINVAL && number != EROFS)
         throw_errno(number);
 }

@@ -5,7 +5,7 @@
 
 namespace d2b {
 
-/// Renames that can be taken back, and are, the last one first, unless all of them are kept.
+/// Renames files and undoes all renames in reverse order on destruction, unless keep() is called.
 class FileMoves {
   public:
     FileMoves() = default;
@@ -13,14 +13,14 @@ class FileMoves {
     FileMoves& operator=(const FileMoves&) = delete;
     ~FileMoves();
 
-    /// Replaces nothing: a file that has turned up at `to` is an error. @throws std::system_error
+    /// Never replaces a file. @throws std::system_error if `to` exists or the rename fails
     void move(const std::filesystem::path& from, const std::filesystem::path& to);
-    /// Puts `from` in the place of `to`, which is there, in one step, and keeps the old one: at `from` where
-    /// the file system can exchange two names, else at `spare`, a path that does not exist. A folder takes
-    /// two steps then. @throws std::system_error, and both are as they were
+    /// Replaces the existing `to` atomically and keeps the old file: at `from` if the file system can
+    /// exchange names, otherwise at `spare`, a path that does not exist. A folder then takes two steps.
+    /// @throws std::system_error; both are then unchanged
     void replace(const std::filesystem::path& from, const std::filesystem::path& to,
                  const std::filesystem::path& spare);
-    /// @return paths that it could not bring back, each where it lies now
+    /// @return present paths of files that could not be restored
     [[nodiscard]] std::vector<std::filesystem::path> take_back();
     void keep() { done_.clear(); }
 
@@ -28,15 +28,15 @@ class FileMoves {
     struct Move {
         std::filesystem::path from;
         std::filesystem::path to;
-        bool exchanged = false;  ///< what stood at `to` is at `from` now
+        bool exchanged = false;  ///< old `to` is now at `from`
     };
-    /// @return whether it is done
+    /// @return true if undone
     static bool undo(const Move& move);
 
     std::vector<Move> done_;
 };
 
-/// fsync of a file or folder. @throws std::system_error
+/// Calls fsync for a file or folder. @throws std::system_error
 void sync_to_disk(const std::filesystem::path& path);
 
 }  // namespace d2b

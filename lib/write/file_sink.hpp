@@ -4,8 +4,8 @@
 
 namespace d2b {
 
-/// A sink (FeatureSink, RasterSink, SurfaceSink) whose result a CommitList shows: what is left to write is
-/// prepare().
+/// Base of sinks (FeatureSink, RasterSink, SurfaceSink) whose result is published by a CommitList: prepare()
+/// writes everything that is still pending.
 template <typename Sink>
 class FileSink : public Sink {
   public:

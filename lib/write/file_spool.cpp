@@ -7,8 +7,8 @@
 namespace d2b {
 namespace {
 
-/// Makes room for more without going through all that is there each time that it doubles: what is not written
-/// to yet takes no memory.
+/// Reserves memory at once instead of doubling, because unused pages cost nothing, while each doubling copies
+/// all bytes.
 void grow(std::vector<std::byte>& memory, std::size_t size, std::size_t most) {
     constexpr std::size_t small = std::size_t{1} << 20;
     constexpr std::size_t large = std::size_t{64} << 20;
@@ -44,7 +44,7 @@ void FileSpool::flush() {
         file_ = std::make_unique<TemporaryFile>(folder_, "The finished part of the result", FileName::none);
     file_->append(memory_);
     if (memory_.capacity() > 2 * bytes_a_write)
-        memory_ = std::vector<std::byte>();  // {} would keep the room
+        memory_ = std::vector<std::byte>();  // {} would keep the capacity
     memory_.clear();
 }
 
@@ -57,7 +57,7 @@ void FileSpool::read(std::uint64_t begin, std::span<std::byte> bytes) const {
             return;
         }
     }
-    // What was appended in one piece is in the file whole, and the file only grows.
+    // No lock needed, because a piece appended at once is in the file as a whole, and the file only grows.
     file_->read(begin, bytes);
 }
 

@@ -47,7 +47,7 @@ FormatProbe probe_format(GDALDriverH driver, const std::string& destination) {
         return result;
     }
     const std::string name = trial_name(driver, destination);
-    // The format of most runs has no surprises, and a trial takes longer than a small raster.
+    // GeoPackage is known, and a trial takes longer than a small raster.
     if (EQUAL(GDALGetDriverShortName(driver), "GPKG")) {
         const std::size_t dot = name.find('.');
         result.several_layers = result.transactions = true;

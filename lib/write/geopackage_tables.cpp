@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* our_style = "'dem2buildings'";
 
-/// The time, or what the user wants it to be: GDAL's own tables follow the same option.
+/// SQL for the current time, or the value of OGR_CURRENT_DATE, which the tables of GDAL follow too.
 std::string now() {
     const char* given = CPLGetConfigOption("OGR_CURRENT_DATE", nullptr);
     return given != nullptr ? sql_text(given) : "strftime('%Y-%m-%dT%H:%M:%fZ','now')";
@@ -25,7 +25,7 @@ bool has_table(GDALDatasetH dataset, const std::string& name) {
         .has_value();
 }
 
-/// With SQL alone: of a table that the driver knows it would write more after a rollback.
+/// Uses plain SQL, because the driver would write to a table that it knows even after a rollback.
 class Tables {
   public:
     Tables(GDALDatasetH dataset, const NewLayer& layer, const WriteTarget& target)
@@ -46,7 +46,7 @@ class Tables {
     std::string table_;
 };
 
-/// As QGIS makes it.
+/// Same columns as the table that QGIS creates.
 void Tables::make_style_table() const {
     const char* doing = "making the table of styles";
     must(
@@ -79,7 +79,7 @@ void Tables::style() const {
         return;
     if (!has_table(dataset_, "layer_styles"))
         make_style_table();
-    // A table of another shape is somebody else's.
+    // A table with other columns belongs to another program.
     if (!has_styles_of_qgis())
         return;
     const char* doing = "writing the style";
@@ -96,7 +96,7 @@ void Tables::style() const {
 }
 
 void Tables::metadata(const Provenance& provenance) const {
-    // GDAL makes the tables with its own metadata; without any, there is no lineage either.
+    // GDAL creates the tables with its own metadata; without any there is no lineage either.
     if (!has_table(dataset_, "gpkg_metadata"))
         return;
     const char* doing = "writing the metadata";
@@ -147,7 +147,7 @@ void Tables::data_columns() const {
         rows += (rows.empty() ? "(" : ", (") + table_ + ", " + sql_text(layer_.columns[i]) + ", " +
                 sql_text(field.alias) + ", " + sql_text(field.description) + ")";
     }
-    // No `name`: it must be unique, and two fields may be called alike by people.
+    // Leaves out `name`, because it must be unique, while two fields may have the same alias.
     must("INSERT INTO gpkg_data_columns (table_name, column_name, title, description) VALUES " + rows, doing);
 #endif
 }

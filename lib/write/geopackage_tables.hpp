@@ -6,11 +6,10 @@
 
 namespace d2b {
 
-/// Rows beside a layer of a GeoPackage, in the transaction that is open: its default style in QGIS's table
-/// layer_styles, title, abstract and lineage as metadata of QGIS's kind, and names, units and words of its
-/// fields in gpkg_data_columns. Rows of others are left alone: a style that the user has made the default
-/// stays it, and a table layer_styles of another shape gets no row.
-/// @throws OutputError
+/// Adds rows about a layer to a GeoPackage in the open transaction: its default style in the table
+/// layer_styles of QGIS, title, abstract and lineage as QGIS metadata, and names, units and descriptions of
+/// its fields in gpkg_data_columns. Leaves rows of others alone: a default style chosen by the user stays the
+/// default, and a table layer_styles with other columns gets no row. @throws OutputError
 void write_tables(GDALDatasetH dataset, const NewLayer& layer, const Provenance& provenance,
                   const WriteTarget& target);
 

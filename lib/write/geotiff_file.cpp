@@ -78,7 +78,8 @@ void GeoTiffFile::write(const Window& cells, std::span<float> values) {
     const GDALRasterBandH band = GDALGetRasterBand(dataset_.get(), 1);
     const bool written = GDALRasterIO(band, GF_Write, cells.col, cells.row, cells.cols, cells.rows,
                                       values.data(), cells.cols, cells.rows, GDT_Float32, 0, 0) == CE_None;
-    // Now, and not when GDAL needs the room for another file, whose reader would hear of a full disk.
+    // Flush now, because otherwise GDAL flushes when it needs memory for another file, whose reader would get
+    // the error of a full disk.
     const bool flushed = written && GDALFlushRasterCache(band) == CE_None;
     call.check(flushed, "writing cells");
 }

@@ -12,21 +12,22 @@
 
 namespace d2b {
 
-/// A GeoTIFF of 32-bit floats on the window of a DEM: tiles of 256 x 256, DEFLATE with the floating point
-/// predictor, BigTIFF where it might grow above 4 GB. NoData is -9999, which other programs know, too.
+/// Writes a GeoTIFF of 32-bit floats on the window of a DEM: tiles of 256 x 256, DEFLATE with the
+/// floating-point predictor, BigTIFF if it might exceed 4 GB. NoData is -9999, because other programs expect
+/// it.
 class GeoTiffFile {
   public:
     static constexpr std::int32_t tile = 256;
     static constexpr float nodata = -9999;
 
-    /// @param target must outlive this @param path where it is written @throws OutputError
+    /// @param target must outlive this object @param path file to write @throws OutputError
     GeoTiffFile(const WriteTarget& target, const std::string& path, const DemInfo& grid,
                 const RasterMeta& meta);
 
-    /// @param cells of a tile; rows and columns counted from the window's first @param values row by row
+    /// @param cells window of one tile, relative to the first row and column @param values row by row
     /// @throws OutputError
     void write(const Window& cells, std::span<float> values);
-    /// @throws OutputError: also where only closing fails
+    /// @throws OutputError, also if only closing fails
     void close();
 
   private:

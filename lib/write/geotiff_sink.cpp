@@ -24,7 +24,8 @@ namespace d2b {
 
 namespace {
 
-/// Cells wait until their tile is whole: what is compressed twice leaves a gap in the file.
+/// Buffers cells until their tile is complete, because a tile that is compressed twice leaves a gap in the
+/// file.
 class GeoTiffSink final : public FileSink<RasterSink> {
   public:
     GeoTiffSink(RasterPlace place, DemInfo grid, RasterMeta meta)
@@ -40,19 +41,20 @@ class GeoTiffSink final : public FileSink<RasterSink> {
     [[nodiscard]] std::vector<std::string> take_warnings() override { return staged_.take_warnings(); }
 
   private:
-    // Rows and columns are counted from the window's first.
+    // Rows and columns are relative to the first ones of the window.
     [[nodiscard]] Window tile_at(const Window& cell) const;
     [[nodiscard]] std::size_t number_of(const Window& tile) const;
-    /// What of a part lies in a tile. @param values of the part
+    /// Copies the cells of a part that lie in a tile. @param values cells of the part
     void take(const Window& tile, const Window& part, std::span<const float> values);
     void begin();
 
     StagedRaster staged_;
     DemInfo grid_;
     RasterMeta meta_;
-    std::optional<GeoTiffFile> file_;                  ///< goes before the folder that it is in
-    std::vector<std::int64_t> missing_;                ///< cells a tile, row by row
-    std::map<std::size_t, std::vector<float>> tiles_;  ///< that have some of their cells
+    std::optional<GeoTiffFile>
+        file_;  ///< declared after the staged raster, because it must be closed before its folder is removed
+    std::vector<std::int64_t> missing_;                ///< missing cells per tile, row-major
+    std::map<std::size_t, std::vector<float>> tiles_;  ///< incomplete tiles
 };
 
 GeoTiffSink::~GeoTiffSink() {
@@ -131,8 +133,8 @@ void GeoTiffSink::prepare(CommitList& commit) {
     staged_.prepare(commit);
 }
 
-/// By a trial of one cell: what GDAL has no keys of GeoTIFF for goes into a file beside, which would outlive
-/// a run that fails, or nowhere.
+/// Tests with a raster of one cell that GeoTIFF can hold the CRS. GDAL drops a CRS without GeoTIFF keys or
+/// writes it to a sidecar file, which would outlive a failed run.
 void require_crs_kept(const std::string& name, DemInfo grid, const RasterMeta& meta) {
     if (grid.crs_wkt.empty())
         return;

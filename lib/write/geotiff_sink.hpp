@@ -8,12 +8,11 @@
 
 namespace d2b {
 
-/// A GeoTIFF (see GeoTiffFile) that appears whole or not at all: it is written in a hidden folder beside the
-/// destination, forced to the disk and renamed. What is in GDAL's virtual file systems is written beside
-/// under another name. NaN and infinite values become NoData. The checks that need no values are made here,
-/// so that a long run does not fail at its end; the file is begun with the first rows.
-/// @param grid whose window, transform and CRS the raster gets
-/// @throws OptionError, OutputError as locate_raster()
+/// Opens a GeoTIFF (see GeoTiffFile) that appears whole or not at all: it is written to a hidden folder next
+/// to the destination, synced and renamed. In virtual file systems of GDAL it is written under a temporary
+/// name. NaN and infinity become NoData. All checks that need no values are made now, because a long run
+/// should not fail at its end; the file is created with the first rows. @param grid window, transform and CRS
+/// of the raster @throws OptionError, OutputError like locate_raster()
 [[nodiscard]] std::unique_ptr<RasterSink> open_geotiff_sink(const RasterTarget& target, const DemInfo& grid,
                                                             const RasterMeta& meta);
 

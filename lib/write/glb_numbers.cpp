@@ -10,14 +10,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Numbers of glTF 2.0.
+// Constants of glTF 2.0.
 constexpr int type_float = 5126;
 constexpr int type_unsigned_int = 5125;
 constexpr int target_vertices = 34962;
 constexpr int target_indices = 34963;
 constexpr std::uint64_t number_size = 4;
 
-/// Ascending places of a building's corners in its part.
+/// Returns the ascending vertex indices of a building in its part.
 std::vector<std::uint32_t> used_corners(const SurfaceBuilding& building) {
     std::vector<std::uint32_t> used;
     for (const SurfaceTriangle& triangle : building.triangles)

@@ -13,23 +13,24 @@
 
 namespace d2b {
 
-/// Four bytes, the lowest first.
+/// Appends four bytes, little-endian.
 void append_number(std::uint32_t number, std::string& bytes);
 
-/// The numbers of a binary glTF: positions of the corners of all buildings, which building each belongs to,
-/// then the triangles of each kind of face.
+/// Binary buffers of a glTF: vertex positions of all buildings, the building index per vertex, then the
+/// triangles per kind of face.
 class GlbNumbers {
   public:
-    /// In single precision, y up, z to the south. @param place of the building in the list of all
+    /// Appends a building in single precision, y up, z to the south. @param place index of the building in
+    /// the list of all
     void add(const SurfacePart& part, const SurfaceBuilding& building, const SurfaceFrame& frame,
              std::uint64_t place);
 
     [[nodiscard]] bool has(FaceKind kind) const { return indices_[index(kind)].size() > 0; }
-    /// Bytes.
+    /// Total size in bytes.
     [[nodiscard]] std::uint64_t size() const;
-    /// Where the lists lie among the bytes.
+    /// Returns the bufferViews of glTF.
     [[nodiscard]] nlohmann::ordered_json views() const;
-    /// What the lists hold: positions, buildings, then the kinds that there are.
+    /// Returns the accessors of glTF: positions, building indices, then the kinds of faces in use.
     [[nodiscard]] nlohmann::ordered_json accessors() const;
     /// @throws OutputError
     void write_to(SurfaceFile& file);

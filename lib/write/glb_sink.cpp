@@ -73,7 +73,7 @@ Json GlbSink::asset() const {
     return {{"version", "2.0"}, {"generator", "dem2buildings"}, {"extras", std::move(extras)}};
 }
 
-/// Where the numbers of all buildings lie, and what faces look like.
+/// Returns the buffers, bufferViews, accessors and materials.
 std::string GlbSink::views() const {
     const Json buffers = Json::array({{{"byteLength", numbers_.size()}}});
     Json materials = Json::array();
@@ -87,7 +87,7 @@ std::string GlbSink::views() const {
            ",\"accessors\":" + json_text(numbers_.accessors()) + ",\"materials\":" + json_text(materials);
 }
 
-/// A primitive for each material, because viewers draw few large lists faster than many small ones.
+/// Uses one primitive per material, because viewers draw a few large lists faster than many small ones.
 Json GlbSink::mesh() const {
     Json primitives = Json::array();
     std::uint64_t accessor = 2;
@@ -99,7 +99,7 @@ Json GlbSink::mesh() const {
     return {{"primitives", std::move(primitives)}};
 }
 
-/// A header, then a chunk of JSON and one of numbers, each a multiple of four bytes long.
+/// Writes the header, then the JSON chunk and the binary chunk, each padded to a multiple of four bytes.
 void GlbSink::prepare(CommitList& commit) {
     if (buildings_.count() == 0) {
         file_.leave_out("a glTF without a mesh shows nothing");

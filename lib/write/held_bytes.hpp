@@ -11,14 +11,14 @@
 
 namespace d2b {
 
-/// What comes later in a file than what is known later: in memory while it is little, then in a temporary
-/// file.
+/// Buffers bytes that come late in a file but are known early: in memory while they are few, then in a
+/// temporary file.
 class HeldBytes {
   public:
-    /// @throws OutputError there is no room
+    /// @throws OutputError if there is no space
     void add(std::string_view bytes);
     [[nodiscard]] std::uint64_t size() const { return size_; }
-    /// Adds all of it to a file. @throws OutputError
+    /// Appends all bytes to a file. @throws OutputError
     void write_to(SurfaceFile& file);
 
   private:

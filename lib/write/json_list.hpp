@@ -9,10 +9,10 @@
 
 namespace d2b {
 
-/// A list in a JSON that is as long as there are buildings: text, with commas, without brackets.
+/// JSON list with one item per building, spilled to disk if large: text with commas, without brackets.
 class JsonList {
   public:
-    /// @return its number
+    /// @return index of the item
     std::uint64_t add(const nlohmann::ordered_json& item) {
         text_.add((count_ == 0 ? "" : ",") + json_text(item));
         return count_++;

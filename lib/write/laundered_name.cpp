@@ -19,11 +19,11 @@ namespace d2b {
 
 namespace {
 
-/// PostgreSQL cuts names off behind 63 bytes, and the driver calls the key of a table like the table with
-/// "_pk" behind it, which must not become the name of the table.
+/// PostgreSQL truncates names after 63 bytes, and the driver names the primary key like the table plus "_pk",
+/// which must not be truncated to the name of the table.
 constexpr std::size_t most_bytes = 60;
 
-/// Eight digits that differ where names do.
+/// Returns eight hexadecimal digits that differ if the names differ.
 std::string digits_of(const std::string& name) {
     std::uint32_t hash = 2166136261U;  // FNV-1a
     for (const char letter : name)
@@ -34,7 +34,7 @@ std::string digits_of(const std::string& name) {
     return digits;
 }
 
-/// The beginning of a text in UTF-8, without a part of a character at its end.
+/// Truncates UTF-8 text without splitting a character.
 std::string first_bytes(const std::string& text, std::size_t bytes) {
     std::size_t end = std::min(bytes, text.size());
     while (end > 0 && end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U)
@@ -47,7 +47,7 @@ bool is_on(const NameValueList& options, const char* key, bool standard) {
     return value == nullptr ? standard : CPLTestBool(value);
 }
 
-/// What no driver changes.
+/// True if no driver changes the name.
 bool is_plain(const std::string& name) {
     constexpr std::size_t shortest_limit = 50;
     return name.size() <= shortest_limit && std::ranges::all_of(name, [](unsigned char letter) {
@@ -55,8 +55,8 @@ bool is_plain(const std::string& name) {
            });
 }
 
-/// As GDAL launders for PostgreSQL: lower case, and no apostrophes, hyphens and number signs. No parentheses
-/// either: where it looks for a layer it takes what stands in them for a column of geometries.
+/// Launders like GDAL does for PostgreSQL: lower case, without apostrophes, hyphens and number signs. Also
+/// replaces parentheses, because GDAL takes their contents for a geometry column when it looks up a layer.
 std::string in_postgresql(const std::string& base, const std::string& suffix, const NameValueList& options) {
     std::string name = base;
 #if GDAL_VERSION_NUM >= GDAL_COMPUTE_VERSION(3, 9, 0)
@@ -82,7 +82,7 @@ std::string in_postgresql(const std::string& base, const std::string& suffix, co
     return first_bytes(name, most_bytes - suffix.size() - digits.size()) + digits + suffix;
 }
 
-/// What the driver calls such a layer in a dataset in memory.
+/// Creates the layer in memory and returns its name.
 std::string as_tried(const std::string& name, const VectorFormat& format, const WriteOptions& options) {
     const GdalMessages quiet;
     const MemoryFolder memory;
@@ -103,7 +103,7 @@ std::string laundered_name(const std::string& base, const std::string& suffix, c
     if (format.name == "PostgreSQL")
         return in_postgresql(base, suffix, NameValueList(options.layer_options));
     std::string name = base + suffix;
-    // The names of others are known by what becomes of them; those in a GeoPackage stay as they are.
+    // Other drivers are tried, because their rules are not known; names in a GeoPackage do not change.
     const bool is_geopackage = format.name == "GPKG" && !NameValueList(options.layer_options).has("LAUNDER");
     if (is_plain(name) || is_geopackage || !format.several_layers || !keeps_virtual_files(format.driver))
         return name;

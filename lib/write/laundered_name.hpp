@@ -7,10 +7,9 @@
 
 namespace d2b {
 
-/// What a driver will call a layer that is created with a name. Layers that are there are looked for by this
-/// name, because drivers of databases change some characters, and PostgreSQL cuts long names off.
-/// @param base of the name of a layer @param suffix of its role, "_contours"; kept where the base is
-/// shortened
+/// Returns the name that a driver will give to a layer. Existing layers are looked up by it, because drivers
+/// of databases replace some characters, and PostgreSQL truncates long names. @param base of the layer name
+/// @param suffix of its role, for example "_contours"; kept if the base is shortened
 [[nodiscard]] std::string laundered_name(const std::string& base, const std::string& suffix,
                                          const VectorFormat& format, const WriteOptions& options);
 

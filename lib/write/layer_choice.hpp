@@ -8,18 +8,18 @@
 
 namespace d2b {
 
-/// The layers that a destination gets: those that are asked for, else both, or the buildings alone where the
-/// format holds one layer per file. @throws OptionError where both layers are asked for and one fits
+/// Returns the requested layers, by default both, or the buildings alone if the format holds one layer per
+/// file. @throws OptionError if both are requested but only one fits
 [[nodiscard]] Layers resolve_layers(const WriteOptions& options, const VectorFormat& format);
 
-/// The name of a layer: -nln, with "_contours" after it for the contours where both layers are written, and
-/// "_doubtful", "_rejected" and "_problems" for what is that; without -nln "buildings", "contours",
-/// "doubtful", "rejected" or "problems", or the stem of the file where a file is a layer. As the driver will
-/// call it (laundered_name.hpp). @param layers what resolve_layers() gave
+/// Returns the name of a layer as the driver will create it (see laundered_name()): -nln, with "_contours"
+/// appended for contours if both layers are written, and "_doubtful", "_rejected" or "_problems" for these
+/// roles. Without -nln it is "buildings", "contours", "doubtful", "rejected" or "problems", or the stem of
+/// the file if a file is one layer. @param layers result of resolve_layers()
 [[nodiscard]] std::string name_of(const WriteOptions& options, const VectorFormat& format, LayerRole role,
                                   Layers layers);
 
-/// The names of all layers that the run writes.
+/// Returns the names of all layers that the run writes.
 [[nodiscard]] std::vector<std::string> names_of(const WriteOptions& options, const VectorFormat& format,
                                                 Layers layers);
 

@@ -11,7 +11,7 @@ namespace d2b {
 
 namespace {
 
-/// A file that is a layer may call it as it likes.
+/// Falls back to the index, because a file that is one layer may have any layer name.
 std::int64_t count_layer(GDALDatasetH dataset, const std::string& name, std::size_t index) {
     OGRLayerH layer = GDALDatasetGetLayerByName(dataset, name.c_str());
     if (layer == nullptr)
@@ -26,7 +26,7 @@ OutputError wrong_count(const WriteTarget& target, const std::string& layer, std
                        std::to_string(expected) + ".");
 }
 
-/// A sequence of no objects is a file of no bytes, which no driver knows.
+/// True for the empty file of a GeoJSON sequence without objects, which no driver recognizes.
 bool is_empty_sequence(const std::string& path, const LayerCounts& counts) {
     VSIStatBufL status{};
     return std::ranges::all_of(counts, [](const auto& layer) { return layer.second == 0; }) &&

@@ -8,7 +8,7 @@ namespace d2b {
 
 namespace {
 
-/// Some formats (MapInfo) have no integers of 64 bits; a real keeps all that are counted here.
+/// Returns a real type for formats without 64-bit integers, such as MapInfo; it is exact for all our counts.
 OGRFieldType integer_type(GDALDriverH driver) {
     const char* known = GDALGetMetadataItem(driver, GDAL_DMD_CREATIONFIELDDATATYPES, nullptr);
     return known == nullptr || std::string(known).find("Integer64") != std::string::npos ? OFTInteger64
@@ -27,8 +27,8 @@ OGRFieldType ogr_type(FieldType type, GDALDriverH driver) {
     return OFTString;
 }
 
-/// GeoPackage wants titles that differ, whatever other layers there are. What GDAL finds wrong with a view on
-/// the layer that is being replaced is no reason to stop: it will be there again.
+/// True if another layer has the title, because titles in a GeoPackage must be unique. Ignores errors that
+/// GDAL reports about views on the layer being replaced, because it will exist again.
 bool title_taken(GDALDatasetH dataset, const std::string& title) {
     const GdalMessages quiet;
     if (EQUAL(GDALGetDriverShortName(GDALGetDatasetDriver(dataset)), "GPKG"))
@@ -50,9 +50,9 @@ NameValueList layer_options(GDALDatasetH dataset, const LayerSpec& spec, const L
     };
     offer("IDENTIFIER", title_taken(dataset, spec.title) ? spec.title + " (" + spec.name + ")" : spec.title);
     offer("DESCRIPTION", spec.description);
-    // Beside what it is for, and not where the program was started.
+    // Temporary files belong next to the result, not into the working directory.
     offer("TEMPORARY_DIR", setting.target.hidden_folder);
-    // By default these drivers drop geometries and characters without a word.
+    // By default these drivers silently drop geometries and characters.
     if (setting.format.name == "CSV")
         offer("GEOMETRY", "AS_WKT");
     if (setting.format.name == "ESRI Shapefile")
@@ -96,7 +96,7 @@ CrsOwner srs_of(const std::string& wkt, const WriteTarget& target) {
 OGRLayerH create_layer(GDALDatasetH dataset, const LayerSpec& spec, const LayerSetting& setting) {
     OgrCall call(setting.target);
     const NameValueList options = layer_options(dataset, spec, setting);
-    // The C API of GDAL 3.6 takes the list as one that it might change, which it does not.
+    // const_cast because the C API of GDAL 3.6 takes a mutable list, but does not change it.
     OGRLayerH layer =
         GDALDatasetCreateLayer(dataset, spec.name.c_str(), setting.srs,
                                geometry_type(spec, setting.format.driver), const_cast<char**>(options.get()));
@@ -119,7 +119,7 @@ std::vector<int> create_fields(OGRLayerH layer, const LayerSpec& spec, const Lay
         call.check(done, "creating field \"" + field.name + "\" of layer \"" + spec.name + "\"");
         OGRFeatureDefnH fields = OGR_L_GetLayerDefn(layer);
         const int index = OGR_FD_GetFieldIndex(fields, field.name.c_str());
-        // Under a name of the driver's own it is the last one.
+        // If the driver has renamed the field, it is the last one.
         indices.push_back(index >= 0 ? index : OGR_FD_GetFieldCount(fields) - 1);
     }
     return indices;

@@ -25,8 +25,8 @@ bool same_srs(OGRSpatialReferenceH a, OGRSpatialReferenceH b) {
     return OSRIsSameEx(a, b, options.data()) != FALSE;
 }
 
-/// Text takes everything: formats without a schema (CSV, GeoJSON) call a column text where they know no
-/// better.
+/// Accepts text for any type, because formats without a schema (CSV, GeoJSON) report text if they cannot
+/// infer a type.
 bool type_fits(FieldType wanted, OGRFieldType there) {
     switch (wanted) {
         case FieldType::integer:
@@ -39,7 +39,7 @@ bool type_fits(FieldType wanted, OGRFieldType there) {
     return there == OFTString;
 }
 
-/// Empty where it fits.
+/// Returns the mismatch; "" if there is none.
 std::string geometry_misfit(OGRLayerH layer, const LayerSpec& spec) {
     const OGRwkbGeometryType type = OGR_L_GetGeomType(layer);
     const OGRwkbGeometryType flat = wkbFlatten(type);

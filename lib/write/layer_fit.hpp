@@ -6,18 +6,18 @@
 
 namespace d2b {
 
-/// Whether features of the spec can be added to a layer that is there: its CRS is the same, it takes
-/// MultiPolygons with or without Z alike, and has every field with a type that keeps the values.
-/// @return the index in the layer of each field of the spec @throws OutputError with what does not fit
+/// Checks that features of the spec can be appended to an existing layer: same CRS, MultiPolygons with or
+/// without Z alike, and all fields with types that keep the values. @return layer field index per field of
+/// the spec @throws OutputError naming the mismatch
 [[nodiscard]] std::vector<int> fitting_fields(OGRLayerH layer, const LayerSpec& spec,
                                               const LayerSetting& setting);
 
-/// The layer of a name; where a file is a layer, its name does not matter. Null where there is none.
+/// Returns the layer of that name, or the only one if a file is one layer; null if there is none.
 [[nodiscard]] OGRLayerH layer_called(GDALDatasetH dataset, const VectorFormat& format,
                                      const std::string& name);
 
-/// Whether features can stand beside those of a layer that is there: what the provenance binds is the same.
-/// @throws OutputError with what is not
+/// Checks that an existing layer has the same provenance, so that features can be appended.
+/// @throws OutputError naming the difference
 void require_same_origin(OGRLayerH layer, const Provenance& provenance, const WriteTarget& target);
 
 }  // namespace d2b

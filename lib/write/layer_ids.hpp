@@ -10,13 +10,13 @@
 
 namespace d2b {
 
-/// The largest number among the features of the layers, by their first fields; 0 where there is none. The
-/// database is asked, within the transaction that it is in. @throws OutputError
+/// Returns the largest feature id of the layers, which is in their first field; 0 if there is none. Queries
+/// the database within its transaction. @throws OutputError
 [[nodiscard]] std::int64_t largest_id(const WriteTarget& target, GDALDatasetH database,
                                       std::span<const LayerSpec> layers);
 
-/// The same of files, which are read to their ends. @throws OutputError also where a layer ends too early:
-/// ids that follow would then be given twice
+/// Same for files, which are read completely. @throws OutputError, also if a layer ends early, because ids
+/// would then be assigned twice
 [[nodiscard]] std::int64_t largest_id(const WriteTarget& target, const VectorFormat& format,
                                       const std::string& path, std::span<const LayerSpec> layers);
 

@@ -10,7 +10,7 @@ std::string element(const std::string& name, const std::string& text) {
     return " <" + name + ">" + xml_text(text) + "</" + name + ">\n";
 }
 
-/// "D2B_NOISE_FACTOR" to "noise factor"
+/// Turns "D2B_NOISE_FACTOR" into "noise factor".
 std::string words(std::string name) {
     if (name.starts_with("D2B_"))
         name.erase(0, 4);

@@ -6,7 +6,7 @@
 
 namespace d2b {
 
-/// Title, abstract and lineage of a layer as an XML document that QGIS reads.
+/// Returns title, abstract and lineage of a layer as QGIS metadata (XML).
 [[nodiscard]] std::string qgis_metadata(const LayerSpec& spec, const Provenance& provenance);
 
 }  // namespace d2b

@@ -9,7 +9,7 @@
 namespace d2b {
 namespace {
 
-/// As GDAL spells it in a VRT. FlatGeobuf keeps arcs.
+/// Returns the geometry type as spelled in a VRT. FlatGeobuf keeps arcs.
 std::string vrt_geometry(const LayerSpec& spec) {
     if (spec.points)
         return "wkbPoint";

@@ -11,18 +11,18 @@
 
 namespace d2b {
 
-/// A layer whose parts PartSink has written.
+/// Layer whose parts were written by PartSink.
 struct LayerMosaic {
     LayerSpec spec;
     std::string crs_wkt;  ///< "" for none
     std::int64_t features = 0;
-    Position least{};  ///< of all vertices
+    Position least{};  ///< minimum of all vertices
     Position most{};
-    std::vector<std::int64_t> parts;  ///< that have a file
+    std::vector<std::int64_t> parts;  ///< numbers of the parts that have a file
 };
 
-/// <destination>/<layer>.vrt, in which GDAL and what builds on it, as QGIS, see all parts as one layer. It
-/// appears whole or not at all, in the place of one that is there. @throws OutputError
+/// Prepares <destination>/<layer>.vrt, which presents all parts as one layer to GDAL and programs based on
+/// it, such as QGIS. Replaces an existing one atomically. @throws OutputError
 [[nodiscard]] std::unique_ptr<PendingResult> prepare_layer_mosaic(const WriteOptions& options,
                                                                   const LayerMosaic& mosaic);
 

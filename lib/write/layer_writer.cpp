@@ -49,7 +49,7 @@ LayerWriter LayerWriter::adopt(OGRLayerH layer, const LayerSpec& spec, const Lay
     LayerWriter writer(layer, spec, setting, fitting_fields(layer, spec, setting));
     OgrCall call(setting.target);
     writer.expected_ = OGR_L_GetFeatureCount(layer, TRUE);
-    // That driver sorts by FID, which it takes from a field "id", and gives new features what is free.
+    // This driver sorts by FID, which it reads from a field "id", and assigns free ones to new features.
     if (setting.format.name == "GeoJSON")
         writer.next_fid_ = largest_fid(layer) + 1;
     call.check(writer.expected_ >= 0, "counting the features of layer \"" + writer.name_ + "\"");
@@ -100,7 +100,7 @@ void LayerWriter::add(const Feature& feature) {
         done = OGR_G_CreateFromWkb(bytes.data(), nullptr, &geometry, static_cast<int>(bytes.size())) ==
                    OGRERR_NONE &&
                OGR_F_SetGeometryDirectly(feature_.get(), geometry) == OGRERR_NONE;
-        wkb_.forget_large();  // a contour may fill the raster, and the driver makes copies of its own
+        wkb_.forget_large();  // a contour may fill the raster, and the driver makes its own copies
     }
     done = done && OGR_L_CreateFeature(layer_, feature_.get()) == OGRERR_NONE;
     if (has_geometry_)

@@ -22,7 +22,7 @@ std::string without_slashes(std::string path) {
 fs::path resolved_path(const std::string& name) {
     std::error_code error;
     fs::path path = without_slashes(name);
-    // A link may lead to a file that is not there yet, which the library's functions do not follow.
+    // std::filesystem does not follow links to files that do not exist yet.
     for (int links = 0; links < 40 && fs::is_symlink(path, error); ++links)
         path = path.parent_path() / fs::read_symlink(path, error);
     return path;
@@ -38,7 +38,7 @@ void check_parent_folder(const std::string& name, const fs::path& path) {
     if (!fs::is_directory(status))
         throw OutputError("Cannot write \"" + name + "\": \"" + parent.string() +
                           "\" is not a folder; choose another destination.");
-    // The permission bits do not tell of read-only and special file systems, and mean nothing to root.
+    // Permission bits do not cover read-only and special file systems, and do not apply to root.
     const Staging trial(name, path);
 }
 

@@ -5,12 +5,12 @@
 
 namespace d2b {
 
-/// The path without symbolic links at its end and without slashes there: a renamed file must not replace the
-/// link that leads to it.
+/// Resolves symbolic links and removes trailing slashes, because renaming a file onto a link would replace
+/// the link.
 [[nodiscard]] std::filesystem::path resolved_path(const std::string& name);
 
-/// Tries whether files can be made beside a path. @param name for messages
-/// @throws OutputError: no such folder, not a folder, not writable
+/// Checks by trial that files can be created next to a path. @param name for messages @throws OutputError if
+/// the folder does not exist, is not a folder or is not writable
 void check_parent_folder(const std::string& name, const std::filesystem::path& path);
 
 }  // namespace d2b

@@ -7,12 +7,12 @@
 
 namespace d2b {
 
-/// A layer that a run has made.
+/// Layer created by this run.
 struct NewLayer {
     const LayerSpec& spec;
-    std::string table;                 ///< as the driver calls it
-    std::string geometry;              ///< its column
-    std::vector<std::string> columns;  ///< of each field of the spec
+    std::string table;                 ///< name given by the driver
+    std::string geometry;              ///< geometry column
+    std::vector<std::string> columns;  ///< column name per field of the spec
 };
 
 }  // namespace d2b

@@ -17,11 +17,11 @@
 namespace d2b {
 namespace {
 
-/// On one line, whatever is in it.
+/// Returns a comment of one line, whatever the text contains.
 std::string comment(const std::string& text) {
     std::string line = "# ";
     for (const char c : text)
-        line += c == '\n' || c == '\r' || c == '\\' ? ' ' : c;  // a backslash may go on on the next line
+        line += c == '\n' || c == '\r' || c == '\\' ? ' ' : c;  // a backslash would continue the line
     return line + "\n";
 }
 
@@ -43,11 +43,11 @@ class ObjSink final : public FileSink<SurfaceSink> {
     void add_building(const SurfaceBuilding& building);
 
     SurfaceSolids solids_;
-    std::string library_;  ///< name of the file of materials, without its folder
+    std::string library_;  ///< file name of the materials, without folder
     SurfaceFile file_;
     SurfaceFile materials_;
     std::optional<CoordinateText> text_;
-    std::uint64_t before_ = 1;  ///< number of the next corner
+    std::uint64_t before_ = 1;  ///< number of the next vertex
     bool has_any_ = false;
 };
 

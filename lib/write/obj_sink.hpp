@@ -8,11 +8,9 @@
 
 namespace d2b {
 
-/// A Wavefront OBJ: an object for each building, named after its number, or one for all, with the groups
-/// roof, wall and ground, whose colours stand in a second file.
-/// Corners that touching buildings share stand there once, before the first of these. What the metadata say
-/// stands in comments.
-/// @param materials of RasterFormat::materials
+/// Wavefront OBJ: one object per building, named after its id, or one for all, with groups roof, wall and
+/// ground, whose colours are in a second file. Vertices shared by touching buildings are written once, before
+/// the first of them. Metadata are written as comments. @param materials file of RasterFormat::materials
 [[nodiscard]] std::unique_ptr<SurfaceSink> open_obj_sink(RasterPlace place, RasterPlace materials,
                                                          SurfaceSolids solids = SurfaceSolids::each);
 

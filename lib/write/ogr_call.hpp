@@ -9,28 +9,27 @@
 
 namespace d2b {
 
-/// What messages say of the place that is written to.
+/// Destination as named in messages.
 struct WriteTarget {
-    std::string name;  ///< the destination as the user gave it
-    std::string
-        hidden_folder;  ///< where it is written meanwhile, with a slash; "" where it is written in place
+    std::string name;           ///< user input
+    std::string hidden_folder;  ///< temporary folder with trailing slash; "" if written in place
     Warnings* warnings = nullptr;
     StopRequest stop{};
 };
 
-/// One step that OGR takes for us. An error that OGR reports is a failure even where the call claims success:
-/// what is lost is lost, and drivers report full disks in this way alone.
+/// Guards one call of OGR. Treats each reported error as a failure, even if the call returns success, because
+/// drivers report a full disk only in this way.
 class OgrCall {
   public:
     explicit OgrCall(const WriteTarget& target) : target_(target), messages_(target.hidden_folder) {}
 
-    /// Passes warnings on. @param doing what was tried, e.g. "creating layer \"buildings\"" @throws
-    /// OutputError
+    /// Forwards warnings. @param doing the attempted step, e.g. "creating layer \"buildings\""
+    /// @throws OutputError on failure
     void check(bool succeeded, const std::string& doing);
     [[nodiscard]] bool succeeded() const { return !messages_.failed(); }
     [[nodiscard]] std::string reason() const { return messages_.first_reason(); }
     void pass_warnings();
-    /// @throws OutputError: always
+    /// @throws OutputError always
     [[noreturn]] void fail(const std::string& doing) const;
 
   private:
@@ -38,11 +37,11 @@ class OgrCall {
     GdalMessages messages_;
 };
 
-/// What a user can do about a failure of a database, as the end of a sentence that begins with "; "; "" where
-/// nothing is known. @param reason GDAL's
+/// Returns advice about an error of a database, as the end of a sentence that begins with "; "; "" if there
+/// is none. @param reason message of GDAL
 [[nodiscard]] std::string advice_for(const std::string& reason);
 
-/// Writes what is pending and closes. @throws OutputError: also where only closing fails
+/// Flushes and closes. @throws OutputError, also if only closing fails
 void close_written(const WriteTarget& target, DatasetOwner dataset);
 
 }  // namespace d2b

@@ -24,7 +24,7 @@ namespace d2b {
 
 namespace {
 
-/// Layers that change in place, in a transaction.
+/// Transaction that changes layers of a database in place.
 class PendingTransaction final : public PendingResult {
   public:
     PendingTransaction(DatasetWriter& writer, std::string name) : writer_(writer), name_(std::move(name)) {}
@@ -76,13 +76,13 @@ class OgrFeatureSink final : public FileSink<FeatureSink> {
     }
 
   private:
-    /// Whether the layers change where they are, in one transaction.
+    /// True if layers of an existing database are changed in one transaction.
     [[nodiscard]] bool in_place() const { return existing_ && format_.transactions; }
     [[nodiscard]] DatasetWriter::Mode mode() const;
     [[nodiscard]] OldFiles old_files() const {
         return existing_ ? OldFiles{existing_->files, existing_->stamp} : OldFiles{};
     }
-    /// @throws OutputError where the disk has refused what the driver took for written
+    /// @throws OutputError if the disk rejected a write that the driver took for successful
     void require_written() const;
 
     WriteOptions options_;
@@ -90,14 +90,15 @@ class OgrFeatureSink final : public FileSink<FeatureSink> {
     Destination destination_;
     std::optional<ExistingDataset> existing_;
     bool writes_virtual_files_;
-    std::optional<CoordinateRounding> rounding_ = CoordinateRounding();  ///< nothing: in a way of its own
+    std::optional<CoordinateRounding> rounding_ = CoordinateRounding();  ///< nothing if not decimal
     StopRequest stop_;
     Warnings warnings_;
     std::optional<PendingFiles> files_;
     std::optional<HeldOutput> held_;
     std::optional<WriteWatch> watch_;
     WriteTarget target_;
-    std::optional<DatasetWriter> writer_;  ///< goes before the folder that it writes in
+    std::optional<DatasetWriter>
+        writer_;  ///< declared after the staging folder, because it must be destroyed first
     std::optional<PendingTransaction> transaction_;
 };
 
@@ -106,7 +107,7 @@ DatasetWriter::Mode OgrFeatureSink::mode() const {
         return DatasetWriter::Mode::create;
     if (!options_.overwrite)
         return DatasetWriter::Mode::extend;
-    // A database is never replaced whole.
+    // Databases are never replaced as a whole.
     return format_.transactions || is_connection(format_.driver, destination_.path)
                ? DatasetWriter::Mode::replace
                : DatasetWriter::Mode::create;
@@ -135,7 +136,7 @@ void OgrFeatureSink::rehearse(std::span<const LayerSpec> layers, const Provenanc
             rounding_ = coordinate_rounding(draft, true);
         return;
     }
-    // What has no surprises is not tried: it would take longer than a small raster.
+    // GeoPackage with default options is not tried, because that would take longer than a small raster.
     const bool plain = format_.name == "GPKG" && options_.layer_name.empty() &&
                        options_.layer_options.empty() && options_.dataset_options.empty();
     if (!plain && !is_connection(format_.driver, destination_.path))
@@ -171,9 +172,9 @@ void OgrFeatureSink::begin(std::span<const LayerSpec> layers, const Provenance& 
     }
     if (path.find("/vsistdout") != std::string::npos)
         held_.emplace();
-    // No .aux.xml beside formats without metadata: it would outlive a rollback.
+    // Prevent .aux.xml files of formats without metadata, because they would outlive a rollback.
     const ConfigOption no_sidecar("GDAL_PAM_ENABLED", "NO");
-    // What is written aside is synced once, before it is renamed; SQLite need not wait for the disk before.
+    // Staged files are synced once before the rename, so SQLite need not sync earlier.
     std::optional<ConfigOption> no_waiting;
     if (files_)
         no_waiting.emplace("OGR_SQLITE_SYNCHRONOUS", "OFF");

@@ -15,7 +15,7 @@ namespace d2b {
 
 using FieldOwner = GdalOwner<OGRFieldDefnH, OGR_Fld_Destroy>;
 
-/// Whether the value of an option of GDAL's formats is the name of a file or folder, as with TEMPORARY_DIR.
+/// True if the value of a format option is a file or folder name, such as TEMPORARY_DIR.
 [[nodiscard]] inline bool names_a_file(std::string_view option) {
     const std::string name(option.substr(0, option.find('=')));
     constexpr std::array endings{"DIR", "FILE", "FILENAME", "PATH"};
@@ -25,8 +25,8 @@ using FieldOwner = GdalOwner<OGRFieldDefnH, OGR_Fld_Destroy>;
     });
 }
 
-/// A NULL-terminated list of NAME=VALUE, as GDAL takes them. Values become text of results, so they are
-/// UTF-8; names of files keep their bytes.
+/// NULL-terminated list of NAME=VALUE pairs for GDAL. Values are converted to UTF-8, because they end up in
+/// results; file names keep their bytes.
 class NameValueList {
   public:
     NameValueList() = default;

@@ -6,12 +6,12 @@
 
 namespace d2b {
 
-/// Whole numbers in as few bytes as they need: seven binary digits a byte, the low ones first, and the eighth
-/// says that more follow (LEB128).
+/// Variable-length integers (LEB128): seven bits per byte, low bits first; the eighth bit says that more
+/// follow.
 class PackedNumbers {
   public:
     void put(std::uint64_t number);
-    /// Near 0 on either side: 0, -1, 1, -2, 2, ... are 0, 1, 2, 3, 4, ...
+    /// ZigZag encoding: 0, -1, 1, -2, 2, ... become 0, 1, 2, 3, 4, ...
     void put_signed(std::int64_t number);
 
     [[nodiscard]] const std::string& bytes() const { return bytes_; }
@@ -20,11 +20,11 @@ class PackedNumbers {
     std::string bytes_;
 };
 
-/// As RFC 1950 has it (zlib). @throws OutputError
+/// Compresses with zlib (RFC 1950). @throws OutputError
 [[nodiscard]] std::string deflated(std::string_view bytes);
-/// As RFC 4648 has it.
+/// Encodes as Base64 (RFC 4648).
 [[nodiscard]] std::string base64(std::string_view bytes);
-/// The bytes that hexadecimal digits stand for.
+/// Decodes hexadecimal digits.
 [[nodiscard]] std::string bytes_of_hex(std::string_view digits);
 
 }  // namespace d2b

@@ -8,13 +8,13 @@
 namespace d2b {
 namespace {
 
-// https://www.sqlite.org/rtree.html, 6: a node is its depth (of the root alone) and number of cells, in two
-// bytes each, then cells of an id and four coordinates; all big-endian.
+// https://www.sqlite.org/rtree.html, section 6: a node has its depth (only set in the root) and number of
+// cells, two bytes each, then cells of an id and four coordinates; all big-endian.
 constexpr std::size_t head_bytes = 4;
 constexpr std::size_t cell_bytes = 24;
 constexpr int byte_bits = 8;
 
-/// Fills the begin of what is left with the bytes of a number.
+/// Writes an integer, big-endian, and advances.
 template <typename Unsigned>
 void put(std::span<std::byte>& left, Unsigned value) {
     for (std::size_t i = sizeof value; i > 0; --i) {
@@ -53,12 +53,12 @@ std::size_t pieces(std::size_t count, std::size_t most) {
     return (count + most - 1) / most;
 }
 
-/// The bounds of `n` parts of nearly equal size.
+/// Returns the begin of part i of n parts of nearly equal size.
 std::size_t part_begin(std::size_t count, std::size_t n, std::size_t i) {
     return count * i / n;
 }
 
-/// Vertical slices by x, each from the bottom to the top: neighbours in the list are neighbours on the map.
+/// Sorts into vertical slices by x, each by y, so that neighbours in the list are neighbours on the map.
 void sort_into_tiles(std::span<IndexedBox> boxes, std::size_t cells_a_node) {
     const auto by_x = [](const IndexedBox& a, const IndexedBox& b) {
         return std::pair(a.min_x + a.max_x, a.id) < std::pair(b.min_x + b.max_x, b.id);

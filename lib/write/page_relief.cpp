@@ -7,7 +7,8 @@
 namespace d2b {
 namespace {
 
-/// A browser without a graphics card turns as many triangles, twice, in a fraction of a second.
+/// Limit that a browser without a graphics card can render, with twice as many triangles, in a fraction of a
+/// second.
 constexpr std::int32_t most_samples_a_side = 400;
 
 std::int32_t samples(std::int32_t cells, std::int32_t step) {

@@ -12,22 +12,22 @@
 
 namespace d2b {
 
-/// The ground of a page, in samples that are squares of cells: of a terrain their mean, of elevations with
-/// buildings in them the lowest.
+/// Ground of a page, in samples that are squares of cells: the mean of a terrain, or the minimum of
+/// elevations that contain buildings.
 class PageRelief {
   public:
-    /// @param window of the DEM @param lowest whether a sample is its lowest cell
+    /// @param window of the DEM @param lowest true for the minimum per sample, false for the mean
     PageRelief(const Window& window, bool lowest);
 
-    /// @param part of the window @param values in metres, NaN where there is none
+    /// @param part of the window @param values in metres, NaN if missing
     void add(const Window& part, std::span<const float> values);
-    /// Centimetres, row by row: each less the one before it, of the first of a row the one above; 0 where
-    /// there is none, else one more than the number packed with its sign.
+    /// Returns centimetres, row by row, as differences to the previous sample, or to the one above at the
+    /// begin of a row. 0 means no data, otherwise the zigzag-encoded difference plus one.
     [[nodiscard]] PackedNumbers packed() const;
-    /// Samples a side.
+    /// Samples per side.
     [[nodiscard]] std::int32_t rows() const { return rows_; }
     [[nodiscard]] std::int32_t cols() const { return cols_; }
-    /// Cells a side of a sample.
+    /// Cells per side of a sample.
     [[nodiscard]] std::int32_t step() const { return step_; }
 
   private:
@@ -38,11 +38,11 @@ class PageRelief {
     std::int32_t step_;
     std::int32_t rows_;
     std::int32_t cols_;
-    std::vector<double> values_;  ///< sums, or the lowest
+    std::vector<double> values_;  ///< sums or minima
     std::vector<std::int32_t> counts_;
 };
 
-/// Gives a relief what comes; nothing of its own is written. @param relief shared with the page
+/// Forwards rows to a relief and writes no file. @param relief shared with the page
 [[nodiscard]] std::unique_ptr<RasterSink> open_page_relief(std::shared_ptr<PageRelief> relief);
 
 }  // namespace d2b

@@ -32,7 +32,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Numbers of people: thousandths at most.
+/// Rounds to thousandths, because the numbers are only displayed.
 Json value_json(const FieldValue& value) {
     constexpr double digits = 1000;
     if (const auto* whole = std::get_if<std::int64_t>(&value))
@@ -51,7 +51,7 @@ Json style_json(const LayerStyle& style) {
             {"certain", style.certain}};
 }
 
-/// The legend of the styles for QGIS.
+/// Returns the height classes of the QGIS styles.
 Json classes_json() {
     Json classes = Json::array();
     for (std::size_t i = 0; i < height_classes().size(); ++i)
@@ -61,14 +61,15 @@ Json classes_json() {
     return classes;
 }
 
-/// A length, and so many bytes.
+/// Appends the length and the bytes.
 void append_section(const std::string& bytes, std::string& to) {
     for (unsigned shift = 0; shift < 32; shift += 8)
         to += static_cast<char>(bytes.size() >> shift & 0xFFU);
     to += bytes;
 }
 
-/// @param names each put in wherever the text has @NAME@; what is put in is not looked at again
+/// Substitutes placeholders. @param names replaced if the text contains @NAME@; replacements are not scanned
+/// again
 std::string filled(std::string_view text, const std::vector<std::pair<std::string, std::string>>& names) {
     std::string result;
     while (!text.empty()) {
@@ -128,7 +129,7 @@ class PageSink final : public FileSink<SurfaceSink> {
     SurfaceFile file_;
     SurfaceMeta meta_;
     PageStack stack_;
-    std::vector<Json> columns_;  ///< of fields, a value a building
+    std::vector<Json> columns_;  ///< one per field, with one value per building
     std::vector<CutStack> cuts_;
 };
 
@@ -143,7 +144,7 @@ void PageSink::add(const SurfacePart& part) {
         for (std::size_t i = 0; i < columns_.size(); ++i)
             columns_[i].push_back(value_json(building.values[i]));
     }
-    // Deflated, no less than a quarter is left of it.
+    // Deflating leaves no less than a quarter.
     require_room(stack_.packed().bytes().size() / 4);
 }
 
@@ -158,7 +159,7 @@ void PageSink::require_room(std::uint64_t bytes) const {
                           "-srcwin), or fewer levels (a lower -lod).");
 }
 
-/// Steps and metres: a corner is at its steps times the scale, from the offset on.
+/// Returns the scale and offset that convert steps to metres.
 Json PageSink::frame() const {
     const SurfaceFrame& frame = meta_.frame;
     const std::array<double, 3> offset = frame.local({0, 0, 0});

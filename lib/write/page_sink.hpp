@@ -9,22 +9,21 @@
 
 namespace d2b {
 
-/// A page and where its ground goes.
+/// Sinks of a page: buildings and ground.
 struct Page {
     std::unique_ptr<SurfaceSink> surface;
     std::unique_ptr<RasterSink> relief;
 };
 
-/// What a page is about.
+/// Input data of a page.
 struct PageSubject {
     const DemInfo& dem;
-    bool terrain = true;  ///< whether its ground is a terrain, else elevations with buildings in them
+    bool terrain = true;  ///< true for a terrain, false for elevations that contain buildings
 };
 
-/// One HTML file that shows the stack in a browser and reads nothing else: the parts of page_parts(), and the
-/// tiers of all buildings as packed whole numbers. docs/page.md says what is in it.
-/// @param place of RasterFormat::page @param most bytes of the file; browsers become slow with more
-/// @throws OptionError where the library was built without pages
+/// Writes one self-contained HTML file that shows the stack in a browser: page_parts() and the packed tiers
+/// of all buildings. See docs/page.md. @param place of RasterFormat::page @param most largest file size in
+/// bytes, because browsers become slow with more @throws OptionError if the library was built without pages
 [[nodiscard]] Page open_page(RasterPlace place, const PageSubject& subject,
                              std::uint64_t most = std::uint64_t{64} << 20);
 

@@ -8,21 +8,20 @@
 
 namespace d2b {
 
-/// The stacks of a page as numbers, and how many there are of what. Of each building: its number, the height
-/// of its base and that of its roof above it, and how many tiers it has; of each tier: its level, how many
-/// tiers before it the one is that it stands on (0: the ground), its height above that, and how many rings it
-/// has; of each ring: how many corners, and where they lie to the east and north of the corner before them.
-/// The number and the base are told from those of the building before.
+/// Stacks of a page as packed integers. Per building: id, height of the base, height of the roof above it,
+/// number of tiers; per tier: level, distance in the list to its parent (0 is the ground), height above it,
+/// number of rings; per ring: number of vertices and their offsets to the east and north from the previous
+/// vertex. Ids and bases are differences to the previous building.
 class PageStack {
   public:
     void add(const SurfaceBuilding& building);
 
-    /// Of a level and all below it.
+    /// Sums of a level and all below it.
     struct Count {
         std::int64_t contours = 0;
         std::int64_t corners = 0;
     };
-    /// From level 1 up.
+    /// Starts with level 1.
     [[nodiscard]] std::vector<Count> counts() const;
     [[nodiscard]] const PackedNumbers& packed() const { return numbers_; }
     [[nodiscard]] std::int64_t buildings() const { return buildings_; }

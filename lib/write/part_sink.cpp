@@ -35,7 +35,7 @@ class PartSink final : public FileSink<FeatureSink> {
     Callbacks callbacks_;
     std::vector<LayerSpec> specs_;
     Provenance provenance_;
-    std::vector<std::unique_ptr<FeatureSink>> sinks_;  ///< null: nothing has come for it
+    std::vector<std::unique_ptr<FeatureSink>> sinks_;  ///< null if the layer has no features yet
 };
 
 PartSink::PartSink(WriteOptions options, std::int64_t part, Callbacks callbacks)
@@ -48,7 +48,7 @@ void PartSink::begin(std::span<const LayerSpec> layers, const Provenance& proven
     specs_.assign(layers.begin(), layers.end());
     provenance_ = provenance;
     sinks_.resize(specs_.size());
-    // Where nothing was found anywhere, the layers are there all the same.
+    // Part 0 creates all layers, because they must exist even if nothing was found.
     for (std::size_t layer = 0; part_ == 0 && layer < specs_.size(); ++layer)
         (void)sink(layer);
 }
@@ -63,7 +63,7 @@ FeatureSink& PartSink::sink(std::size_t layer) {
     if (error)
         throw OutputError("\"" + folder.string() + "\" cannot be made: " + error.message() +
                           "; make room for it, or let it be written to.");
-    // Of the whole only the way in which a layer is written is left.
+    // Keep only the options that affect how a layer is written.
     WriteOptions options;
     options.format = options_.format;
     options.destination = (folder / (std::to_string(part_) + ".fgb")).string();

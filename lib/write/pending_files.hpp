@@ -11,18 +11,17 @@
 
 namespace d2b {
 
-/// What a destination consists of, which goes when a result comes in its place.
+/// Files at a destination that the result replaces.
 struct OldFiles {
     std::vector<std::string> files;
-    std::string stamp;  ///< of them; changes when they do
+    std::string stamp;  ///< changes when the files change
 };
 
-/// Local files on their way: written in a hidden folder beside their place, and then put there whole by a
-/// CommitList.
+/// Local files that are written to a hidden folder next to their destination, then published by a CommitList.
 class PendingFiles final : public PendingResult {
   public:
-    /// @param name for messages @param warnings get what is noticed, and must outlive this
-    /// @throws OutputError where no folder can be made
+    /// @param name for messages @param warnings receives warnings, must outlive this object
+    /// @throws OutputError if no folder can be created
     PendingFiles(Kind kind, const std::string& name, const std::filesystem::path& destination, OldFiles old,
                  Warnings& warnings);
 
@@ -43,7 +42,7 @@ class PendingFiles final : public PendingResult {
     std::optional<Staging> staging_;
 };
 
-/// @throws OutputError where the files of a destination are not what they were
+/// @throws OutputError if the files of a destination have changed
 void require_unchanged(const std::string& name, const OldFiles& old);
 
 }  // namespace d2b

@@ -39,7 +39,7 @@ void StagedPicture::write(const std::string& bytes) {
     const bool written = VSIFWriteL(bytes.data(), 1, bytes.size(), file) == bytes.size();
     const bool closed = VSIFCloseL(file) == 0;
     const int reason = errno;
-    // Of files of this machine GDAL does not say what was wrong.
+    // GDAL does not report the reason for local files.
     if (!(written && closed) && call.succeeded() && reason != 0)
         throw OutputError("Cannot write \"" + staged_.name() +
                           "\": " + std::generic_category().message(reason) + ".");

@@ -11,7 +11,7 @@ namespace d2b {
 
 class CommitList;
 
-/// A picture that appears whole or not at all, as a GeoTIFF of open_geotiff_sink() does.
+/// Image file that appears whole or not at all, like a GeoTIFF of open_geotiff_sink().
 class PictureFile {
   public:
     PictureFile() = default;
@@ -19,17 +19,17 @@ class PictureFile {
     PictureFile& operator=(const PictureFile&) = delete;
     virtual ~PictureFile() = default;
 
-    /// As the extension of the name says.
+    /// Format by file extension.
     [[nodiscard]] virtual PictureFormat format() const = 0;
-    /// Writes it where nobody sees it yet. @param bytes of the whole file @throws OutputError
+    /// Writes the file under a temporary name. @param bytes of the whole file @throws OutputError
     virtual void write(const std::string& bytes) = 0;
-    /// Adds it to what is to be shown. @param commit shows it while this lives @throws OutputError
+    /// Adds it to a commit. @param commit publishes it during the lifetime of this object @throws OutputError
     virtual void prepare(CommitList& commit) = 0;
-    /// What has been noticed since the last call, a sentence each.
+    /// Returns the warnings since the last call, one sentence each.
     [[nodiscard]] virtual std::vector<std::string> take_warnings() = 0;
 };
 
-/// The checks that need no picture are made here. @throws OptionError, OutputError as locate_raster()
+/// Makes all checks that need no image. @throws OptionError, OutputError like locate_raster()
 [[nodiscard]] std::unique_ptr<PictureFile> open_picture(const RasterTarget& target);
 
 }  // namespace d2b

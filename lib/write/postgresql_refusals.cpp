@@ -10,7 +10,8 @@ namespace d2b {
 
 namespace {
 
-/// The schema that the destination names goes first, and PostgreSQL passes over it where it cannot use it.
+/// First schema of the search path, which the destination may name; PostgreSQL silently skips it if it is not
+/// usable.
 constexpr std::string_view first_schema =
     R"(btrim(split_part(current_setting('search_path'), ',', 1), ' "'''))";
 
@@ -24,7 +25,7 @@ std::string text_of(GDALDatasetH database, const std::string& expression) {
     return sql_value(database, "SELECT " + expression + " AS text").value_or("");
 }
 
-/// Layers are looked for in the schema of the connection alone.
+/// Throws if options name another schema, because layers are only looked up in that of the connection.
 void refuse_other_schemas(const WriteOptions& options) {
     const std::string advice =
         ": name the schema in the destination, as in \"PG:dbname=town active_schema=plans\", so that layers "
@@ -78,7 +79,7 @@ void require_rights_on(const std::string& layer, const Destination& destination,
                             "with -nln, or let its owner run this");
         return;
     }
-    // Whoever adds keeps others out meanwhile, for which PostgreSQL asks for the right to update.
+    // Appending takes a lock, for which PostgreSQL requires the UPDATE privilege.
     for (const char* right : {"SELECT", "INSERT", "UPDATE"})
         if (!holds(database, "has_table_privilege(" + table + ", '" + right + "')"))
             refuse_user(

@@ -8,9 +8,9 @@
 
 namespace d2b {
 
-/// What would fail when all the work is done: a database without PostGIS, a schema that is not there, a user
-/// who may not make, replace or add to the layers. @param names of the layers
-/// @throws OptionError, OutputError
+/// Reports errors that would otherwise occur after all the work: no PostGIS, no such schema, a user without
+/// the rights to create, replace or append to the layers. @param names of the layers @throws OptionError,
+/// OutputError
 void refuse_unfit_postgresql(const Destination& destination, GDALDatasetH database,
                              const WriteOptions& options, const std::vector<std::string>& names);
 

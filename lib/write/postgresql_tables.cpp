@@ -15,7 +15,7 @@ constexpr const char* style_table =
     "= "
     "'layer_styles'";
 
-/// Statements about a new layer, in the transaction that is open.
+/// Statements about a new layer in the open transaction.
 class Furnishing {
   public:
     Furnishing(GDALDatasetH dataset, const NewLayer& layer, const WriteTarget& target)
@@ -60,8 +60,9 @@ void Furnishing::make_indices() const {
                  "making the index of buildings");
 }
 
-/// QGIS looks into one table of styles, whatever the schema of a layer; it is made as QGIS makes it, where
-/// the user may, and left alone where it is another's or of another shape. Others who make it are waited for.
+/// Returns true if public.layer_styles has the columns of QGIS and is writable. Creates it like QGIS does if
+/// the user may, under a lock because other programs may create it too. QGIS uses this one table for all
+/// schemas.
 bool Furnishing::has_styles_of_qgis() const {
     must("SELECT pg_advisory_xact_lock(hashtext('public.layer_styles'))", "waiting for the table of styles");
     if (!holds("EXISTS (SELECT 1 " + std::string(style_table) + ")")) {

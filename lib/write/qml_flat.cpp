@@ -12,7 +12,7 @@ namespace {
 
 using Properties = std::vector<std::pair<std::string, std::string>>;
 
-/// As maps of options and, for QGIS before 3.20, as `prop` elements.
+/// Writes properties as options and, for QGIS before 3.20, as `prop` elements.
 std::string symbol_layer(const std::string& kind, const Properties& properties,
                          const std::string& defined = "") {
     std::string options;
@@ -26,7 +26,7 @@ std::string symbol_layer(const std::string& kind, const Properties& properties,
            "     </Option>\n" + props + defined + "    </layer>\n";
 }
 
-/// @param colour "" for nothing but an outline @param width of the outline in millimetres; "" for none
+/// @param colour "" for no fill @param width of the outline in millimetres; "" for none
 std::string area(const std::string& colour, const std::string& edge, const std::string& width,
                  const std::string& defined = "") {
     return symbol_layer("SimpleFill",
@@ -45,7 +45,7 @@ std::string symbol(std::size_t number, const std::string& layers, const std::str
            "\" alpha=\"1\" clip_to_extent=\"1\" force_rhr=\"0\">\n" + layers + "   </symbol>\n";
 }
 
-/// A ring, so that what lies below it is seen.
+/// Hollow marker, so that the map below stays visible.
 std::string dot() {
     return symbol_layer("SimpleMarker", {{"name", "circle"},
                                          {"color", "255,255,255,0"},
@@ -57,7 +57,8 @@ std::string dot() {
                                          {"size_unit", "MM"}});
 }
 
-/// Lines in millimetres, which a print shows as a screen does, on a veil that hides the relief.
+/// Hatching in millimetres, so that it looks the same in print and on screen, on a translucent white that
+/// covers the relief.
 std::string hatched() {
     constexpr const char* magenta = "174,1,126,255";
     return area("255,255,255,130", magenta, "") +
@@ -70,7 +71,7 @@ std::string hatched() {
            area("", magenta, "0.4");
 }
 
-/// What lies over a feature that is not certain: the less, the whiter.
+/// White overlay on uncertain features: the less certain, the whiter.
 std::string veil(const LayerStyle& style, const std::string& certainty) {
     constexpr Veil opacity;
     const std::string colour = "color_rgba(255, 255, 255, scale_linear(" + certainty + ", " +
@@ -86,14 +87,14 @@ std::string rule(std::size_t number, const std::string& filter, const std::strin
            "\" label=\"" + xml_text(label) + "\"/>\n";
 }
 
-/// Where many outlines lie close together they are not all that is seen.
+/// Thins outlines on small scales, because dense outlines would cover the colours.
 std::string thin_on_small_maps() {
     return defined_properties(
         "data_defined_properties",
         defined_property("outlineWidth", "coalesce(scale_linear(@map_scale, 1000, 5000, 0.16, 0.04), 0.12)"));
 }
 
-/// A rule a class, below one that is but the heading of the legend.
+/// One rule per class, below a rule that is only the heading of the legend.
 std::string by_height(const LayerStyle& style, const Columns& columns) {
     const std::size_t classes = height_classes().size();
     std::string rules;

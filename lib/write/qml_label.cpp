@@ -8,8 +8,8 @@ namespace d2b::qml {
 
 namespace {
 
-/// A height in whole metres. What that would lift into the next class, so that figure and colour disagree,
-/// has a decimal, which does not: 9.7 m is not 10.
+/// Expression for a height in whole metres. Keeps a decimal if rounding would lift it into the next class, so
+/// that label and colour agree: 9.7 m does not become 10.
 std::string height_text(const std::string& height) {
     std::string bounds;
     for (const HeightClass& one : height_classes().subspan(1))
@@ -27,7 +27,7 @@ std::string labeling(const LayerSpec& spec, const Columns& columns) {
     std::string expression = text ? columns.label : height_text(columns.label);
     if (const auto& [one, other] = columns.labelled; !one.empty() && !other.empty())
         expression = "CASE WHEN " + one + " = " + other + " THEN " + expression + " END";
-    // A halo, so that figures can be read on every colour of the legend.
+    // The halo makes labels readable on every colour of the legend.
     return " <labeling type=\"simple\">\n  <settings calloutType=\"simple\">\n"
            "   <text-style fieldName=\"" +
            expression +

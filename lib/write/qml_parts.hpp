@@ -6,11 +6,11 @@
 
 #include "dem2buildings/sinks.hpp"
 
-/// What a QML document is made of; for the files qml_*.cpp alone.
+/// Internal parts of QML documents, used by qml_*.cpp only.
 namespace d2b::qml {
 
-/// The fields that a style speaks of, as quoted columns of an expression of QGIS, escaped for XML; "" where
-/// the style names none.
+/// Fields used by a style, as quoted columns in an expression of QGIS, escaped for XML; "" if the style does
+/// not use the field.
 struct Columns {
     std::string colour;
     std::string label;
@@ -23,20 +23,21 @@ struct Columns {
     std::string min_height;
 };
 
-/// Colours the layer by height, in a legend that says so, or gives all of it one look.
+/// Returns the 2D renderer: coloured by height with a legend, or a single symbol.
 [[nodiscard]] std::string renderer(const LayerSpec& spec, const Columns& columns);
-/// What is written on the features, on maps of large scale.
+/// Returns the labels for large map scales.
 [[nodiscard]] std::string labeling(const LayerSpec& spec, const Columns& columns);
-/// Solids in the colours of the renderer. They stand at their elevations, whatever the terrain of the scene.
+/// Returns solids in the colours of the 2D renderer. They stand at their elevations, independent of the
+/// terrain of the scene.
 [[nodiscard]] std::string renderer_3d(const LayerSpec& spec, const Columns& columns);
 
-/// "255,237,160,255"
+/// Returns for example "255,237,160,255".
 [[nodiscard]] std::string colour_text(std::size_t height_class);
-/// Whether a height is in a class, as an expression that is escaped for XML.
+/// Returns an expression, escaped for XML, that is true if a height is in a class.
 [[nodiscard]] std::string class_filter(std::size_t height_class, const std::string& height);
-/// What takes the place of a property of a symbol, for each feature.
+/// Returns a data-defined property of a symbol.
 [[nodiscard]] std::string defined_property(const std::string& name, const std::string& expression);
-/// Some of them.
+/// Wraps data-defined properties in their element.
 [[nodiscard]] std::string defined_properties(const std::string& element, const std::string& properties);
 
 }  // namespace d2b::qml

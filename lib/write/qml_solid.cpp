@@ -22,8 +22,8 @@ std::string material(std::size_t height_class) {
            "\" specular=\"20,20,20,255\" shininess=\"0\" opacity=\"1\"/>\n";
 }
 
-/// `height` of the data is what QGIS up to 3.40 reads and `offset` its later name; here they are but what
-/// stands where an expression gives nothing.
+/// QGIS up to 3.40 reads `height`, later versions `offset`; both are only fallbacks for expressions without a
+/// result.
 std::string solid(std::size_t height_class, const std::string& altitude, const std::string& extrusion) {
     return "    <symbol type=\"polygon\" material_type=\"phong\">\n"
            "     <data alt-clamping=\"absolute\" alt-binding=\"centroid\" height=\"0\" offset=\"0\" "
@@ -39,12 +39,12 @@ std::string solid(std::size_t height_class, const std::string& altitude, const s
 
 std::string renderer_3d(const LayerSpec& spec, const Columns& columns) {
     const LayerStyle& style = spec.style;
-    // Each solid reaches from where the one below it ends to where its own points are: neighbours meet in a
-    // plane that cannot be seen, and no two walls stand in one place.
+    // Each solid reaches from the top of the one below to its own top, so that neighbours meet in an
+    // invisible plane and no two walls coincide.
     const std::string thickness =
         columns.min_height.empty() ? columns.height : "(" + columns.height + " - " + columns.min_height + ")";
     const std::string extrusion = scaled(thickness, style.metre_scale);
-    // To an absolute altitude QGIS adds the Z of the vertices, of which all of a feature are the same.
+    // QGIS adds the Z of the vertices to an absolute altitude; all vertices of a feature have the same Z.
     const std::string altitude =
         (columns.top.empty() ? scaled(columns.bottom, style.vertical_scale)
                              : scaled(columns.top, style.vertical_scale) + " - " + extrusion) +

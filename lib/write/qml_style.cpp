@@ -9,7 +9,7 @@ namespace d2b {
 
 namespace {
 
-/// A field in an expression; a quote in its name is doubled.
+/// Returns a field as a quoted name in an expression.
 std::string column(const LayerSpec& spec, const std::vector<std::string>& columns, const std::string& name) {
     const auto field = std::ranges::find(spec.fields, name, &FieldSpec::name);
     if (name.empty() || field == spec.fields.end())
@@ -20,7 +20,7 @@ std::string column(const LayerSpec& spec, const std::vector<std::string>& column
     return xml_text(quoted + "\"");
 }
 
-/// The names of fields for people, with their units.
+/// Returns the aliases of fields, with their units.
 std::string aliases(const LayerSpec& spec, const std::vector<std::string>& columns) {
     std::string text = " <aliases>\n";
     for (std::size_t i = 0; i < spec.fields.size(); ++i)
@@ -29,7 +29,7 @@ std::string aliases(const LayerSpec& spec, const std::vector<std::string>& colum
     return text + " </aliases>\n";
 }
 
-/// What QGIS shows of a feature under the mouse.
+/// Returns the tooltip of a feature in QGIS.
 std::string map_tip(const qml::Columns& columns) {
     return columns.height.empty() ? "" : " <mapTip>[% round(" + columns.height + ", 1) %] m</mapTip>\n";
 }

@@ -8,12 +8,12 @@
 
 namespace d2b {
 
-/// The first line of a style of ours. QGIS does not keep it: what a user saves is the user's.
+/// First line of our styles. QGIS does not keep it, so a style saved by a user is recognized as the user's.
 inline constexpr std::string_view style_mark = "<!-- The default style of dem2buildings -->\n";
 
-/// How QGIS (3.16 and later) is to show a layer, as a QML document: symbols, labels, solids for 3D, and the
-/// names of fields for people.
-/// @param columns of the layer, one a field of the spec: formats may have shortened their names
+/// Returns the QML document by which QGIS (3.16 and later) shows a layer: symbols, labels, 3D solids and
+/// field aliases. @param columns of the layer, one per field of the spec, because formats may have shortened
+/// the names
 [[nodiscard]] std::string qml_style(const LayerSpec& spec, const std::vector<std::string>& columns);
 
 }  // namespace d2b

@@ -49,7 +49,7 @@ std::string metadata_text(GDALDatasetH dataset) {
     return items.empty() ? "" : "  <Metadata>\n" + items + "  </Metadata>\n";
 }
 
-/// All that is said of the raster before its parts.
+/// Returns the VRT up to its first source.
 std::string head_text(const std::string& first, std::int32_t rows, std::int32_t cols) {
     register_formats();
     const GdalMessages messages(first, first);
@@ -74,7 +74,7 @@ std::string window_text(const char* name, std::int32_t row, std::int32_t col, co
 }
 
 std::string part_text(const RasterPart& part) {
-    // With what GDAL would else open every part for.
+    // States the properties of the part, because otherwise GDAL would open every part to find them.
     const std::string side = std::to_string(GeoTiffFile::tile);
     return "    <SimpleSource><SourceFilename relativeToVRT=\"1\">" + xml_file_name(part.file) +
            "</SourceFilename><SourceBand>1</SourceBand><SourceProperties RasterXSize=\"" +

@@ -11,16 +11,15 @@
 
 namespace d2b {
 
-/// A GeoTIFF that holds some cells of a raster.
+/// GeoTIFF that holds a window of a raster.
 struct RasterPart {
     std::string file;  ///< relative to the folder of the raster
-    Window cells;      ///< counted from the raster's first row and column
+    Window cells;      ///< relative to the first row and column of the raster
 };
 
-/// A VRT in which GDAL and what builds on it see parts, as open_geotiff_sink() writes them, as one
-/// raster. What it says of itself is what the first part says, which has the raster's first cell. It appears
-/// whole or not at all, in the place of one that is there.
-/// @throws InputError the first part cannot be read, OutputError
+/// Prepares a VRT that presents parts, written by open_geotiff_sink(), as one raster to GDAL and programs
+/// based on it. Its metadata are copied from the first part, which has the first cell of the raster. Replaces
+/// an existing file atomically. @throws InputError if the first part cannot be read @throws OutputError
 [[nodiscard]] std::unique_ptr<PendingResult> prepare_raster_parts(const std::filesystem::path& vrt,
                                                                   std::int32_t rows, std::int32_t cols,
                                                                   const std::vector<RasterPart>& parts);

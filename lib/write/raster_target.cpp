@@ -26,14 +26,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What GDAL reads along with a GeoTIFF and would take for a part of the new one.
+/// Sidecar files that GDAL would read as part of the new GeoTIFF.
 constexpr std::array sidecars{".aux.xml", ".msk", ".ovr"};
 
 std::string quoted(const std::string& text) {
     return "\"" + text + "\"";
 }
 
-/// What messages say of a format.
+/// Wording of messages about a format.
 struct FormatWords {
     const char* is_written;
     const char* is_none;
@@ -78,10 +78,10 @@ bool same_file(const std::string& a, const std::string& b) {
                fs::weakly_canonical(fs::absolute(b, error), error);
 }
 
-/// Whether a file is among those that a dataset consists of: the tiles of a mosaic.
+/// True if a file belongs to a dataset, for example as a tile of a mosaic.
 bool part_of(const std::string& path, const std::string& dataset_name) {
     std::error_code error;
-    if (!fs::exists(dataset_name, error))  // neither pipes nor connections are opened
+    if (!fs::exists(dataset_name, error))  // pipes and connections are not opened
         return false;
     const GdalMessages quiet;
     const DatasetOwner dataset = open_gated(dataset_name, GDAL_OF_READONLY);
@@ -110,7 +110,7 @@ std::string beginning_of(const std::string& path) {
     return beginning;
 }
 
-/// @param place of a file that is there
+/// True if the existing file is of the format. @param place of an existing file
 bool is_of(RasterFormat format, const RasterPlace& place) {
     const GdalMessages quiet;
     if (format == RasterFormat::picture)

@@ -6,40 +6,41 @@
 
 namespace d2b {
 
-/// What a file beside the layers is.
+/// Kinds of files written next to the layers.
 enum class RasterFormat { geotiff, picture, surface, materials, page };
 
-/// Where a raster is to go.
+/// Requested destination of a raster or other file.
 struct RasterTarget {
-    /// A file name that ends in .tif or .tiff, in .png, .svg or .pdf, .html, .mtl, or as surface_format_of()
-    /// knows it.
+    /// File name that ends in .tif or .tiff, in .png, .svg or .pdf, .html, .mtl, or in an extension known to
+    /// surface_format_of().
     std::string destination;
     bool overwrite = false;
-    std::vector<std::string> in_use;  ///< names of what else the run reads and writes
+    std::vector<std::string> in_use;  ///< names of the other files that the run reads and writes
     RasterFormat format = RasterFormat::geotiff;
 };
 
-/// What a raster says of itself.
+/// Metadata of a raster.
 struct RasterMeta {
     std::string unit = "metre";
-    std::string description;                      ///< of the band
-    std::map<std::string, std::string> metadata;  ///< of the dataset
-    /// Values are above what the vertical part of the CRS names, which is then kept where its unit is the
-    /// metre; else it is left out, since it would be wrong.
+    std::string description;                      ///< description of the band
+    std::map<std::string, std::string> metadata;  ///< metadata of the dataset
+    /// True if values refer to the vertical part of the CRS. It is kept if its unit is the metre, otherwise
+    /// left out because it would be wrong.
     bool elevations = false;
 };
 
-/// A destination that can be written.
+/// Checked, writable destination.
 struct RasterPlace {
-    std::string name;                    ///< as the user gave it; for messages
+    std::string name;                    ///< user input, for messages
     std::string path;                    ///< without symbolic links
-    bool local = false;                  ///< a file of this machine, not one of GDAL's virtual ones
-    std::vector<std::string> old_files;  ///< what is replaced: the file and those that GDAL reads with it
-    std::string stamp;                   ///< of old_files; changes when they do
+    bool local = false;                  ///< local file, not one of a virtual file system of GDAL
+    std::vector<std::string> old_files;  ///< files to replace: the file and its sidecar files
+    std::string stamp;                   ///< changes when old_files change
 };
 
-/// @throws OptionError: not a name of the format, in use, exists without overwrite or is something else,
-/// files in the way. @throws OutputError: no such folder, not writable
+/// @throws OptionError if the name does not match the format, is in use, exists without overwrite or is
+/// another kind of file, or sidecar files are in the way @throws OutputError if the folder does not exist or
+/// is not writable
 [[nodiscard]] RasterPlace locate_raster(const RasterTarget& target);
 
 }  // namespace d2b

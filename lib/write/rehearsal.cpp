@@ -24,7 +24,8 @@ namespace d2b {
 
 namespace {
 
-/// Other programs look for fields by these names; case does not count.
+/// Throws if a driver changes field names of a standard, because other programs look for them
+/// (case-insensitive).
 void refuse_cut_names(const Draft& draft, const DatasetWriter& writer) {
     if (draft.options.fields == FieldNames::own)
         return;
@@ -39,7 +40,7 @@ void refuse_cut_names(const Draft& draft, const DatasetWriter& writer) {
     }
 }
 
-/// A small square, or a point, with a value in every field.
+/// Returns a small square or a point with a value in every field.
 Feature trial_feature(const LayerSpec& layer, const Position& place) {
     Feature feature;
     for (const FieldSpec& field : layer.fields)
@@ -58,7 +59,7 @@ Feature trial_feature(const LayerSpec& layer, const Position& place) {
     return feature;
 }
 
-/// @param folder with a slash
+/// @param folder with trailing slash
 void create_in(const std::string& folder, const Draft& draft) {
     const std::string name = std::filesystem::path(draft.destination.path).filename().string();
     const std::string file = folder + (name.empty() ? "trial" : name);
@@ -82,7 +83,7 @@ std::string with_advice(std::string sentence, const WriteOptions& options) {
                              "such as GeoPackage.");
 }
 
-/// Statements that make the tables of new layers.
+/// Returns the CREATE TABLE statements of new layers.
 std::vector<std::string> new_tables(const Draft& draft) {
     const MemoryFolder memory;
     const std::string file = memory.file(trial_name(draft.format.driver, draft.destination.path));

@@ -7,28 +7,28 @@
 
 namespace d2b {
 
-/// What is going to be written, as far as it is known before the work.
+/// Everything that is known about the output before the work.
 struct Draft {
     const Destination& destination;
     const VectorFormat& format;
     const WriteOptions& options;
     std::span<const LayerSpec> layers;
     const Provenance& provenance;
-    Position place;  ///< among the positions
+    Position place;  ///< position inside the data
 };
 
-/// Makes a new dataset of these layers with a feature in each, reads it back and removes it: what the driver
-/// refuses (fields, geometries, names, options), or writes as nobody can read it, is known before the work.
-/// In memory; where that fails, beside the destination, since some drivers write to the disk alone.
-/// @return whether it went in memory @throws OptionError: names that the format keeps for itself, names of
-/// fields that other programs look for and would not find. @throws OutputError with the driver's reason
+/// Creates a dataset of these layers with one feature each, reads it back and deletes it, so that unsupported
+/// fields, geometries, names and options are reported before the work. Does so in memory; if that fails, next
+/// to the destination, because some drivers only write to disk. @return true if it worked in memory
+/// @throws OptionError for reserved names and for standard field names that the format would change
+/// @throws OutputError with the reason of the driver
 bool rehearse_creating(const Draft& draft);
 
-/// Whether features can be added to the layers that are there. @throws OutputError with what does not fit
+/// Checks that features can be appended to the existing layers. @throws OutputError naming the mismatch
 void rehearse_adding(const Draft& draft);
 
-/// Whether what a user has made on layers of a SQLite database (views, triggers) fits those that take their
-/// place. @throws OutputError with the name of what does not
+/// Checks that views and triggers of the user on layers of a SQLite database fit the new layers.
+/// @throws OutputError naming the one that does not fit
 void rehearse_replacing(const Draft& draft);
 
 }  // namespace d2b

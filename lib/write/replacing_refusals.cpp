@@ -16,7 +16,7 @@ bool has_relations(GDALDatasetH dataset) {
         .has_value();
 }
 
-/// @param sql gives the kind and the name of each
+/// @param sql query for kind and name
 void refuse_found(const Destination& destination, GDALDatasetH dataset, const std::string& layer,
                   const std::string& sql) {
     const GdalMessages quiet;

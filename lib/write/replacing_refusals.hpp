@@ -8,9 +8,9 @@
 
 namespace d2b {
 
-/// For what would break where layers are replaced: relations and foreign keys, whose numbers would mean other
-/// features; in PostgreSQL views and triggers, too, which it drops. @param names of the layers
-/// @throws OptionError with the name of the first
+/// Rejects -overwrite if it would break relations and foreign keys, whose ids would then refer to other
+/// features, or views and triggers of PostgreSQL, which drops them with the table. @param names of the layers
+/// @throws OptionError naming the first one
 void refuse_what_would_break(const Destination& destination, GDALDatasetH dataset, const VectorFormat& format,
                              const std::vector<std::string>& names);
 

@@ -27,7 +27,8 @@ bool is_reserved(const std::string& name) {
                                [&](const char* table) { return EQUAL(name.c_str(), table); });
 }
 
-/// FID may be a field of whole numbers, which then counts the features as well.
+/// True if a column would duplicate a field. FID may be an integer field, which then holds the feature ids as
+/// well.
 bool clashes(const FieldSpec& field, const std::string& column, bool fid) {
     return EQUAL(field.name.c_str(), column.c_str()) && !(fid && field.type == FieldType::integer);
 }

@@ -8,8 +8,8 @@
 
 namespace d2b {
 
-/// In databases of SQLite some names of tables have a meaning, and each column has a name of its own.
-/// @throws OptionError where -nln gives a layer such a name, or -lco a column the name of one of our fields
+/// Rejects reserved table names and duplicate column names in SQLite databases. @throws OptionError if -nln
+/// is a reserved name, or -lco gives a column the name of one of our fields
 void refuse_reserved_names(const VectorFormat& format, const WriteOptions& options,
                            std::span<const LayerSpec> layers);
 

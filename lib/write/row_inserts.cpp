@@ -58,7 +58,7 @@ void RowInserts::bind(std::initializer_list<Cell> row) {
         const int bound = integer != nullptr
                               ? sqlite3_bind_int64(statement_.get(), place, *integer)
                               : sqlite3_bind_blob64(statement_.get(), place, bytes.data(), bytes.size(),
-                                                    SQLITE_STATIC);  // until the step below
+                                                    SQLITE_STATIC);  // valid until the step below
         if (bound != SQLITE_OK)
             fail();
     }

@@ -14,20 +14,20 @@
 
 namespace d2b {
 
-/// Many rows for a table of a GeoPackage: bound to one statement, which takes a third of the time of text;
-/// as text, in statements of some size, where the dataset's SQLite is another copy than this library's.
+/// Inserts many rows into a table of a GeoPackage: with a prepared statement, which takes a third of the time
+/// of SQL text, or with multi-row SQL text if GDAL links another copy of SQLite than this library.
 class RowInserts {
   public:
     using Cell = std::variant<std::int64_t, std::span<const std::byte>>;
 
-    /// @param handle of the dataset; null: as text
-    /// @param head e.g. INSERT INTO "a" VALUES @param doing for messages: what the rows are for
+    /// @param handle of the dataset; null to use SQL text @param head e.g. INSERT INTO "a" VALUES
+    /// @param doing purpose of the rows, for messages
     RowInserts(GDALDatasetH dataset, sqlite3* handle, const WriteTarget& target, std::string head,
                std::string doing);
 
-    /// @param row as many cells as in the row before @throws OutputError
+    /// @param row with the same number of cells as the previous row @throws OutputError
     void add(std::initializer_list<Cell> row);
-    /// After the last row. @throws OutputError
+    /// Call after the last row. @throws OutputError
     void finish();
 
   private:

@@ -37,7 +37,7 @@ class PendingSmallFile final : public PendingResult {
 
 PendingSmallFile::PendingSmallFile(fs::path path, const std::string& text)
     : path_(std::move(path)),
-      // Process numbers of several machines may be the same.
+      // Process ids may coincide between machines, so append a random number.
       hidden_(path_.parent_path() / ("." + path_.filename().string() + "." + std::to_string(::getpid()) +
                                      "." + std::to_string(std::random_device()()))) {
     try {

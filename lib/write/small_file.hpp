@@ -8,12 +8,12 @@
 
 namespace d2b {
 
-/// A text that fits in memory, written beside its place and forced to the disk, and renamed by a CommitList:
-/// it is there whole or not at all, also where several processes write it. @throws OutputError
+/// Writes a text to a temporary file next to its destination and syncs it; a CommitList renames it. The file
+/// appears whole or not at all, even if several processes write it. @throws OutputError
 [[nodiscard]] std::unique_ptr<PendingResult> prepare_small_file(const std::filesystem::path& path,
                                                                 const std::string& text);
 
-/// One that belongs to no others. @throws OutputError
+/// Same, but publishes at once. @throws OutputError
 void write_small_file(const std::filesystem::path& path, const std::string& text);
 
 }  // namespace d2b

@@ -42,12 +42,12 @@ std::optional<SpatialIndex> SpatialIndex::begin(GDALDatasetH dataset, OGRLayerH 
                   [&](const auto& row) { index.node_bytes_ = std::stoul(row[0]); });
         return index.node_bytes_ > 0;
     };
-    // GDAL makes indices that it has put off before it runs any SQL; if not, it is asked to.
+    // GDAL creates deferred indices before it runs SQL; otherwise create it explicitly.
     if (!look_at_root() &&
         !(index.run("SELECT CreateSpatialIndex(" + sql_text(table) + ", " + sql_text(column) + ")") &&
           look_at_root()))
         return std::nullopt;
-    // Where SQLite defends its own tables, they cannot be written.
+    // SQLite may protect its shadow tables against writing.
     if (!index.run("UPDATE " + nodes + " SET data = data WHERE nodeno = 1"))
         return std::nullopt;
     index.rest_triggers(table);
@@ -109,7 +109,7 @@ void SpatialIndex::fill(const PackedRtree& tree) const {
 }
 
 void SpatialIndex::finish() {
-    // What has filled it meanwhile in spite of all will have done it well.
+    // Skip if another writer has filled it already.
     bool empty = true;
     sql_query(dataset_, "SELECT 1 FROM " + sql_name(name_ + "_rowid") + " LIMIT 1",
               [&](const auto&) { empty = false; });

@@ -12,15 +12,15 @@
 
 namespace d2b {
 
-/// The spatial index of a new layer of a GeoPackage, made in one go when all features are there. GDAL
-/// declares it on the empty table, so that what others see is GDAL's own; its triggers rest until it is
-/// filled.
-/// GDAL 3.6 adds boxes one by one, in ten times as long; from 3.8 on it packs them itself. This is used with
-/// every version all the same: one way is tested, and a result has the same bytes whatever GDAL writes it. It
-/// may go when 3.8 is the oldest version that is built with.
+/// Builds the spatial index of a new layer of a GeoPackage at once after the last feature.
+///
+/// GDAL creates the empty index, so that its declaration is GDAL's own; its triggers are dropped until the
+/// index is filled. GDAL 3.6 inserts boxes one by one, which takes ten times as long; GDAL 3.8 and later pack
+/// them too. This class is used with all versions, because then only one path needs testing and results have
+/// the same bytes with every version. It can be removed when 3.8 is the oldest supported version.
 class SpatialIndex {
   public:
-    /// @returns nothing where GDAL or SQLite does not allow it; then all is as it was, and GDAL makes the
+    /// @return nothing if GDAL or SQLite does not permit it; nothing has changed then, and GDAL creates the
     /// index
     [[nodiscard]] static std::optional<SpatialIndex> begin(GDALDatasetH dataset, OGRLayerH layer,
                                                            const WriteTarget& target);
@@ -38,9 +38,9 @@ class SpatialIndex {
 
     GDALDatasetH dataset_;
     const WriteTarget* target_;
-    std::string name_;  ///< of the virtual table
+    std::string name_;  ///< name of the virtual table
     std::size_t node_bytes_ = 0;
-    std::vector<std::string> triggers_;  ///< that have to be created again
+    std::vector<std::string> triggers_;  ///< statements to recreate them
     std::vector<IndexedBox> boxes_;
 };
 

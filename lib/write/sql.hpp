@@ -10,28 +10,27 @@
 
 namespace d2b {
 
-/// A name in SQL, in its quotes: "buildings"
+/// Quotes an identifier: "buildings"
 [[nodiscard]] std::string sql_name(const std::string& name);
-/// A text in SQL: 'buildings'
+/// Quotes a string literal: 'buildings'
 [[nodiscard]] std::string sql_text(const std::string& text);
 
 using SqlRow = std::vector<std::string>;  ///< NULL is ""
 
-/// Runs a query and calls `use` with each of its rows. Errors are reported as GDAL does.
-/// @return whether it could be run
+/// Runs a query and calls `use` per row. Errors are reported through GDAL. @return true if the query ran
 bool sql_query(GDALDatasetH dataset, const std::string& sql, const std::function<void(const SqlRow&)>& use);
 
-/// The first value of the first row; none where there is no row, or the query fails.
+/// Returns the first value of the first row; nothing if there is no row or the query fails.
 [[nodiscard]] std::optional<std::string> sql_value(GDALDatasetH dataset, const std::string& sql);
 
-/// Runs a statement. Errors are reported as GDAL does.
+/// Runs a statement. Errors are reported through GDAL.
 void sql_run(GDALDatasetH dataset, const std::string& sql);
 
-/// The same in the writing of a dataset. @param doing what it is for @throws OutputError where it fails
+/// Same while writing a dataset. @param doing purpose, for messages @throws OutputError if it fails
 void sql_must(GDALDatasetH dataset, const WriteTarget& target, const std::string& sql,
               const std::string& doing);
 
-/// Runs a statement. @return whether GDAL has reported no error; what it says goes no further
+/// Runs a statement and suppresses messages. @return true if GDAL reported no error
 bool sql_done(GDALDatasetH dataset, const std::string& sql);
 
 }  // namespace d2b

@@ -6,8 +6,8 @@
 
 namespace d2b {
 
-/// The connection of a dataset; null where it is none of SQLite's, or one of another copy of SQLite than this
-/// library runs on: a handle of one is none for the other.
+/// Returns the connection of a dataset; nullptr if the dataset is not SQLite, or if GDAL links a different
+/// copy of SQLite, because handles are not interchangeable.
 [[nodiscard]] sqlite3* sqlite_handle(GDALDatasetH dataset);
 
 }  // namespace d2b

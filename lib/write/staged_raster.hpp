@@ -11,16 +11,16 @@
 
 namespace d2b {
 
-/// A file in one of GDAL's virtual file systems, on a server say, on its way: written beside its place under
-/// another name.
+/// File in a virtual file system of GDAL, for example on a server, written under a temporary name and then
+/// renamed.
 class PendingVirtualFile final : public PendingResult {
   public:
-    /// @param target for messages, must outlive this @param replaces whether there is one in its place
+    /// @param target for messages, must outlive this object @param replaces true if the file exists
     PendingVirtualFile(const WriteTarget& target, std::string path, bool replaces)
         : target_(target), path_(std::move(path)), replaces_(replaces) {}
     ~PendingVirtualFile() override;
 
-    /// Where it is written.
+    /// Temporary name.
     [[nodiscard]] std::string beside() const { return path_ + ".part"; }
 
     [[nodiscard]] Kind kind() const override { return Kind::file; }
@@ -38,8 +38,8 @@ class PendingVirtualFile final : public PendingResult {
     bool shown_ = false;
 };
 
-/// A file beside the layers on its way: written beside its place, and put there whole by a CommitList. Until
-/// then the place stays as it was, and nothing is left beside it where this goes.
+/// File written next to the layers (raster, picture, surface) under a temporary name, then published by a
+/// CommitList. Until then the destination is unchanged; on destruction the temporary file is removed.
 class StagedRaster {
   public:
     explicit StagedRaster(RasterPlace place);
@@ -48,13 +48,13 @@ class StagedRaster {
     ~StagedRaster() = default;
 
     [[nodiscard]] const std::string& name() const { return place_.name; }
-    /// Whether there is an old one in its place.
+    /// True if an old file exists.
     [[nodiscard]] bool replaces() const { return !place_.old_files.empty(); }
-    /// For messages about it.
+    /// Used in messages.
     [[nodiscard]] const WriteTarget& target() const { return target_; }
-    /// @return the path of the file to write
+    /// @return path of the file to write
     [[nodiscard]] std::string begin();
-    /// The file is closed: forces it to the disk and adds it. @throws OutputError
+    /// Syncs the closed file and adds it to the commit. @throws OutputError
     void prepare(CommitList& commit);
     [[nodiscard]] std::vector<std::string> take_warnings() { return warnings_.take(); }
 

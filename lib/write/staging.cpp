@@ -24,7 +24,7 @@ OutputError cannot_write(const std::string& name, const std::string& reason) {
     return OutputError("Cannot write \"" + name + "\": " + reason + ".");
 }
 
-/// What replaces a file is as readable as that file was.
+/// Copies the permissions of the replaced file.
 void take_permissions(const fs::path& from, const fs::path& to) {
     std::error_code error;
     const fs::file_status status = fs::status(from, error);
@@ -37,7 +37,7 @@ void take_permissions(const fs::path& from, const fs::path& to) {
 Staging::Staging(std::string name, fs::path destination)
     : name_(std::move(name)), destination_(std::move(destination)) {
     const fs::path parent = parent_of(destination_);
-    // Without the extension: /vsizip/ would take "a.ods" for an archive wherever it stands in a path.
+    // Leave out the extension, because /vsizip/ would take "a.ods" anywhere in a path for an archive.
     std::string pattern = (parent / ".dem2buildings.XXXXXX").string();
     if (::mkdtemp(pattern.data()) == nullptr)
         throw cannot_write(name_, "the folder \"" + parent.string() + "\" takes no new files (" +
@@ -130,7 +130,7 @@ void Staging::publish_folder(bool replaces) {
         moves_.move(dataset(), destination_);
         return;
     }
-    // An empty folder may be there before; nobody else's files may go.
+    // An empty folder may exist already; files of others must not be lost.
     if (!replaces && !(fs::is_directory(destination_) && fs::is_empty(destination_)))
         throw std::system_error(EEXIST, std::generic_category());
     moves_.replace(dataset(), destination_, folder_ / "old");

@@ -8,36 +8,39 @@
 
 namespace d2b {
 
-/// A hidden folder beside the destination, in which the dataset is written under its own name: drivers take
-/// layer names, schemas and sidecar files from the name. Gone, with all that is in it, when this object is.
+/// Hidden folder next to the destination, in which the dataset is written under its final name, because
+/// drivers derive layer names, schemas and sidecar files from it. On destruction the folder is removed with
+/// its contents.
+///
+/// Use it for local files only; files of virtual file systems have PendingVirtualFile.
 class Staging {
   public:
-    /// @param name for messages @param destination a local path @throws OutputError where no folder can be
-    /// made
+    /// @param name for messages @param destination local path @throws OutputError if no folder can be created
     Staging(std::string name, std::filesystem::path destination);
     Staging(const Staging&) = delete;
     Staging& operator=(const Staging&) = delete;
     ~Staging();
 
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
-    /// Where the driver writes.
+    /// Path that the driver writes to.
     [[nodiscard]] std::filesystem::path dataset() const { return folder_ / destination_.filename(); }
 
-    /// Brings files of the destination into the folder, to be changed there. @throws OutputError
+    /// Copies files of the destination into the folder, to be modified there. @throws OutputError
     void copy_in(const std::vector<std::string>& files);
-    /// Remembers what is there as the result: what turns up later (caches of readers) is not published. What
-    /// replaces a file becomes as readable as that file.
+    /// Records the present files as the result, because readers may add cache files later, which are not
+    /// published. New files get the permissions of the files that they replace.
     void seal();
-    /// Forces the files to the disk. @throws OutputError
+    /// Syncs the files to disk. @throws OutputError
     void sync() const;
-    /// Puts the result in the place of the old files, all that the destination consists of (none where it is
-    /// new), which the hidden folder keeps from now on. One file and a folder change in one step; a set of
-    /// files (Shapefile) one after the other, the main file last, and back again where one fails. Where not
-    /// even that goes, the old files stay in the hidden folder. @throws OutputError
+    /// Moves the result to the destination and the old files (all files of the destination, none if it is
+    /// new) to the hidden folder. One file or folder is replaced atomically; a set of files (Shapefile) one
+    /// by one, the main file last, and restored if one fails. If restoring fails too, the old files stay in
+    /// the hidden folder. @throws OutputError
     void publish(const std::vector<std::string>& old_files);
-    /// @return why the disk does not confirm the new names; "" where it does
+    /// @return reason why the new names could not be synced; "" on success
     [[nodiscard]] std::string confirm() const;
-    /// After publish(): puts the old files back. @return where that fails a clause that says what lies where
+    /// Restores the old files after publish(). @return "" on success, otherwise a clause that says which
+    /// files are in which folder
     [[nodiscard]] std::string take_back();
 
   private:
@@ -47,9 +50,9 @@ class Staging {
     std::string name_;
     std::filesystem::path destination_;
     std::filesystem::path folder_;
-    bool keeps_old_ = false;                     ///< files that could not be brought back
-    std::vector<std::filesystem::path> result_;  ///< file names, the main one last
-    FileMoves moves_;                            ///< of publish()
+    bool keeps_old_ = false;                     ///< true if old files could not be restored
+    std::vector<std::filesystem::path> result_;  ///< file names, the main file last
+    FileMoves moves_;                            ///< renames of publish()
 };
 
 }  // namespace d2b

@@ -19,13 +19,13 @@ namespace d2b {
 namespace {
 
 std::FILE*& stream() {
-    // GDAL has one /vsistdout/ in a process, too, and does not say where it goes.
+    // Global because /vsistdout/ of GDAL is global too, and GDAL has no getter for its target.
     // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
     static std::FILE* chosen = stdout;
     return chosen;
 }
 
-/// Sets the room aside, which leaves the length of the file as it is.
+/// Allocates disk space without changing the length of the file.
 bool has_room_in_file(int file, const struct stat& status, std::uint64_t bytes) {
     const int flags = ::fcntl(file, F_GETFL);
     const off_t at = (flags & O_APPEND) != 0 ? status.st_size : ::lseek(file, 0, SEEK_CUR);
@@ -51,7 +51,7 @@ bool has_room(int file, std::uint64_t bytes) {
         return false;
     if (S_ISREG(status.st_mode))
         return has_room_in_file(file, status, bytes);
-    // A pipe without a reader, a device that takes nothing.
+    // Detects pipes without a reader and devices that accept no data.
     struct pollfd ready {
         file, POLLOUT, 0
     };
@@ -78,7 +78,7 @@ void require_room_on_stdout(std::uint64_t bytes) {
 }
 
 HeldOutput::HeldOutput() {
-    // GDAL hands the stream on, and does nothing with it.
+    // GDAL only passes the stream through, so it can carry a pointer to this object.
     VSIStdoutSetRedirection(hold, reinterpret_cast<std::FILE*>(this));
 }
 
@@ -92,7 +92,7 @@ std::size_t HeldOutput::hold(const void* data, std::size_t size, std::size_t cou
         held.spool_.append({static_cast<const std::byte*>(data), size * count});
         held.size_ += size * count;
         return count;
-    } catch (...) {  // which must not pass through GDAL
+    } catch (...) {  // exceptions must not pass through GDAL
         held.failure_ = std::current_exception();
         return 0;
     }

@@ -9,18 +9,18 @@
 
 namespace d2b {
 
-/// Where /vsistdout/ writes to from now on, in the whole process: stdout, or another stream, which leaves
-/// stdout to what GDAL's drivers print.
+/// Redirects /vsistdout/ in the whole process: to stdout, or to another stream if drivers of GDAL print to
+/// stdout.
 void set_standard_output(std::FILE* output);
 
-/// @throws OutputError: not all that was written to stdout is there
+/// @throws OutputError always: writing to stdout failed
 [[noreturn]] void refuse_lost_output();
 
-/// As far as can be known before it is tried. @throws OutputError where so many bytes more would not get
-/// through to the standard output, since it is closed, the disk is full or the reader has gone
+/// Checks as far as possible in advance. @throws OutputError if `bytes` more bytes cannot be written to the
+/// standard output, because it is closed, the disk is full or the reader has gone
 void require_room_on_stdout(std::uint64_t bytes);
 
-/// Keeps what is written to /vsistdout/ while it lives, until a CommitList shows it.
+/// Captures output to /vsistdout/ during its lifetime until a CommitList publishes it.
 class HeldOutput final : public PendingResult {
   public:
     HeldOutput();
@@ -28,7 +28,7 @@ class HeldOutput final : public PendingResult {
     HeldOutput& operator=(const HeldOutput&) = delete;
     ~HeldOutput() override;
 
-    /// @throws OutputError where there was no room to keep it
+    /// @throws OutputError if there was no space for it
     void require_kept() const;
 
     [[nodiscard]] Kind kind() const override { return Kind::stream; }

@@ -22,7 +22,7 @@ Vector minus(const Vector& a, const Vector& b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-/// Of length one, to the side from which the corners run counter-clockwise.
+/// Returns the unit normal on the side from which the vertices are counter-clockwise.
 Vector normal(const Vector& a, const Vector& b, const Vector& c) {
     const Vector u = minus(b, a);
     const Vector v = minus(c, a);
@@ -33,7 +33,7 @@ Vector normal(const Vector& a, const Vector& b, const Vector& c) {
     return n;
 }
 
-/// The numbers of a text, as what reads it has them: in single precision.
+/// Parses three numbers in single precision, like readers of STL do.
 Vector as_read(const std::string& text) {
     Vector numbers{};
     const char* at = text.data();
@@ -41,7 +41,7 @@ Vector as_read(const std::string& text) {
         float read = 0;
         at = number_from_chars(at, text.data() + text.size(), read).ptr;
         number = static_cast<double>(read);
-        at += at == text.data() + text.size() ? 0 : 1;  // a space
+        at += at == text.data() + text.size() ? 0 : 1;  // skips a space
     }
     return numbers;
 }
@@ -68,7 +68,7 @@ class StlSink final : public FileSink<SurfaceSink> {
     SurfaceFile file_;
     SurfaceFrame frame_;
     std::optional<CoordinateText> text_;
-    std::string solid_;  ///< name of the one that is not ended
+    std::string solid_;  ///< name of the open solid
     bool has_any_ = false;
 };
 

@@ -8,9 +8,9 @@
 
 namespace d2b {
 
-/// An ASCII STL: a solid for each building, named after its number, or one for all, with the origin of the
-/// coordinates after the name. Without a building there is no file, since an STL without facets is none, and
-/// a warning says so.
+/// ASCII STL: one solid per building, named after its id, or one for all, with the origin of the coordinates
+/// after the name. Without any building no file is written, because an STL without facets is invalid, and a
+/// warning says so.
 [[nodiscard]] std::unique_ptr<SurfaceSink> open_stl_sink(RasterPlace place,
                                                          SurfaceSolids solids = SurfaceSolids::each);
 

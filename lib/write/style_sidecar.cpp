@@ -20,7 +20,7 @@ void write_style_beside(const std::string& path, const NewLayer& layer) {
     const fs::path file =
         single ? fs::path(path).replace_extension(".qml") : fs::path(path) / (layer.table + ".qml");
     const std::string text = qml_style(layer.spec, layer.columns);
-    // Failures are noticed where the files are watched.
+    // Failed writes are detected by the VSI layer that monitors the files.
     const GdalMessages quiet;
     VSILFILE* out = VSIFOpenL(file.c_str(), "wb");
     if (out == nullptr)

@@ -29,7 +29,7 @@ struct SurfaceFile::Impl {
 
     explicit Impl(RasterPlace place) : staged(std::move(place)) {}
 
-    /// Of files of this machine GDAL does not say what was wrong.
+    /// Throws with errno, because GDAL does not report the reason for local files.
     void check(bool done, OgrCall& call) const {
         const int reason = errno;
         if (!done && call.succeeded() && reason != 0)

@@ -11,9 +11,9 @@ namespace d2b {
 
 class CommitList;
 
-/// A file of a surface on its way: written beside its place in pieces, and then put there whole by a
-/// CommitList, as a GeoTIFF of open_geotiff_sink() is. Without that the place stays as it was. A sink that
-/// writes two files has two of these; dem2buildings/commit_list.hpp says in which order it prepares them.
+/// File of a surface, written in pieces under a temporary name and published by a CommitList, like a GeoTIFF
+/// of open_geotiff_sink(). Until then the destination is unchanged. A sink that writes two files has two of
+/// these; dem2buildings/commit_list.hpp defines the order in which it prepares them.
 class SurfaceFile {
   public:
     explicit SurfaceFile(RasterPlace place);
@@ -21,16 +21,16 @@ class SurfaceFile {
     SurfaceFile& operator=(const SurfaceFile&) = delete;
     ~SurfaceFile();
 
-    /// Adds bytes to its end. @throws OutputError
+    /// Appends bytes. @throws OutputError
     void write(std::string_view bytes);
-    /// Completes it and adds it to what is to be shown. @param commit shows it while this lives @throws
-    /// OutputError
+    /// Completes the file and adds it to a commit. @param commit publishes it during the lifetime of this
+    /// object @throws OutputError
     void prepare(CommitList& commit);
-    /// In its place, where there is nothing to be published: warns of it. @param why "an STL without a solid
-    /// is none"
+    /// Call instead of prepare() if there is nothing to publish; adds a warning. @param why for example "an
+    /// STL without a solid is none"
     void leave_out(const std::string& why);
     void warn(const std::string& sentence);
-    /// What has been noticed since the last call, a sentence each.
+    /// Returns the warnings since the last call, one sentence each.
     [[nodiscard]] std::vector<std::string> take_warnings();
 
   private:

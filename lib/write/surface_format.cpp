@@ -9,7 +9,7 @@
 namespace d2b {
 namespace {
 
-/// The first word of a line says what the line holds; lines of comments and empty ones may come first.
+/// True if the first word of the text is in the list; skips comments and empty lines.
 bool begins_with_word(std::string_view text, std::span<const std::string_view> words) {
     while (!text.empty()) {
         const std::string_view line = text.substr(0, text.find('\n'));
@@ -18,7 +18,7 @@ bool begins_with_word(std::string_view text, std::span<const std::string_view> w
         if (!word.empty() && !word.starts_with('#'))
             return std::ranges::find(words, word) != words.end();
     }
-    return true;  // comments alone
+    return true;  // comments only
 }
 
 bool begins_an_obj(std::string_view text) {
@@ -26,14 +26,14 @@ bool begins_an_obj(std::string_view text) {
     return begins_with_word(text, words);
 }
 
-/// Its type is most often the first of its names.
+/// Searches for the type only, because it is usually the first member.
 bool begins_a_cityjson(std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t\r\n");
     return first != std::string_view::npos && text[first] == '{' &&
            text.find("\"CityJSON\"") != std::string_view::npos;
 }
 
-/// Of text; one of bytes has 80 of them that may be anything.
+/// Detects ASCII only, because a binary STL begins with 80 arbitrary bytes.
 bool begins_an_stl(std::string_view text) {
     return text.starts_with("solid");
 }
@@ -72,7 +72,7 @@ bool begins_a_surface(SurfaceFormat format, std::string_view beginning) {
 }
 
 std::string materials_name(const std::string& obj) {
-    const std::size_t base = obj.find_last_of('/') + 1;  // 0 where there is no folder
+    const std::size_t base = obj.find_last_of('/') + 1;  // 0 without a folder
     std::string name = obj.substr(0, obj.size() - std::string_view(".obj").size()) + ".mtl";
     for (std::size_t i = base; i < name.size(); ++i)
         if (static_cast<unsigned char>(name[i]) < ' ' || name[i] == '\\')

@@ -6,23 +6,23 @@
 
 namespace d2b {
 
-/// Formats of surfaces.
+/// File formats of surfaces.
 enum class SurfaceFormat { cityjson, obj, stl, glb };
 
-/// By the end of a file's name, in letters of either case; nothing where it is none of theirs.
+/// Returns the format by file extension, case-insensitive; nothing if unknown.
 [[nodiscard]] std::optional<SurfaceFormat> surface_format_of(const std::string& name);
 
-/// Whether a file may be replaced by one of a format, since it is one. @param beginning its first bytes
+/// True if a file is of the format, so that it may be replaced. @param beginning its first bytes
 [[nodiscard]] bool begins_a_surface(SurfaceFormat format, std::string_view beginning);
 
-/// The name of the materials of an OBJ: its own with .mtl in place of .obj, without what a line of an OBJ
-/// cannot hold.
+/// Returns the file name of the materials of an OBJ: .mtl instead of .obj, without characters that a line of
+/// an OBJ cannot hold.
 [[nodiscard]] std::string materials_name(const std::string& obj);
 
-/// Whether a file may be replaced by materials of an OBJ, since it has some. @param beginning its first bytes
+/// True if a file holds materials of an OBJ, so that it may be replaced. @param beginning its first bytes
 [[nodiscard]] bool begins_materials(std::string_view beginning);
 
-/// "OBJ; give "x" a name that ends in .obj", with all formats: ends a sentence.
+/// Returns the end of a sentence that lists all formats: "OBJ; give "x" a name that ends in .obj".
 [[nodiscard]] std::string surface_formats_advice(const std::string& name);
 
 }  // namespace d2b

@@ -9,16 +9,16 @@
 
 namespace d2b {
 
-/// Where a surface goes.
+/// Destination files of a surface.
 struct SurfacePlace {
     RasterPlace file;
-    std::optional<RasterPlace> materials;  ///< of an OBJ: a file beside it
+    std::optional<RasterPlace> materials;  ///< second file of an OBJ
 };
 
-/// @param target of RasterFormat::surface @throws OptionError, OutputError as locate_raster() does
+/// @param target of RasterFormat::surface @throws OptionError, OutputError like locate_raster()
 [[nodiscard]] SurfacePlace locate_surface(const RasterTarget& target);
 
-/// A file of a surface, in the format that its name ends in. @param solids of an OBJ or STL
+/// Opens a surface in the format of the file extension. @param solids used by OBJ and STL
 [[nodiscard]] std::unique_ptr<SurfaceSink> open_surface_sink(SurfacePlace place, SurfaceSolids solids);
 
 }  // namespace d2b

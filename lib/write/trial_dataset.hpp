@@ -12,7 +12,8 @@
 
 namespace d2b {
 
-/// A folder of /vsimem/ of its own, for trials; the address of a living object is unique in the process.
+/// Private folder in /vsimem/ for trials. Its name contains the address of this object, which is unique in
+/// the process.
 class MemoryFolder {
   public:
     MemoryFolder() : path_("/vsimem/d2b_probe_" + std::to_string(reinterpret_cast<std::uintptr_t>(this))) {
@@ -21,7 +22,7 @@ class MemoryFolder {
     MemoryFolder(const MemoryFolder&) = delete;
     MemoryFolder& operator=(const MemoryFolder&) = delete;
     ~MemoryFolder() { VSIRmdirRecursive(path_.c_str()); }
-    /// Of the files called probe.* alone: a driver may have put others there.
+    /// Returns the suffixes of files named probe.*, because a driver may add other files.
     [[nodiscard]] std::vector<std::string> suffixes() const {
         std::vector<std::string> found;
         const CPLStringList names(VSIReadDir(path_.c_str()));
@@ -38,20 +39,20 @@ class MemoryFolder {
     std::string path_;
 };
 
-/// The part of a destination's name that decides how a driver lays its files out. A stream is always one
+/// Returns the part of a destination's name by which a driver chooses its file layout. A stream is always one
 /// file.
 [[nodiscard]] std::string trial_name(GDALDriverH driver, const std::string& destination);
 
-/// @return null where the driver makes none
+/// @return null if the driver creates none
 OGRLayerH add_trial_layer(GDALDatasetH dataset, const char* name, OGRSpatialReferenceH srs);
 
-/// A small triangle. @param place its first corner @return whether the driver takes it
+/// Adds a small triangle. @param place its first vertex @return true if the driver accepts it
 bool add_trial_feature(OGRLayerH layer, const Position& place);
 
-/// By its driver alone. @return null where it cannot
+/// Opens the file with this driver only. @return null on failure
 [[nodiscard]] DatasetOwner reopen_trial(GDALDriverH driver, const std::string& file);
 
-/// Whether the driver says YES to a capability.
+/// True if the driver metadata have YES for a capability.
 [[nodiscard]] bool says_yes(GDALDriverH driver, const char* capability);
 
 }  // namespace d2b

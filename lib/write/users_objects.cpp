@@ -12,7 +12,7 @@ namespace d2b {
 
 namespace {
 
-/// Triggers that GDAL and SpatiaLite make, and make again.
+/// True for triggers that GDAL and SpatiaLite create and recreate.
 bool is_drivers_own(const std::string& name, const std::string& layer) {
     static constexpr std::array prefixes{"ggi_", "ggu_", "gii_", "giu_", "gid_", "tmi_", "tmu_", "tmd_"};
     return name.starts_with("rtree_" + layer + "_") || name == "trigger_insert_feature_count_" + layer ||
@@ -21,13 +21,13 @@ bool is_drivers_own(const std::string& name, const std::string& layer) {
                        [&](const char* prefix) { return name.starts_with(prefix + layer + "_"); });
 }
 
-/// What the database says against a statement; "" where it takes it.
+/// Returns the error of a statement; "" if there is none.
 std::string objection(GDALDatasetH dataset, const std::string& sql) {
     const GdalMessages messages;
     sql_run(dataset, sql);
     if (!messages.failed())
         return "";
-    // GDAL puts the statement before what SQLite says.
+    // GDAL prepends the statement to the message of SQLite.
     const std::string reason = messages.first_reason();
     const std::size_t statement = reason.find(sql);
     const std::size_t colon =
@@ -45,8 +45,8 @@ std::string view_query(const std::string& view) {
     return "SELECT * FROM " + sql_name(view) + " LIMIT 0";
 }
 
-/// A statement of SQLite's own list, which begins as here whatever the user wrote, as one that makes the same
-/// in the temporary database. Names mean what is there first.
+/// Rewrites a CREATE statement, which sqlite_master stores with a normalized begin, for the temporary
+/// database. Names there take precedence over those of the main database.
 std::string temporary(const std::string& type, const std::string& sql) {
     const std::size_t word = sql.find(type == "index" ? "INDEX " : " ");
     return type == "index" ? std::string(sql).insert(word + 6, "temp.")
@@ -58,8 +58,8 @@ std::string temporary(const std::string& type, const std::string& sql) {
 UsersObjects::UsersObjects(GDALDatasetH dataset, std::vector<std::string> layers)
     : dataset_(dataset), layers_(std::move(layers)) {
     const GdalMessages quiet;
-    // GDAL reads the columns of a layer when it first needs them. Those of a view cannot be read while what
-    // it shows is being replaced.
+    // Make GDAL read the columns of all layers now, because those of a view cannot be read while its tables
+    // are being replaced.
     for (int i = 0; i < GDALDatasetGetLayerCount(dataset_); ++i)
         OGR_L_GetLayerDefn(GDALDatasetGetLayer(dataset_, i));
     for (const std::string& layer : layers_)
@@ -101,7 +101,8 @@ void UsersObjects::bring_back(const WriteTarget& target) const {
 }
 
 void UsersObjects::require_fit(const WriteTarget& target) const {
-    // What a trigger does is looked at when it is called for the first time.
+    // SQLite checks the body of a trigger only when it is first prepared, so EXPLAIN each statement that
+    // fires it.
     for (const Object& object : gone_with_tables_)
         if (object.type == "trigger")
             for (const std::string& layer : layers_)

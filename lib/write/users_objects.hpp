@@ -7,21 +7,20 @@
 
 namespace d2b {
 
-/// What a user has made on layers in a SQLite database (GeoPackage), and what becomes of it where they are
-/// replaced: triggers and indices go with a table and are made again, views must fit the new one.
+/// Objects of users that depend on layers of a SQLite database (GeoPackage), kept while the layers are
+/// replaced: triggers and indices are dropped with a table and recreated, views must match the new table.
 class UsersObjects {
   public:
-    /// @param layers that are to be replaced
+    /// @param layers to be replaced
     UsersObjects(GDALDatasetH dataset, std::vector<std::string> layers);
 
     [[nodiscard]] bool empty() const { return gone_with_tables_.empty() && views_.empty(); }
-    /// Makes the new layers, empty, and what the user has made of them, in the temporary database of this
-    /// connection, which covers the other one and goes with it: nothing is written.
-    /// @param tables statements that make the layers @throws OutputError with the name of what does not fit
-    /// them
+    /// Creates the new layers, empty, and the dependent objects in the temporary database of this connection,
+    /// which shadows the main one and is discarded with it, so nothing is written. @param tables statements
+    /// that create the layers @throws OutputError naming the object that does not match
     void rehearse(const WriteTarget& target, const std::vector<std::string>& tables) const;
-    /// Once the new layers are written, within the same transaction. @throws OutputError with the name of
-    /// what does not fit them
+    /// Recreates the objects in the same transaction after the new layers are written. @throws OutputError
+    /// naming the object that does not match
     void bring_back(const WriteTarget& target) const;
 
   private:
@@ -31,13 +30,13 @@ class UsersObjects {
         std::string sql;
     };
     void require_fit(const WriteTarget& target) const;
-    /// @param what of the user's is in question @throws OutputError where the database refuses a statement
+    /// @param what object in question, for messages @throws OutputError if the database rejects a statement
     void require(const WriteTarget& target, const std::string& sql, const std::string& what) const;
 
     GDALDatasetH dataset_;
     std::vector<std::string> layers_;
     std::vector<Object> gone_with_tables_;
-    std::vector<Object> views_;  ///< those that can be read
+    std::vector<Object> views_;  ///< readable views
 };
 
 }  // namespace d2b

@@ -23,14 +23,14 @@ std::string metadata(GDALDriverH driver, const char* item) {
     return value == nullptr ? std::string() : std::string(value);
 }
 
-/// Drivers that keep their datasets in memory alone would lose the result.
+/// True if the driver creates vector layers; excludes drivers in memory, because they would lose the result.
 bool can_create(GDALDriverH driver) {
     const std::string name = GDALGetDriverShortName(driver);
     return name != "Memory" && name != "MEM" && metadata(driver, GDAL_DCAP_VECTOR) == "YES" &&
            metadata(driver, GDAL_DCAP_CREATE) == "YES" && metadata(driver, GDAL_DCAP_CREATE_LAYER) == "YES";
 }
 
-/// A few that most builds have; a list of all would be a screenful.
+/// Lists common formats only, because all of them would fill the screen.
 std::string some_formats() {
     std::string text;
     for (const char* name :
@@ -48,7 +48,7 @@ std::string lower(std::string text) {
     return text;
 }
 
-/// Whether one of the driver's extensions ends the name; they may have more than one part ("shp.zip").
+/// True if the name ends in an extension of the driver, which may have several parts ("shp.zip").
 bool extension_fits(GDALDriverH driver, const std::string& name) {
     const CPLStringList extensions(CSLTokenizeString2(metadata(driver, GDAL_DMD_EXTENSIONS).c_str(), " ", 0));
     std::vector<std::string> known(extensions.List(), extensions.List() + extensions.Count());
@@ -85,7 +85,7 @@ GDALDriverH driver_by_destination(const std::string& destination) {
         some_formats() + ", ...");
 }
 
-/// Drivers of vector tiles (MVT, PMTiles, MBTiles) are those that have levels of zoom.
+/// Rejects drivers of vector tiles (MVT, PMTiles, MBTiles), recognized by their zoom levels.
 void refuse_tiles(GDALDriverH driver, const std::string& destination) {
     const std::string options = metadata(driver, GDAL_DMD_CREATIONOPTIONLIST);
     if (options.find("name='MAXZOOM'") == std::string::npos &&
@@ -125,7 +125,7 @@ DatasetOwner open_dataset(const VectorFormat& format, const std::string& path, u
         return open_gated(name, GDAL_OF_VECTOR | access, only.data());
     };
     DatasetOwner dataset = open(path);
-    // Where there is one feature, it takes the file for plain GeoJSON, unless it is told.
+    // GDAL takes a sequence of one feature for plain GeoJSON unless the prefix is given.
     return !dataset && format.name == "GeoJSONSeq" ? open("GeoJSONSeq:" + path) : std::move(dataset);
 }
 

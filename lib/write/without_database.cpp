@@ -12,7 +12,7 @@ namespace {
 
 struct Name {
     std::string text;     ///< without quotes
-    std::size_t end = 0;  ///< of it in the statement; where it would begin, if there is none
+    std::size_t end = 0;  ///< end in the statement; the begin if there is none
 };
 
 bool is_bare(char c) {
@@ -20,7 +20,7 @@ bool is_bare(char c) {
            static_cast<unsigned char>(c) >= 128;
 }
 
-/// A name, a number or a text; what is quoted is one, whatever stands in it.
+/// Returns the name, number or text at a position; quoted text is one token.
 Name name_at(const std::string& sql, std::size_t at) {
     if (at >= sql.size())
         return {"", at};

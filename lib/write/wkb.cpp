@@ -43,7 +43,7 @@ void MultiPolygonWkb::point(const Position& place) {
     put(place.y);
 }
 
-/// Every step-th position of a ring, round its end.
+/// Writes every step-th position of a ring, wrapping around.
 void MultiPolygonWkb::points(const WorldRing& positions, std::size_t first, std::size_t step,
                              std::size_t count, double z) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -62,7 +62,7 @@ void MultiPolygonWkb::ring(const WorldRing& positions, double z) {
     points(positions, 0, 1, positions.size() + 1, z);
 }
 
-/// @param arcs of this ring; they do not overlap, and have an even number of edges each
+/// @param arcs of this ring, not overlapping, with an even number of edges each
 void MultiPolygonWkb::curve_ring(const WorldRing& positions, std::vector<CircularArc> arcs, double z) {
     if (arcs.empty()) {
         head(line_string_type, positions.size() + 1);
@@ -70,7 +70,7 @@ void MultiPolygonWkb::curve_ring(const WorldRing& positions, std::vector<Circula
         return;
     }
     std::ranges::sort(arcs, {}, &CircularArc::first);
-    // What lies between the end of an arc and the beginning of the next one.
+    // Edges between the end of an arc and the begin of the next one.
     const auto gap = [&](std::size_t i) {
         const CircularArc& next = arcs[(i + 1) % arcs.size()];
         const std::size_t round = i + 1 < arcs.size() ? 0 : positions.size();
@@ -125,7 +125,7 @@ std::span<const std::byte> MultiPolygonWkb::encode(const Feature& feature) {
 void MultiPolygonWkb::forget_large() {
     constexpr std::size_t large = std::size_t{1} << 20;
     if (bytes_.capacity() > large)
-        bytes_ = std::vector<std::byte>();  // {} would keep the room
+        bytes_ = std::vector<std::byte>();  // {} would keep the capacity
 }
 
 }  // namespace d2b

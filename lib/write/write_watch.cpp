@@ -21,7 +21,7 @@ WatchedFile& watched(void* file) {
     return *static_cast<WatchedFile*>(file);
 }
 
-/// Takes what a driver writes that could not create its file, and loses it.
+/// Returns a dummy file that discards the output of a driver whose file could not be created.
 VSILFILE* stand_in(const WriteWatch& watch) {
     const std::string name = "/vsimem" + watch.name_of("/lost");
     VSILFILE* file = VSIFOpenL(name.c_str(), "w+b");
@@ -84,7 +84,7 @@ int unlink_file(void*, const char* name) {
 }
 
 int rename_file(void* watch, const char* from, const char* to) {
-    // The new name may come with the prefix, depending on GDAL's version.
+    // The new name has the prefix or not, depending on the version of GDAL.
     const auto& self = *static_cast<WriteWatch*>(watch);
     const std::string prefix = self.name_of("");
     const std::string target = std::string(to).starts_with(prefix) ? to + prefix.size() : to;
@@ -114,8 +114,8 @@ char** list_folder(void*, const char* name, int most) {
 }  // namespace
 
 WriteWatch::WriteWatch()
-    // What follows the prefix is an absolute path: GDAL 3.6 removes files by it without asking. The address
-    // of a living object is unique in the process.
+    // The path after the prefix is absolute, because GDAL 3.6 deletes files by it without calling the
+    // handler. The address of this object makes the prefix unique in the process.
     : prefix_("/vsid2b" + std::to_string(reinterpret_cast<std::uintptr_t>(this)) + "/") {
     const std::unique_ptr<VSIFilesystemPluginCallbacksStruct, void (*)(VSIFilesystemPluginCallbacksStruct*)>
         calls(VSIAllocFilesystemPluginCallbacksStruct(), VSIFreeFilesystemPluginCallbacksStruct);

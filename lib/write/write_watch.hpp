@@ -4,9 +4,10 @@
 
 namespace d2b {
 
-/// Files as a driver of GDAL's sees them under a name of this object's, and what the disk said to them.
-/// Drivers pass over errors of the disk, or fall over them: here they are told that all is well, and error()
-/// knows better.
+/// VSI layer that records I/O errors. Many drivers ignore failed writes or crash on them, so they are told
+/// that every write succeeded; error() returns the first failure. Drivers access files by name_of().
+///
+/// Not needed for drivers with transactions, because they report errors of the disk.
 class WriteWatch {
   public:
     WriteWatch();
@@ -14,12 +15,13 @@ class WriteWatch {
     WriteWatch& operator=(const WriteWatch&) = delete;
     ~WriteWatch() = default;
 
-    /// What a driver is to call a local file or folder. Good for as long as this object lives.
+    /// Returns the name by which a driver accesses a local file or folder, valid during the lifetime of this
+    /// object.
     [[nodiscard]] std::string name_of(const std::string& path) const;
-    /// errno of the first write that failed; 0 where all is well.
+    /// errno of the first failed write; 0 if there is none.
     [[nodiscard]] int error() const { return error_; }
 
-    /// For the callbacks.
+    /// Called by the VSI callbacks.
     void note(int error);
 
   private:

@@ -7,8 +7,8 @@
 
 namespace d2b {
 
-/// For an element or a quoted attribute of XML that names a file, whose bytes it keeps: who reads it opens
-/// the file by them. Control characters, which XML 1.0 cannot hold, become blanks.
+/// Escapes a file name for an XML element or quoted attribute and keeps its bytes, because readers open the
+/// file by them. Control characters, which XML 1.0 does not permit, become blanks.
 [[nodiscard]] inline std::string xml_file_name(std::string_view name) {
     std::string escaped;
     for (const char letter : name) {
@@ -26,7 +26,7 @@ namespace d2b {
     return escaped;
 }
 
-/// The same for text: what is not UTF-8, which XML cannot hold either, becomes U+FFFD.
+/// Same for text: invalid UTF-8, which XML does not permit either, becomes U+FFFD.
 [[nodiscard]] inline std::string xml_text(std::string_view text) {
     return xml_file_name(utf8_text(text));
 }

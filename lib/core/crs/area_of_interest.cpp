@@ -12,8 +12,8 @@
 namespace d2b {
 namespace {
 
-/// PROJ 9.1 looks for what lies east of 180 degrees, or west of -180, in calls of itself until the stack is
-/// full.
+/// Moves bounds off the antimeridian, because PROJ 9.1 recurses until the stack overflows for an area beyond
+/// 180 or -180 degrees.
 std::pair<double, double> off_the_antimeridian(std::pair<double, double> range) {
     constexpr double half = 180;
     auto& [west, east] = range;
@@ -26,8 +26,8 @@ std::pair<double, double> off_the_antimeridian(std::pair<double, double> range) 
     return range;
 }
 
-/// The smallest range of longitudes that holds all: what is left of the circle without its widest gap.
-/// The first may be east of the second: the range crosses the antimeridian.
+/// Returns the smallest range that holds all longitudes: the circle without its widest gap. If the first is
+/// east of the second, the range crosses the antimeridian.
 std::pair<double, double> longitude_range(std::vector<double> longitudes) {
     std::sort(longitudes.begin(), longitudes.end());
     std::pair<double, double> range{longitudes.front(), longitudes.back()};

@@ -14,8 +14,7 @@ struct AreaDelete {
 };
 using AreaPtr = std::unique_ptr<PJ_AREA, AreaDelete>;
 
-/// @param crs that of the positions
-/// @returns null where nothing is known of the area: PROJ then goes by the CRSs' areas of use
+/// @param crs of the positions @returns null if the area is unknown; PROJ then uses the CRSs' areas of use
 [[nodiscard]] AreaPtr area_of(const PJ* crs, std::span<const Position> positions);
 
 }  // namespace d2b

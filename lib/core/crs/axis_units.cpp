@@ -23,10 +23,10 @@ std::optional<AxisUnit> axis_unit(PJ_CONTEXT* context, const PJ* crs, int axis) 
 
 double to_degrees(double radians) {
     const double degrees = radians * 180 / std::numbers::pi;
-    return std::abs(degrees - 1) < 1e-12 ? 1 : degrees;  // the degree itself is often given with few digits
+    return std::abs(degrees - 1) < 1e-12 ? 1 : degrees;  // the degree is often given with few digits
 }
 
-/// Files spell the common units in many ways ("Meter", "Foot_US"); their size tells which they are.
+/// Identifies common units by their size, because files spell them in many ways ("Meter", "Foot_US").
 std::optional<LengthUnit> length_unit(const std::optional<AxisUnit>& unit) {
     static constexpr std::array<std::pair<const char*, double>, 3> common{
         {{"metre", 1.0}, {"foot", 0.3048}, {"US survey foot", 1200.0 / 3937.0}}};

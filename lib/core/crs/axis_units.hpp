@@ -14,12 +14,12 @@ struct AxisUnit {
     double factor = 0;  ///< metres or radians in one unit
 };
 
-/// Empty where the CRS has no such axis.
+/// Empty if the CRS has no such axis.
 [[nodiscard]] std::optional<AxisUnit> axis_unit(PJ_CONTEXT* context, const PJ* crs, int axis);
 
 [[nodiscard]] double to_degrees(double radians);
 
-/// Empty where the unit is unknown.
+/// Empty if the unit is unknown.
 [[nodiscard]] std::optional<LengthUnit> length_unit(const std::optional<AxisUnit>& unit);
 
 /// @param whole the CRS as given @param horizontal its horizontal part, not bound

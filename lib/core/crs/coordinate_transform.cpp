@@ -31,7 +31,7 @@ void require_horizontal(const Crs& crs, const char* role) {
 
 struct CoordinateTransform::Impl {
     ProjContext context;
-    PjPtr operation;  ///< null where both CRSs are the same
+    PjPtr operation;  ///< null if both CRSs are the same
     std::string from;
     std::string to;
     std::vector<Position> images;
@@ -45,7 +45,7 @@ CoordinateTransform::CoordinateTransform(const Crs& from, const Crs& to, std::sp
     impl_->to = to.name();
     if (from.wkt() == to.wkt())
         return;
-    // Heights are not transformed, so the vertical parts of compounds must not stand in the way.
+    // Heights are not transformed, so the vertical parts of compounds must not prevent an operation.
     PJ_CONTEXT* context = impl_->context.get();
     const PjPtr source(proj_clone(context, from.impl().horizontal.get()));
     const PjPtr target(proj_clone(context, to.impl().horizontal.get()));

@@ -18,7 +18,7 @@
 namespace d2b {
 namespace {
 
-/// As the OGC names it; "" where it says no code itself.
+/// Returns the OGC URL of a CRS from its own code; "" if it has none.
 std::string stated_url(const PJ* crs) {
     const char* authority = proj_get_id_auth_name(crs, 0);
     const char* code = proj_get_id_code(crs, 0);
@@ -27,10 +27,10 @@ std::string stated_url(const PJ* crs) {
     return "https://www.opengis.net/def/crs/" + std::string(authority) + "/0/" + code;
 }
 
-/// The same where PROJ's database has a code for an equal CRS: a GeoTIFF keeps the codes of the parts of a
-/// compound alone.
+/// Searches PROJ's database for the code of an equal CRS, because a GeoTIFF keeps only the codes of the parts
+/// of a compound.
 std::string found_url(PJ_CONTEXT* context, const PJ* crs) {
-    constexpr int equal = 90;  // per cent: the names may differ, nothing else
+    constexpr int equal = 90;  // percent: the names may differ, nothing else
     int* confidence = nullptr;
     PJ_OBJ_LIST* matches = proj_identify(context, crs, nullptr, nullptr, &confidence);
     std::string url;
@@ -91,7 +91,7 @@ std::string Crs::name() const {
 std::string Crs::wkt() const {
     return impl_->wkt;
 }
-// PROJ's database is searched when it is asked for, because most runs write no such name.
+// Searched on demand, because most runs do not write the URL.
 std::string Crs::url() const {
     if (impl_->wkt.empty())
         return "";

@@ -11,18 +11,17 @@
 
 namespace d2b {
 
-/// What is known of a CRS. Everything that is ever asked is found out by read(), so that later calls only
-/// read.
+/// Definition of a CRS. read() computes everything, so that it is immutable afterwards.
 struct Crs::Impl {
-    std::unique_ptr<ProjContext> context;  ///< null where there is no CRS
-    PjPtr horizontal;                      ///< of the compound, or all of it; still bound if it was
+    std::unique_ptr<ProjContext> context;  ///< null if there is no CRS
+    PjPtr horizontal;                      ///< horizontal part, or the CRS itself; still bound if it was
     Kind kind = Kind::none;
     std::string name;
     std::string wkt;
     std::optional<LengthUnit> horizontal_unit;
     std::optional<LengthUnit> vertical_unit;
-    std::unique_ptr<const LonLat> lon_lat;  ///< null where it is not on an ellipsoid; to be copied
-    double angular_unit = 0;  ///< degrees in one unit of the horizontal axes, 0 where they are lengths
+    std::unique_ptr<const LonLat> lon_lat;  ///< null if not on an ellipsoid; copied by users
+    double angular_unit = 0;  ///< degrees in one unit of the horizontal axes; 0 if they are lengths
 
     void read(std::string_view text);
 };

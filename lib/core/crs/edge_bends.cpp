@@ -15,15 +15,16 @@ double EdgeBends::around(std::span<const Position> corners, const LonLat& lon_la
     constexpr int levels = 8;
     const std::optional<MapTile> tile = tile_around(corners, tile_, levels);
     if (!tile)
-        return std::numeric_limits<double>::infinity();  // every edge is looked at
+        return std::numeric_limits<double>::infinity();  // then every edge is checked
     const auto [found, is_new] = bends_.try_emplace(*tile);
     if (is_new)
         found->second = measure(*tile, lon_lat, polygon);
     return found->second;
 }
 
-/// From chords in four directions on a lattice of 5 x 5 places that reaches a tile's size to all sides of the
-/// tile's centre (a ring no larger than the tile reaches that far), doubled for what lies between.
+/// Takes the largest sag of chords in four directions on a lattice of 5 x 5 positions that extends one tile
+/// size to all sides of the tile's centre (as far as a ring no larger than the tile reaches), doubled because
+/// of the gaps between them.
 double EdgeBends::measure(const MapTile& tile, const LonLat& lon_lat, const GeodesicPolygon& polygon) const {
     constexpr int n = 5;
     const double size = tile_size(tile.level);

@@ -11,18 +11,18 @@
 
 namespace d2b {
 
-/// How much edges that are straight in a CRS bend on the ellipsoid. Found once for each tile of a fixed grid
-/// over the CRS, so that no result depends on earlier rings.
+/// Curvature of straight edges of a CRS on the ellipsoid. Computed once per tile of a fixed grid over the
+/// CRS, so that results do not depend on earlier rings.
 class EdgeBends {
   public:
     /// @param tile side of the smallest tiles, units of the CRS
     explicit EdgeBends(double tile) : tile_(tile) {}
 
-    /// Units of the CRS over which the bend may be taken for constant.
+    /// Returns the length over which the bend may be considered constant, in units of the CRS.
     [[nodiscard]] double tile() const { return tile_; }
-    /// In the neighbourhood of a ring: no edge there has a sag (in metres) above bend * length^2 (in units of
-    /// the CRS). Infinite where the ring is too large to say.
-    /// @param corners at least one @param lon_lat, polygon of the CRS, the same in every call
+    /// Returns the bend near a ring: no edge there has a sag (in metres) above bend * length^2 (in units of
+    /// the CRS). Infinite if the ring is too large to tell. @param corners at least one @param lon_lat,
+    /// polygon of the CRS, the same in every call
     [[nodiscard]] double around(std::span<const Position> corners, const LonLat& lon_lat,
                                 const GeodesicPolygon& polygon);
 

@@ -11,7 +11,8 @@
 
 namespace d2b {
 
-/// From a corner to the next. More than half a turn of longitude is a ring that crosses the antimeridian.
+/// Returns the vector to the next corner. If it exceeds half a turn of longitude, the ring crosses the
+/// antimeridian.
 Position GeodesicMeter::edge(std::size_t corner) const {
     const Position& a = corners_[corner];
     const Position& b = corners_[corner + 1 == corners_.size() ? 0 : corner + 1];
@@ -28,9 +29,9 @@ double GeodesicMeter::longest_squared() const {
     return longest;
 }
 
-/// To longitude and latitude.
+/// Converts to longitude and latitude.
 void GeodesicMeter::locate(std::span<const Position> positions, std::span<Position> places) const {
-    const double farthest = 20000 * step_;  // some projections wrap around and around
+    const double farthest = 20000 * step_;  // some projections wrap around repeatedly
     std::copy(positions.begin(), positions.end(), places.begin());
     lon_lat_->apply(places);
     for (std::size_t i = 0; i < places.size(); ++i)
@@ -46,7 +47,8 @@ Position GeodesicMeter::locate(const Position& position) const {
     return place;
 }
 
-/// The middle of an edge across half the globe says nothing about it.
+/// Divides edges longer than step_, because the midpoint of an edge across half the globe is not
+/// representative.
 void GeodesicMeter::cut_long_edges() {
     std::vector<Position> cut_corners;
     for (std::size_t i = 0; i < corners_.size(); ++i) {
@@ -60,7 +62,7 @@ void GeodesicMeter::cut_long_edges() {
     locate(corners_, places_);
 }
 
-/// With edges cut where they are longer than harmless and sag by more than largest_sag_.
+/// Measures with edges divided if they are longer than harmless and sag by more than largest_sag_.
 Geodesy::Measure GeodesicMeter::measure_cut() {
     constexpr int most_halvings = 30;
     constexpr std::size_t most_cuts = std::size_t{1} << 18;  // a second or so
@@ -75,8 +77,8 @@ Geodesy::Measure GeodesicMeter::measure_cut() {
     return polygon_.measure(outline_);
 }
 
-/// Adds what an edge needs between its ends.
-/// @param along in the CRS, from start to end @param a, b places of its ends
+/// Adds the points that an edge needs between its ends. @param along vector from start to end in the CRS
+/// @param a, b longitude and latitude of its ends
 // NOLINTNEXTLINE(misc-no-recursion): it ends with the halvings
 void GeodesicMeter::cut(const Position& start, const Position& along, const Position& a, const Position& b,
                         int halvings) {
@@ -94,7 +96,7 @@ void GeodesicMeter::cut(const Position& start, const Position& along, const Posi
     const double pieces = std::min(room, std::ceil(std::sqrt(sag / largest_sag_)));
     if (pieces <= 2) {
         outline_.push_back(place);
-    } else if (squared <= bends_.tile() * bends_.tile()) {  // the bend is the same all along
+    } else if (squared <= bends_.tile() * bends_.tile()) {  // the bend is constant along the edge
         for (std::int64_t piece = 1; piece < static_cast<std::int64_t>(pieces); ++piece)
             outline_.push_back(locate(point_along(start, along, static_cast<double>(piece) / pieces)));
     } else {
@@ -106,8 +108,8 @@ void GeodesicMeter::cut(const Position& start, const Position& along, const Posi
 }
 
 Geodesy::Measure GeodesicMeter::ring(std::span<const Position> ring) {
-    constexpr double share = 0.8e-7;                     // promised is 1e-7
-    const double finest_sag = 3e-15 * lon_lat_->radius;  // metres; below, it is rounding that is measured
+    constexpr double share = 0.8e-7;                     // below the promised 1e-7
+    const double finest_sag = 3e-15 * lon_lat_->radius;  // metres; smaller sags are only rounding errors
     if (!ring.empty())
         if (const LocalMetric* metric = metrics_.around(ring, *lon_lat_))
             return metric->ring(ring);
@@ -121,7 +123,8 @@ Geodesy::Measure GeodesicMeter::ring(std::span<const Position> ring) {
     Geodesy::Measure measure = polygon_.measure(places_);
     if (!(measure.perimeter_m > 0))
         return measure;
-    // How much may be left out is unknown before the area is; a narrow ring may turn out smaller than it was.
+    // The tolerance depends on the area, which is unknown at first. Repeat, because a narrow ring may turn
+    // out smaller than it seemed.
     const double longest = longest_squared();
     const double bend_here = bends_.around(corners_, *lon_lat_, polygon_);
     for (double believed = std::numeric_limits<double>::infinity(); measure.area_m2 < believed / 2;) {

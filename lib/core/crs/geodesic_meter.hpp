@@ -16,18 +16,17 @@
 
 namespace d2b {
 
-/// Rings whose edges are straight in a CRS: those of a few kilometres from the metric of their place, others,
-/// and those near poles and the like, from polygons of geodesics.
+/// Measures rings whose edges are straight in a CRS. Rings of up to a few kilometres use the local metric;
+/// others, and those near poles, are densified into polygons of geodesics.
 ///
 /// An edge and the geodesic between its ends enclose about 2/3 * length * sag, where sag is the distance of
-/// the edge's middle from the geodesic. With no sag above 3/2 * share * area / perimeter, what all edges
-/// leave out is below `share` of the area; an edge in n pieces sags by 1/n^2. Because the sag of a short edge
-/// is at most bend * length^2, where bend is a property of the place, short edges need not be looked at.
+/// the edge's midpoint from the geodesic. If no sag exceeds 3/2 * share * area / perimeter, the total error
+/// is below `share` of the area; an edge in n pieces sags by 1/n^2. Because the sag of a short edge is at
+/// most bend * length^2, and the bend depends only on the location, short edges need not be checked.
 class GeodesicMeter {
   public:
-    /// @param name  of the CRS
-    /// @param step  length in units of the CRS above which edges are cut without looking
-    /// @param turn  units of the CRS in a full circle of longitude, 0 where the coordinates are no angles
+    /// @param name of the CRS @param step length in units of the CRS above which edges are always divided
+    /// @param turn full circle of longitude in units of the CRS, 0 if the coordinates are not angles
     GeodesicMeter(std::unique_ptr<LonLat> lon_lat, std::string name, double step, double turn,
                   StopRequest stop)
         : lon_lat_(std::move(lon_lat)),
@@ -39,7 +38,7 @@ class GeodesicMeter {
           metrics_(step / 8),
           bends_(step / 8) {}
 
-    /// @throws InputError where a position has no longitude and latitude
+    /// @throws InputError if a position has no longitude and latitude
     [[nodiscard]] Geodesy::Measure ring(std::span<const Position> ring);
 
   private:
@@ -60,14 +59,14 @@ class GeodesicMeter {
     GeodesicPolygon polygon_;
     LocalMetrics metrics_;
     EdgeBends bends_;
-    // Of the ring at hand, kept for their memory.
-    std::vector<Position> corners_;  ///< in the CRS
-    std::vector<Position> places_;   ///< of the corners
-    std::vector<Position> outline_;  ///< places of the corners and of the pieces between them
-    double largest_sag_ = 0;         ///< metres
-    double harmless_squared_ = 0;    ///< units of the CRS, squared
-    std::size_t most_places_ =
-        0;  ///< of the outline: a ring as narrow as a hair and round the Earth ends, too
+    // State of the current ring, kept to reuse memory.
+    std::vector<Position> corners_;  ///< coordinates in the CRS
+    std::vector<Position> places_;   ///< longitude and latitude of the corners
+    std::vector<Position>
+        outline_;             ///< longitude and latitude of the corners and of the points added between them
+    double largest_sag_ = 0;  ///< metres
+    double harmless_squared_ = 0;  ///< squared length of edges that need no division, in units of the CRS
+    std::size_t most_places_ = 0;  ///< limit of outline_, so that a sliver around the Earth terminates, too
 };
 
 }  // namespace d2b

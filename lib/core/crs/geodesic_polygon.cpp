@@ -8,8 +8,8 @@
 
 namespace d2b {
 
-/// PolygonArea adds areas between edges and the equator, whose rounding (up to 1e-5 m2 an edge) is felt in a
-/// house.
+/// Small rings are measured separately, because PolygonArea sums areas between edges and the equator, whose
+/// rounding errors (up to 1e-5 m2 per edge) matter for a house.
 Geodesy::Measure GeodesicPolygon::measure(std::span<const Position> places) {
     constexpr double near = 0.15;  // degrees of a great circle, about 17 km
     const Position& first = places[0];
@@ -28,11 +28,11 @@ Geodesy::Measure GeodesicPolygon::measure(std::span<const Position> places) {
     return result;
 }
 
-/// A fan of geodesic triangles about the first place. Each has two sides and the angle between them; within
-/// 50 km it is that of the sphere with the ellipsoid's curvature here, to 1e-9 of its area.
+/// Sums a fan of geodesic triangles about the first position, each with two sides and the angle between them.
+/// Within 50 km, a triangle on the sphere with the local Gaussian curvature is accurate to 1e-9 of its area.
 Geodesy::Measure GeodesicPolygon::measure_near(std::span<const Position> places) const {
     struct Ray {
-        double length = 0;   ///< over the radius
+        double length = 0;   ///< divided by the radius
         double azimuth = 0;  ///< radians
         double sine = 0;     ///< of the length
         double half_tangent = 0;

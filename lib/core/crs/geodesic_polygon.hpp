@@ -17,8 +17,8 @@ class GeodesicPolygon {
 
     /// @param places at least one
     [[nodiscard]] Geodesy::Measure measure(std::span<const Position> places);
-    /// Distance of the middle of an edge from the geodesic a b, metres. Only across: the middle of the edge
-    /// need not be the middle of the geodesic. Good to some nanometres.
+    /// Returns the distance in metres of the midpoint of an edge from the geodesic a b, measured across it,
+    /// because the midpoint of the edge need not be that of the geodesic. Accurate to some nanometres.
     [[nodiscard]] double sag(const Position& a, const Position& middle, const Position& b) const;
 
   private:

@@ -16,7 +16,7 @@
 namespace d2b {
 namespace {
 
-/// About the first position, where differences of large coordinates are exact enough.
+/// Relative to the first position, because differences of large coordinates are exact enough.
 Geodesy::Measure planar_ring(std::span<const Position> ring, double metres) {
     double twice_area = 0;
     double perimeter = 0;
@@ -32,7 +32,7 @@ Geodesy::Measure planar_ring(std::span<const Position> ring, double metres) {
     return {std::abs(twice_area) / 2 * metres * metres, perimeter * metres};
 }
 
-/// Units of the CRS in some 50 km on the earth, or half a degree.
+/// Returns some 50 km on the ground, or half a degree, in units of the CRS.
 double longest_edge(const Crs::Impl& crs, double radius) {
     if (crs.angular_unit > 0)
         return 0.5 / crs.angular_unit;
@@ -42,8 +42,8 @@ double longest_edge(const Crs::Impl& crs, double radius) {
 }  // namespace
 
 struct Geodesy::Impl {
-    std::optional<GeodesicMeter> geodesic;  ///< empty: planar
-    double metres = 1;                      ///< in one unit, where planar
+    std::optional<GeodesicMeter> geodesic;  ///< empty if planar
+    double metres = 1;                      ///< in one unit, if planar
     StopRequest stop;
 };
 

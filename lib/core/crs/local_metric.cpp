@@ -8,7 +8,7 @@
 namespace d2b {
 namespace {
 
-/// The form is sampled on a lattice of n x n places, whose distance is 1 from here on.
+/// The form is sampled on a lattice of n x n positions. Their spacing is the unit of length below.
 constexpr int n = 5;
 constexpr int middle = n / 2;
 constexpr std::size_t samples = std::size_t{n} * n;
@@ -18,7 +18,7 @@ std::size_t index(int col, int row) {
     return static_cast<std::size_t>(row) * n + static_cast<std::size_t>(col);
 }
 
-/// Derivative at the places of five values of a function, exact up to the fourth power.
+/// Coefficients of the derivative at each of five samples, exact up to the fourth power.
 constexpr std::array<std::array<double, n>, n> derivative{{
     {-25.0 / 12, 4, -3, 4.0 / 3, -1.0 / 4},
     {-1.0 / 4, -5.0 / 6, 3.0 / 2, -1.0 / 2, 1.0 / 12},
@@ -41,11 +41,11 @@ double slope_along_y(const Samples& values, int col, int row) {
     return sum;
 }
 
-/// Least squares over the lattice, whose symmetry leaves two small systems.
+/// Least-squares fit over the lattice. Symmetry leaves two small systems.
 Quadratic fitted(const Samples& values) {
     constexpr double squares = 2.0 * n * (1 + 4);        // sum of x^2
-    constexpr double fourths = 2.0 * n * (1 + 16);       // of x^4
-    constexpr double crossed = 4.0 * (1 + 4) * (1 + 4);  // of x^2 y^2
+    constexpr double fourths = 2.0 * n * (1 + 16);       // sum of x^4
+    constexpr double crossed = 4.0 * (1 + 4) * (1 + 4);  // sum of x^2 y^2
     constexpr double count = samples;
     double sum = 0;
     double x1 = 0;
@@ -65,7 +65,7 @@ Quadratic fitted(const Samples& values) {
             y2 += y * y * value;
             xy += x * y * value;
         }
-    // With x^2 and y^2 less their mean, all terms are orthogonal on the lattice.
+    // With x^2 and y^2 minus their means, all terms are orthogonal on the lattice.
     const double mean_square = squares / count;
     const double spread = fourths - squares * mean_square;
     const double d = (x2 - mean_square * sum) / spread;
@@ -73,7 +73,7 @@ Quadratic fitted(const Samples& values) {
     return {{sum / count - mean_square * (d + f), x1 / squares, y1 / squares, d, xy / crossed, f}};
 }
 
-/// Largest distance from the samples, over the value in the middle.
+/// Returns the largest residual, relative to `scale`.
 double misfit(const Quadratic& fit, const Samples& values, double scale) {
     double largest = 0;
     for (int row = 0; row < n; ++row)
@@ -83,7 +83,7 @@ double misfit(const Quadratic& fit, const Samples& values, double scale) {
     return largest / scale;
 }
 
-/// From the lattice's unit to that of the CRS.
+/// Converts from units of the lattice to those of the CRS.
 Quadratic scaled(Quadratic fit, double unit) {
     auto& [a, b, c, d, e, f] = fit.terms;
     b /= unit;
@@ -109,7 +109,7 @@ std::optional<Places> sample(const Position& centre, double unit, const LonLat& 
         return std::nullopt;
     Places places;
     for (std::size_t i = 0; i < samples; ++i) {
-        // Differences from the first keep more digits than longitudes.
+        // Differences from the first longitude keep more digits.
         places.longitude[i] = (positions[i].x - positions[0].x) * std::numbers::pi / 180;
         places.latitude[i] = positions[i].y * std::numbers::pi / 180;
     }
@@ -140,7 +140,7 @@ std::optional<LocalMetric> LocalMetric::fit(const Position& centre, double reach
             const double sine = std::sin(places->latitude[i]);
             const double w2 = 1 - e2 * sine * sine;
             const double normal = lon_lat.radius / std::sqrt(w2);  // radius of curvature across the meridian
-            const double meridian = normal * (1 - e2) / w2;        // and along it
+            const double meridian = normal * (1 - e2) / w2;        // radius of curvature along the meridian
             const double parallel = normal * std::cos(places->latitude[i]);
             const double east_x = parallel * slope_along_x(places->longitude, col, row) / unit;
             const double north_x = meridian * slope_along_x(places->latitude, col, row) / unit;
@@ -168,7 +168,7 @@ std::optional<LocalMetric> LocalMetric::fit(const Position& centre, double reach
 }
 
 Geodesy::Measure LocalMetric::ring(std::span<const Position> corners) const {
-    // About the first corner, where differences of large coordinates are exact enough.
+    // Relative to the first corner, because differences of large coordinates are exact enough.
     const Position& origin = corners[0];
     const double x0 = origin.x - centre_.x;
     const double y0 = origin.y - centre_.y;
@@ -176,7 +176,7 @@ Geodesy::Measure LocalMetric::ring(std::span<const Position> corners) const {
     const Quadratic mixed = mixed_.about(x0, y0);
     const Quadratic along_y = along_y_.about(x0, y0);
     const auto [a, b, c, d, e, f] = area_.about(x0, y0).terms;
-    const double gauss = 0.5 / std::numbers::sqrt3;  // two points integrate a third power exactly
+    const double gauss = 0.5 / std::numbers::sqrt3;  // two points integrate a cubic exactly
     double area = 0;
     double perimeter = 0;
     double px = 0;

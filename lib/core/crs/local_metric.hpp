@@ -20,18 +20,18 @@ struct Quadratic {
         const auto& [a, b, c, d, e, f] = terms;
         return a + x * (b + d * x + e * y) + y * (c + f * y);
     }
-    /// The same function of x - x0 and y - y0.
+    /// Returns the same function of x - x0 and y - y0.
     [[nodiscard]] Quadratic about(double x0, double y0) const;
 };
 
-/// Lengths and areas on the ellipsoid near a place of a CRS, from the first fundamental form
-/// ds^2 = E dx^2 + 2 F dx dy + G dy^2, whose coefficients are quadratic functions there. Edges are straight
-/// in the CRS, whatever their length; no geodesic is needed.
+/// Lengths and areas on the ellipsoid near a position of a CRS, from the first fundamental form ds^2 = E dx^2
+/// + 2 F dx dy + G dy^2 with coefficients approximated by quadratic polynomials. Edges are straight in the
+/// CRS, whatever their length. Much faster than geodesics, because a ring costs only arithmetic per edge.
 class LocalMetric {
   public:
-    /// For places less than `reach` from the centre along either axis.
-    /// @returns nothing where the quadratics miss the form by more than 2e-8 of it, as they do near poles,
-    ///          the antimeridian, and where `reach` is too large
+    /// Fits the form for positions less than `reach` from the centre along either axis.
+    /// @returns nothing if the relative error exceeds 2e-8, as it does near poles and the antimeridian, or if
+    /// `reach` is too large
     [[nodiscard]] static std::optional<LocalMetric> fit(const Position& centre, double reach,
                                                         const LonLat& lon_lat);
 
@@ -45,15 +45,15 @@ class LocalMetric {
     Quadratic area_;     ///< sqrt(E G - F^2)
 };
 
-/// The metrics of a CRS, each found once for a tile of a fixed grid over it, so that no result depends on
-/// earlier rings.
+/// Local metrics of a CRS, each computed once per tile of a fixed grid over it, so that results do not depend
+/// on earlier rings.
 class LocalMetrics {
   public:
     /// @param tile side of the smallest tiles, units of the CRS
     explicit LocalMetrics(double tile) : tile_(tile) {}
 
-    /// That in the neighbourhood of a ring; null where the ring is too large, or the place has none.
-    /// @param corners at least one @param lon_lat of the CRS, the same in every call
+    /// Returns the metric near a ring; null if the ring is too large or the fit failed there. @param corners
+    /// at least one @param lon_lat of the CRS, the same in every call
     [[nodiscard]] const LocalMetric* around(std::span<const Position> corners, const LonLat& lon_lat);
 
   private:

@@ -47,7 +47,7 @@ void LonLat::apply(std::span<Position> positions) const {
         carry_out(operation.get(), positions);
     for (Position& p : positions) {
         p = {p.x * degrees, p.y * degrees};
-        if (!(std::abs(p.y) <= 90))  // rounding may lead past a pole
+        if (!(std::abs(p.y) <= 90))  // rounding may overshoot a pole
             p.y = std::abs(p.y) <= 90 + 1e-9 ? std::copysign(90.0, p.y)
                                              : std::numeric_limits<double>::infinity();
     }

@@ -9,7 +9,8 @@ PjPtr operation_between(PJ_CONTEXT* context, const PJ* from, const PJ* to, PJ_AR
     if (!as_defined)
         return nullptr;
     PjPtr operation(proj_normalize_for_visualization(context, as_defined.get()));
-    // Where PROJ keeps several candidates to choose from by position, they have no common type and all work.
+    // If PROJ keeps several candidates to choose from by position, the type is unknown and all can be
+    // instantiated.
     if (operation && proj_get_type(operation.get()) != PJ_TYPE_UNKNOWN &&
         !proj_coordoperation_is_instantiable(context, operation.get()))
         return nullptr;

@@ -9,11 +9,11 @@
 
 namespace d2b {
 
-/// The best operation of PROJ in GIS order; null where there is none that can be carried out.
-/// @param area may be null: PROJ then goes by the CRSs' areas of use
+/// Returns PROJ's best operation, with axes in GIS order; null if there is none that can be instantiated.
+/// @param area may be null; PROJ then uses the CRSs' areas of use
 [[nodiscard]] PjPtr operation_between(PJ_CONTEXT* context, const PJ* from, const PJ* to, PJ_AREA* area);
 
-/// In place; positions without image become infinite or NaN.
+/// Transforms in place; positions that cannot be transformed become infinite or NaN.
 void carry_out(PJ* operation, std::span<Position> positions);
 
 }  // namespace d2b

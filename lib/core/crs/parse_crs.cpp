@@ -15,7 +15,7 @@ bool is_proj_string(std::string_view text) {
            (text.find("proj=") != std::string_view::npos || text.find("init=") != std::string_view::npos);
 }
 
-/// PROJ takes anything else for part of a name: "foo" is Amersfoort to it.
+/// Returns true if PROJ would search for the text as a part of a name: it takes "foo" for Amersfoort.
 bool may_be_a_name(std::string_view text) {
     return text.find_first_of("[{:=") == std::string_view::npos;
 }

@@ -7,10 +7,10 @@
 
 namespace d2b {
 
-/// @throws OptionError with PROJ's reason where the text is no CRS
+/// @throws OptionError with PROJ's reason if the text is not a CRS
 [[nodiscard]] PjPtr parse_crs(const ProjContext& context, std::string_view text);
 
-/// For a text of which PROJ has just complained.
+/// Returns the error for a text that PROJ has just rejected.
 [[nodiscard]] OptionError unreadable(std::string_view text, const ProjContext& context);
 
 }  // namespace d2b

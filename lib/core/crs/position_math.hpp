@@ -23,7 +23,7 @@ namespace d2b {
     return {start.x + along.x * share, start.y + along.y * share};
 }
 
-/// A square of a fixed grid over a CRS, whose tiles double in size from level to level.
+/// Square of a fixed grid over a CRS. The size of tiles doubles from level to level.
 struct MapTile {
     int level = 0;
     std::int64_t col = 0;
@@ -31,12 +31,12 @@ struct MapTile {
     auto operator<=>(const MapTile&) const = default;
 };
 
-/// The tile around whose centre a ring lies: on the lowest level where it is no larger than a tile.
-/// @param corners at least one @param smallest side of the tiles of level 0
-/// @returns nothing where no level below `levels` will do, or a position is not finite or too far away
+/// Returns a tile near whose centre a ring lies, on the lowest level on which the ring is no larger than a
+/// tile. @param corners at least one @param smallest side of the tiles of level 0 @returns nothing if no
+/// level below `levels` is large enough, or a position is not finite or too far away
 [[nodiscard]] inline std::optional<MapTile> tile_around(std::span<const Position> corners, double smallest,
                                                         int levels) {
-    constexpr double farthest = 1e15;  // tiles, which are counted exactly
+    constexpr double farthest = 1e15;  // tiles; up to here they are numbered exactly
     Position low = corners[0];
     Position high = corners[0];
     for (const Position& p : corners) {

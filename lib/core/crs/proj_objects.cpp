@@ -10,9 +10,9 @@ ProjContext::ProjContext() : context_(proj_context_create()) {
     if (!context_)
         throw std::bad_alloc();
     proj_log_func(get(), &reason_, keep_reason);
-    proj_log_level(get(), PJ_LOG_ERROR);  // whatever the environment asks for
+    proj_log_level(get(), PJ_LOG_ERROR);  // overrides the environment
     proj_context_set_enable_network(get(), 0);
-    proj_context_use_proj4_init_rules(get(), 1);  // "+init=epsg:25832" is still about
+    proj_context_use_proj4_init_rules(get(), 1);  // "+init=epsg:25832" is still in use
 }
 
 std::string ProjContext::reason() const {
@@ -55,7 +55,7 @@ Crs::Kind kind_of(PJ_CONTEXT* context, const PJ* crs) {
         case PJ_TYPE_VERTICAL_CRS:
             return Crs::Kind::other;
         default:
-            // A CRS derived from a projected one (site grids) has a type of its own in PROJ 9.2 and none
+            // A CRS derived from a projected one (site grids) has its own type since PROJ 9.2, and none
             // before.
             return PjPtr(proj_crs_get_geodetic_crs(context, crs)) &&
                            axes_type(context, crs) == PJ_CS_TYPE_CARTESIAN

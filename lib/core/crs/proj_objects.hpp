@@ -14,18 +14,18 @@ struct PjDelete {
 };
 using PjPtr = std::unique_ptr<PJ, PjDelete>;
 
-/// A context of PROJ that prints nothing and stays off the network. Every Crs, CoordinateTransform and
-/// Geodesy owns one, so that objects made from one Crs may live in different threads.
+/// PROJ context that prints nothing and stays off the network. Every Crs, CoordinateTransform and Geodesy
+/// owns one, so that objects made from one Crs may be used in different threads.
 class ProjContext {
   public:
     ProjContext();
-    // PROJ holds the address of reason_.
+    // Not copyable, because PROJ keeps the address of reason_.
     ProjContext(const ProjContext&) = delete;
     ProjContext& operator=(const ProjContext&) = delete;
     ~ProjContext() = default;
 
     [[nodiscard]] PJ_CONTEXT* get() const { return context_.get(); }
-    /// PROJ's last complaint, without the name of the function that made it.
+    /// Returns PROJ's last error message, without the name of its function.
     [[nodiscard]] std::string reason() const;
 
   private:
@@ -37,13 +37,13 @@ class ProjContext {
     std::unique_ptr<PJ_CONTEXT, Delete> context_;
 };
 
-/// A bound CRS is a CRS with a way to WGS 84 attached (TOWGS84, grids); this is the CRS.
+/// Unwraps a bound CRS, which is a CRS with a transformation to WGS 84 attached (TOWGS84, grids).
 [[nodiscard]] PjPtr unbound(PJ_CONTEXT* context, PjPtr crs);
 
-/// Of a compound CRS, or all of another.
+/// Returns the horizontal part of a compound CRS, otherwise the whole CRS.
 [[nodiscard]] PjPtr horizontal_part(PJ_CONTEXT* context, const PJ* crs);
 
-/// PJ_CS_TYPE_UNKNOWN where the CRS has no axes.
+/// Returns PJ_CS_TYPE_UNKNOWN if the CRS has no axes.
 [[nodiscard]] PJ_COORDINATE_SYSTEM_TYPE axes_type(PJ_CONTEXT* context, const PJ* crs);
 
 /// @param crs not compound, not bound

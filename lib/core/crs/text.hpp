@@ -7,13 +7,13 @@
 
 namespace d2b {
 
-/// For messages, without line breaks and not too long: WKT can have pages.
+/// Quotes text for messages, without line breaks and truncated, because WKT can be long.
 [[nodiscard]] std::string quoted(std::string_view text);
 
-/// For messages: "(9, 48.5)", whatever the locale.
+/// Formats a position for messages, independent of the locale: "(9, 48.5)".
 [[nodiscard]] std::string position_text(const Position& p);
 
-/// In lower case, for comparing names.
+/// Keeps letters and digits, in lower case, for comparing names.
 [[nodiscard]] std::string letters_and_digits(std::string_view text);
 
 }  // namespace d2b

@@ -7,7 +7,7 @@
 
 namespace d2b {
 
-/// From the numbers: the text in PJ_INFO is PROJ's own, written anew by every call of every thread.
+/// Built from the numbers, because the text in PJ_INFO is shared and rewritten by every call of any thread.
 std::string proj_version() {
     const PJ_INFO info = proj_info();
     return std::to_string(info.major) + "." + std::to_string(info.minor) + "." + std::to_string(info.patch);

@@ -11,35 +11,40 @@
 
 namespace d2b {
 
-/// A stretch of time in which a thread of a run did its share of some work and waited for no other thread.
+/// Time span in which a thread of a run worked without waiting for another thread.
 struct WorkSpan {
-    std::size_t thread = 0;                ///< 0: the one that called run()
-    const std::type_info* work = nullptr;  ///< the function that a stage had the threads call; never empty
+    std::size_t thread = 0;                ///< 0: the thread that called run()
+    const std::type_info* work = nullptr;  ///< type of the stage's function; never null
     std::chrono::steady_clock::time_point begin;
     std::chrono::steady_clock::time_point end;
 };
-/// Called from any thread, from several at a time. It must not throw.
+/// Called from any thread, possibly concurrently. Must not throw.
 using WorkListener = std::function<void(const WorkSpan& span)>;
 
-/// What a program gives the library beside its data: ears for warnings and progress, a way to stop, and room
-/// for what has to wait; none has to be given. Nothing of a run is kept in it, so it serves any number of
-/// runs, also at the same time if its functions do. What a function throws ends the call that it was called
-/// from.
+/// Functions that a program may give to the library: for warnings, progress and cancellation, and storage for
+/// pending results. All are optional. Stateless with respect to a run, so one object serves any number of
+/// runs, also concurrent ones if its functions allow that. An exception thrown by a function ends the call
+/// that invoked it.
+///
+///     d2b::Callbacks callbacks;
+///     callbacks.on_warning = [](const std::string& text) { std::cerr << text << '\n'; };
 struct Callbacks {
-    /// Told of what the result is doubtful for, or what was decided in the caller's place: a sentence. Called
-    /// from the thread that called run(), open_dem() and so on, before these return.
+    /// Receives a sentence about a doubtful result, or a decision made on the caller's behalf. Called from
+    /// the thread that called run(), open_dem() and so on, before these return.
     std::function<void(const std::string& text)> on_warning;
-    /// Told of the share that is done, from 0 to 1, never less than before; false asks to stop, with a
-    /// Cancelled. Called from the thread that called run().
+    /// Receives the completed share, from 0 to 1, never decreasing. Returns false to cancel the run, which
+    /// then throws Cancelled. Called from the thread that called run().
     std::function<bool(double share)> on_progress;
-    /// Whether to stop, with a Cancelled: true, then true forever. Called from any thread, from several at a
-    /// time, and often: it should look at an atomic and no more. It must not throw.
+    /// Returns true to cancel, which throws Cancelled; once true, it must stay true. Called from any thread,
+    /// concurrently and often, because cancellation should be quick, so it should only read an atomic. Must
+    /// not throw.
     std::function<bool()> stop;
-    /// Where what is finished waits for its turn: in memory, or say in a FileSpool
-    /// (dem2buildings/spool.hpp). Called from the thread that called run(); spools are used from any.
+    /// Creates storage for finished results that wait for their turn: in memory, or for example in a
+    /// FileSpool (dem2buildings/spool.hpp). Called from the thread that called run(); the spools are used
+    /// from any thread.
     std::function<std::unique_ptr<Spool>()> make_spool = [] { return std::make_unique<MemorySpool>(); };
-    /// Told of each stretch of work that threads share, when it is done: what a timeline is made of. Between
-    /// these the thread that called run() works alone.
+    /// Receives every finished span of shared work, for example for a timeline. In between, the thread that
+    /// called run() works alone.
     WorkListener on_work;
 };
 

@@ -7,46 +7,47 @@
 
 namespace d2b {
 
-/// A part of a result that is complete and does not show yet: a file under a hidden name, an open
-/// transaction, bytes for a stream. It is written, on the disk and read back; one quick step shows it.
+/// Part of a result that is complete but not visible yet: a file under a hidden name, an open transaction,
+/// bytes for a stream. It has been written, flushed to disk and verified, so that one quick step can publish
+/// it.
 class PendingResult {
   public:
-    /// All of one kind are shown before any of the next.
+    /// All results of one kind are published before any of the next.
     enum class Kind {
-        transaction,  ///< of a database, which cannot be taken back
-        file,         ///< beside the layers
+        transaction,  ///< a database transaction; cannot be rolled back
+        file,         ///< written besides the layers
         dataset,      ///< the layers
-        stream,       ///< cannot be taken back, and whoever reads it may go on to the files
+        stream,       ///< cannot be rolled back, and its reader may open the files next
     };
 
     PendingResult() = default;
     PendingResult(const PendingResult&) = delete;
     PendingResult& operator=(const PendingResult&) = delete;
-    /// What does not show is removed.
+    /// Removes the result if it has not been published.
     virtual ~PendingResult() = default;
 
     [[nodiscard]] virtual Kind kind() const = 0;
-    /// The last look before anything of the run shows. @throws OutputError, say where the file that is to be
-    /// replaced has changed meanwhile
+    /// Final check before anything of the run is published. @throws OutputError, for example if the file to
+    /// be replaced has changed meanwhile
     virtual void check() {}
-    /// Makes it visible, and keeps what stood there before. @throws OutputError; then all is as it was
+    /// Makes the result visible and keeps the previous state. @throws OutputError; nothing has changed then
     virtual void show() = 0;
-    /// When all of the run shows: makes sure that the disk remembers it, and warns where that is in doubt.
+    /// Flushes to disk once the whole run is visible, and warns if that fails.
     virtual void confirm() {}
-    /// After show(): puts back what stood there before. @return where that fails what is left to know, as a
-    /// clause: "\"a.gpkg\" has been changed already"; "" where it is done
+    /// Restores the previous state after show(). @return "" on success, otherwise the remaining change as a
+    /// clause: "\"a.gpkg\" has been changed already"
     [[nodiscard]] virtual std::string take_back() = 0;
-    /// What stood there before is not needed any more.
+    /// Discards the previous state.
     virtual void keep() {}
 };
 
-/// What belongs together: the results of all sinks of a run, which show one after the other, at once, when
-/// all of them are complete, or not at all. (The first phase of a commit in two phases is done where a result
-/// is added.)
+/// Publishes the results of all sinks of a run together, or none of them: the second phase of a two-phase
+/// commit, whose first phase ends when a result is added. Results become visible one after the other, in one
+/// go. Not atomic: a crash in between leaves some visible.
 ///
-/// A sink of files adds what it has completed in its prepare(). One that writes two files adds two results,
-/// in the order in which they are to show: the file that names the other one comes last. In lib/write each
-/// file of a surface is a SurfaceFile, whose prepare() completes it and adds it:
+/// A sink of files adds its results in its prepare(). If it writes two files, it adds two results, and the
+/// file that refers to the other one comes last. In lib/write each file of a surface is a SurfaceFile, whose
+/// prepare() completes it and adds it:
 ///
 ///     void prepare(CommitList& commit) override {
 ///         materials_.prepare(commit);  // a.mtl
@@ -61,9 +62,9 @@ class CommitList {
     /// @param result must outlive publish()
     void add(PendingResult& result) { results_.push_back(&result); }
 
-    /// Shows all of it, and calls `tell`, which says so where it is read: a report on the standard output.
-    /// @throws OutputError: nothing shows then. What has been shown before is taken back; where that cannot
-    /// be, the message says what has changed. @throws whatever `tell` throws, where it is not an OutputError
+    /// Publishes everything, then calls `tell`, which may announce it, for example by a report on the
+    /// standard output. @throws OutputError after rolling back; if that is impossible, the message says what
+    /// has changed. @throws any other exception of `tell`, after rolling back
     void publish(const std::function<void()>& tell = {});
 
   private:
@@ -73,13 +74,13 @@ class CommitList {
     std::vector<PendingResult*> results_;
 };
 
-/// Who shows the report of a run as a part of its result, on the standard output say. What these functions
-/// throw ends the run, and nothing of it shows.
+/// Receives the report of a run as a part of its result, for example to print it. If these functions throw,
+/// the run fails and nothing is published.
 template <typename Report>
 struct ReportReader {
-    /// Called when all files are complete and none of them shows. @param report as far as it is known
+    /// Called when all files are complete and none is visible. @param report as far as it is known
     std::function<void(const Report& report)> prepare;
-    /// Called when all of them show, and can still be taken back.
+    /// Called when all are visible, and can still be rolled back.
     std::function<void(const Report& report)> show;
 };
 

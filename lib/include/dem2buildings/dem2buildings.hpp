@@ -1,6 +1,6 @@
 #pragma once
 
-// All that programs see of the library.
+// Complete public interface of the library.
 #include "dem2buildings/callbacks.hpp"
 #include "dem2buildings/commit_list.hpp"
 #include "dem2buildings/dem_source.hpp"

@@ -5,22 +5,22 @@
 
 namespace d2b {
 
-/// Every error says in one sentence what is wrong and what to do about it.
+/// Base of all errors. The message names the problem and the remedy in one sentence.
 class Error : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The caller asked for something that cannot be: exit status 2 in the tools.
+/// Invalid or contradictory options: exit status 2 in the tools.
 class OptionError : public Error {
     using Error::Error;
 };
 
-/// The input cannot be read, or not used as a DEM.
+/// The input cannot be read, or cannot be used as a DEM.
 class InputError : public Error {
     using Error::Error;
 };
 
-/// The result cannot be written; the destination holds what it held before.
+/// The result cannot be written; the destination is unchanged.
 class OutputError : public Error {
     using Error::Error;
 };
@@ -30,7 +30,7 @@ class GeometryError : public Error {
     using Error::Error;
 };
 
-/// The caller's progress function asked to stop.
+/// The caller cancelled the run.
 class Cancelled : public Error {
   public:
     Cancelled() : Error("Cancelled; nothing was written.") {}

@@ -9,7 +9,7 @@
 
 namespace d2b {
 
-/// What the options name to be read, opened.
+/// Opened sources of the options.
 struct Inputs {
     std::unique_ptr<DemSource> dem;
     SideSources side;
@@ -19,18 +19,24 @@ struct Inputs {
     }
 };
 
-/// @throws InputError; OptionError, also where source and destination were given in the wrong order
+/// @throws InputError; OptionError, also if source and destination were given in the wrong order
 [[nodiscard]] Inputs open_inputs(const Options& options, const Callbacks& callbacks = {},
                                  const SideArrays& arrays = {});
 
-/// The same callbacks, told of each warning once, which is then in `heard` as well. @param heard must outlive
+/// Returns callbacks that report each warning once and also append it to `heard`. @param heard must outlive
 /// them
 [[nodiscard]] Callbacks remembering(const Callbacks& callbacks, std::vector<std::string>& heard);
 
-/// The whole job on files: reads what the options name and writes the destination, and all that they name
-/// beside it. These show together, when all of them are complete, or not at all (see CommitList).
-/// @param arrays that stand for rasters which the options name
-/// @return the report of the run, with all that was warned of from opening the source on @throws Error
+/// Runs the complete job on files: reads the inputs named by the options and writes the destination and all
+/// additional outputs. They become visible together, when all are complete, or not at all (see CommitList).
+///
+///     d2b::Options options;
+///     options.read.source = "dem.tif";
+///     options.write.destination = "buildings.gpkg";
+///     d2b::extract_file(options);
+///
+/// @param arrays replace rasters named by the options
+/// @return the report of the run with all warnings since the source was opened @throws Error
 RunReport extract_file(const Options& options, const Callbacks& callbacks = {},
                        const ReportReader<RunReport>& reader = {}, const SideArrays& arrays = {});
 

@@ -13,42 +13,42 @@
 
 namespace d2b {
 
-/// The stages, in the order in which they run.
+/// Stages, in the order of processing.
 enum class Stage { read, ground, detect, levels, trace, filter, outline, attributes, surface, write };
 inline constexpr std::array<std::string_view, 10> stage_names{
     "read", "ground", "detect", "levels", "trace", "filter", "outline", "attributes", "surface", "write"};
 
-/// Why something that was found is not in the result, or not in its traced form.
+/// Reason why an object is not in the result, or not in its traced form.
 enum class Reason {
-    threshold_not_above_minimum,  ///< a threshold that every point or all but the lowest exceed
-    threshold_not_below_maximum,  ///< a threshold that nothing exceeds
+    threshold_not_above_minimum,  ///< every point, or all but the lowest, exceed the threshold
+    threshold_not_below_maximum,  ///< nothing exceeds the threshold
     threshold_repeated,
-    contour_short,               ///< fewer grid points than the noise factor
-    contour_small,               ///< less than the smallest area
-    contour_on_dropped,          ///< stands on a contour that was dropped
-    hole_short,                  ///< filled: fewer grid points than the noise factor
-    hole_small,                  ///< filled: less than the smallest area
-    outline_kept_traced,         ///< straight walls or simplification would have broken the polygon
-    polygon_repaired,            ///< GEOS called it invalid
-    polygon_lost,                ///< nothing of it was left to repair: it is not written
-    building_doubtful,           ///< its confidence is too low
-    building_small,              ///< what may be a building, but covers less than the smallest area
-    building_low,                ///< what may be a roof, but is not above the smallest height
-    crown_cut,                   ///< a crown that leaned on a wall, cut off there
-    crown_cells,                 ///< cells of such crowns
-    building_not_tall,           ///< its p90 is below the smallest height of a building
-    elevation_outside_range,     ///< no elevation: outside of what occurs on land, or of -zrange
-    elevation_undeclared,        ///< no elevation: what many cells along the edge share, a step from all else
-    elevation_above_neighbours,  ///< no elevation: far above all around it
-    elevation_not_roof,          ///< above all around it: not the height of a building
-    terrain_outside_range,       ///< no elevation of the terrain model
-    outline_torn,                ///< the CRS of the output tears it apart: it is not written
+    contour_short,            ///< fewer grid points than the noise factor
+    contour_small,            ///< less than the smallest area
+    contour_on_dropped,       ///< stands on a contour that was dropped
+    hole_short,               ///< filled: fewer grid points than the noise factor
+    hole_small,               ///< filled: less than the smallest area
+    outline_kept_traced,      ///< straight walls or simplification would have broken the polygon
+    polygon_repaired,         ///< invalid according to GEOS
+    polygon_lost,             ///< nothing left after repair, so it is not written
+    building_doubtful,        ///< its confidence is too low
+    building_small,           ///< possible building that covers less than the smallest area
+    building_low,             ///< possible roof that is not above the smallest height
+    crown_cut,                ///< a tree crown touching a wall was cut off there
+    crown_cells,              ///< cells of such crowns
+    building_not_tall,        ///< its p90 is below the smallest height of a building
+    elevation_outside_range,  ///< not an elevation: outside of the range on land, or of -zrange
+    elevation_undeclared,  ///< not an elevation: shared by many cells along the edge, a step from all others
+    elevation_above_neighbours,  ///< not an elevation: far above all its surroundings
+    elevation_not_roof,          ///< above all its surroundings, so not the height of a building
+    terrain_outside_range,       ///< not an elevation of the terrain model
+    outline_torn,                ///< split by the projection to the output's CRS, so it is not written
     surface_notch_filled,        ///< a building of the surface touched itself in an edge
     surface_corner_cut,          ///< buildings of the surface touched in an edge
-    surface_lost,                ///< a building that no closed surface was found for
-    flow_changed,                ///< a wall, gap or corner that a flow solver cannot take, mended
-    flow_left,                   ///< the same, left as it is
-    part_merged,                 ///< cut off by parcels, but too small or narrow: with its neighbour
+    surface_lost,                ///< no closed surface was found for the building
+    flow_changed,                ///< a wall, gap or corner unsuitable for flow solvers was repaired
+    flow_left,                   ///< a wall, gap or corner unsuitable for flow solvers was left
+    part_merged,  ///< cut off by parcels, but too small or narrow, so merged with its neighbour
 };
 inline constexpr std::array<std::string_view, 29> reason_names{"threshold_not_above_minimum",
                                                                "threshold_not_below_maximum",
@@ -87,7 +87,7 @@ struct LevelReport {
     std::int64_t points = 0;
 };
 
-/// Length of the outlines of a layer, in metres, by what they are made of.
+/// Length of the outlines of a layer in metres, by origin.
 struct OutlineLength {
     double fitted = 0;  ///< straight walls and circular arcs
     double simplified = 0;
@@ -105,60 +105,62 @@ struct UnitReport {
     std::string vertical_decided_by;
     double vertical_metres = 1;
     std::string areas;              ///< "geodesic" or "planar"
-    bool vertical_is_known = true;  ///< not taken for metres since nothing says what it is
+    bool vertical_is_known = true;  ///< false if metres were assumed for lack of information
 };
 
-/// The surface of the buildings.
+/// Statistics of the surface of the buildings.
 struct SurfaceReport {
-    std::array<double, 3> origin{};  ///< of local coordinates, x, y and z in metres
+    std::array<double, 3> origin{};  ///< local origin: x, y and z in metres
     std::int64_t buildings = 0;
-    std::int64_t blocks = 0;     ///< of touching buildings; none where no format has them
-    std::int64_t points = 0;     ///< of the shell; none likewise
-    std::int64_t triangles = 0;  ///< likewise
+    std::int64_t blocks = 0;     ///< blocks of touching buildings; 0 if no format has them
+    std::int64_t points = 0;     ///< points of the shell; 0 if no format has one
+    std::int64_t triangles = 0;  ///< triangles of the shell; 0 if no format has one
 };
 
-/// A stack that ends at a level.
+/// Stack truncated at a level.
 struct CutStack {
     std::int32_t level = 0;
-    double rmse_m = 0;  ///< of its surface against the points of all buildings: at a point, the mean of those
-                        ///< of its highest contour that no higher one of the cut stack holds
+    /// Error of its surface against the points of all buildings. The surface at a point is the mean of the
+    /// points of its highest remaining contour outside that contour's children.
+    double rmse_m = 0;
 };
 
-/// How parcels would have to be moved on the raster.
+/// Estimated displacement of parcels relative to the raster.
 struct ParcelMove {
     double right_m = 0;  ///< along rows, to higher columns
-    double down_m = 0;   ///< to higher rows
+    double down_m = 0;   ///< towards higher rows
 };
 
-/// How parcels cut buildings.
+/// Statistics of buildings cut by parcels.
 struct ParcelReport {
-    double cut_length_m = 0;       ///< of what they part before narrow parts go back, about
-    double beside_length_m = 0;    ///< of this, what has a wall beside it, within 4 m
-    double median_distance_m = 0;  ///< between a cut and the wall beside it; NaN where there is none
-    std::optional<ParcelMove> fitting_move;  ///< to lie on walls best; nothing where that cannot be said
-    double building_m2 = 0;                  ///< of all buildings
-    double inside_m2 = 0;                    ///< of these, in parcels
-    double several_m2 = 0;                   ///< of this, in more than one
-    double invalid_m2 = 0;                   ///< of this, in parcels that are not valid
+    double cut_length_m = 0;     ///< approximate length of cuts, before narrow parts are merged back
+    double beside_length_m = 0;  ///< length of cuts with a wall within 4 m
+    double median_distance_m =
+        0;  ///< median distance between a cut and its nearby wall; NaN if there is none
+    std::optional<ParcelMove> fitting_move;  ///< displacement that fits walls best; nothing if undetermined
+    double building_m2 = 0;                  ///< area of all buildings
+    double inside_m2 = 0;                    ///< building area in parcels
+    double several_m2 = 0;                   ///< building area in more than one parcel
+    double invalid_m2 = 0;                   ///< building area in invalid parcels
 };
 
-/// How finely the raster shows what stands on the ground, as estimated from itself.
+/// Resolution of the raster, estimated from its own values.
 struct SamplingReport {
-    double filled_share = 0;  ///< of the cells, those that no point fell into and that have a neighbour's
-                              ///< height
-    std::optional<double> points_per_cell;   ///< nothing where they are too many to be told
-    std::optional<double> step_width_cells;  ///< over which a wall falls from nine tenths of its height to
-                                             ///< one; nothing where there are too few walls
-    std::optional<double> value_step;        ///< that elevations were rounded to, in the raster's vertical
-                                             ///< unit; nothing where they were not
+    double filled_share =
+        0;  ///< share of cells without a point of their own, which have a neighbour's height
+    std::optional<double> points_per_cell;   ///< nothing if too many to estimate
+    std::optional<double> step_width_cells;  ///< distance over which a wall falls from nine tenths of its
+                                             ///< height to one tenth; nothing if there are too few walls
+    std::optional<double> value_step;        ///< rounding step of elevations, in the raster's vertical unit;
+                                             ///< nothing if they were not rounded
 };
 
-/// What stages count. Threads that work at the same time have one each.
+/// Counters of stages, one per thread, merged afterwards.
 struct Tally {
     std::array<std::int64_t, reason_names.size()> dropped{};
-    std::array<double, stage_names.size()> seconds{};  ///< of all threads together
+    std::array<double, stage_names.size()> seconds{};  ///< sum over all threads
     std::array<std::int64_t, stage_names.size()>
-        peak_memory_bytes{};  ///< of the process, when the stage ended
+        peak_memory_bytes{};  ///< peak of the process at the end of the stage
 
     void count(Reason reason, std::int64_t n = 1) { dropped[static_cast<std::size_t>(reason)] += n; }
     [[nodiscard]] std::int64_t counted(Reason reason) const {
@@ -174,14 +176,14 @@ struct Tally {
     }
 };
 
-/// What a run did, as data: the tools print it, tests read it.
+/// Report of a run as data, for tools to print and tests to read.
 struct RunReport : Tally {
     std::string input;
     std::string driver;
     std::string output;
     std::string crs;
     std::string output_crs;
-    Layers layers = Layers::both;  ///< that were written
+    Layers layers = Layers::both;  ///< those written
     UnitReport units;
     std::int64_t rows = 0;
     std::int64_t cols = 0;
@@ -191,22 +193,22 @@ struct RunReport : Tally {
     double maximum = 0;
     double mean = 0;
     double standard_deviation = 0;
-    std::vector<LevelReport> levels;  ///< from level 0 up
-    std::int64_t contours = 0;        ///< written
-    std::int64_t buildings = 0;       ///< written
-    std::int64_t doubtful = 0;        ///< written
-    double stack_rmse_m = 0;    ///< of the stacked surface (at a point: tier_z of the highest contour that
-                                ///< holds it, as written) against the points of all buildings; where no
-                                ///< contours are written, of those as they were traced
-    std::int64_t vertices = 0;  ///< of the contours as written (of the buildings where these are alone),
-                                ///< closing ones not counted
-    OutlineLength building_outlines;  ///< of the layers as written; nothing where one is not
+    std::vector<LevelReport> levels;  ///< level 0 first
+    std::int64_t contours = 0;        ///< number written
+    std::int64_t buildings = 0;       ///< number written
+    std::int64_t doubtful = 0;        ///< number written
+    /// Error of the stacked surface against the points of all buildings. The surface at a point is tier_z of
+    /// the highest contour that contains it, as written, or as traced if contours are not written.
+    double stack_rmse_m = 0;
+    std::int64_t vertices = 0;  ///< vertices of the contours as written (of the buildings if only these are
+                                ///< written), closing ones not counted
+    OutlineLength building_outlines;  ///< lengths as written; 0 if the layer is not written
     OutlineLength contour_outlines;
-    std::optional<SurfaceReport> surface;    ///< where one was asked for
-    std::vector<CutStack> cuts;              ///< from level 1 up, where a sink gets the tiers of stacks
-    std::optional<ParcelReport> parcels;     ///< where buildings were cut by some
-    std::optional<SamplingReport> sampling;  ///< where buildings were searched for
-    int threads = 1;                         ///< that worked on it
+    std::optional<SurfaceReport> surface;    ///< if requested
+    std::vector<CutStack> cuts;              ///< level 1 first; only if a sink gets the tiers of stacks
+    std::optional<ParcelReport> parcels;     ///< if parcels cut buildings
+    std::optional<SamplingReport> sampling;  ///< if buildings were detected
+    int threads = 1;                         ///< number used
     std::vector<std::string> warnings;
 };
 

@@ -13,38 +13,41 @@
 
 namespace d2b {
 
-/// What a run reads. All on the grid and in the window of the DEM.
+/// Inputs of a run, all on the grid and in the window of the DEM.
 struct Sources {
     DemSource& dem;
-    DemSource* terrain = nullptr;  ///< of GroundMode::given, in the DEM's vertical unit
-    DemSource* mask = nullptr;     ///< buildings are looked for where it is neither 0 nor invalid
+    DemSource* terrain = nullptr;  ///< needed for GroundMode::given, in the DEM's vertical unit
+    DemSource* mask = nullptr;     ///< buildings are searched in cells that are neither 0 nor invalid
     DemSource* ndvi = nullptr;
     ParcelSource* parcels = nullptr;  ///< cut buildings
 };
 
-/// Where a run writes to. Rasters are in metres.
+/// Outputs of a run. Rasters are in metres.
 struct Sinks {
     FeatureSink& features;
     RasterSink* ground = nullptr;
     RasterSink* height = nullptr;
-    RasterSink* canopy = nullptr;             ///< heights of what is no building, 0 elsewhere
-    RasterSink* elevations = nullptr;         ///< of the DEM, without what is no elevation; with every preset
-    std::vector<SurfaceSink*> surfaces = {};  ///< each gets the surface in the form that it holds
+    RasterSink* canopy = nullptr;             ///< heights of everything except buildings, 0 elsewhere
+    RasterSink* elevations = nullptr;         ///< valid elevations of the DEM, with every preset
+    std::vector<SurfaceSink*> surfaces = {};  ///< each gets the surface in its own form
 };
 
-/// The whole job: read -> ground -> detect -> levels -> trace -> filter -> outline -> attributes ->
+/// Runs the complete job: read -> ground -> detect -> levels -> trace -> filter -> outline -> attributes ->
 /// surface -> write.
-/// Reads the DEM twice (statistics, then contours), or once where it fits in memory. What sources and sinks
-/// notice meanwhile is warned of with the rest; what they warned of when they were opened is not told again.
-/// @param options  are checked first: what contradicts itself, or has no effect, is an OptionError
-/// @param size     of bands; the result does not depend on it
-/// @return what was done, found, dropped and repaired, and all that was warned of
-/// @throws Error: nothing is visible at the sinks then, all of whose results show together (see CommitList)
+///
+/// Reads the DEM twice (statistics, then contours), or once if it fits in memory. Warnings of sources and
+/// sinks during the run are included; those from opening them are not repeated. For files, extract_file()
+/// also opens sources and sinks.
+/// @param options checked first: a contradictory or ineffective option is an OptionError
+/// @param size of bands; does not affect the result
+/// @return everything done, found, dropped and repaired, with all warnings
+/// @throws Error; nothing is visible at the sinks then, because all results become visible together (see
+/// CommitList)
 RunReport run(const Options& options, const Sources& sources, const Sinks& sinks,
               const Callbacks& callbacks = {}, const BandSize& size = {});
 
-/// As run(), but leaves the results of the sinks to `commit`, which may have others to show with them; sinks
-/// may have more to warn of then. @throws Error
+/// Same as run(), but leaves publishing the results to `commit`, which may hold others. Sinks may add
+/// warnings then. @throws Error
 RunReport prepare_run(const Options& options, const Sources& sources, const Sinks& sinks, CommitList& commit,
                       const Callbacks& callbacks = {}, const BandSize& size = {});
 

@@ -22,31 +22,31 @@ class CommitList;
 
 enum class FieldType { integer, real, text };
 
-/// One column of a layer. Names have at most 10 ASCII characters, so that a Shapefile keeps them.
+/// Column of a layer. Names have at most 10 ASCII characters, because a Shapefile truncates longer ones.
 struct FieldSpec {
     std::string name;
-    std::string alias;  ///< for people, with the unit
+    std::string alias;  ///< readable name with the unit
     FieldType type = FieldType::real;
-    std::string unit;  ///< "m", "m2", "ft", ...; "" where there is none
+    std::string unit;  ///< "m", "m2", "ft", ...; "" if there is none
     std::string description;
 };
 
-/// How a GIS shows a layer by default; fields by their names in the layer's spec. Without a title a layer has
-/// no style.
+/// Default style of a layer in a GIS. Fields are named as in the layer's spec. A layer without a title has no
+/// style.
 struct LayerStyle {
-    std::string title{};   ///< of the legend: what the colours say; "" for no style
-    std::string colour{};  ///< field of heights in m that gives the colour; "" for one look for all
-    std::string label{};   ///< field that is written on large maps; "" for none
-    /// Only features are labelled in which these two fields are equal; "" for all.
+    std::string title{};   ///< title of the legend; "" for no style
+    std::string colour{};  ///< field of heights in m that determines the colour; "" for a single colour
+    std::string label{};   ///< field shown on large-scale maps; "" for none
+    /// Labels only features in which these two fields are equal; "" for all.
     std::array<std::string, 2> labelled{};
     double label_scale = 2500;
-    std::string order{};      ///< field by which features are drawn, low to high; "" for any order
-    std::string certainty{};  ///< field from 0 to 1: what is below `certain` is drawn paler; "" for none
+    std::string order{};      ///< field that determines the drawing order, low to high; "" for any order
+    std::string certainty{};  ///< field from 0 to 1: features below `certain` are paler; "" for none
     double certain = 1;
 
-    // The solid, for 3D, is `height` metres above the ground. Where `min_height` is named it begins that high
-    // above the ground. It ends at elevation `top`, or else stands at elevation `bottom`; with neither there
-    // is none.
+    // Solid for 3D views. `height` is the height of its top above the ground and `min_height`, if set, that
+    // of its bottom. The top is at elevation `top`; if that is empty, the bottom is at `bottom`; if both are,
+    // there is no solid.
     std::string top{};
     std::string bottom{};
     std::string height{};
@@ -59,49 +59,49 @@ struct LayerSpec {
     std::string name;
     std::string title;
     std::string description;
-    std::vector<FieldSpec> fields;  ///< the first is the number of a feature
-    bool with_z = false;            ///< every vertex carries Feature::z
-    bool with_arcs =
-        false;  ///< runs of vertices that stand for arcs are written as such where the format has curves
+    std::vector<FieldSpec> fields;  ///< the first is the feature's number
+    bool with_z = false;            ///< every vertex has Feature::z
+    bool with_arcs = false;         ///< write circular arcs as curves if the format supports them
     LayerStyle style = {};
-    bool points = false;  ///< features are places, else polygons
+    bool points = false;  ///< features are points, otherwise polygons
 };
 
-/// std::monostate is NULL.
+/// Value of a field. std::monostate is NULL.
 using FieldValue = std::variant<std::monostate, std::int64_t, double, std::string>;
 
 struct Feature {
-    std::vector<FieldValue> values;   ///< one a field, in their order
+    std::vector<FieldValue> values;   ///< one per field, in the same order
     std::vector<WorldPolygon> parts;  ///< at least one; written as a MultiPolygon (with arcs a MultiSurface)
     double z = 0;
-    FeatureRecord record = {};           ///< what it is
-    std::optional<Position> place = {};  ///< of a layer of points, in place of the parts
+    FeatureRecord record = {};           ///< typed attributes
+    std::optional<Position> place = {};  ///< position in a layer of points, instead of the parts
 };
 
-/// How a destination rounds the coordinates that it gets.
+/// Rounding of coordinates by a destination.
 struct CoordinateRounding {
     enum class To {
-        nothing,             ///< every coordinate is kept as it is
-        decimals,            ///< a number of digits behind the point
-        significant_digits,  ///< a number of digits from the first that is not 0
+        nothing,             ///< keeps all digits
+        decimals,            ///< fixed number of digits after the decimal point
+        significant_digits,  ///< fixed number of significant digits
     };
     To to = To::nothing;
     int digits = 0;
-    std::string cause = {};  ///< what messages name: "-lco COORDINATE_PRECISION=5"
+    std::string cause = {};  ///< option to name in messages: "-lco COORDINATE_PRECISION=5"
 };
 
-/// What a dataset says of itself.
+/// Metadata of a dataset.
 struct Provenance {
-    std::string crs_wkt;                          ///< of the coordinates that are written; "" for none
+    std::string crs_wkt;                          ///< CRS of the written coordinates; "" for none
     std::map<std::string, std::string> metadata;  ///< source, options, thresholds, units, version
-    /// Names of metadata that must be equal where features are appended.
+    /// Names of metadata that must be equal for appending features.
     std::vector<std::string> binding = {};
 };
 
-/// Where features go: a file (write/), or a list in tests and in other programs.
-/// May be asked whether it takes a CRS; then begin, then add in the order in which features are to stand in
-/// their layers, then prepare or finish; all of it from the thread that called run(). A sink that is
-/// destroyed before that leaves the destination as it was.
+/// Receives features: a file (see open_sink()), or a list in a program or test.
+///
+/// Call order: optionally require_crs() and rehearse(); begin(); add() in the order of features in their
+/// layers; prepare() or finish(). All calls come from the thread that called run(). A sink destroyed before
+/// prepare() or finish() leaves the destination unchanged.
 class FeatureSink {
   public:
     FeatureSink() = default;
@@ -109,48 +109,49 @@ class FeatureSink {
     FeatureSink& operator=(const FeatureSink&) = delete;
     virtual ~FeatureSink() = default;
 
-    /// Asked before the work begins. @param wkt of the coordinates that will be written; "" for none @param
-    /// name what messages call it @param place a position among them
-    /// @throws OutputError where the destination cannot hold such coordinates
+    /// Called before the work begins. @param wkt CRS of the coordinates to be written; "" for none @param
+    /// name of the CRS in messages @param place one of the positions @throws OutputError if the destination
+    /// cannot hold such coordinates
     virtual void require_crs(const std::string& /*wkt*/, const std::string& /*name*/,
                              const Position& /*place*/) {}
-    /// Tries, before the work, whether such layers can be written; nothing is left of the trial.
-    /// @param provenance as far as it is known @param place a position among the features
-    /// @throws OutputError, OptionError
+    /// Preflight check: tries to write such layers and removes them again. Called before the work begins.
+    /// @param provenance as far as it is known @param place position of one of the features @throws
+    /// OutputError, OptionError
     virtual void rehearse(std::span<const LayerSpec> /*layers*/, const Provenance& /*provenance*/,
                           const Position& /*place*/) {}
     /// @throws OutputError
     virtual void begin(std::span<const LayerSpec> layers, const Provenance& provenance) = 0;
-    /// @param layer index into the layers that begin() got @throws OutputError
+    /// @param layer index into the layers passed to begin() @throws OutputError
     virtual void add(std::size_t layer, const Feature& feature) = 0;
-    /// Known once rehearse() has been called.
+    /// Known after rehearse().
     [[nodiscard]] virtual CoordinateRounding rounding() const { return {}; }
-    /// Told before prepare() or finish() what the run has done.
+    /// Receives the report of the run before prepare() or finish().
     virtual void take_report(const RunReport& /*report*/) {}
     /// Makes the result visible, all of it or nothing. @throws OutputError
     virtual void finish() = 0;
-    /// Called by run() in place of finish(): completes the result and leaves it to `commit` to show it when
-    /// all sinks are as far. A sink that shows nothing to others, such as a list in memory, just finishes.
-    /// @param commit shows its results before this sink is destroyed @throws OutputError
+    /// Completes the result and adds it to `commit`. Called by run()
+    /// instead of finish(), because all sinks are published together. A sink that publishes nothing, such as
+    /// a list in memory, just finishes. @param commit publishes before this sink is destroyed @throws
+    /// OutputError
     virtual void prepare(CommitList& /*commit*/) { finish(); }
 
-    /// The first number that a feature may take, given what the destination already holds (append). Known
-    /// once begin() has been called: nobody else adds to the destination from then on.
+    /// Returns the first free feature number, given the existing contents of the destination (append). Known
+    /// after begin(), because nobody else adds to the destination from then on.
     [[nodiscard]] virtual std::int64_t first_id() const { return 1; }
 
-    /// The layers that the destination gets. @param asked nothing where that is left open
-    /// @throws OptionError where it cannot hold what is asked for
+    /// Returns the layers to write. @param asked nothing if the option was not given @throws OptionError if
+    /// the destination cannot hold the requested layers
     [[nodiscard]] virtual Layers layers(std::optional<Layers> asked) const {
         return asked.value_or(Layers::both);
     }
 
-    /// Whether there is room for a layer of points beside the others.
+    /// Returns true if the destination can also hold a layer of points.
     [[nodiscard]] virtual bool takes_points() const { return true; }
 
-    /// What it has noticed since the last call, a sentence each, for the run to warn of.
+    /// Returns warnings since the last call, one sentence each.
     [[nodiscard]] virtual std::vector<std::string> take_warnings() { return {}; }
 
-    /// What the destination calls a layer. @param layers what is written
+    /// Returns the destination's name of a layer. @param layers that are written
     [[nodiscard]] virtual std::string layer_name(LayerRole role, Layers /*layers*/) const {
         return role == LayerRole::buildings  ? "buildings"
                : role == LayerRole::contours ? "contours"
@@ -160,11 +161,12 @@ class FeatureSink {
     }
 };
 
-/// Where a raster goes that lies on the DEM's window: a file (write/), or an array in tests and in other
-/// programs. Parts of the window, each cell in one of them, then prepare or finish, from the thread that
-/// called run(). What is found comes unit by unit, a few rows at a time; elevations (Sinks::elevations) come
-/// in whole rows from the first to the last. A sink that is destroyed before that leaves the destination as
-/// it was.
+/// Receives a raster on the DEM's window: a file (see open_side_sinks()), or an array in a program or test.
+///
+/// Call order: write() for parts of the window, each cell once; prepare() or finish(). All calls come from
+/// the thread that called run(). Detection results come unit by unit, a few rows at a time; elevations
+/// (Sinks::elevations) come in whole rows from first to last. A sink destroyed before prepare() or finish()
+/// leaves the destination unchanged.
 class RasterSink {
   public:
     RasterSink() = default;
@@ -173,14 +175,14 @@ class RasterSink {
     virtual ~RasterSink() = default;
 
     /// @param part rows and columns of the whole raster @param values part.rows * part.cols of them, row by
-    /// row, NaN where there is none @throws OutputError
+    /// row, NaN if there is none @throws OutputError
     virtual void write(const Window& part, std::span<const float> values) = 0;
     /// Makes the raster visible, all of it or nothing. @throws OutputError
     virtual void finish() = 0;
-    /// As FeatureSink::prepare().
+    /// Same as FeatureSink::prepare().
     virtual void prepare(CommitList& /*commit*/) { finish(); }
 
-    /// What it has noticed since the last call, a sentence each, for the run to warn of.
+    /// Returns warnings since the last call, one sentence each.
     [[nodiscard]] virtual std::vector<std::string> take_warnings() { return {}; }
 };
 

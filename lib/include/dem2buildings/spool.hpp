@@ -10,7 +10,7 @@
 
 namespace d2b {
 
-/// Bytes that are put aside and read back later, by any thread.
+/// Storage for bytes that are read back later. Thread-safe.
 class Spool {
   public:
     Spool() = default;
@@ -18,13 +18,13 @@ class Spool {
     Spool& operator=(const Spool&) = delete;
     virtual ~Spool() = default;
 
-    /// @return where they begin @throws OutputError there is no room
+    /// @return their offset @throws OutputError if there is no room
     virtual std::uint64_t append(std::span<const std::byte> bytes) = 0;
-    /// Reads what was appended. @throws OutputError
+    /// Reads appended bytes. @throws OutputError
     virtual void read(std::uint64_t begin, std::span<std::byte> bytes) const = 0;
 };
 
-/// A spool in memory.
+/// Spool in memory.
 class MemorySpool : public Spool {
   public:
     std::uint64_t append(std::span<const std::byte> bytes) override;
@@ -37,7 +37,7 @@ class MemorySpool : public Spool {
     std::vector<std::vector<std::byte>> chunks_;
 };
 
-/// Something in a spool.
+/// Range of bytes in a spool.
 struct SpoolEntry {
     std::uint64_t begin = 0;
     std::uint64_t size = 0;
@@ -45,16 +45,16 @@ struct SpoolEntry {
 
 class TemporaryFile;
 
-/// A spool in memory as long as it is small, and then in a temporary file without a name, which is gone with
-/// the process however that ends.
+/// Spool that starts in memory and moves to an unnamed temporary file when it grows. The file disappears with
+/// the process, even after a crash, because it has no name.
 class FileSpool : public Spool {
   public:
-    /// @param folder for the file; "": that of the configuration option CPL_TMPDIR, or the system's
-    /// @param in_memory bytes that need no file
+    /// @param folder for the file; "": the configuration option CPL_TMPDIR, or the system's default
+    /// @param in_memory size in bytes up to which no file is used
     explicit FileSpool(std::string folder = "", std::size_t in_memory = std::size_t{32} << 20);
     ~FileSpool() override;
 
-    /// @throws OutputError the file cannot be made, or there is no room for it
+    /// @throws OutputError if the file cannot be created, or there is no room for it
     std::uint64_t append(std::span<const std::byte> bytes) override;
     /// @throws OutputError
     void read(std::uint64_t begin, std::span<std::byte> bytes) const override;
@@ -69,7 +69,7 @@ class FileSpool : public Spool {
     std::size_t most_in_memory_;
     mutable std::mutex mutex_;
     std::unique_ptr<TemporaryFile> file_;
-    std::vector<std::byte> memory_;  ///< comes after what is in the file
+    std::vector<std::byte> memory_;  ///< follows the bytes in the file
 };
 
 }  // namespace d2b

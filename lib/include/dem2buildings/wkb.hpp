@@ -9,19 +9,19 @@
 
 namespace d2b {
 
-/// Well-known binary of MultiPolygons, in one buffer that is used again and again. Rings are closed here, and
-/// stand in the order and direction in which they are given. With arcs, of MultiSurfaces: polygons that have
-/// arcs are CurvePolygons, whose rings with arcs are CompoundCurves of CircularStrings and LineStrings. A
-/// feature that is a place is a Point, without Z.
+/// Encodes features as well-known binary of MultiPolygons, in one buffer that is reused because allocation
+/// per feature is slow. Closes rings and keeps their order and direction. With arcs it writes MultiSurfaces:
+/// polygons with arcs are CurvePolygons, whose rings with arcs are CompoundCurves of CircularStrings and
+/// LineStrings. A feature with a place is a Point, without Z.
 class MultiPolygonWkb {
   public:
     explicit MultiPolygonWkb(bool with_z, bool with_arcs = false) : with_z_(with_z), with_arcs_(with_arcs) {}
 
-    /// @return ISO WKB in the byte order of this machine; valid until the next call
+    /// @return ISO WKB in native byte order; valid until the next call
     [[nodiscard]] std::span<const std::byte> encode(const Feature& feature);
-    /// Gives back the room of a polygon that was larger than most. What encode() gave is no longer valid.
+    /// Releases memory of an unusually large polygon. Invalidates the result of encode().
     void forget_large();
-    /// Bytes that are kept for the next polygon.
+    /// Returns the capacity kept for the next polygon, in bytes.
     [[nodiscard]] std::size_t room() const { return bytes_.capacity(); }
 
   private:

@@ -5,7 +5,7 @@
 
 namespace d2b {
 
-/// A position in a CRS, in the order that GIS programs use: x is easting or longitude, y northing or
+/// Position in a CRS, in the axis order of GIS programs: x is easting or longitude, y is northing or
 /// latitude.
 struct Position {
     double x = 0;
@@ -18,17 +18,17 @@ struct Position {
 struct CircularArc {
     std::uint32_t ring = 0;   ///< 0: the exterior, then the interiors
     std::uint32_t first = 0;  ///< vertex at which it begins
-    std::uint32_t edges = 0;  ///< to its end, at least two; round the ring's end where need be
+    std::uint32_t edges = 0;  ///< number of edges, at least two; may continue past the ring's last vertex
 };
 
-/// The last position is not repeated.
+/// Ring without repetition of the first position.
 using WorldRing = std::vector<Position>;
 
 /// Exterior ring counter-clockwise, interior rings clockwise (y up).
 struct WorldPolygon {
     WorldRing exterior;
     std::vector<WorldRing> interiors;
-    std::vector<CircularArc> arcs = {};  ///< runs of vertices that stand for circular arcs
+    std::vector<CircularArc> arcs = {};  ///< runs of vertices that represent circular arcs
 };
 
 }  // namespace d2b

@@ -8,12 +8,14 @@
 namespace d2b {
 namespace {
 
-constexpr double snapping = 0.002;  // cells that a vertex may move onto the fine lattice
-// Cells. Walls of tiers, which are many and short, stay nearer to their traces than those of footprints:
-// beyond half a cell each row of cells that changes sides costs the stack more than the vertices are worth.
+constexpr double snapping = 0.002;  // cells that rounding to the fine lattice may move a vertex
+// Cells. Walls of tiers, which are many and short, stay closer to their traces than those of footprints
+// because beyond half a cell every row of cells on the wrong side costs more than the saved vertices are
+// worth.
 constexpr double tier_tolerance = 0.85;
-constexpr double longest_side = 2;  // cells: those of sheared cells say nothing of their staircases
-constexpr int most_followings = 4;  // each leaves less that is far from the trace
+constexpr double longest_side =
+    2;  // cells; limits the longer side because that of sheared cells says nothing about their staircases
+constexpr int most_followings = 4;  // limits the iterations; each one leaves less that is far from the trace
 
 WallStyle style_for(const Chain& chain, const WallOptions& options) {
     const bool tier = chain.rank > WallGraph::highest_low_rank;
@@ -23,8 +25,8 @@ WallStyle style_for(const Chain& chain, const WallOptions& options) {
             .side = std::min(longest_side, options.shape.longer_side())};
 }
 
-/// Of the price of a wall, where the tolerance is small: on coarse cells, and for tiers, walls of a few cells
-/// are many, and what stands out by a cell is wanted.
+/// Factor of the price of a wall for small tolerances. On coarse cells and for tiers, walls of a few cells
+/// are frequent and details of one cell are wanted.
 double share_of_price(double tolerance) {
     constexpr double usual = 1.25;  // cells
     const double share = std::min(1.0, tolerance / usual);
@@ -63,7 +65,7 @@ bool ChainDrawing::walls_are_near(const std::optional<ChainEnds>& ends) {
     return draw_planned(ends).deviation <= limit_;
 }
 
-/// Whether there is a line, or a ring that runs the way of its trace.
+/// True if this is a line, or a ring with the orientation of its trace.
 bool ChainDrawing::is_sound(const DrawnChain& drawn) const {
     if (!samples().closed())
         return drawn.vertices.size() >= 2;
@@ -75,7 +77,8 @@ DrawnChain ChainDrawing::draw(ChainForm& form, const std::optional<ChainEnds>& e
     DrawnChain planned;
     if (form.has_walls()) {
         draw_planned(ends);
-        planned = *std::exchange(planned_, {});  // few chains are drawn twice, and many wait for the others
+        planned =
+            *std::exchange(planned_, {});  // released because few chains are drawn twice and many are pending
     }
     const auto compose = [&] {
         return compose_chain(samples(), shape_, origin_, form, middles_, planned, ends);

@@ -13,7 +13,7 @@
 
 namespace d2b {
 
-/// One chain, and how it is drawn between its ends: with walls, and closer to its trace where it has to be.
+/// Draws one chain between its ends: with walls, and closer to its trace if necessary.
 class ChainDrawing {
   public:
     /// @param chain must outlive this
@@ -24,35 +24,35 @@ class ChainDrawing {
 
     [[nodiscard]] const WallSamples& samples() const { return walls_.samples(); }
     [[nodiscard]] const ChainWalls& walls() const { return walls_; }
-    /// Moves a wall to the left of the way that the chain runs.
+    /// Moves a wall to the left of the direction of the chain.
     void shift(std::size_t wall, double cells) {
         walls_.shift(wall, cells);
         planned_.reset();
     }
     [[nodiscard]] double own_direction() const { return dominant_direction(samples(), turning_points_); }
-    /// Divides the chain into walls. @param direction the dominant one, radians
-    /// @return the direction of its walls; nothing where they are not possible @throws Cancelled
+    /// Divides the chain into walls. @param direction dominant direction in radians
+    /// @return direction of the walls; nullopt if walls are impossible @throws Cancelled
     [[nodiscard]] std::optional<double> plan(double price, double direction, const StopRequest& stop);
-    /// Whether walls alone lie within the tolerance. @param ends of an open chain
+    /// True if the chain drawn with walls only stays within the tolerance. @param ends of an open chain
     [[nodiscard]] bool walls_are_near(const std::optional<ChainEnds>& ends);
-    /// @param form gets closer where walls leave the trace by more than the tolerance
+    /// @param form raised at walls that leave the trace by more than the tolerance
     /// @param ends of an open chain
     [[nodiscard]] DrawnChain draw(ChainForm& form, const std::optional<ChainEnds>& ends);
 
   private:
-    /// All of it with walls.
+    /// Draws the whole chain with walls.
     const DrawnChain& draw_planned(const std::optional<ChainEnds>& ends);
     [[nodiscard]] bool is_sound(const DrawnChain& drawn) const;
 
     LatticePoint origin_;
     CellShape shape_;
     WallStyle style_;
-    double limit_;  // cells that vertices may leave the trace by before they move onto the fine lattice
+    double limit_;  // cells between vertices and trace before rounding to the fine lattice
     ChainWalls walls_;
     std::vector<std::size_t> turning_points_;  // steps
     Middles middles_;
-    std::optional<DrawnChain> planned_;         // all with walls, until that is used or these change
-    std::optional<ChainEnds> ends_of_planned_;  // for which that was drawn
+    std::optional<DrawnChain> planned_;         // drawn with walls only; kept until used or outdated
+    std::optional<ChainEnds> ends_of_planned_;  // ends for which that was drawn
 };
 
 }  // namespace d2b

@@ -3,7 +3,7 @@
 namespace d2b {
 namespace {
 
-constexpr std::size_t least_wall = 4;  // steps, between stretches that follow the trace closer
+constexpr std::size_t least_wall = 4;  // fewest steps of a wall between stretches of closer modes
 
 Form next(Form form) {
     return form == Form::cut ? form : static_cast<Form>(static_cast<int>(form) + 1);

@@ -10,14 +10,14 @@
 
 namespace d2b {
 
-/// What has become of a chain in the drawing of its graph.
+/// State of a chain while its graph is being drawn.
 struct ChainState {
     ChainForm form;
-    bool waiting = true;  ///< to be drawn for its own sake
-    bool lands = false;   ///< where it ends may have moved
+    bool waiting = true;  ///< has yet to be drawn for its own sake
+    bool lands = false;   ///< its end nodes may have moved
     double direction = 0;
-    std::optional<ChainEnds> ends;        ///< of an open chain
-    std::unique_ptr<ChainDrawing> chain;  ///< once it has been drawn
+    std::optional<ChainEnds> ends;        ///< open chains only
+    std::unique_ptr<ChainDrawing> chain;  ///< set once it has been drawn
     Course course;
 };
 

@@ -40,7 +40,7 @@ void ChainTracer::gather(const Chain& chain) {
 
 bool ChainTracer::runs_backwards(const Chain& chain) const {
     const std::size_t n = points_.size();
-    // From its first corner in scan order a ring runs along the row and along the column.
+    // From its first corner in scan order, a ring of normal orientation runs along the row.
     if (chain.closed)
         return points_[start_ + 1 < n ? start_ + 1 : 0].row != points_[start_].row;
     return std::pair(points_[n - 1], points_[n - 2]) < std::pair(points_[0], points_[1]);
@@ -52,7 +52,7 @@ void ChainTracer::reverse(Chain& chain) {
         use.reversed = !use.reversed;
 }
 
-/// The first arc of a closed chain is the first one that begins at its start or later.
+/// Rotates the arcs of a closed chain so that the first one to begin at or after the start comes first.
 void ChainTracer::rotate(Chain& chain) {
     const std::size_t n = points_.size();
     steps_.clear();

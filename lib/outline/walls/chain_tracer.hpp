@@ -7,13 +7,13 @@
 
 namespace d2b {
 
-/// Puts the arcs of chains into their order for good and finds their traces, nodes and steps: the same
-/// whatever divides a chain into arcs.
+/// Normalizes the order of the arcs of chains and derives their traces, nodes and steps. The result does not
+/// depend on the division of a chain into arcs.
 class ChainTracer {
   public:
-    /// @param graph with arcs and their ends
+    /// @param graph with arcs and their end nodes
     explicit ChainTracer(const WallGraph& graph) : graph_(graph) {}
-    /// @param chain its arcs in either direction, from anywhere on
+    /// @param chain its arcs in either direction, starting anywhere
     void trace(Chain& chain);
 
   private:
@@ -25,10 +25,10 @@ class ChainTracer {
     void find_corners(Chain& chain);
 
     const WallGraph& graph_;
-    std::vector<LatticePoint> points_;  // a closed chain's without repetition
-    std::vector<std::size_t> begins_;   // of arcs among these
-    std::vector<std::uint32_t> steps_;  // before each point, and of all
-    std::size_t start_ = 0;             // point at which the trace begins
+    std::vector<LatticePoint> points_;  // without repetition if the chain is closed
+    std::vector<std::size_t> begins_;   // index in points_ at which each arc begins
+    std::vector<std::uint32_t> steps_;  // number of steps before each point, and in total
+    std::size_t start_ = 0;             // index of the point at which the trace begins
 };
 
 }  // namespace d2b

@@ -62,7 +62,7 @@ std::vector<std::size_t> ChainWalls::along(std::size_t begin, std::size_t end,
         if (shifts_[i].times < most_shifts && static_cast<double>(within) >= most * length(i))
             walls.push_back(i);
     };
-    // In a closed chain either may reach round its end. Walls follow one another.
+    // Both ranges of a closed chain may wrap around. Walls are in order along the chain.
     std::size_t next = 0;
     for (std::size_t lap = closed ? 0 : 1; lap < (closed ? 3 : 2); ++lap) {
         const auto ends_after = [&](const WallPiece& piece) {

@@ -5,7 +5,7 @@
 namespace d2b {
 namespace {
 
-/// Sums over points about their mean, divided by their number; z is the square of the distance from the mean.
+/// Central moments of points; z is the squared distance from the mean.
 struct CircleMoments {
     Vec mean;
     double xx = 0;
@@ -35,8 +35,8 @@ CircleMoments moments(const WallSamples& samples, std::size_t first, std::size_t
     return m;
 }
 
-/// The smallest root of Taubin's characteristic polynomial, by Newton's method from 0, which approaches it
-/// from one side.
+/// Smallest root of Taubin's characteristic polynomial by Newton's method. Starting at 0 is safe because the
+/// iteration approaches the root from one side.
 double smallest_root(const CircleMoments& m) {
     const double z = m.xx + m.yy;
     const double det = m.xx * m.yy - m.xy * m.xy;

@@ -15,13 +15,12 @@ struct Circle {
     [[nodiscard]] Vec foot(Vec p) const { return centre + radius / length(p - centre) * (p - centre); }
 };
 
-/// The circle that lies closest to the middles of steps first .. last - 1, by Taubin's algebraic fit:
-/// O(steps).
-/// @return nothing where they lie on a line
+/// Fits a circle to the midpoints of steps first .. last - 1 by Taubin's algebraic fit; O(steps).
+/// @return nullopt if they are collinear
 [[nodiscard]] std::optional<Circle> fit_circle(const WallSamples& samples, std::size_t first,
                                                std::size_t last);
 
-/// The circle through three points; nothing where they lie on a line.
+/// Circle through three points; nullopt if they are collinear.
 [[nodiscard]] std::optional<Circle> circle_through(Vec a, Vec b, Vec c);
 
 }  // namespace d2b

@@ -7,13 +7,14 @@
 namespace d2b {
 namespace {
 
-constexpr double arc_price = 3.2;  // of an arc: more than a wall, less than two
-constexpr double bargain = 0.6;  // share of the cost of walls that an arc may have: ragged walls are no arcs
+constexpr double arc_price = 3.2;  // cost of an arc: more than a wall, less than two
+constexpr double bargain =
+    0.6;  // largest cost relative to that of the walls replaced, because ragged walls are not arcs
 constexpr double least_radius = 3;  // cells
 constexpr double least_sweep = std::numbers::pi / 2;
-constexpr std::size_t fewest_walls = 4;  // that an arc stands for
+constexpr std::size_t fewest_walls = 4;  // fewest walls that an arc replaces
 
-/// An arc in place of some walls, where it is the cheaper description.
+/// Returns an arc to replace a run of walls if it is the cheaper description.
 std::optional<WallPiece> arc_for(const WallSamples& samples, const WallStyle& style, std::size_t first,
                                  std::size_t last, double walls_cost) {
     const std::optional<Circle> circle = fit_circle(samples, first, last);
@@ -29,13 +30,13 @@ std::optional<WallPiece> arc_for(const WallSamples& samples, const WallStyle& st
     }
     const double cost = style.price * arc_price + style.misfit(squares, static_cast<double>(last - first));
     const double sweep =
-        static_cast<double>(last - first) / 1.27 / circle->radius;  // a staircase is 4 / pi longer
+        static_cast<double>(last - first) / 1.27 / circle->radius;  // a staircase is 4 / pi times longer
     if (cost > bargain * walls_cost || sweep < least_sweep)
         return {};
     return WallPiece{first, last, WallPiece::free, {}, circle, cost};
 }
 
-/// The way that two walls turn: 1 or -1, or 0 where they turn too much or not at all for an arc.
+/// Direction of the turn between two walls: 1 or -1, or 0 if the turn is too sharp or too slight for an arc.
 int turn(const WallPiece& a, const WallPiece& b) {
     const Vec from = a.line.along;
     const Vec to = b.line.along;
@@ -45,8 +46,8 @@ int turn(const WallPiece& a, const WallPiece& b) {
     return sine > 0 ? 1 : -1;
 }
 
-/// Past the longest run of walls from one on that turn one way and not much more than once round: no arc is
-/// longer, and a spiral would be looked through from each of its walls to its end.
+/// Returns the end of the longest run of walls from i that turn the same way, limited to one and a half
+/// turns: no arc is longer, and a spiral would otherwise be searched to its end from each of its walls.
 std::size_t end_of_turn(const std::vector<WallPiece>& pieces, std::size_t i) {
     constexpr double most = 3 * std::numbers::pi;
     std::size_t end = i + 1;

@@ -7,8 +7,8 @@
 
 namespace d2b {
 
-/// Puts circular arcs in the place of runs of walls that turn one way, where that is the cheaper description,
-/// and a circle in the place of all walls of a closed chain. Walls::automatic alone. @throws Cancelled
+/// Replaces runs of walls that turn the same way by circular arcs if these are the cheaper description, and
+/// all walls of a closed chain by a circle. Walls::automatic only. @throws Cancelled
 void find_circular_arcs(const WallSamples& samples, const WallStyle& style, std::vector<WallPiece>& pieces,
                         const StopRequest& stop);
 

@@ -6,7 +6,7 @@
 namespace d2b {
 namespace {
 
-constexpr std::size_t steps_beside = 2;  // steps beside what is too far from the trace
+constexpr std::size_t steps_beside = 2;  // steps on either side of a step that is too far from its trace
 
 class Composer {
   public:
@@ -17,7 +17,7 @@ class Composer {
 
   private:
     [[nodiscard]] std::size_t count() const { return walls_.vertices.size(); }
-    /// Vertices of a closed chain go on round it.
+    /// Indices of a closed chain wrap around.
     [[nodiscard]] FinePoint vertex(std::size_t k) const { return walls_.vertices[k % count()]; }
     [[nodiscard]] std::size_t step(std::size_t k) const {
         return walls_.steps[k % count()] + k / count() * samples_.steps();
@@ -30,7 +30,7 @@ class Composer {
     const DrawnChain& walls_;
 };
 
-/// The place on an edge that stands for a step.
+/// Point of an edge that corresponds to a step.
 FinePoint Composer::at(std::size_t edge, std::size_t step) const {
     const Vec from = shape_.from_fine(vertex(edge), origin_);
     const Vec to = shape_.from_fine(vertex(edge + 1), origin_);
@@ -39,7 +39,7 @@ FinePoint Composer::at(std::size_t edge, std::size_t step) const {
 
 void Composer::append(const ChainForm::Stretch& stretch, DrawnChain& chain) const {
     const bool open = !samples_.closed();
-    // A closed chain's walls may begin later than its steps.
+    // The walls of a closed chain may begin later than its steps.
     std::size_t first = stretch.first;
     std::size_t last = stretch.last;
     const std::size_t lap = !open && first < step(0) ? samples_.steps() : 0;
@@ -83,7 +83,7 @@ DrawnChain compose_chain(const WallSamples& samples, const CellShape& shape, Lat
         else
             middles.append(stretch, at_end ? &ends->last : nullptr, chain);
     }
-    // What it ends on may have brought both ends to one place: that is found where all chains are compared.
+    // Both ends may have moved to the same point; comparing all chains detects that later.
     if (ends && chain.vertices.size() == 1) {
         chain.vertices.push_back(ends->last);
         chain.steps.push_back(samples.steps());
@@ -97,7 +97,7 @@ DrawnChain compose_chain(const WallSamples& samples, const CellShape& shape, Lat
 bool follow_where_far(const WallSamples& samples, const CellShape& shape, LatticePoint origin, double limit,
                       const DrawnChain& drawn, ChainForm& form) {
     bool changed = false;
-    // Where a chain ends, it goes to where its owner lets it, whatever its own trace says.
+    // The ends of a chain are excluded, because they follow the chain they end on.
     const auto at_end = [&](std::size_t step) {
         return !samples.closed() && (step <= steps_beside || step + steps_beside >= samples.steps());
     };

@@ -8,12 +8,13 @@ namespace {
 
 constexpr double node_room = 1.0 / 16;  // cells between nodes
 
-/// How far a node may go from where it was traced for its wall's sake, or for a corner's, and from where on
-/// it stands on a vertex, in cells.
+/// Distances in cells: the largest displacement of a node for the sake of a wall or a corner, and the
+/// distance within which it snaps to a vertex.
 constexpr double node_reach = 1.0;
 constexpr double corner_reach = 1.25;
 constexpr double node_pull = 0.5;
-constexpr double share_of_tolerance = 0.9;  // at most: arcs that end there stay near their traces
+constexpr double share_of_tolerance =
+    0.9;  // limit of displacements, because arcs that end at the node must stay near their traces
 
 }  // namespace
 
@@ -52,7 +53,7 @@ Course::Course(DrawnChain drawn, const Chain& chain, const ChainForm& form, cons
             keep(k);
 }
 
-/// Where the chain is cut, each of its nodes is a vertex.
+/// Keeps a node at its traced position if the chain is beveled there, because it is a vertex then.
 void Course::keep(std::size_t k) {
     Standing& node = nodes_[k];
     const auto vertex = std::ranges::lower_bound(drawn_.steps, node.step);
@@ -67,7 +68,7 @@ void Course::keep(std::size_t k) {
     placed_.insert(k);
 }
 
-/// The edge that stands for a step of the trace.
+/// Edge that corresponds to a step of the trace.
 std::size_t Course::edge_of(std::size_t step) const {
     const auto next = std::upper_bound(drawn_.steps.begin(), drawn_.steps.end(), step);
     const auto edge = static_cast<std::size_t>(next - drawn_.steps.begin());
@@ -83,7 +84,7 @@ double Course::wanted(const Standing& node, const std::optional<Line>& wall) con
     };
     if (!wall)
         return foot_on(edge);
-    // A wall that goes on where one of the drawing turns away begins at that corner.
+    // A wall that continues a wall of the drawing beyond a corner begins at that corner.
     for (std::size_t v = edge > 0 ? edge - 1 : 0; v < std::min(edge + 3, edges()); ++v) {
         const auto parallel = [&](std::size_t e) {
             const Vec along = vertex(e + 1) - vertex(e);
@@ -111,11 +112,11 @@ double Course::wanted(const Standing& node, const std::optional<Line>& wall) con
     return best;
 }
 
-/// Between which lengths a node may stand.
+/// Range of positions along the drawing that keeps the order of the nodes.
 void Course::bound(std::size_t k, double& low, double& high) const {
     const std::size_t n = nodes_.size();
     const double whole = begins_.back();
-    // Nodes in the order of their steps; those of a closed chain begin anywhere.
+    // Nodes are in the order of their steps; those of a closed chain start anywhere.
     std::size_t before = placed_.before(k);
     if (before == IndexSet::none && closed_)
         before = placed_.before(n);
@@ -177,7 +178,7 @@ void Course::cut(const Standing& from, const Standing& to, DrawnChain& arc) cons
         arc.steps.push_back(step);
     };
     add(*from.point, from.step);
-    // From a node round to itself, or to one before it on the same edge.
+    // The way may lead around to the same node, or to a previous one on the same edge.
     double left = to.at - from.at;
     if (closed_ && left <= 0)
         left += begins_.back();
@@ -192,7 +193,7 @@ void Course::cut(const Standing& from, const Standing& to, DrawnChain& arc) cons
     add(*to.point, to.step);
 }
 
-/// Brings the steps of an arc into ascending order between those of its nodes.
+/// Makes the steps of an arc ascend between those of its nodes.
 void Course::match(DrawnChain& arc, std::size_t first, std::size_t last, std::size_t steps) const {
     if (closed_ && last <= first)
         last += steps;
@@ -210,7 +211,7 @@ void Course::match(DrawnChain& arc, std::size_t first, std::size_t last, std::si
     arc.steps.back() = last;
 }
 
-/// Those of the drawing stand in its order; an arc that reaches round its end has the last ones first.
+/// Circular arcs are in the order of the drawing, so an arc that wraps around has the last ones first.
 void Course::add_circles(const Standing& from, DrawnChain& arc) const {
     const std::size_t count = drawn_.vertices.size();
     const std::vector<FinePoint>& points = arc.vertices;
@@ -250,7 +251,7 @@ void Course::stretch(std::size_t from_node, std::size_t to_node, const WallSampl
     const Standing& from = nodes_[from_node];
     const Standing& to = nodes_[to_node < nodes_.size() ? to_node : 0];
     if (closed_ && nodes_.size() == 1 && !from.point) {
-        whole(samples, drawn);  // nothing stands on it
+        whole(samples, drawn);  // it has no nodes
         return;
     }
     drawn.vertices.clear();

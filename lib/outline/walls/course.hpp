@@ -12,21 +12,20 @@
 
 namespace d2b {
 
-/// A chain in its drawn form, with the places of the nodes that stand on it.
+/// A drawn chain and the positions of the nodes on it.
 class Course {
   public:
     Course() = default;
-    /// @param form of the chain: nodes in stretches that are cut stay where they were traced
+    /// @param form of the chain; nodes in beveled stretches keep their traced positions
     /// @param tolerance cells
     Course(DrawnChain drawn, const Chain& chain, const ChainForm& form, const WallSamples& samples,
            const CellShape& shape, double tolerance);
 
     [[nodiscard]] const DrawnChain& drawn() const { return drawn_; }
     [[nodiscard]] std::optional<FinePoint> node(std::size_t k) const { return nodes_[k].point; }
-    /// Puts a node onto the drawing, in the order of the trace with those that stand there already, and with
-    /// room for those that do not yet.
-    /// @param wall the line on which the wall that ends here lies; the node goes where they cross if that is
-    /// near
+    /// Places a node on the drawing, keeping the order of the trace and leaving room for nodes not placed
+    /// yet.
+    /// @param wall line of the wall that ends here; the node moves to its intersection if that is near
     void place(std::size_t k, const std::optional<Line>& wall);
     void take_away(std::size_t k) {
         if (nodes_[k].stays)
@@ -35,12 +34,12 @@ class Course {
         placed_.erase(k);
     }
 
-    /// Gives the drawing from one node to another, without those between, with its own deviation from the
-    /// trace and its arcs of circles as far as none of the two divides them. @param samples of the chain
-    /// @param to_node a closed chain's first one follows the last one
+    /// Extracts the drawing between two nodes, without nodes in between, with its own deviation and with the
+    /// circular arcs that neither node splits. @param samples of the chain
+    /// @param to_node in a closed chain, the first node follows the last
     void stretch(std::size_t from_node, std::size_t to_node, const WallSamples& samples,
                  DrawnChain& drawn) const;
-    /// Gives all of a closed chain, as `stretch` does, without nodes.
+    /// Extracts a closed chain completely, without nodes.
     void whole(const WallSamples& samples, DrawnChain& drawn) const;
 
   private:
@@ -49,8 +48,8 @@ class Course {
         Vec traced;
         std::size_t step = 0;
         std::size_t edge = 0;
-        double at = 0;       ///< along the drawing from its first vertex, in cells
-        bool stays = false;  ///< where it was traced
+        double at = 0;       ///< distance along the drawing from its first vertex, in cells
+        bool stays = false;  ///< keeps its traced position
     };
     [[nodiscard]] std::size_t edges() const { return begins_.size() - 1; }
     [[nodiscard]] Vec vertex(std::size_t k) const { return places_[k < places_.size() ? k : 0]; }
@@ -64,14 +63,15 @@ class Course {
     void add_circles(const Standing& from, DrawnChain& arc) const;
 
     DrawnChain drawn_;
-    std::vector<Vec> places_;  // of its vertices
+    std::vector<Vec> places_;  // positions of the vertices
     bool closed_ = false;
     CellShape shape_;
     LatticePoint origin_;
-    double reach_ = 0;  // cells that a node may go from where it was traced for the sake of a wall or corner
-    std::vector<Standing> nodes_;  // an open chain's with its ends
-    IndexSet placed_;              // those that have a point
-    std::vector<double> begins_;   // of edges along the drawing, and its whole length
+    double reach_ = 0;             // cells by which a node may be displaced for the sake of a wall or corner
+    std::vector<Standing> nodes_;  // including both ends if open
+    IndexSet placed_;              // nodes that have a point
+    std::vector<double>
+        begins_;  // distance along the drawing of the beginning of each edge, and the total length
 };
 
 }  // namespace d2b

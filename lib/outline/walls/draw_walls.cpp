@@ -8,9 +8,9 @@
 namespace d2b {
 namespace {
 
-constexpr double sagitta = 0.05;      // cells: a circle and the polygon drawn for it
-constexpr double least_sine = 0.2;    // walls that turn less do not meet in a point
-constexpr double largest_kink = 0.6;  // cells: parallel walls that are closer than this are drawn as one line
+constexpr double sagitta = 0.05;      // cells between a circle and its polygon
+constexpr double least_sine = 0.2;    // walls at a smaller angle do not intersect
+constexpr double largest_kink = 0.6;  // cells: parallel walls closer than this are joined into one line
 
 double off(const WallPiece& piece, Vec p) {
     return piece.circle ? piece.circle->off(p) : piece.line.off(p);
@@ -26,7 +26,7 @@ std::optional<Vec> crossing(const Line& a, const Line& b) {
     return a.through + cross(b.through - a.through, b.along) / sine * a.along;
 }
 
-/// The crossing of a line and a circle that is nearest to a place.
+/// Intersection of a line and a circle nearest to a point.
 std::optional<Vec> crossing(const Line& line, const Circle& circle, Vec near) {
     const Vec middle = line.foot(circle.centre);
     const double square = circle.radius * circle.radius - dot(middle - circle.centre, middle - circle.centre);
@@ -53,14 +53,14 @@ class Drawer {
         : samples_(samples), style_(style), shape_(shape), origin_(origin) {}
 
     void add(Vec place, std::size_t step) { chain_.add(shape_.to_fine(place, origin_), step); }
-    /// Where two walls meet: in one vertex, or in the end of one and the beginning of the other.
+    /// Joint of two walls: one vertex, or the end of the first and the beginning of the second.
     [[nodiscard]] std::pair<Vec, std::optional<Vec>> joint(const WallPiece& a, const WallPiece& b) const;
     void add_joint(const std::pair<Vec, std::optional<Vec>>& joint, std::size_t step) {
         add(joint.first, step);
         if (joint.second)
             add(*joint.second, step);
     }
-    /// All after a wall's first vertex, which is there.
+    /// Appends all vertices of a wall after its first, which has already been added.
     void add_wall(const std::vector<WallPiece>& pieces, std::size_t i, const std::optional<ChainEnds>& ends);
     void whole_circle(const WallPiece& piece);
     DrawnChain& chain() { return chain_; }
@@ -113,7 +113,7 @@ void Drawer::add_wall(const std::vector<WallPiece>& pieces, std::size_t i,
     }
 }
 
-/// Vertices between the last two, on the circle through them and the middle of the arc.
+/// Inserts vertices between the last two, on the circle through them and the midpoint of the arc.
 void Drawer::round_off(const WallPiece& piece, std::size_t first_vertex) {
     const Vec from = shape_.from_fine(chain_.vertices[first_vertex], origin_);
     const Vec to = shape_.from_fine(chain_.vertices.back(), origin_);
@@ -126,7 +126,7 @@ void Drawer::round_off(const WallPiece& piece, std::size_t first_vertex) {
     double sweep = turn * (angle(to) - angle(from));
     sweep -= std::floor(sweep / (2 * std::numbers::pi)) * 2 * std::numbers::pi;
     const double step = 2 * std::acos(std::max(0.0, 1 - sagitta / circle->radius));
-    // An even number, so that one vertex is the middle of the arc.
+    // Even, so that one vertex is the midpoint of the arc.
     const auto edges = std::max<std::size_t>(2, 2 * static_cast<std::size_t>(std::ceil(sweep / step / 2)));
     const FinePoint last = chain_.vertices.back();
     chain_.remove_last();
@@ -152,7 +152,7 @@ void Drawer::whole_circle(const WallPiece& piece) {
         const double at =
             begin + turn * 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(edges);
         const Vec place = circle.centre + circle.radius * Vec{std::cos(at), std::sin(at)};
-        // The trace runs round with it.
+        // Advance along the trace together with the circle.
         const std::size_t reach =
             std::min(piece.first + samples_.steps(), at_step + 2 * samples_.steps() / edges + 2);
         for (std::size_t i = at_step; i < reach; ++i)
@@ -173,7 +173,7 @@ void settle_ends(const WallSamples& samples, std::vector<WallPiece>& pieces) {
         WallPiece& b = pieces[k];
         const std::size_t low = std::max(a.first + 1, b.first > reach ? b.first - reach : 0);
         const std::size_t high = std::min(b.last - 1, b.first + reach);
-        // Squares that an end at `low` and at every later step leaves, less those at `low`.
+        // Residual for ending at each step, relative to ending at `low`.
         double sum = 0;
         double least = 0;
         std::size_t best = low;

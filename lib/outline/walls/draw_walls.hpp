@@ -7,10 +7,10 @@
 
 namespace d2b {
 
-/// Moves the ends of walls by some steps to where they fit both neighbours best, and fits the walls again.
+/// Moves the breakpoints between walls by a few steps to fit both neighbours best, and refits the walls.
 void settle_ends(const WallSamples& samples, std::vector<WallPiece>& pieces);
 
-/// Where the drawing ends for an open chain.
+/// End points of the drawing of an open chain.
 struct ChainEnds {
     FinePoint first;
     FinePoint last;
@@ -18,9 +18,9 @@ struct ChainEnds {
     friend bool operator==(const ChainEnds&, const ChainEnds&) = default;
 };
 
-/// Lets walls meet: vertices are where neighbours intersect; where these are nearly parallel, a short wall
-/// joins them.
-/// @param origin the first point of the trace @param ends of an open chain
+/// Joins walls into a polyline. Vertices are the intersections of consecutive walls; nearly parallel ones are
+/// joined by a short wall.
+/// @param origin first point of the trace @param ends of an open chain
 [[nodiscard]] DrawnChain draw_walls(const WallSamples& samples, const WallStyle& style,
                                     const CellShape& shape, LatticePoint origin,
                                     const std::vector<WallPiece>& pieces,

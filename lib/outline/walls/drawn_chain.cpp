@@ -6,7 +6,7 @@
 namespace d2b {
 namespace {
 
-/// The step from `low` to `high` that is nearest to a place.
+/// Step in [low, high] nearest to a point.
 std::size_t nearest_step(const WallSamples& samples, Vec place, std::size_t low, std::size_t high) {
     std::size_t best = low;
     const auto square = [&](std::size_t i) { return dot(samples.at(i) - place, samples.at(i) - place); };

@@ -8,14 +8,15 @@
 
 namespace d2b {
 
-/// A chain as it is drawn in place of its trace.
+/// Polyline that replaces the trace of a chain.
 struct DrawnChain {
-    std::vector<FinePoint> vertices;  ///< an open chain's with both ends, a closed one's without repetition
-    std::vector<std::size_t> steps;   ///< the step of the trace that each vertex stands for, ascending
-    std::vector<CircularArc> arcs;    ///< ring 0
-    double deviation = 0;             ///< cells: at least the Frechet distance, so both Hausdorff distances
+    std::vector<FinePoint> vertices;  ///< including both ends if open, no repetition if closed
+    std::vector<std::size_t> steps;   ///< step of the trace that each vertex corresponds to, ascending
+    std::vector<CircularArc> arcs;    ///< their ring is 0
+    double deviation =
+        0;  ///< cells; upper bound of the Frechet distance and thus of both Hausdorff distances
 
-    /// Appends a vertex, unless the last one is in its place.
+    /// Appends a vertex unless it equals the last one.
     void add(FinePoint vertex, std::size_t step) {
         if (!vertices.empty() && vertices.back() == vertex)
             return;
@@ -28,15 +29,13 @@ struct DrawnChain {
     }
 };
 
-/// Finds for each vertex the step of the trace that it stands for, and how far trace and drawing are apart at
-/// most.
-/// @param chain vertices are set, steps are hints
+/// Finds the step of the trace that corresponds to each vertex, and the deviation.
+/// @param chain its vertices are set, its steps are hints
 void match_trace(const WallSamples& samples, const CellShape& shape, LatticePoint origin, DrawnChain& chain);
 
-/// Calls visit(step, square) for the places at which a drawing and the stretch of the trace from its first to
-/// its last step can be farthest apart, with how far they are there, in cells, squared. What lies between two
-/// steps that vertices stand for is compared with the edge between these: as one goes along both at the same
-/// time, the distance is nowhere larger than at corners.
+/// Calls visit(step, square) with squared distances in cells at all positions at which drawing and trace can
+/// be farthest apart. Each edge is compared with the part of the trace between the steps of its vertices: if
+/// both are traversed simultaneously, the distance is largest at corners.
 template <typename Visit>
 void for_distances(const WallSamples& samples, const CellShape& shape, LatticePoint origin,
                    const DrawnChain& chain, bool closed, const Visit& visit) {
@@ -56,11 +55,11 @@ void for_distances(const WallSamples& samples, const CellShape& shape, LatticePo
     }
 }
 
-/// The largest of these distances, in cells.
+/// Largest of these distances, in cells.
 [[nodiscard]] double deviation(const WallSamples& samples, const CellShape& shape, LatticePoint origin,
                                const DrawnChain& chain, bool closed);
 
-/// Twice the area of a closed chain, in cells; its sign is the orientation's.
+/// Twice the signed area of a closed chain, in cells.
 [[nodiscard]] double twice_area(const WallSamples& samples);
 [[nodiscard]] double twice_area(const std::vector<FinePoint>& ring, const CellShape& shape,
                                 LatticePoint origin);

@@ -17,7 +17,8 @@ WallOutline DrawnOutlines::outline(std::size_t contour) const {
     return builder.finish();
 }
 
-/// Whether low levels need a vertex between two uses of a ring: there others of them end, or a chain does.
+/// Returns true if low levels need a vertex between two uses of a ring, because the chain changes or other
+/// low arcs end there.
 bool DrawnOutlines::low_levels_meet(const ArcUse& before, const ArcUse& after) const {
     if (graph_.chain_of[before.arc] != graph_.chain_of[after.arc])
         return true;

@@ -8,7 +8,7 @@
 
 namespace d2b {
 
-/// The outlines of a cluster's contours as their chains are drawn.
+/// Builds the outlines of the contours of a cluster from their drawn chains.
 class DrawnOutlines {
   public:
     /// @param graph, drawing, areas must outlive this
@@ -17,7 +17,7 @@ class DrawnOutlines {
         : graph_(graph), drawing_(drawing), areas_(areas), options_(options) {}
 
     [[nodiscard]] WallOutline outline(std::size_t contour) const;
-    /// A contour's of level 0 or 1, without the vertices on its walls that higher levels alone need.
+    /// Outline of a contour of level 0 or 1, without vertices that only higher levels need.
     [[nodiscard]] WallOutline footprint(std::size_t contour) const;
 
   private:

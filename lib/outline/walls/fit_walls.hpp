@@ -9,12 +9,12 @@
 
 namespace d2b {
 
-/// How a fitted outline differs from its trace.
+/// Measures of the difference between a fitted outline and its trace.
 struct WallQuality {
-    double simplified_share = 0;  ///< of the length of its rings that runs through the middles of steps
-    double traced_share = 0;      ///< of the length of its rings that runs as it was traced
-    double deviation = 0;         ///< cells: outline and trace are nowhere farther apart, either way
-    double area_change = 0;       ///< share of the traced area
+    double simplified_share = 0;  ///< share of the length of its rings that passes through midpoints of steps
+    double traced_share = 0;      ///< share of the length of its rings that keeps the trace
+    double deviation = 0;    ///< cells; upper bound of both Hausdorff distances between outline and trace
+    double area_change = 0;  ///< relative to the traced area
 };
 
 struct WallOutline {
@@ -22,35 +22,35 @@ struct WallOutline {
     WallQuality quality;
 };
 
-/// The outlines of a cluster's contours with the staircase taken out of them.
+/// Regularized outlines of the contours of a cluster.
 struct ClusterOutlines {
-    /// One a contour: shared with neighbours and with other levels vertex for vertex.
+    /// One per contour; neighbours and other levels share vertices exactly.
     std::vector<WallOutline> outlines;
-    /// Of the contours of levels 0 and 1, which come first, without the vertices that higher levels alone
-    /// need; empty where there are none of these.
+    /// Outlines of the contours of levels 0 and 1, which come first, without the vertices that only higher
+    /// levels need; empty if there are no higher levels.
     std::vector<WallOutline> footprints;
 };
 
-/// Fits walls:
+/// Fits walls, i.e. replaces the staircases of traced contours by straight lines and circular arcs:
 ///
-///     WallCluster                     contours that can get into each other's way
+///     WallCluster                     contours whose walls can conflict
 ///        |  build_wall_graph()
 ///        v
-///     WallGraph                       their arcs, as few as there are; arcs of one rank make Chains
-///        |  WallDrawing               the chains of low rank first:
+///     WallGraph                       their arcs, as few as possible; arcs of one rank form Chains
+///        |  WallDrawing               draws chains by rank, lowest first:
 ///        v                              ChainDrawing: turning_points(), plan_walls(), find_circular_arcs(),
-///                                       draw_walls(), and compose_chain() where a ChainForm says Middles
-///     Course                          a chain as it is drawn, and where the nodes of others stand on it
-///        |  WallCheck, PartCheck      is it still the figure that was traced? exactly, on integers
-///        |  RingAreas                 are areas kept?
+///                                       draw_walls(), and compose_chain() if a ChainForm contains Middles
+///     Course                          a drawn chain and the positions of the nodes on it
+///        |  WallCheck, PartCheck      is the topology that of the trace? exact, with integers
+///        |  RingAreas                 are areas preserved?
 ///        v
-///     WallRounds                      what is in the way follows its trace closer there, and all that again
+///     WallRounds                      conflicting parts follow their trace more closely; repeat
 ///        |
 ///        v
-///     DrawnOutlines                   the contours' outlines, from the arcs that they share
+///     DrawnOutlines                   outlines of the contours, assembled from the shared arcs
 ///
-/// Depends on the cluster alone; O(n log n) in corners, and some rounds where walls are in each
-/// other's way. @throws Cancelled
+/// Depends only on the cluster, so the results do not depend on threads or tiles. O(n log n) in the number of
+/// corners, plus some rounds for conflicts. @throws Cancelled
 [[nodiscard]] ClusterOutlines fit_walls(const WallCluster& cluster, const WallOptions& options,
                                         const StopRequest& stop = {});
 

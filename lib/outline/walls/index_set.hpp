@@ -8,8 +8,8 @@
 
 namespace d2b {
 
-/// A set of indices below a limit that tells the members next to any of them: bits, and bits of words of bits
-/// that are not empty, so that a million of them is some 250 words to look through at worst.
+/// A set of integers below a limit with fast predecessor and successor search. A two-level bitset: the upper
+/// level marks the words that are not empty, so that a million indices need at most 250 words to be scanned.
 class IndexSet {
   public:
     static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
@@ -25,7 +25,7 @@ class IndexSet {
         if ((words_[i / bits] &= ~bit(i)) == 0)
             filled_[i / bits / bits] &= ~bit(i / bits);
     }
-    /// The smallest member from i on.
+    /// Smallest member >= i.
     [[nodiscard]] std::size_t from(std::size_t i) const {
         const std::size_t here = at_or_after(words_, i, i / bits + 1);
         if (here != none)
@@ -33,7 +33,7 @@ class IndexSet {
         const std::size_t word = at_or_after(filled_, i / bits + 1, filled_.size());
         return word == none ? none : word * bits + static_cast<std::size_t>(std::countr_zero(words_[word]));
     }
-    /// The largest member before i.
+    /// Largest member < i.
     [[nodiscard]] std::size_t before(std::size_t i) const {
         const std::size_t here = below(words_, i, i / bits);
         if (here != none)
@@ -50,7 +50,7 @@ class IndexSet {
     static std::size_t last_of(std::uint64_t word) {
         return bits - 1 - static_cast<std::size_t>(std::countl_zero(word));
     }
-    /// In the words before `end`.
+    /// Searches the words before `end`.
     static std::size_t at_or_after(const Words& words, std::size_t i, std::size_t end) {
         std::uint64_t mask = ~(bit(i) - 1);
         for (std::size_t w = i / bits; w < end && w < words.size(); ++w, mask = ~std::uint64_t{0})
@@ -58,7 +58,7 @@ class IndexSet {
                 return w * bits + static_cast<std::size_t>(std::countr_zero(found));
         return none;
     }
-    /// In the words from `begin` on.
+    /// Searches the words from `begin`.
     static std::size_t below(const Words& words, std::size_t i, std::size_t begin) {
         std::uint64_t mask = bit(i) - 1;
         for (std::size_t w = i / bits + 1; w-- > begin; mask = ~std::uint64_t{0})

@@ -10,13 +10,13 @@ namespace {
 
 constexpr double middles_reach = 0.6;     // cells
 constexpr double close_reach = 0.45;      // cells
-constexpr std::size_t longest_line = 64;  // candidates that a line may reach over
-constexpr std::size_t vain = 8;           // lines from one candidate after the other that do not fit
-constexpr double price_of_vertex = 20;    // square cells: fewest first, then the closest of these
+constexpr std::size_t longest_line = 64;  // candidates that an edge may span
+constexpr std::size_t vain = 8;           // consecutive edges that do not fit before the search stops
+constexpr double price_of_vertex = 20;    // square cells: prefers fewer vertices, then closer ones
 constexpr double too_far = std::numeric_limits<double>::infinity();
 
 bool is_turn(double turn) {
-    return std::abs(turn) > 0.5;  // unit steps of a cell of area 1: -1, 0 or 1
+    return std::abs(turn) > 0.5;  // cross product of unit steps in a cell of area 1: -1, 0 or 1
 }
 
 }  // namespace
@@ -30,7 +30,7 @@ Middles::Middles(const WallSamples& samples, const CellShape& shape, LatticePoin
       tolerance_(tolerance),
       cuts_corners_(cuts_corners(shape, tolerance)) {}
 
-/// 0 at the ends of an open chain.
+/// Turn before a step; 0 at the ends of an open chain.
 double Middles::turn(std::size_t step) const {
     const std::size_t n = samples_.steps();
     if (!samples_.closed() && (step == 0 || step >= n))
@@ -38,7 +38,7 @@ double Middles::turn(std::size_t step) const {
     return cross(unit(step + (samples_.closed() ? n : 0) - 1), unit(step));
 }
 
-/// Those of a closed chain may begin later than its first step.
+/// Nodes of a closed chain may have steps beyond its first lap.
 bool Middles::is_node(std::size_t step) const {
     const std::size_t n = samples_.steps();
     const auto stands = [&](std::size_t s) {
@@ -47,7 +47,8 @@ bool Middles::is_node(std::size_t step) const {
     return samples_.closed() ? stands(step % n) || stands(step % n + n) : stands(step);
 }
 
-/// Whether a corner of the lattice may be a vertex: all but those of staircases, which turn to and fro.
+/// Returns true if a lattice corner may be a vertex: any corner except those of staircases, which alternate
+/// between left and right turns.
 bool Middles::stays(std::size_t step, Form form) const {
     if (form == Form::cut && is_node(step))
         return true;
@@ -73,7 +74,7 @@ std::vector<Middles::Candidate> Middles::candidates(const ChainForm::Stretch& st
     return points;
 }
 
-/// Squared distances of the trace's corners between two places from the line that joins them.
+/// Sum of squared distances between the corners of the trace and the edge joining two candidates.
 double Middles::error(const Candidate& from, const Candidate& to, double limit) const {
     double sum = 0;
     samples_.for_corners(from.step + 1, to.step, [&](std::size_t, Vec corner) {
@@ -84,8 +85,8 @@ double Middles::error(const Candidate& from, const Candidate& to, double limit) 
     return sum;
 }
 
-/// Leaves the fewest candidates, and of these the closest, whose lines lie within a limit of the trace, by
-/// dynamic programming. The first and the last one stay.
+/// Selects the fewest candidates, and among these the closest, whose edges stay within a limit of the trace,
+/// by dynamic programming. Keeps the first and the last one.
 void Middles::thin(std::vector<Candidate>& points, double limit) const {
     struct State {
         double cost = too_far;
@@ -96,7 +97,8 @@ void Middles::thin(std::vector<Candidate>& points, double limit) const {
     for (std::size_t to = 1; to < points.size(); ++to) {
         std::size_t in_vain = 0;
         for (std::size_t from = to; from-- > 0 && to - from <= longest_line && in_vain < vain;) {
-            // Neighbours are always joined: what is between them is a corner that is cut off.
+            // Consecutive candidates may always be joined, because the trace between them is a corner being
+            // cut off.
             const double squares = from + 1 == to ? 0 : error(points[from], points[to], limit);
             if (squares == too_far) {
                 ++in_vain;
@@ -114,7 +116,7 @@ void Middles::thin(std::vector<Candidate>& points, double limit) const {
     points.assign(left.rbegin(), left.rend());
 }
 
-/// Leaves out what lies on the line between its neighbours.
+/// Removes candidates on the line between their neighbours.
 void Middles::straighten(std::vector<Candidate>& points) {
     std::vector<Candidate> left;
     left.reserve(points.size());

@@ -9,21 +9,22 @@
 
 namespace d2b {
 
-/// Draws stretches of a chain through the middles of its steps. A staircase's middles lie evenly about the
-/// line that it stands for, and half a cell from the middles of all cells: none changes sides.
+/// Draws parts of a chain through the midpoints of its steps. These lie evenly about the line that the
+/// staircase approximates and half a cell from all cell centers, so no cell changes sides.
 class Middles {
   public:
-    /// @param node_steps of the chain: where others may stand @param samples, shape must outlive this
-    /// @param tolerance cells: no form leaves the trace by more
+    /// @param node_steps steps of the chain at which nodes may be @param samples, shape must outlive this
+    /// @param tolerance largest distance in cells from the trace in all modes
     Middles(const WallSamples& samples, const CellShape& shape, LatticePoint origin,
             const std::vector<std::uint32_t>& node_steps, double tolerance);
 
-    /// Whether corners can be cut off within the tolerance; else the closest form is the trace itself.
+    /// Returns true if cutting off corners stays within the tolerance; otherwise the closest mode is the
+    /// trace itself.
     [[nodiscard]] static bool cuts_corners(const CellShape& shape, double tolerance) {
         return shape.longer_side() / 2 <= tolerance;
     }
-    /// Appends the vertices of a stretch: from the middle of its first step to that of its last, or a closed
-    /// chain all round. @param chain its last vertex, where there is one, is the first that may be joined
+    /// Appends the vertices of a stretch: from the midpoint of its first step to that of its last, or around
+    /// a closed chain. @param chain the new vertices are joined to its last one, if any
     /// @param end the end of an open chain, if the stretch reaches it
     void append(const ChainForm::Stretch& stretch, const FinePoint* end, DrawnChain& chain) const;
 
@@ -31,8 +32,8 @@ class Middles {
     struct Candidate {
         Vec place;
         std::size_t step;
-        bool on_corner;  // of the lattice; else in the middle of the step
-        bool kept;       // where others stand
+        bool on_corner;  // on a lattice corner; otherwise at the midpoint of the step
+        bool kept;       // a node
     };
     [[nodiscard]] Vec unit(std::size_t step) const { return samples_.at(step + 1) - samples_.at(step); }
     [[nodiscard]] double turn(std::size_t step) const;

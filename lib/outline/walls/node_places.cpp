@@ -19,7 +19,7 @@ FinePoint NodePlaces::land(std::uint32_t node, const std::optional<Line>& wall) 
     return at(node);
 }
 
-/// The line of the wall with which a chain ends, seen from the first point of the chain that it ends on.
+/// Supporting line of the last wall of a chain, relative to the first point of the chain on which it ends.
 std::optional<Line> NodePlaces::wall_at_end(std::uint32_t c, bool last) const {
     const Chain& chain = graph_.chains[c];
     const ChainWalls& walls = states_[c].chain->walls();

@@ -9,20 +9,19 @@
 
 namespace d2b {
 
-/// Where the nodes of a graph are: on the drawn form of the chain that goes through them, or where they were
-/// traced.
+/// Positions of the nodes of a graph: on the drawing of the chain that passes through them, or as traced.
 class NodePlaces {
   public:
-    /// @param states of the graph's chains, that it puts nodes on @param graph, states must outlive this
+    /// @param states of the chains of the graph; nodes are placed on them @param graph, states must outlive
+    /// this
     NodePlaces(const WallGraph& graph, std::vector<ChainState>& states, const CellShape& shape)
         : graph_(graph), states_(states), shape_(shape) {}
 
     [[nodiscard]] FinePoint at(std::uint32_t node) const;
-    /// How far a node is from where it was traced, in cells.
+    /// Distance of a node from its traced position, in cells.
     [[nodiscard]] double displaced(std::uint32_t node) const;
-    /// Puts the ends of a chain that has been drawn once onto those that it ends on, where they are not there
-    /// yet.
-    /// @return nothing for a closed chain
+    /// Places the ends of a drawn chain on the chains at which it ends, unless they are placed already.
+    /// @return nullopt for a closed chain
     [[nodiscard]] std::optional<ChainEnds> land_ends(std::uint32_t chain);
 
   private:

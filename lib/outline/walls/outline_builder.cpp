@@ -9,7 +9,7 @@
 namespace d2b {
 namespace {
 
-/// Twice, in fine squares. Exact.
+/// Twice the signed area in fine squares, exact.
 Int128 twice_area(const FineRing& ring) {
     Int128 sum = 0;
     for (std::size_t i = 2; i < ring.size(); ++i)

@@ -9,16 +9,15 @@
 
 namespace d2b {
 
-/// Puts an outline together from drawn stretches of chains, ring by ring, and measures how it differs from
-/// its trace.
+/// Assembles an outline from drawn chains, ring by ring, and measures its difference from the trace.
 class OutlineBuilder {
   public:
     explicit OutlineBuilder(const WallOptions& options);
 
-    /// The first ring is the exterior. @param traced_area its area in cells, negative for interior rings
+    /// Begins a ring; the first one is the exterior. @param traced_area in cells, negative for interior rings
     void begin_ring(std::int64_t traced_area);
-    /// Appends a stretch, which begins where the last one has ended. @param form of its chain
-    /// @param reversed it is seen from its end
+    /// Appends a part of a chain that begins at the end of the previous one. @param form of its chain
+    /// @param reversed true if the ring runs against its direction
     void add(const DrawnChain& stretch, const ChainForm& form, bool reversed);
     [[nodiscard]] WallOutline finish();
 
@@ -33,7 +32,7 @@ class OutlineBuilder {
     bool cuts_corners_;
     WallOutline result_;
     std::uint32_t rings_ = 0;
-    std::array<double, 3> lengths_{};  // by kind
+    std::array<double, 3> lengths_{};  // per kind
     std::int64_t traced_ = 0;
 };
 

@@ -8,7 +8,7 @@
 namespace d2b {
 namespace {
 
-/// Of two edges that run down over one row and do not cross, whether the first lies east.
+/// Returns true if edge a lies east of edge b. Both run downwards across a common row and do not cross.
 bool east_of(const FineSegment& a, const FineSegment& b) {
     const int above = a.a.row >= b.a.row ? sign(turn(b.a, b.b, a.a)) : -sign(turn(a.a, a.b, b.a));
     const int below = a.b.row <= b.b.row ? sign(turn(b.a, b.b, a.b)) : -sign(turn(a.a, a.b, b.b));
@@ -38,7 +38,8 @@ PartCheck::PartCheck(const WallGraph& graph, const SegmentGrid::Arcs& arcs, cons
         part_arcs_[next[part(arc)]++] = arc;
 }
 
-/// Whether no arc of another part is so near that a part could have come to its other side.
+/// Returns true if no arc of another component is so near that the component could have moved to its other
+/// side.
 bool PartCheck::alone(FinePoint place, std::uint32_t part) const {
     const auto reach = static_cast<std::int64_t>(std::ceil(4 * tolerance_ + 2)) * FinePoint::steps;
     bool others = false;
@@ -53,11 +54,11 @@ bool PartCheck::alone(FinePoint place, std::uint32_t part) const {
 std::pair<std::optional<PartCheck::Edge>, std::int32_t> PartCheck::west_of(FinePoint place) const {
     const std::int64_t row = grid_.row_of(place.row);
     std::optional<Edge> nearest;
-    FineSegment best;  // downwards
+    FineSegment best;  // oriented downwards
     for (std::int64_t col = grid_.col_of(place.col); col >= 0; --col) {
         grid_.in_bucket(row, col, [&](Edge edge) {
             const FineSegment s = grid_.segment(edge);
-            // Edges that cross the line just below the place's row, west of it.
+            // Edges that cross the line just below the row of the point, west of it.
             if ((s.a.row <= place.row) == (s.b.row <= place.row))
                 return;
             const FineSegment down = s.a.row <= place.row ? s : FineSegment{s.b, s.a};
@@ -66,13 +67,13 @@ std::pair<std::optional<PartCheck::Edge>, std::int32_t> PartCheck::west_of(FineP
                 best = down;
             }
         });
-        // It may cross farther west than this bucket.
+        // The edge may cross the row farther west than this bucket.
         if (nearest && turn(best.a, best.b, {place.row, grid_.first_of(col)}) <= 0)
             break;
     }
     if (!nearest)
         return {{}, -1};
-    // East of an edge that runs down is its left.
+    // East of a downward edge is its left side.
     const WallGraph::Sides& sides = graph_.sides[nearest->arc];
     return {nearest, grid_.segment(*nearest).a == best.a ? sides.left : sides.right};
 }
@@ -93,7 +94,7 @@ void PartCheck::find_west() {
     }
 }
 
-/// As one turns from west counter-clockwise, the first edge is met from the side that looks outwards.
+/// Turning counter-clockwise from west, the first edge is met on its outer side.
 std::int32_t PartCheck::outer_side(const West& w) const {
     const auto& points = arcs_[w.arc];
     if (w.index > 0 && w.index + 1 < points.size()) {
@@ -110,7 +111,7 @@ std::int32_t PartCheck::outer_side(const West& w) const {
 
 void PartCheck::check(WallConflicts& found) {
     if (graph_.parts == 1)
-        return;  // it has no other to lie in
+        return;  // it cannot lie in another component
     find_west();
     for (std::uint32_t part = 0; part < graph_.parts; ++part) {
         stop_.check();

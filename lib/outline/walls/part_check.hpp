@@ -13,21 +13,22 @@
 
 namespace d2b {
 
-/// Pairs of edges that are in each other's way, or one with itself.
+/// Pairs of conflicting edges; an edge may conflict with itself.
 using WallConflicts = std::vector<std::pair<SegmentGrid::Edge, SegmentGrid::Edge>>;
 
-/// The point to which an arc leads from the node at one of its ends: 2 * arc, and + 1 for its last.
+/// Point next to the node at an arc end (2 * arc, or 2 * arc + 1 for the last point).
 [[nodiscard]] inline FinePoint next_from(const SegmentGrid::Arcs& arcs, std::uint32_t end) {
     const auto& points = arcs[end / 2];
     return end % 2 == 0 ? points[1] : points[points.size() - 2];
 }
 
-/// Tests that every connected part of a drawn graph lies in the contour in which it was traced. Exact, for
-/// drawings whose edges do not cross.
+/// Tests that every connected component of a drawn graph lies in the contour in which it was traced. Exact if
+/// the drawn edges do not cross.
 class PartCheck {
   public:
-    /// @param arcs as they are drawn, in `grid` @param tolerance cells: no arc has left its trace by more
-    /// @param stop must outlive this, as the others
+    /// @param arcs as drawn, in `grid` @param tolerance largest distance in cells between an arc and its
+    /// trace
+    /// @param stop must outlive this, as must the others
     PartCheck(const WallGraph& graph, const SegmentGrid::Arcs& arcs, const SegmentGrid& grid,
               double tolerance, const StopRequest& stop);
 
@@ -42,7 +43,7 @@ class PartCheck {
     using Edge = SegmentGrid::Edge;
 
     [[nodiscard]] std::uint32_t chain_of(Edge e) const { return graph_.chain_of[e.arc]; }
-    /// The westernmost vertex of a part, the lowest of these on the map.
+    /// Westernmost vertex of a component; the lowest on the map if there are several.
     struct West {
         FinePoint at{0, std::numeric_limits<std::int64_t>::max()};
         std::uint32_t arc = 0;
@@ -50,7 +51,7 @@ class PartCheck {
     };
     void find_west();
     [[nodiscard]] std::int32_t outer_side(const West& w) const;
-    /// The edge that is hit first on the way west; its side towards the place.
+    /// First edge hit by a ray from a point to the west, and the contour on the side that faces the point.
     [[nodiscard]] std::pair<std::optional<Edge>, std::int32_t> west_of(FinePoint place) const;
     [[nodiscard]] bool alone(FinePoint place, std::uint32_t part) const;
 
@@ -59,10 +60,10 @@ class PartCheck {
     const SegmentGrid& grid_;
     double tolerance_;
     const StopRequest& stop_;
-    std::vector<std::uint32_t> part_arcs_;  // arcs, those of one part after the other
+    std::vector<std::uint32_t> part_arcs_;  // arcs grouped by component
     std::vector<std::uint32_t> first_of_part_;
-    std::vector<std::uint8_t> part_waits_;  // has changed since its westernmost vertex was found
-    std::vector<West> west_;                // of each part
+    std::vector<std::uint8_t> part_waits_;  // changed since its westernmost vertex was found
+    std::vector<West> west_;                // per component
 };
 
 }  // namespace d2b

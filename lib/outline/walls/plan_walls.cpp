@@ -11,25 +11,25 @@ namespace d2b {
 namespace {
 
 constexpr double variance = WallStyle::variance;
-constexpr std::size_t window = 64;  // turning points that a wall may reach over
+constexpr std::size_t window = 64;  // turning points that a wall may span
 constexpr std::size_t families = WallPiece::free + 1;
 constexpr std::array<double, families> prices{1.2, 1.2, 1.8, 1.8, 2.2};
-constexpr std::size_t long_wall = 20;  // steps: of a shorter one the ends count as well
+constexpr std::size_t long_wall = 20;  // steps; the ends of shorter walls count as well
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 class Planner {
   public:
     Planner(const WallSamples& samples, const WallStyle& style, const StopRequest& stop)
         : samples_(samples), style_(style), stop_(stop) {}
-    /// @param points steps in ascending order; walls begin and end at the first and the last
+    /// @param points ascending steps; walls begin at the first and end at the last
     std::optional<std::vector<WallPiece>> plan(const std::vector<std::size_t>& points, double direction);
 
   private:
     struct State {
         double cost = infinite;
         std::uint32_t from = 0;
-        std::uint8_t family = 0;  // of the wall before
-        std::uint8_t before = 0;  // the cheapest family to stand before a wall of this one
+        std::uint8_t family = 0;  // family of the previous wall
+        std::uint8_t before = 0;  // cheapest family of the previous wall for a wall of this family
     };
     using States = std::array<State, families>;
     using Costs = std::array<double, families>;
@@ -68,10 +68,11 @@ class Planner {
     std::array<Vec, WallPiece::free> directions_{};
     const std::vector<std::size_t>* points_ = nullptr;
     std::vector<States> states_;
-    std::vector<Costs> spent_;  // by point: of a wall of a family from it on, as far as it lies on its line
+    std::vector<Costs>
+        spent_;  // per point: cost of a wall of each family that starts there, without its misfit
 };
 
-/// Neighbours are not parallel.
+/// Neighbours must not be parallel.
 void Planner::find_before(std::size_t point) {
     States& states = states_[point];
     for (std::size_t family = 0; family < families; ++family) {
@@ -83,15 +84,14 @@ void Planner::find_before(std::size_t point) {
     }
 }
 
-/// Where all of a stretch but its ends lies as near as the staircase of a straight wall does, that costs
-/// nothing.
+/// Misfit is free if the whole range except its ends is as close as the staircase of a straight wall.
 double Planner::misfit(std::size_t first, std::size_t last, const Line& line, double squares) const {
     const std::size_t ends = last - first < long_wall ? 0 : 2;
     const bool straight = samples_.near(first + ends, last - ends, line, style_.straight_reach());
     return straight ? style_.misfit(squares, static_cast<double>(last - first)) : squares / variance;
 }
 
-/// What walls that begin at a point cost with all before them, but for how far they lie from their lines.
+/// Sets the cost of walls that begin at a point including all walls before them, without their misfit.
 void Planner::begin_at(std::size_t point) {
     for (std::size_t f = 0; f < families; ++f) {
         const double before = point == 0 ? 0 : states_[point][states_[point][f].before].cost;
@@ -99,13 +99,13 @@ void Planner::begin_at(std::size_t point) {
     }
 }
 
-/// @param least squares from the best line of any direction
+/// @param least squares about the best line of any direction
 void Planner::extend(std::size_t from, std::size_t to, const WallSamples::Sums& sums, double least) {
     const double misfit = style_.misfit(least, sums.n);
     const Costs& spent = spent_[from];
     const States& reached = states_[to];
     for (std::size_t f = 0; f < families; ++f)
-        if (spent[f] + misfit < reached[f].cost)  // mostly it is not
+        if (spent[f] + misfit < reached[f].cost)  // usually false
             extend(from, to, f, sums, least);
 }
 
@@ -169,7 +169,8 @@ std::optional<std::vector<WallPiece>> Planner::plan(const std::vector<std::size_
                 break;
             const WallSamples::Sums sums = samples_.sums(points[from], points[to]);
             const double least = sums.least_squares();
-            // Walls between all points in between would be cheaper, and even more so from farther off.
+            // Stop because walls between all points in between would be cheaper, and even more so from
+            // farther back.
             if (least / variance > 12.0 * static_cast<double>(to - from) + 60)
                 break;
             extend(from, to, sums, least);
@@ -183,7 +184,7 @@ std::optional<std::vector<WallPiece>> Planner::plan(const std::vector<std::size_
     return trace_back(points);
 }
 
-/// The direction that walls of the four families agree on.
+/// Adjusts the dominant direction to the walls along it and at 90 degrees to it.
 double adjusted(double direction, const std::vector<WallPiece>& pieces, const WallSamples& samples) {
     constexpr double quarter = std::numbers::pi / 4;
     double sum = 0;
@@ -204,7 +205,7 @@ double adjusted(double direction, const std::vector<WallPiece>& pieces, const Wa
     return weights > 0 ? direction + sum / weights : direction;
 }
 
-/// Begins the turning points of a closed chain anew, where two walls meet at the largest angle.
+/// Rotates the turning points of a closed chain to start at the sharpest corner.
 std::vector<std::size_t> restarted(const std::vector<std::size_t>& points,
                                    const std::vector<WallPiece>& pieces, std::size_t steps) {
     std::size_t start = pieces.front().first;

@@ -9,13 +9,13 @@
 
 namespace d2b {
 
-/// Divides a chain into walls by dynamic programming over the points where it may turn: the least sum of a
-/// price a wall and of squared distances, where all of a stretch lies within the tolerance of its wall. Walls
-/// in the dominant direction are cheapest, those at 90 degrees to it as well; neighbours never have the same
-/// one. O(steps), but for a window of 64 points over which a wall may reach.
-/// @param points at which the chain may turn
-/// @param direction the dominant one, radians; adjusted to the walls that follow it
-/// @return nothing where no such division exists @throws Cancelled
+/// Divides a chain into walls by dynamic programming over its turning points. Minimizes the sum of a price
+/// per wall and of squared distances, subject to every wall staying within the tolerance of its trace. Walls
+/// in the dominant direction and at 90 degrees to it are cheapest; consecutive walls never share a direction.
+/// O(steps), because a wall spans at most 64 points.
+/// @param points steps at which the chain may turn
+/// @param direction dominant direction in radians; adjusted to the walls that follow it
+/// @return nullopt if there is no such division @throws Cancelled
 [[nodiscard]] std::optional<std::vector<WallPiece>> plan_walls(const WallSamples& samples,
                                                                std::vector<std::size_t> points,
                                                                const WallStyle& style, double& direction,

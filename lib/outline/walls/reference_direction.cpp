@@ -9,9 +9,10 @@ namespace {
 
 constexpr double nearly = 12.0 / 180 * std::numbers::pi;
 constexpr std::size_t short_chain = 16;  // steps
-constexpr int lowest_rank = 3;           // of walls between footprints, and of what stands on these
+constexpr int lowest_rank =
+    3;  // rank of walls between footprints; those of chains that stand on them are higher
 
-/// The chain with which the outline begins of the footprint on which the contours beside an arc stand.
+/// First chain of the outline of the footprint below the contours at an arc.
 std::uint32_t footprint_chain(const WallGraph& graph, const WallCluster& cluster, std::uint32_t arc) {
     const WallGraph::Sides& sides = graph.sides[arc];
     auto contour = static_cast<std::int64_t>(std::max(sides.left, sides.right));

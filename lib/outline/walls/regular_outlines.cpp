@@ -23,7 +23,7 @@ RegularOutlines::RegularOutlines(const ContourList& contours, const WallOptions&
     for (std::uint32_t c = 0; c < clusters_.size(); ++c)
         for (const std::uint32_t contour : clusters_[c].numbers)
             cluster_of_[contour] = c;
-    // The largest first, so that no thread begins with one when the others are done.
+    // Process the largest clusters first, so that no thread starts one when the others are done.
     std::vector<std::uint32_t> order(clusters_.size());
     std::iota(order.begin(), order.end(), 0U);
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -58,7 +58,7 @@ std::shared_ptr<const CornerIndex> RegularOutlines::corners(std::uint32_t cluste
             known != large_clusters_->corners.end())
             return known->second;
     }
-    // Several threads may do so at a time: none waits for another.
+    // Several threads may build the same index, because waiting for each other would take longer.
     const FetchedCluster fetched(contours_, clusters_[cluster]);
     auto made = std::make_shared<const CornerIndex>(fetched.cluster().contours);
     if (clusters_[cluster].numbers.size() < large)

@@ -9,10 +9,10 @@ namespace d2b {
 namespace {
 
 constexpr double largest_area_change = 0.02;
-constexpr double most_inset = 0.4;      // share of an area that walls which move inward may take
-constexpr double largest_shift = 0.07;  // cells by which a ring's border is off on the average
+constexpr double most_inset = 0.4;      // share of an area that walls moving inward may remove
+constexpr double largest_shift = 0.07;  // cells, mean displacement of the border of a ring
 constexpr double least_gain =
-    0.1;  // share of an area asked for that moving walls has brought: else it is in vain
+    0.1;  // achieved share of a requested change of area below which moving walls is given up
 
 double in_cells(Int128 twice) {
     return static_cast<double>(twice) / (2.0 * FinePoint::steps * FinePoint::steps);
@@ -91,8 +91,8 @@ void RingAreas::check(const std::vector<bool>& in_conflict) {
         ring.waits = false;
         const auto before = static_cast<double>(ring.traced);
         const double after = in_cells(twice_area(*ring.uses));
-        // Courts grow where walls move inward: their areas are negative.
-        // What is narrow keeps most of its own.
+        // Holes grow if walls move inward, because their areas are negative.
+        // Narrow rings keep most of their area.
         const double room = inset_ * ring.length;
         const double least = before > 0 ? before - std::min(room, most_inset * before) : before - room;
         const double kept = std::clamp(after, least, before);
@@ -104,16 +104,16 @@ void RingAreas::check(const std::vector<bool>& in_conflict) {
     }
 }
 
-/// Moves the walls that are a ring's own for the most part, or gives what was drawn last of it a simpler
-/// form, where its area is not kept.
+/// Restores the area of a ring by moving the walls that belong mostly to it, or else by simplifying its
+/// chains of highest rank.
 void RingAreas::correct(Ring& ring, double missing) {
-    // 1 where the ring lies on the left of the wall and grows as that goes right
+    // 1 if the ring is on the left of the wall and grows if the wall moves right
     std::vector<std::pair<Wall, double>> right;
     double whole = 0;
     gathered_.wipe();
     for (const ArcUse& use : *ring.uses) {
         const std::uint32_t c = graph_.chain_of[use.arc];
-        // What stands on a wall does not move it.
+        // A ring must not move the walls of lower rank on which it stands.
         if (graph_.chains[c].rank < 2 * ring.level)
             continue;
         const ArcUse own = graph_.chains[c].arcs[graph_.place_of[use.arc]];
@@ -124,10 +124,10 @@ void RingAreas::correct(Ring& ring, double missing) {
             whole += drawing_.length(wall);
         }
     }
-    // What a neighbour has moved will be measured again.
+    // Rings whose walls a neighbour has moved are measured again first.
     if (std::ranges::any_of(right, [&](const auto& entry) { return moved_.marked(entry.first); }))
         return;
-    // What came of the last time says how much has to be asked for.
+    // The gain of the previous attempt determines the next request.
     const double gain = ring.asked == 0 ? 1 : (ring.missing - missing) / ring.asked;
     if (gain < least_gain || std::abs(missing) >= whole) {
         simplify_last(ring);

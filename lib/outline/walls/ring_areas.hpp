@@ -13,32 +13,33 @@
 
 namespace d2b {
 
-/// Keeps the areas of a cluster's rings, as their arcs are drawn, near those of their traces.
+/// Preserves the areas of the rings of a cluster while their arcs are drawn.
 class RingAreas {
   public:
     struct Ring {
         const std::vector<ArcUse>* uses = nullptr;
-        std::int64_t traced = 0;  // area, in cells
-        double length = 0;        // as traced, in steps
+        std::int64_t traced = 0;  // area in cells
+        double length = 0;        // traced length in steps
         int level = 0;
-        bool waits = false;  // to be measured
-        double missing = 0;  // area, when walls were moved last
-        double asked = 0;    // of them
+        bool waits = false;  // has yet to be measured
+        double missing = 0;  // area missing when walls were last moved
+        double asked = 0;    // area requested from them
     };
-    /// @param arcs as they are drawn
-    /// @param inset cells by which walls were moved inward: areas may be less by as much
-    /// @param stop must outlive this, as the others
+    /// @param arcs as drawn
+    /// @param inset cells by which walls were moved inward; areas may shrink accordingly
+    /// @param stop must outlive this, as must the others
     RingAreas(const WallCluster& cluster, const WallGraph& graph, const SegmentGrid::Arcs& arcs,
               WallDrawing& drawing, double inset, const StopRequest& stop);
 
-    /// Takes notice of an arc that is drawn anew.
+    /// Registers an arc that was redrawn.
     void changed(std::uint32_t arc);
-    /// Measures rings that have changed, and moves walls where an area is not kept, or has them drawn in a
-    /// simpler form. @param in_conflict parts that change again: their rings wait @throws Cancelled
+    /// Measures the rings that have changed. If an area is not preserved, moves walls or has them drawn in a
+    /// simpler mode. @param in_conflict components about to change again; their rings are postponed @throws
+    /// Cancelled
     void check(const std::vector<bool>& in_conflict);
-    /// Twice the area, positive for exterior rings, in fine squares. Exact.
+    /// Twice the area in fine squares, exact; positive for exterior rings.
     [[nodiscard]] Int128 twice_area(const std::vector<ArcUse>& ring) const;
-    /// A contour's: its exterior comes first.
+    /// Rings of a contour, its exterior first.
     [[nodiscard]] std::span<const Ring> rings(std::size_t contour) const {
         return std::span(rings_).subspan(first_ring_[contour],
                                          first_ring_[contour + 1] - first_ring_[contour]);
@@ -60,14 +61,14 @@ class RingAreas {
     WallDrawing& drawing_;
     double inset_;
     const StopRequest& stop_;
-    std::vector<Int128> areas_;              // of an arc and the origin, twice, in fine squares
-    std::vector<Ring> rings_;                // exterior and interiors of one contour after the other
-    std::vector<std::uint32_t> first_ring_;  // of a contour
-    std::vector<std::uint32_t> rings_of_;    // arcs: those of one after the other
+    std::vector<Int128> areas_;  // per arc: twice the area between it and the origin, in fine squares
+    std::vector<Ring> rings_;    // grouped by contour: exterior, then interiors
+    std::vector<std::uint32_t> first_ring_;  // per contour
+    std::vector<std::uint32_t> rings_of_;    // rings grouped by arc
     std::vector<std::uint32_t> first_of_arc_;
     std::vector<std::uint32_t> waiting_rings_;
-    WallMarks gathered_;  // walls of the ring that is corrected
-    WallMarks moved_;     // walls, this round
+    WallMarks gathered_;  // walls of the ring being corrected
+    WallMarks moved_;     // walls moved in this round
 };
 
 }  // namespace d2b

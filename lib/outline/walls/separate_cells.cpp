@@ -11,24 +11,24 @@ namespace {
 
 constexpr double beyond = std::numeric_limits<double>::infinity();
 constexpr double longest_move = 0.5;     // cells
-constexpr double clearance = 1.0 / 256;  // cells between a wall and the middle of a cell
+constexpr double clearance = 1.0 / 256;  // cells between a wall and the center of a cell
 
-/// What a cell counts that a building or a tier takes from lower ground, where one that it loses counts 1:
-/// outlines from elevations are rather too wide than too narrow. In a scene whose truth is known walls are a
-/// hundredth of a cell too far out where both count 1, and as much too far in where this is 3.
+/// Cost of a cell of lower ground on the side of a building or tier, relative to a cost of 1 for a cell that
+/// it loses. The costs differ because outlines from elevations tend to be too wide. In a synthetic scene,
+/// walls are 0.01 cells too far out if both costs are 1, and as much too far in if this one is 3.
 constexpr double low_cell = 2.25;
 
-/// Where a wall that goes to the left passes the middle of a cell.
+/// Offset at which a wall moving to the left passes the center of a cell.
 struct Passing {
     double at = 0;
-    double cost = 0;  ///< below 0 where the cell comes to its own side
+    double cost = 0;  ///< negative if the cell moves to its correct side
 };
 
 class Separator {
   public:
     Separator(const WallSamples& samples, int higher)
         : samples_(samples), left_cost_(higher < 0 ? low_cell : 1), right_cost_(higher > 0 ? low_cell : 1) {}
-    /// @return cells to the left of the way that the chain runs
+    /// @return cells to the left of the direction of the chain
     double move(const WallPiece& piece) {
         find_passings(piece);
         return cheapest();
@@ -44,7 +44,7 @@ class Separator {
     std::vector<Passing> passings_;
 };
 
-/// A cell on which two steps in a row lie counts once.
+/// Counts a cell shared by consecutive steps once.
 void Separator::find_passings(const WallPiece& piece) {
     passings_.clear();
     const Vec run = samples_.at(piece.last) - samples_.at(piece.first);

@@ -9,7 +9,7 @@ namespace d2b {
 namespace {
 
 constexpr double nearness = 0.8;           // cells
-constexpr std::size_t longest_look = 512;  // steps; bounds the time that a long chain takes
+constexpr std::size_t longest_look = 512;  // steps; bounds the time spent on a long chain
 
 void divide(const WallSamples& samples, std::size_t begin, std::size_t end,
             std::vector<std::size_t>& points) {
@@ -49,7 +49,8 @@ std::vector<std::size_t> turning_points(const WallSamples& samples) {
     std::size_t begin = 0;
     while (begin < n) {
         std::size_t end = n;
-        // A closed chain begins and ends in one point, so it is divided at its farthest one first.
+        // A closed chain begins and ends at the same point, so it is first divided at the point farthest from
+        // it.
         if (samples.closed() && begin == 0) {
             double largest = 0;
             samples.for_corners(1, n - 1, [&](std::size_t i, Vec corner) {
@@ -81,7 +82,7 @@ double dominant_direction(const WallSamples& samples, const std::vector<std::siz
             continue;
         const Vec along = sums.direction();
         const auto doubled = [](Vec v) { return Vec{v.x * v.x - v.y * v.y, 2 * v.x * v.y}; };
-        // The direction of a longer stretch is known better by the power of three of its length.
+        // The certainty of the direction of a stretch grows with the cube of its length.
         const double weight = sums.xx + sums.yy;
         sum = sum + weight * doubled(doubled(along));  // four times its angle
     }

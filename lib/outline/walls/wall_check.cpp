@@ -54,7 +54,7 @@ WallConflicts WallCheck::conflicts(const std::vector<std::uint32_t>& changed) {
         check_arc(arc, found);
     for (const std::uint32_t arc : tested_)
         changed_[arc] = 0;
-    // The other two tests rest on this one.
+    // The other two tests require edges that do not cross.
     if (found.empty()) {
         check_nodes(found);
         parts_.check(found);
@@ -74,13 +74,13 @@ void WallCheck::update(std::uint32_t arc) {
             waiting_nodes_.push_back(node);
 }
 
-/// To be tested again, whether it changes or not.
+/// Marks an arc to be tested again even if it does not change.
 void WallCheck::keep(std::uint32_t arc) {
     if (std::exchange(in_conflict_[arc], std::uint8_t{1}) == 0)
         conflicting_.push_back(arc);
 }
 
-/// Whether two edges may have their common point in common: neighbours in an arc, or first at a node.
+/// Returns true if two edges may share their common point: neighbours within an arc, or edges at a node.
 bool WallCheck::joined(Edge e, Edge f) const {
     const FineSegment s = grid_.segment(e);
     const FineSegment t = grid_.segment(f);
@@ -101,7 +101,7 @@ bool WallCheck::joined(Edge e, Edge f) const {
 
 bool WallCheck::conflict(Edge e, const FineSegment& s, Edge f, const FineSegment& t) const {
     if (e.arc == f.arc && e.index + 1 == f.index)
-        return overlap_from(s.b, s.a, t.b);  // most of all
+        return overlap_from(s.b, s.a, t.b);  // the most frequent case
     if (!meet(s, t))
         return false;
     const int shared =
@@ -122,7 +122,7 @@ void WallCheck::check_arc(std::uint32_t arc, WallConflicts& found) {
             keep(arc);
         }
         grid_.near(s, [&](Edge f) {
-            // Of two that have changed, the first one's turn is enough.
+            // A pair of changed arcs is tested once, by the first of the two.
             if (f.arc == arc ? f.index <= i : changed_[f.arc] != 0 && f.arc < arc)
                 return;
             const FineSegment t = grid_.segment(f);
@@ -135,13 +135,13 @@ void WallCheck::check_arc(std::uint32_t arc, WallConflicts& found) {
     }
 }
 
-/// The edge of an arc that ends at a node.
+/// Edge at an arc end.
 WallCheck::Edge WallCheck::edge_at(std::uint32_t end) const {
     const auto points = static_cast<std::uint32_t>(arcs_[end / 2].size());
     return {end / 2, end % 2 == 0 ? 0 : points - 2};
 }
 
-/// Nodes that are not in order wait on.
+/// Nodes with an invalid order of arcs remain pending.
 void WallCheck::check_nodes(WallConflicts& found) {
     std::erase_if(waiting_nodes_, [&](std::uint32_t node) {
         const std::size_t before = found.size();

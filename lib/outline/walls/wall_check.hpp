@@ -9,24 +9,24 @@
 
 namespace d2b {
 
-/// Exact tests that a drawing of a graph is the same plane figure as its trace, up to how its walls run:
-///  - edges of arcs have no point in common but the nodes in which their arcs meet;
-///  - around every node, the contour on one side of an arc is that beside the next one;
-///  - every connected part of the graph lies in the contour in which it was traced.
-/// Then each contour is what its rings bound: rings are simple, interior rings lie inside, contours of one
-/// level have no point of their inside in common and lie in those of the level below.
-/// What has not changed since it was tested is not tested again.
+/// Exact test that a drawn graph has the topology of its trace:
+///  - edges of arcs only share the nodes at which their arcs meet;
+///  - around every node, consecutive arcs agree on the contour between them;
+///  - every connected component of the graph lies in the contour in which it was traced.
+/// Together these imply valid polygons: rings are simple, interior rings lie inside, the interiors of
+/// contours of one level are disjoint and lie within those of the level below. Only changed arcs and previous
+/// conflicts are tested, because few arcs change in a round.
 class WallCheck {
   public:
-    /// @param arcs as they are drawn, some or all of them not yet
-    /// @param tolerance cells: no arc has left its trace by more
-    /// @param stop must outlive this, as the others
+    /// @param arcs as drawn; some or all may still be empty
+    /// @param tolerance largest distance in cells between an arc and its trace
+    /// @param stop must outlive this, as must the others
     WallCheck(const WallGraph& graph, const SegmentGrid::Arcs& arcs, double tolerance,
               const StopRequest& stop);
 
-    /// Whether an arc is of interest although it has not changed: it may come in the way of others now.
+    /// True if an arc must be reported even if unchanged, because it was in conflict.
     [[nodiscard]] bool notices(std::uint32_t arc) const { return in_conflict_[arc] != 0; }
-    /// Takes notice of arcs that are drawn anew. Those that were in conflict are tested again.
+    /// Updates redrawn arcs and tests them together with those previously in conflict.
     /// @param changed sorted
     /// @return sorted @throws Cancelled
     [[nodiscard]] WallConflicts conflicts(const std::vector<std::uint32_t>& changed);
@@ -50,13 +50,13 @@ class WallCheck {
     const SegmentGrid::Arcs& arcs_;
     SegmentGrid grid_;
     const StopRequest& stop_;
-    std::vector<std::uint8_t> changed_;      // arcs, this time
-    std::vector<std::uint8_t> in_conflict_;  // arcs, since they were tested last
+    std::vector<std::uint8_t> changed_;      // per arc, in this call
+    std::vector<std::uint8_t> in_conflict_;  // per arc, since its last test
     std::vector<std::uint32_t> conflicting_;
-    std::vector<std::uint32_t> tested_;     // arcs, this time
-    std::vector<std::uint8_t> node_waits_;  // to be checked
+    std::vector<std::uint32_t> tested_;     // arcs tested in this call
+    std::vector<std::uint8_t> node_waits_;  // per node: has yet to be checked
     std::vector<std::uint32_t> waiting_nodes_;
-    std::vector<std::uint32_t> ends_;  // at a node, in order
+    std::vector<std::uint32_t> ends_;  // arc ends at a node, in angular order
     PartCheck parts_;
 };
 

@@ -10,13 +10,13 @@
 namespace d2b {
 namespace {
 
-/// Rows of the lattice, end exclusive.
+/// Half-open range of lattice rows.
 struct Rows {
     std::int64_t begin;
     std::int64_t end;
 };
 
-/// The edges of traces in square buckets, as far as they are near some rows.
+/// Edges of traces in a grid of square buckets, limited to a range of rows.
 class TraceBuckets {
   public:
     TraceBuckets(LatticePoint reach, Rows rows) : reach_(reach), rows_(rows) {}
@@ -27,7 +27,7 @@ class TraceBuckets {
 
   private:
     struct Edge {
-        LatticeBox box;  // grown so that near edges overlap
+        LatticeBox box;  // buffered, so that the boxes of near edges overlap
         std::uint32_t contour;
     };
     void add(const PackedRing& packed, std::uint32_t number);
@@ -51,11 +51,11 @@ class TraceBuckets {
     LatticePoint high_{std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::min()};
     int shift_ = 4;
     std::int64_t columns_ = 0;
-    std::vector<std::size_t> first_;      // entry of each bucket
+    std::vector<std::size_t> first_;      // offset into entries_ per bucket
     std::vector<std::uint32_t> entries_;  // edges
 };
 
-/// An edge with half of the way to those near it on either side.
+/// Bounding box of an edge, buffered by half the conflict distance on each side.
 LatticeBox grown(LatticePoint from, LatticePoint to, LatticePoint reach) {
     return {
         {std::min(from.row, to.row) - reach.row / 2, std::min(from.col, to.col) - reach.col / 2},
@@ -87,7 +87,7 @@ void TraceBuckets::lay_out() {
         columns_ = bucket(high_.col, low_.col) + 1;
         return (bucket(high_.row, low_.row) + 1) * columns_;
     };
-    // Few edges far from each other get large buckets.
+    // A few edges far from each other need large buckets.
     while (buckets() > 64 + 16 * static_cast<std::int64_t>(edges_.size()))
         ++shift_;
     first_.assign(static_cast<std::size_t>(buckets()) + 1, 0);
@@ -103,7 +103,7 @@ void TraceBuckets::lay_out() {
 void TraceBuckets::join_bucket(std::size_t begin, std::size_t end, DisjointSets& groups) const {
     for (std::size_t i = begin + 1; i < end; ++i) {
         const Edge& edge = edges_[entries_[i]];
-        std::uint32_t last = edge.contour;  // most neighbours in the list are of one contour
+        std::uint32_t last = edge.contour;  // consecutive entries mostly belong to one contour
         for (std::size_t k = begin; k < i; ++k) {
             const Edge& other = edges_[entries_[k]];
             if (other.contour == last || !edge.box.overlaps(other.box))
@@ -119,7 +119,7 @@ void TraceBuckets::join(DisjointSets& groups) {
         return;
     lay_out();
     for (std::size_t b = 0; b + 1 < first_.size(); ++b) {
-        // Most buckets hold edges of one group.
+        // Most buckets hold edges of a single group.
         const auto group = [&](std::size_t i) { return groups.find(edges_[entries_[i]].contour); };
         bool several = false;
         for (std::size_t i = first_[b] + 1; i < first_[b + 1] && !several; ++i)
@@ -129,12 +129,12 @@ void TraceBuckets::join(DisjointSets& groups) {
     }
 }
 
-/// What stands on a contour lies inside of it: only traces of levels 0 and 1 can be near those of others.
+/// Only traces of levels 0 and 1 can be near those of other groups, because higher levels lie within them.
 bool is_low(const ContourHead& head) {
     return head.key.level <= 1 || head.parent < 0;
 }
 
-/// Joins contours that are near each other, a strip of rows at a time.
+/// Joins contours that are near each other, one strip of rows at a time.
 void join_neighbours(const ContourList& contours, const WallOptions& options, std::int64_t rows_a_strip,
                      DisjointSets& groups, const StopRequest& stop) {
     const LatticePoint reach = conflict_reach(options);
@@ -146,7 +146,7 @@ void join_neighbours(const ContourList& contours, const WallOptions& options, st
         if (is_low(contours.head(i)))
             low.push_back(i);
     std::ranges::stable_sort(low, {}, first_row);
-    std::vector<std::uint32_t> open;  // those that reach below the strips so far
+    std::vector<std::uint32_t> open;  // contours that extend below the strips processed so far
     auto next = low.begin();
     for (std::int64_t row = low.empty() ? 0 : first_row(low.front()); next != low.end() || !open.empty();
          row += rows_a_strip) {
@@ -190,7 +190,7 @@ std::vector<ClusterPlan> wall_clusters(const ContourList& contours, const WallOp
     std::vector<std::int32_t> place(contours.size());
     std::vector<ClusterPlan> clusters;
     for (std::uint32_t i = 0; i < contours.size(); ++i) {
-        const std::uint32_t group = groups.find(i);  // the first of its group
+        const std::uint32_t group = groups.find(i);  // smallest index of the group
         if (group == i) {
             cluster_of[i] = static_cast<std::uint32_t>(clusters.size());
             clusters.emplace_back();

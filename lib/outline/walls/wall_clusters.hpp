@@ -11,31 +11,31 @@ namespace d2b {
 
 /// Contours whose walls are fitted together.
 struct WallCluster {
-    std::vector<const Contour*> contours;  ///< parents before their children
-    std::vector<std::int32_t> parents;     ///< place of each one's parent among them; -1: it is not with them
+    std::vector<const Contour*> contours;  ///< parents before children
+    std::vector<std::int32_t>
+        parents;  ///< index of the parent of each contour; -1 if it is not in the cluster
 };
 
-/// The same before its contours are fetched.
+/// Indices of a cluster whose contours have not been fetched.
 struct ClusterPlan {
-    std::vector<std::uint32_t> numbers;  ///< place of each contour in the list, ascending
-    std::vector<std::int32_t> parents;   ///< as WallCluster's
+    std::vector<std::uint32_t> numbers;  ///< index of each contour in the list, ascending
+    std::vector<std::int32_t> parents;   ///< see WallCluster
 };
 
-/// Rows and columns over which two traces can get into each other's way: both walls stay within the
-/// tolerance.
+/// Rows and columns within which two traces may conflict, because both walls stay within the tolerance.
 [[nodiscard]] LatticePoint conflict_reach(const WallOptions& options);
 
-/// Divides contours into clusters that cannot get into each other's way: what stands on one contour of level
-/// 1 is together, and so are contours whose traces come so near each other that their walls could meet. Which
-/// contours share a cluster depends on nothing but these. O(n) in corners of levels 0 and 1, but for crowds;
-/// in memory are the corners of a strip.
-/// @param rows_a_strip that are looked at together
+/// Divides contours into clusters that cannot conflict. Contours on the same contour of level 1 share a
+/// cluster, as do contours whose traces are so close that their walls could meet. The division depends only
+/// on the contours. O(n) in the number of corners of levels 0 and 1 unless they are crowded; only the corners
+/// of one strip are in memory.
+/// @param rows_a_strip rows processed together
 /// @return sorted by their first contours @throws Cancelled
 [[nodiscard]] std::vector<ClusterPlan> wall_clusters(const ContourList& contours, const WallOptions& options,
                                                      const StopRequest& stop = {},
                                                      std::int64_t rows_a_strip = 4096);
 
-/// The contours of a cluster.
+/// Contours of a cluster in memory.
 class FetchedCluster {
   public:
     /// @throws Cancelled

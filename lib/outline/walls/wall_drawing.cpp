@@ -9,7 +9,7 @@
 namespace d2b {
 namespace {
 
-constexpr std::array tried_prices{1.0, 0.5};  // of walls, that are tried in turn
+constexpr std::array tried_prices{1.0, 0.5};  // prices of walls, tried in turn
 
 }  // namespace
 
@@ -26,8 +26,8 @@ WallDrawing::WallDrawing(const WallGraph& graph, const WallCluster& cluster, con
         states_[c].form = ChainForm(graph.chains[c].steps(), graph.chains[c].closed);
 }
 
-/// What is drawn for its own sake places its ends anew. Whatever changes places the nodes on it anew; what
-/// ends there is of higher rank and has its turn later.
+/// Chains that are drawn for their own sake place their ends anew. Any chain that changes places the nodes on
+/// it anew; the chains that end there have a higher rank and are drawn later.
 std::vector<std::uint32_t> WallDrawing::draw() {
     std::vector<std::uint32_t> drawn;
     reset_.assign(reset_.size(), 0);
@@ -50,7 +50,7 @@ std::vector<std::uint32_t> WallDrawing::draw() {
     return changed_arcs(drawn);
 }
 
-/// Takes a node away; all that ends there looks where to end.
+/// Removes a node from its chain; the chains that end there have to be placed again.
 void WallDrawing::reset(std::uint32_t node) {
     const WallGraph::Node& n = graph_.nodes[node];
     if (first_ || n.owner == WallGraph::nobody || std::exchange(reset_[node], std::uint8_t{1}) != 0)
@@ -62,7 +62,7 @@ void WallDrawing::reset(std::uint32_t node) {
             states_[chain].lands = true;
 }
 
-/// Those of all chains that have been drawn, and those beside nodes that have been placed anew.
+/// Arcs of redrawn chains and arcs at nodes that were placed anew.
 std::vector<std::uint32_t> WallDrawing::changed_arcs(const std::vector<std::uint32_t>& drawn) const {
     std::vector<std::uint32_t> changed;
     if (drawn.empty())
@@ -96,7 +96,7 @@ void WallDrawing::draw_chain(std::uint32_t c) {
                           state.chain->samples(), options_.shape, options_.tolerance);
 }
 
-/// Divides a chain into walls: few, or as many as are needed.
+/// Divides a chain into walls, as few as possible within the tolerance.
 void WallDrawing::plan(std::uint32_t c) {
     ChainState& state = states_[c];
     state.direction = direction(c);
@@ -112,7 +112,7 @@ void WallDrawing::plan(std::uint32_t c) {
         state.form.raise_all(Form::middles);
 }
 
-/// In which a chain's walls are looked for.
+/// Direction used for planning the walls of a chain.
 double WallDrawing::direction(std::uint32_t c) const {
     const double own = states_[c].chain->own_direction();
     const std::uint32_t base = reference_chain(graph_, cluster_, c);

@@ -9,7 +9,7 @@
 
 namespace d2b {
 
-/// Draws the chains of a graph, those of low rank first; what ends on a chain ends on its drawn form.
+/// Draws the chains of a graph by rank, lowest first. Chains that end on another chain end on its drawn form.
 class WallDrawing {
   public:
     /// @param graph, cluster, stop must outlive this
@@ -19,29 +19,29 @@ class WallDrawing {
     WallDrawing& operator=(const WallDrawing&) = delete;
     ~WallDrawing() = default;
 
-    /// Draws the chains that are not drawn, or have been asked for another form, and what stands on them.
-    /// @return the arcs that have changed @throws Cancelled
+    /// Draws chains that are new or have a changed mode, and the chains that end on them.
+    /// @return changed arcs @throws Cancelled
     [[nodiscard]] std::vector<std::uint32_t> draw();
 
     [[nodiscard]] const ChainForm& form(std::uint32_t chain) const { return states_[chain].form; }
-    /// Gives an arc as it is drawn, in its own direction, with the steps of its chain that its vertices stand
-    /// for.
+    /// Extracts a drawn arc in its own direction, with the steps of its chain for each vertex.
     void arc(std::uint32_t arc, DrawnChain& drawn) const;
-    /// Gives what a ring uses of a chain from one arc to another, in the chain's direction, without the nodes
-    /// between. @param whole the ring is all of the chain @return whether the ring runs against the chain
+    /// Extracts the part of a chain that a ring uses, from one arc to another, in the direction of the chain,
+    /// without the nodes between. @param whole true if the ring consists of the entire chain @return true if
+    /// the ring runs against the chain
     bool stretch(const ArcUse& first, const ArcUse& last, bool whole, DrawnChain& drawn) const;
-    /// Lets a range of steps of a chain follow its trace closer, and some steps on either side.
-    /// @return false: it is as close as can be
+    /// Makes a range of steps of a chain, plus a margin on both sides, follow the trace more closely.
+    /// @return false if it is as close as possible already
     bool follow_closer(std::uint32_t chain, std::size_t first, std::size_t last, std::size_t margin);
-    /// The same for a whole chain.
+    /// Same for a whole chain.
     bool follow_closer(std::uint32_t chain) {
         return follow_closer(chain, 0, graph_.chains[chain].steps(), 0);
     }
-    /// The same for the chain on which a node stands, around the node, if it is not where it was traced.
+    /// Same for the chain at a node, around the node, if the node is not at its traced position.
     bool follow_closer_at(std::uint32_t node, std::size_t margin);
-    /// Gives all of a chain the closest form.
+    /// Sets all steps of a chain to the closest mode.
     void trace(std::uint32_t chain);
-    /// How far a node is from where it was traced, in cells.
+    /// Distance of a node from its traced position, in cells.
     [[nodiscard]] double displaced(std::uint32_t node) const { return places_.displaced(node); }
 
     /// A wall of a chain.
@@ -50,10 +50,10 @@ class WallDrawing {
         std::size_t piece;
         friend auto operator<=>(const Wall&, const Wall&) = default;
     };
-    /// The walls that stand along one arc for the most part, and may still be moved.
+    /// Movable walls that lie mostly along one arc.
     [[nodiscard]] std::vector<Wall> walls_along(std::uint32_t arc) const;
     [[nodiscard]] double length(Wall wall) const;
-    /// Moves a wall to the left of its chain when that is drawn next.
+    /// Moves a wall to the left of its chain; takes effect when the chain is redrawn.
     void shift(Wall wall, double cells);
 
   private:
@@ -69,8 +69,8 @@ class WallDrawing {
     const StopRequest& stop_;
     std::vector<ChainState> states_;
     NodePlaces places_;
-    std::vector<std::uint8_t> reset_;  ///< nodes that are placed anew this time
-    bool first_ = true;                ///< nothing has been drawn
+    std::vector<std::uint8_t> reset_;  ///< per node: placed anew in this call
+    bool first_ = true;                ///< before the first call of draw()
 };
 
 }  // namespace d2b

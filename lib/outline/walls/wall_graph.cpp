@@ -34,10 +34,10 @@ class Builder {
     WallGraph& walls_;
     const StopRequest& stop_;
     ChainTracer tracer_;
-    std::vector<std::uint32_t> mate_;  // of an arc end: the one that it goes on with
+    std::vector<std::uint32_t> mate_;  // per arc end: the arc end that continues the chain
 };
 
-/// What uses an arc on one side.
+/// Lowest and highest contours on one side of an arc.
 struct Users {
     std::int32_t lowest = -1;
     std::int32_t highest = -1;
@@ -108,7 +108,7 @@ void Builder::find_nodes() {
         walls_.arc_ends[next[node_of(end)]++] = end;
 }
 
-/// Through a node goes a chain where exactly two of the arcs that are drawn first there meet.
+/// A chain continues through a node if exactly two of the arcs with the lowest rank meet there.
 void Builder::find_mates() {
     mate_.assign(2 * arcs(), nobody);
     for (std::uint32_t n = 0; n < walls_.nodes.size(); ++n) {
@@ -129,7 +129,7 @@ void Builder::find_mates() {
     }
 }
 
-/// All arcs of a chain have the same.
+/// Side of the chain on which contours of its level lie; equal for all of its arcs.
 int Builder::higher_side(const Chain& chain) const {
     const auto own = [&](std::int32_t contour) {
         return contour >= 0 &&
@@ -140,7 +140,7 @@ int Builder::higher_side(const Chain& chain) const {
     return (own(sides.left) - own(sides.right)) * (first.reversed ? -1 : 1);
 }
 
-/// @param from_end where the chain begins
+/// @param from_end arc end at which the chain begins
 void Builder::walk(std::uint32_t from_end) {
     stop_.check();
     Chain chain;
@@ -166,7 +166,7 @@ void Builder::find_chains() {
     std::iota(order.begin(), order.end(), 0U);
     std::stable_sort(order.begin(), order.end(),
                      [&](std::uint32_t a, std::uint32_t b) { return walls_.ranks[a] < walls_.ranks[b]; });
-    // Chains with ends begin at one; what is left of a rank are rings.
+    // Chains with ends start at an end; the remaining arcs of a rank form rings.
     for (std::size_t i = 0; i < order.size();) {
         std::size_t next = i;
         for (; next < order.size() && walls_.ranks[order[next]] == walls_.ranks[order[i]]; ++next)

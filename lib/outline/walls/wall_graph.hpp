@@ -10,61 +10,62 @@
 
 namespace d2b {
 
-/// A run of arcs that is fitted in one go: a ring, or a stretch between two points where others stand. What
-/// it is does not depend on what stands on it: an open chain begins at the smaller of its ends, a closed one
-/// at its first point in scan order and runs along the row from there; but its first arc may begin later.
+/// A sequence of arcs fitted at once: a ring, or a path between two nodes. It does not depend on the chains
+/// that end on it. An open chain begins at its smaller end. A closed one begins at its first point in scan
+/// order and runs along the row, although its first arc may begin later.
 struct Chain {
     int rank = 0;
-    int higher = 0;  ///< the side on which contours of its own level lie: 1 the left, -1 the right, 0 both
+    int higher = 0;  ///< side on which contours of its own level lie: 1 left, -1 right, 0 both
     bool closed = false;
     std::vector<ArcUse> arcs;
-    std::vector<std::uint32_t> nodes;       ///< at which its arcs begin, and the last one's end
-    std::vector<std::uint32_t> node_steps;  ///< unit steps from its first point to each of these, ascending
+    std::vector<std::uint32_t> nodes;       ///< first nodes of its arcs, and the end node of the last
+    std::vector<std::uint32_t> node_steps;  ///< unit steps from its first point to each node, ascending
     std::vector<LatticePoint> trace;  ///< corners and ends; a closed one does not repeat its first point
 
     [[nodiscard]] std::size_t steps() const { return node_steps.back() - node_steps.front(); }
     [[nodiscard]] std::uint32_t end_node(bool last) const { return last ? nodes.back() : nodes.front(); }
 };
 
-/// The arcs of all outlines, in the order in which walls are drawn. An arc's rank says when: outlines of a
-/// low level come before those of a high one, and within a level what bounds a group of touching contours
-/// comes before what divides it. Chains of one rank go straight through a node where only arcs of higher rank
-/// join: a wall knows nothing of what stands on it.
+/// Arcs of all outlines in drawing order. The rank of an arc defines that order: outlines of a low level
+/// precede those of a high one, and within a level the boundary of a group of touching contours precedes the
+/// boundaries between them. Chains of one rank pass straight through nodes that only arcs of higher rank
+/// join, because a wall must not depend on the walls that end on it.
 struct WallGraph {
     static constexpr std::uint32_t nobody = 0xffffffff;
-    static constexpr int highest_low_rank = 3;  ///< of arcs of levels 0 and 1
+    static constexpr int highest_low_rank = 3;  ///< highest rank of arcs of levels 0 and 1
 
-    /// The highest contours on both sides of an arc, as places in the cluster; -1 where there is none.
+    /// Highest contours on both sides of an arc, as indices in the cluster; -1 if there is none.
     struct Sides {
         std::int32_t left = -1;
         std::int32_t right = -1;
     };
     struct Node {
         LatticePoint at;
-        std::uint32_t owner = nobody;  ///< the chain that goes through it; nobody: it is where it was traced
-        std::uint32_t place = 0;       ///< among the owner's nodes
+        std::uint32_t owner =
+            nobody;               ///< chain that passes through it; `nobody` if it keeps its traced position
+        std::uint32_t place = 0;  ///< index among the nodes of the owner
     };
 
     ArcGraph graph;
-    std::vector<Sides> sides;                        ///< of an arc
-    std::vector<int> ranks;                          ///< of an arc
-    std::vector<std::array<std::uint32_t, 2>> ends;  ///< nodes of an arc
-    std::vector<Node> nodes;                         ///< sorted by place
+    std::vector<Sides> sides;                        ///< per arc
+    std::vector<int> ranks;                          ///< per arc
+    std::vector<std::array<std::uint32_t, 2>> ends;  ///< end nodes per arc
+    std::vector<Node> nodes;                         ///< sorted by position
     std::vector<Chain> chains;                       ///< sorted by rank
-    std::vector<std::uint32_t> chain_of;             ///< an arc
-    std::vector<std::uint32_t> place_of;             ///< an arc among those of its chain
-    std::vector<std::uint32_t> part_of;  ///< a chain: number of the connected part that it belongs to
+    std::vector<std::uint32_t> chain_of;             ///< per arc
+    std::vector<std::uint32_t> place_of;             ///< per arc: its index within its chain
+    std::vector<std::uint32_t> part_of;              ///< per chain: its connected component
     std::uint32_t parts = 0;
 
-    /// Arc ends at each node, as 2 * arc, and + 1 where it ends there; those of node n stand from
-    /// first_end[n] on.
+    /// Arc ends at each node: 2 * arc if the arc begins there, 2 * arc + 1 if it ends there. Those of node n
+    /// start at first_end[n].
     std::vector<std::uint32_t> arc_ends;
     std::vector<std::uint32_t> first_end;
 
     [[nodiscard]] std::span<const std::uint32_t> ends_at(std::uint32_t node) const {
         return std::span(arc_ends).subspan(first_end[node], first_end[node + 1] - first_end[node]);
     }
-    /// The contour beside an arc that leaves a node, on its counter-clockwise side: its left.
+    /// Contour on the left (counter-clockwise) side of an arc that leaves a node.
     [[nodiscard]] std::int32_t side_after(std::uint32_t end) const {
         return end % 2 == 0 ? sides[end / 2].left : sides[end / 2].right;
     }
@@ -73,7 +74,7 @@ struct WallGraph {
     }
 };
 
-/// O(n log n) in corners. @throws Cancelled
+/// O(n log n) in the number of corners. @throws Cancelled
 [[nodiscard]] WallGraph build_wall_graph(const WallCluster& cluster, const StopRequest& stop);
 
 }  // namespace d2b

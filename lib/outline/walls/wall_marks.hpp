@@ -7,7 +7,7 @@
 
 namespace d2b {
 
-/// Marks on walls that are wiped off all at once, in no time.
+/// Set of visited walls that is cleared in O(1), by counting epochs.
 class WallMarks {
   public:
     explicit WallMarks(std::size_t chains) : marks_(chains) {}
@@ -17,7 +17,7 @@ class WallMarks {
         const auto& of_chain = marks_[wall.chain];
         return wall.piece < of_chain.size() && of_chain[wall.piece] == now_;
     }
-    /// @return whether it bore none
+    /// @return false if it was marked already
     bool mark(WallDrawing::Wall wall) {
         if (marked(wall))
             return false;

@@ -5,12 +5,12 @@
 
 namespace d2b {
 
-/// How walls are fitted.
+/// Parameters of wall fitting.
 struct WallOptions {
     Walls walls = Walls::automatic;
     double tolerance = 0;  ///< cells
     CellShape shape;
-    double inset = 0;  ///< cells: walls move inward by it
+    double inset = 0;  ///< cells by which walls are moved inward
 };
 
 }  // namespace d2b

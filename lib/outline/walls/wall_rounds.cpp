@@ -7,10 +7,10 @@
 namespace d2b {
 namespace {
 
-constexpr int patient_rounds = 60;  // in which stretches follow their traces closer step by step
-constexpr double nearby = 1.5;      // cells from what is in the way
+constexpr int patient_rounds = 60;  // rounds before conflicting components fall back to their trace
+constexpr double nearby = 1.5;      // cells from a conflict
 
-/// @return whether a range of the steps of an edge is within reach of another edge, and which
+/// Narrows a range of steps of an edge to those near another edge. @return false if there are none
 bool steps_near(const CellShape& shape, const FineSegment& edge, const FineSegment& other, std::size_t& first,
                 std::size_t& last) {
     const auto place = [&](FinePoint p) {
@@ -64,7 +64,7 @@ void WallRounds::settle() {
     }
 }
 
-/// Takes over what is drawn. @param changed arcs that may have changed; those that have not are left out
+/// Copies the drawing. @param changed arcs that may have changed; unchanged ones are removed
 void WallRounds::collect(std::vector<std::uint32_t>& changed) {
     std::erase_if(changed, [&](std::uint32_t arc) {
         stop_.check();
@@ -79,8 +79,9 @@ void WallRounds::collect(std::vector<std::uint32_t>& changed) {
     });
 }
 
-/// A node that has gone so far that an arc on which it stands leaves its trace goes back; else the arc does.
-/// What follows its trace closer may bring nothing to an arc, which then is not among those that change.
+/// If an arc is too far from its trace, moves its nodes back if they are displaced; otherwise the arc follows
+/// its trace more closely. This may not change the drawing of an arc at all, so arcs that were too far are
+/// kept in far_.
 void WallRounds::check_deviations(const std::vector<std::uint32_t>& changed) {
     std::vector<std::uint32_t> far;
     std::ranges::set_union(changed, far_, std::back_inserter(far));
@@ -103,7 +104,7 @@ bool WallRounds::follow_closer(const Place& place) {
     return drawing_.follow_closer(place.chain, place.first, place.last, margin());
 }
 
-/// Lets what an arc ends on follow its trace closer there.
+/// Makes the chains at both ends of an arc follow their trace more closely there.
 bool WallRounds::follow_nodes(std::uint32_t arc) {
     bool any = false;
     for (const std::uint32_t node : graph_.ends[arc])
@@ -111,7 +112,7 @@ bool WallRounds::follow_nodes(std::uint32_t arc) {
     return any;
 }
 
-/// The steps of an edge that are near another one; all of it where none is.
+/// Steps of an edge near another edge; all of them if none is near.
 WallRounds::Place WallRounds::near(Edge e, Edge other) const {
     const auto segment = [&](Edge edge) {
         return FineSegment{arcs_[edge.arc][edge.index], arcs_[edge.arc][edge.index + 1]};
@@ -127,7 +128,7 @@ WallRounds::Place WallRounds::near(Edge e, Edge other) const {
     return {graph_.chain_of[e.arc], first, std::max(last, first + 1)};
 }
 
-/// Walls know nothing of what stands on them: what is in each other's way among low levels alone comes first.
+/// Resolves conflicts among low levels first, because higher levels are drawn on top of them.
 void WallRounds::resolve(const WallConflicts& conflicts) {
     const auto is_low = [&](const auto& pair) {
         return std::max(rank(pair.first), rank(pair.second)) <= WallGraph::highest_low_rank;
@@ -138,8 +139,8 @@ void WallRounds::resolve(const WallConflicts& conflicts) {
             resolve(pair.first, pair.second);
 }
 
-/// Of two edges in each other's way that of the chain which was drawn later gives way; of two of one rank the
-/// less close one, or both. Where neither can, nodes have brought them there.
+/// Resolves a conflict in favour of the chain drawn first. Of two edges of one rank, the one in the less
+/// close mode yields, or both. If neither can, the conflict is due to displaced nodes.
 void WallRounds::resolve(Edge a, Edge b) {
     Place near_a = near(a, b);
     Place near_b = near(b, a);

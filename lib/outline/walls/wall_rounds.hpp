@@ -8,8 +8,8 @@
 
 namespace d2b {
 
-/// Draws the walls of a cluster, checks them, and lets what is in the way follow its trace closer there,
-/// until nothing is.
+/// Draws the walls of a cluster and checks them. Conflicting parts follow their trace more closely until no
+/// conflict remains.
 class WallRounds {
   public:
     /// @param cluster, stop must outlive this
@@ -18,15 +18,17 @@ class WallRounds {
     WallRounds& operator=(const WallRounds&) = delete;
     ~WallRounds() = default;
 
-    /// Ends: each round brings some steps closer to their trace or uses up one of the few shifts, and what
-    /// follows the trace all over is in nobody's way. @throws Cancelled
+    /// Runs rounds until the drawing is valid. Terminates because each round moves a stretch closer to its
+    /// trace or uses one of finitely many shifts, and a chain that follows its trace entirely cannot
+    /// conflict.
+    /// @throws Cancelled
     void settle();
-    /// What is drawn; this must outlive it.
+    /// Resulting outlines; this must outlive them.
     [[nodiscard]] DrawnOutlines outlines() const { return {graph_, drawing_, areas_, options_}; }
 
   private:
     using Edge = SegmentGrid::Edge;
-    /// A stretch of a chain, in steps.
+    /// A range of steps of a chain.
     struct Place {
         std::uint32_t chain;
         std::size_t first;
@@ -49,10 +51,10 @@ class WallRounds {
     WallGraph graph_;
     WallDrawing drawing_;
     SegmentGrid::Arcs arcs_;
-    std::vector<std::vector<std::uint32_t>> steps_;  // of an arc's vertices in its chain
-    std::vector<double> deviations_;                 // of an arc
+    std::vector<std::vector<std::uint32_t>> steps_;  // steps in the chain, per vertex of an arc
+    std::vector<double> deviations_;                 // per arc
     std::vector<std::uint32_t> far_;                 // arcs that were too far from their traces, ascending
-    std::vector<bool> in_conflict_;                  // parts, this round
+    std::vector<bool> in_conflict_;                  // components, in this round
     DrawnChain drawn_;
     RingAreas areas_;
     WallCheck check_;

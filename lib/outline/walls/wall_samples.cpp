@@ -76,7 +76,7 @@ void WallSamples::add_up() {
     }
 }
 
-/// Half of the angle of (xx - yy, 2 xy).
+/// Half the angle of (xx - yy, 2 xy), without trigonometric functions.
 Vec WallSamples::Sums::direction() const {
     const double c = xx - yy;
     const double s = 2 * xy;

@@ -11,8 +11,8 @@
 
 namespace d2b {
 
-/// A point or a direction in cells of one area that keep the angles of the ground: x and y from columns and
-/// rows.
+/// A 2-D vector, point or direction, in cell units that preserve the angles of the ground. x is from columns,
+/// y from rows.
 struct Vec {
     double x = 0;
     double y = 0;
@@ -31,28 +31,27 @@ struct Vec {
 [[nodiscard]] inline double length(Vec a) {
     return std::sqrt(dot(a, a));
 }
-/// Where on a segment its point nearest to another point is: 0 at a, 1 at b.
+/// Parameter of the point of segment ab nearest to p: 0 at a, 1 at b.
 [[nodiscard]] inline double nearest_share(Vec p, Vec a, Vec b) {
     const Vec along = b - a;
     const double square = dot(along, along);
     return square > 0 ? std::clamp(dot(p - a, along) / square, 0.0, 1.0) : 0.0;
 }
-/// From a point to a segment, squared.
+/// Squared distance from a point to a segment.
 [[nodiscard]] inline double square_distance(Vec p, Vec a, Vec b) {
     const Vec off = p - a - nearest_share(p, a, b) * (b - a);
     return dot(off, off);
 }
 
-/// What a cell looks like on the ground: a column's and a row's step, scaled so that the cell has an area
-/// of 1. Right angles are right in these coordinates, whether cells are square or not, and distances are in
-/// cells.
+/// Shape of a cell on the ground: the steps of a column and of a row, scaled so that the cell has an area of
+/// 1. Angles are true in these coordinates even if cells are not square, and distances are in cells.
 struct CellShape {
     Vec col{1, 0};
     Vec row{0, 1};
 
     [[nodiscard]] Vec from_cells(double rows, double cols) const { return cols * col + rows * row; }
     [[nodiscard]] double longer_side() const { return std::max(length(col), length(row)); }
-    /// The nearest fine point to a place that is seen from `origin`.
+    /// Returns the fine point nearest to a point relative to `origin`.
     [[nodiscard]] FinePoint to_fine(Vec place, LatticePoint origin) const;
     [[nodiscard]] Vec from_fine(FinePoint point, LatticePoint origin) const;
 };
@@ -66,20 +65,19 @@ struct Line {
     [[nodiscard]] Vec foot(Vec p) const { return through + dot(p - through, along) * along; }
 };
 
-/// A traced chain taken apart into its unit steps, seen from its first point. Lines are fitted to the middles
-/// of the steps, which lie evenly on both sides of the wall that the staircase stands for. Any stretch of
-/// steps is fitted in O(1), from running sums.
+/// Unit steps of a traced chain, relative to its first point, with prefix sums of their moments. Lines are
+/// fitted to the midpoints of steps, because these lie evenly on both sides of the wall that the staircase
+/// stands for. Fitting a line to any range of steps is O(1).
 class WallSamples {
   public:
-    /// @param trace corners of a chain and its ends; a closed one does not repeat its first point
+    /// @param trace corners and ends of a chain; a closed one does not repeat its first point
     WallSamples(const std::vector<LatticePoint>& trace, bool closed, const CellShape& shape);
 
     [[nodiscard]] bool closed() const { return closed_; }
     [[nodiscard]] std::size_t steps() const { return steps_; }
-    /// The lattice point at which a step begins; in a closed chain steps go round.
+    /// Lattice point at the beginning of a step. Steps of closed chains wrap around.
     [[nodiscard]] Vec at(std::size_t step) const { return points_[wrap(step)]; }
-    /// Calls visit(step, place) for the corners and ends from one step to another, both included, until that
-    /// returns false.
+    /// Calls visit(step, point) for the corners and ends in [first, last], until it returns false.
     template <typename Visit>
     void for_corners(std::size_t first, std::size_t last, const Visit& visit) const {
         std::size_t lap = first - wrap(first);
@@ -96,14 +94,14 @@ class WallSamples {
         }
     }
 
-    /// The middles of two cells.
+    /// Centers of two adjacent cells.
     struct Cells {
         Vec left;
         Vec right;
     };
-    /// Those between which a step runs, as a ring has on its left what it bounds.
+    /// Cells on both sides of a step. A ring has its interior on the left.
     [[nodiscard]] Cells beside(std::size_t step) const;
-    /// A direction turned to the left of a way. On the ground that is the right where rows run north.
+    /// Direction rotated by 90 degrees to the left. If rows run north, this is the right on the ground.
     [[nodiscard]] Vec left_of(Vec along) const {
         return mirrored() ? Vec{along.y, -along.x} : Vec{-along.y, along.x};
     }
@@ -122,12 +120,12 @@ class WallSamples {
         [[nodiscard]] double least_squares() const {
             return std::max(0.0, (xx + yy - std::sqrt((xx - yy) * (xx - yy) + 4 * xy * xy)) / 2);
         }
-        /// The direction with the least sum of squares.
+        /// Direction with the smallest sum of squares.
         [[nodiscard]] Vec direction() const;
     };
-    /// Of the middles of steps first .. last - 1; last <= first + steps() and < 2 * steps().
+    /// Sums over the midpoints of steps first .. last - 1; last <= first + steps() and < 2 * steps().
     [[nodiscard]] Sums sums(std::size_t first, std::size_t last) const;
-    /// Whether the trace between two steps is nowhere farther from a line than `limit`.
+    /// Returns true if the trace between two steps stays within `limit` of a line.
     [[nodiscard]] bool near(std::size_t first, std::size_t last, const Line& line, double limit) const;
 
   private:
@@ -146,8 +144,8 @@ class WallSamples {
     std::size_t steps_ = 0;
     std::vector<Vec> points_;
     std::vector<std::uint32_t> corner_steps_;
-    std::vector<std::uint32_t> corner_at_;  // the first one at a step or after it
-    std::vector<Moments> running_;          // of the steps before each
+    std::vector<std::uint32_t> corner_at_;  // index of the first corner at or after each step
+    std::vector<Moments> running_;          // prefix sums over the steps before each one
 };
 
 }  // namespace d2b

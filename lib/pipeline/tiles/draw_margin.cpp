@@ -18,7 +18,8 @@ class NoContours final : public ContourList {
 }  // namespace
 
 LatticePoint draw_reach(const RunSetup& setup, Context& context) {
-    // Contours run along cells' borders or through their middles: a cell more is on the safe side.
+    // One more cell, because contours run along cell borders or through cell centres depending on the trace
+    // mode.
     const LatticePoint cells = reach_of(NoContours(), setup, context).cells;
     return {cells.row + 1, cells.col + 1};
 }

@@ -5,9 +5,10 @@
 
 namespace d2b {
 
-/// Rows and columns around a building's cells in which it is drawn, or another building has a say in how.
+/// Returns the rows and columns around a building's cells within which its outline lies or another building
+/// affects it.
 [[nodiscard]] LatticePoint draw_reach(const RunSetup& setup, Context& context);
-/// With what must be known around these to say what is an elevation.
+/// Returns draw_reach() plus the border that is needed to filter elevations.
 [[nodiscard]] LatticePoint draw_margin(const RunSetup& setup, Context& context);
 
 }  // namespace d2b

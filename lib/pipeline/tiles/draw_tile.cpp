@@ -20,7 +20,8 @@
 namespace d2b {
 namespace {
 
-/// Contours whose outlines depend on nothing but each other, and the others.
+/// Contours of a tile, divided into those that can be drawn now and those left to the merge step, because
+/// their outlines depend on other tiles.
 struct Divided {
     std::unique_ptr<StoredContours> whole;
     std::unique_ptr<StoredContours> left;
@@ -30,7 +31,7 @@ class TileDrawing {
   public:
     TileDrawing(TileRun& run, const JoinedTile& joined);
 
-    /// What becomes of the tile. @param blocks get what is drawn
+    /// Draws the tile. @param blocks receives the drawn contours
     [[nodiscard]] DrawnTile draw(DrawnBlocks& blocks);
 
   private:
@@ -77,7 +78,7 @@ FoundBuildings TileDrawing::found() const {
     return found;
 }
 
-/// What is dropped of them is counted once for all tiles.
+/// Uses a scratch context because dropped levels are counted once for all tiles.
 LevelPlan TileDrawing::global_levels() const {
     Context uncounted;
     return plan_global_levels(frame_.survey.statistics, run_.setup().plan.asked.levels,
@@ -112,7 +113,7 @@ Divided TileDrawing::divide(const StoredContours& contours) {
 
 void TileDrawing::draw_whole(const StoredContours& contours, const FoundBuildings& found, DrawnTile& drawn,
                              DrawnBlocks& blocks) {
-    constexpr std::size_t piece = 64;  // contours that a thread draws at a time
+    constexpr std::size_t piece = 64;  // contours per task
     const RunSetup& setup = run_.setup();
     const RecordMaker records(contours, {tiers_.plan, fixed_, found.footprints, run_.metres(),
                                          lattice_frame(run_.window(), setup.plan.trace)});
@@ -173,7 +174,7 @@ void TileDrawing::read_cells(DrawnTile& drawn) {
 
 DrawnTile TileDrawing::draw(DrawnBlocks& blocks) {
     const RunSetup& setup = run_.setup();
-    // What is no elevation is all that has to be known.
+    // The survey is run only for its side effect of filtering invalid elevations.
     (void)reader_.survey(
         run_.sift_rules(), [&](const ElevationBand&) { context_.check_stop(); }, Window{});
     const FoundBuildings buildings = found();

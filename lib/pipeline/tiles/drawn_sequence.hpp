@@ -15,18 +15,19 @@
 
 namespace d2b {
 
-/// Hands out what tiles have drawn in the order of keys.
+/// Merges the streams of drawn contours of all tiles into one sequence ordered by key.
 class DrawnSequence {
   public:
-    /// @param streams by tile; they must outlive this, as the others must
-    /// @param parts null where features go into one dataset
-    /// @param spool for numbers that wait
+    /// @param streams by tile; all references must outlive this
+    /// @param parts null if features go into one dataset
+    /// @param spool for numbers that are not in memory
     DrawnSequence(std::vector<DrawnStream>& streams, FeatureWriter& writer, PartNumbers* parts,
                   std::unique_ptr<Spool> spool);
 
-    /// Writes what comes before a key; without one all that is left. @throws InputError, OutputError
+    /// Writes all contours before a key, or all remaining ones if there is no key. @throws InputError,
+    /// OutputError
     void write_before(const std::optional<ContourKey>& end);
-    /// Of what each tile has drawn.
+    /// Returns the ids assigned so far, by tile.
     [[nodiscard]] TileNumbers& numbers() { return numbers_; }
 
   private:

@@ -25,7 +25,7 @@ DrawnTiles::DrawnTiles(const TileRun& run, Context& context) : elevations(contex
     for (const LeftContour& contour : left_)
         shelf.add(contour.head, contour.stored);
     left = shelf.finish();
-    left_ = std::vector<LeftContour>();  // {} would keep the room
+    left_ = std::vector<LeftContour>();  // = {} would keep the capacity
 }
 
 void DrawnTiles::take(DrawnTile&& tile) {
@@ -46,7 +46,7 @@ void DrawnTiles::take(DrawnTile&& tile) {
     }
 }
 
-/// Buildings first, then what may be some.
+/// Numbers buildings first, low-confidence candidates after them.
 void DrawnTiles::number_left(double metres) {
     std::vector<Label> number(left_buildings_.size() + 1);
     plan.footprints = true;

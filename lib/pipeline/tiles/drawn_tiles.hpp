@@ -14,7 +14,7 @@
 
 namespace d2b {
 
-/// What all tiles have drawn and left.
+/// Contours drawn by all tiles, and those that they left to the merge step.
 class DrawnTiles {
   public:
     DrawnTiles(const TileRun& run, Context& context);
@@ -25,22 +25,22 @@ class DrawnTiles {
     StackError error;
     std::vector<DrawnStream> streams;
     std::unique_ptr<StoredContours> left;
-    std::vector<Footprint> footprints{{}};  ///< of what is left, by label
-    LevelPlan plan;                         ///< likewise
-    Label sure = 0;                         ///< of these labels
-    std::vector<std::int64_t> tiles{-1};    ///< that have left them, likewise
+    std::vector<Footprint> footprints{{}};  ///< footprints of deferred buildings, by label
+    LevelPlan plan;                         ///< thresholds of deferred buildings, by label
+    Label sure = 0;  ///< number of deferred labels that are buildings; higher ones are low-confidence
+    std::vector<std::int64_t> tiles{-1};  ///< tile that deferred each label
     LeftElevations elevations;
 
   private:
     void take(DrawnTile&& tile);
     void number_left(double metres);
 
-    // Tiles are read by turns: what the system would read ahead is gone when it is asked for.
-    RecentFiles files_{RecentFiles::ReadAhead::none};  ///< of the streams
+    // No read-ahead, because tiles are read in turns and the cached pages would be evicted before use.
+    RecentFiles files_{RecentFiles::ReadAhead::none};  ///< file handles of the streams
 
-    std::vector<LeftBuilding> left_buildings_;  ///< of one tile after the other
-    std::vector<std::int64_t> left_by_;         ///< the tile of each
-    std::vector<LeftContour> left_;             ///< likewise, with labels and parents among all
+    std::vector<LeftBuilding> left_buildings_;  ///< concatenated over tiles
+    std::vector<std::int64_t> left_by_;         ///< tile of each left_buildings_ entry
+    std::vector<LeftContour> left_;  ///< concatenated over tiles, with labels and parents renumbered
 };
 
 }  // namespace d2b

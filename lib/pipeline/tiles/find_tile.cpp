@@ -8,8 +8,8 @@
 namespace d2b {
 namespace {
 
-/// Reads what a tile's units see, and finds out what of it is no elevation, for which a cell more is looked
-/// at.
+/// Reads the extent of a tile's units and filters invalid elevations. Reads one cell more on each side,
+/// because spikes are judged by their eight neighbours.
 ElevationSurvey survey(ElevationReader& reader, const TileRun& run, const Window& own, Context& context) {
     const Window& window = run.window();
     return reader.survey(
@@ -52,11 +52,11 @@ void find_units(TileRun& run, std::int64_t tile, PartSource& part, ElevationRead
         facts.terrain_outside = run.sources().terrain->cells_outside_range();
 }
 
-/// Elevations of the tile's own cells are all that is asked for.
+/// Collects elevation statistics of the tile's own cells; there is no detection in this mode.
 void find_sums(TileRun& run, std::int64_t tile, FoundTile& found) {
     const Window own = run.tiles().whole(tile).own;
     PartSource part(run.sources().dem, own);
-    ElevationReader reader(part, run.context(), {.keep_bytes = 0});  // which is read once
+    ElevationReader reader(part, run.context(), {.keep_bytes = 0});  // read only once
     found.facts.survey = survey(reader, run, own, run.context());
     found.units.resize(run.tiles().units_of(tile).size());
 }

@@ -18,11 +18,12 @@ class Join {
           seams_(static_cast<std::size_t>(run.tiles().units().count()), run.tiles().units().cols()),
           facts_(run.no_facts()) {}
 
-    /// Reads all tiles. What units saw of the seams between them is compared as soon as it is known.
+    /// Reads all tiles. Compares units across seams as early as possible, because their edges can be freed
+    /// afterwards.
     void load();
     void join();
     void write_tiles();
-    /// Last: where it is there, so is the rest.
+    /// Called last, because the frame file marks the step as complete.
     void write_frame();
 
   private:

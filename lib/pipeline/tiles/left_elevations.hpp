@@ -12,23 +12,24 @@
 
 namespace d2b {
 
-/// Elevations of the cells around buildings that tiles have left over, from all tiles. They wait in a spool.
+/// Elevations of the cells around deferred buildings, collected from all tiles and kept in a spool.
 class LeftElevations {
   public:
     explicit LeftElevations(std::unique_ptr<Spool> spool) : spool_(std::move(spool)) {}
 
-    /// What several tiles know is the same. @throws OutputError the spool has no room
+    /// Adds cells; cells known from several tiles have equal elevations. @throws OutputError the spool is
+    /// full
     void add(const LeftCells& cells);
-    /// How far a stack is from them. @param window of the stack @throws OutputError
+    /// Measures the error of a stack against them. @param window of the stack @throws OutputError
     [[nodiscard]] StackError error(const DrawnStack& stack, const Window& window,
                                    const FixedPoint& fixed) const;
 
   private:
-    /// Cells come together in blocks of so many rows and columns of the whole raster.
+    /// Block size in rows and columns of the whole raster.
     static constexpr std::int32_t block_rows = 64;
     static constexpr std::int32_t block_cols = 1024;
     std::unique_ptr<Spool> spool_;
-    std::map<LatticePoint, std::vector<SpoolEntry>> blocks_;  ///< by their first cells
+    std::map<LatticePoint, std::vector<SpoolEntry>> blocks_;  ///< by first cell
 };
 
 }  // namespace d2b

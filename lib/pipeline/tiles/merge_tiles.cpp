@@ -15,11 +15,12 @@
 namespace d2b {
 namespace {
 
-/// @param parts the sink, where tiles write features into files of their own, else null
-/// @return the numbers of what each tile has drawn
+/// Writes all features, those of tiles and the deferred ones, in the order of keys.
+/// @param parts the sink if tiles write features into files of their own, otherwise null
+/// @return the ids of the contours that each tile has drawn
 TileNumbers write_all(const FeatureInput& input, const RecordMaker& records, DrawnTiles& drawn,
                       FeatureSink& sink, PartNumbers* parts, Context& context) {
-    constexpr std::size_t piece = 64;  // contours that a thread draws at a time
+    constexpr std::size_t piece = 64;  // contours per task
     FeatureWriter writer(input, records, sink, context);
     writer.begin();
     DrawnSequence sequence(drawn.streams, writer, parts, context.make_spool());
@@ -50,8 +51,8 @@ TileNumbers write_all(const FeatureInput& input, const RecordMaker& records, Dra
     return std::move(sequence.numbers());
 }
 
-/// Each tile knows some of a terrain model. Where any of it can be no elevation, the whole is read once more,
-/// which judges it as a run does.
+/// Checks the given terrain model. Each tile has seen only a part of it, so if any cell was outside the valid
+/// range, reads all of it again to issue the same warnings as an untiled run.
 void judge_terrain(TileRun& run, const FoundFacts& facts, FeatureSink& features) {
     constexpr std::int32_t rows_at_once = 64;
     if (facts.terrain_outside == 0)
@@ -121,7 +122,7 @@ RunReport merge(TileRun& run, FeatureSink& features, PartNumbers* parts,
         else
             merge_traced(run, features, commit);
     } catch (...) {
-        warn();  // which may say why
+        warn();  // may explain the error
         throw;
     }
     warn();

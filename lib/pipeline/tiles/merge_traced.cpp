@@ -17,17 +17,17 @@
 namespace d2b {
 namespace {
 
-/// The tiles of a row, whose lines are read side by side, some at a time and from any thread.
+/// Lines of one row of tiles. They are read in parallel, a piece at a time. Thread-safe.
 class TileRow {
   public:
     /// @param first tile of the row @throws InputError
     TileRow(const TileRun& run, std::int64_t first, const TraceFrame& frame, RunReport& report);
 
-    /// Of how many pieces its lines are.
+    /// Number of pieces into which the lines are divided.
     [[nodiscard]] std::size_t pieces() const { return pieces_; }
-    /// @throws InputError
+    /// Reads the lines of a piece. @throws InputError
     [[nodiscard]] std::vector<TraceLine> lines(std::size_t piece) const;
-    /// For what none of its files shows by itself.
+    /// Returns the error message for files that are consistent alone but not with each other.
     [[nodiscard]] std::string damaged(const std::string& what) const {
         return tiles_.front().file.damaged(what + ", or one beside it does not fit it");
     }
@@ -36,9 +36,9 @@ class TileRow {
     struct Tile {
         SealedFile file;
         TracedTile head;
-        std::vector<std::uint64_t> begins;  ///< of its blocks
+        std::vector<std::uint64_t> begins;  ///< offsets of its blocks
     };
-    /// Adds what the block of a tile knows to its lines.
+    /// Adds the contribution of one block of a tile to its lines.
     static void load(const Tile& tile, std::size_t block, std::span<LineJoiner> lines);
     [[nodiscard]] std::size_t lines_before(std::size_t block) const {
         return std::min<std::size_t>(block * TracedTile::lines_a_block, tiles_.front().head.lines);
@@ -51,7 +51,8 @@ class TileRow {
     std::size_t blocks_a_piece_;
 };
 
-/// Pieces are joined line by line, so they are as high as bands of a run, where the window is not too wide.
+/// Chooses pieces as high as the bands of an untiled run unless the window is too wide, because pieces are
+/// joined line by line.
 std::size_t blocks_a_piece(const TraceFrame& frame) {
     constexpr std::int64_t most_points = 1 << 21;
     constexpr std::int64_t most_lines = 64;
@@ -103,9 +104,9 @@ std::vector<TraceLine> TileRow::lines(std::size_t piece) const {
     return lines;
 }
 
-/// Traces what all tiles have taken apart. What the tracer takes is given back at the end.
+/// Traces the runs of all tiles. The tracer's memory is released at the end.
 void trace_into(ContourStore& store, TileRun& run, const TraceFrame& frame) {
-    constexpr std::size_t ahead = 2;  // lines are as long as the window is wide
+    constexpr std::size_t ahead = 2;  // few, because lines span the whole window
     Context& context = run.context();
     const TraceMode mode = run.setup().plan.trace;
     Tracer tracer(frame, mode, store);
@@ -142,7 +143,7 @@ std::unique_ptr<StoredContours> trace_tiles(TileRun& run, const TraceFrame& fram
     return store.finish();
 }
 
-/// How far a stack is from the elevations, which are read again.
+/// Measures the error of a stack by reading the elevations again.
 StackError measure_again(TileRun& run, const DrawnStack& stack, const FixedPoint& fixed) {
     ElevationReader reader(run.sources().dem, run.context(), {.keep_bytes = 0});
     reader.apply(run.sift_rules());

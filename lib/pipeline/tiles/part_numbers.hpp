@@ -15,8 +15,8 @@
 
 namespace d2b {
 
-/// Takes the place of the destination where tiles write features into files of their own: notes which tiles
-/// have features in which layer, and what each tile must know to write them.
+/// Stands in for the destination if tiles write their features into files of their own. Records which layers
+/// each tile contributes to and the ids that it needs to write them.
 class PartNumbers final : public FeatureSink, public PendingResult {
   public:
     explicit PartNumbers(std::unique_ptr<Spool> spool) : spool_(std::move(spool)) {}
@@ -25,15 +25,17 @@ class PartNumbers final : public FeatureSink, public PendingResult {
     void add(std::size_t layer, const Feature& feature) override;
     void finish() override {}
 
-    /// The tile that the next features are of.
+    /// Sets the tile of the following features.
     void set_tile(std::int64_t tile) { tile_ = tile; }
-    /// A contour of that tile that merge has drawn and numbered. @throws OutputError the spool has no room
+    /// Keeps a deferred contour that the merge step has drawn and numbered. @throws OutputError the spool is
+    /// full
     void keep_contour(const DrawnContour& drawn);
-    /// Writes what each tile must know. @param numbers of what each tile has drawn @throws OutputError
+    /// Writes the files of ids, one per tile. @param numbers ids of the contours that each tile has drawn
+    /// @throws OutputError
     void write(const TileRun& run, const TileNumbers& numbers, int levels);
 
     [[nodiscard]] Kind kind() const override { return Kind::dataset; }
-    /// Writes what all tiles must know, by which they see that the numbers are there.
+    /// Writes the file shared by all tiles, whose presence tells them that numbering is complete.
     void show() override;
     [[nodiscard]] std::string take_back() override;
 
@@ -41,7 +43,7 @@ class PartNumbers final : public FeatureSink, public PendingResult {
     std::unique_ptr<Spool> spool_;
     std::map<std::int64_t, std::vector<SpoolEntry>> kept_;  ///< by tile, in the order of keys
     NumberedWhole whole_;
-    std::filesystem::path frame_;  ///< the file for all tiles
+    std::filesystem::path frame_;  ///< path of the shared file
     Seal seal_;
     std::int64_t tile_ = 0;
 };

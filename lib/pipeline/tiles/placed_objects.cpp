@@ -24,7 +24,7 @@ void PlacedObjects::place(std::vector<SeamObject> seen, UnitMerger::Merged merge
         if (place.cells > owner.cells)
             owner = place;
     }
-    merged.objects = std::vector<SeenObject>();  // {} would keep the room
+    merged.objects = std::vector<SeenObject>();  // = {} would keep the capacity
     seen = std::vector<SeamObject>();
     const auto tile = [&](const PlacedObject& object) { return tiles_.tile_of(owners[object.joined].unit); };
     std::ranges::stable_sort(crossing_, {}, tile);

@@ -5,7 +5,7 @@
 namespace d2b {
 namespace {
 
-/// Labels that are none of the objects at the seams are 0 in the lines beside them.
+/// Translates edge labels to indices of seam objects; labels of other objects become 0.
 UnitEdges seam_labels(UnitEdges edges, const std::vector<UnitObjects::Mark>& marks) {
     for (UnitEdges::Lines* lines : {&edges.above, &edges.left, &edges.below, &edges.right})
         for (std::vector<Label>& line : *lines)

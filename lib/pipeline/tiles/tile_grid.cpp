@@ -6,8 +6,7 @@
 namespace d2b {
 namespace {
 
-/// The first of so many units that ends beyond a row or column. Ends ascend, so they need not be gone
-/// through.
+/// Returns the first unit that ends beyond a row or column. Binary search, because ends ascend.
 template <typename EndOf>
 std::int32_t first_beyond(std::int32_t place, std::int32_t count, const EndOf& end_of) {
     std::int32_t first = 0;

@@ -7,31 +7,31 @@
 
 namespace d2b {
 
-/// A unit and its place among all.
+/// Unit with its row-major index.
 struct PlacedUnit {
-    std::int64_t number = 0;  ///< row by row
+    std::int64_t number = 0;  ///< row-major
     Unit unit;
 };
 
-/// Units in blocks, by which work is divided: nothing of a result depends on them. Tiles are numbered row by
-/// row.
+/// Groups units into tiles, the portions of work of one process. The result does not depend on the tiles.
+/// Tiles are numbered row by row.
 class TileGrid {
   public:
-    /// @param units stay the caller's and must outlive this @param side units of a tile in a row, and rows
+    /// @param units must outlive this @param side rows and columns of units in a tile
     TileGrid(const UnitGrid& units, std::int32_t side);
 
     [[nodiscard]] std::int64_t count() const { return std::int64_t{rows_} * cols_; }
     [[nodiscard]] std::int32_t rows() const { return rows_; }
     [[nodiscard]] std::int32_t cols() const { return cols_; }
     [[nodiscard]] const UnitGrid& units() const { return units_; }
-    /// The units of a tile, row by row.
+    /// Returns the units of a tile, row by row.
     [[nodiscard]] std::vector<PlacedUnit> units_of(std::int64_t tile) const;
-    /// The tile that has a unit.
+    /// Returns the tile that contains a unit.
     [[nodiscard]] std::int64_t tile_of(std::int64_t unit) const;
     [[nodiscard]] PlacedUnit unit(std::int64_t number) const;
-    /// Those with own cells in a window, row by row.
+    /// Returns the units with own cells in a window, row by row.
     [[nodiscard]] std::vector<PlacedUnit> units_in(const Window& window) const;
-    /// Of all units of a tile.
+    /// Returns the union of all units of a tile.
     [[nodiscard]] Unit whole(std::int64_t tile) const;
 
   private:
@@ -41,11 +41,11 @@ class TileGrid {
     std::int32_t cols_;
 };
 
-/// The smallest window around both; the other one where one is empty.
+/// Returns the bounding window of both; if one is empty, the other one.
 [[nodiscard]] Window around(const Window& a, const Window& b);
-/// Whether they have cells in common.
+/// True if the windows intersect.
 [[nodiscard]] bool meet(const Window& a, const Window& b);
-/// A window with so many rows and columns more on each side, as far as another has them.
+/// Expands a window by rows and columns on each side, clipped to `within`.
 [[nodiscard]] Window grown(const Window& window, std::int32_t rows, std::int32_t cols, const Window& within);
 
 }  // namespace d2b

@@ -13,7 +13,7 @@ constexpr std::int32_t rows_read_at_once = 256;
 
 TileLabels::TileLabels(const TileRun& run, const JoinedTile& joined)
     : window_(joined.window), buildings_(static_cast<Label>(joined.buildings.size())) {
-    std::map<std::int64_t, std::vector<const JoinedUnit*>> tiles;  // each is read once
+    std::map<std::int64_t, std::vector<const JoinedUnit*>> tiles;  // reads each tile once
     for (const JoinedUnit& unit : joined.units)
         tiles[run.tiles().tile_of(unit.unit)].push_back(&unit);
     for (const auto& [tile, units] : tiles) {
@@ -78,7 +78,7 @@ std::vector<bool> TileLabels::near_others(LatticePoint reach) const {
             continue;
         for (std::int32_t r = other.row - reach.row; r <= other.row + reach.row; ++r) {
             const auto runs = row(r);
-            // Runs of a row do not overlap: their ends ascend as well.
+            // Runs of a row do not overlap, so their ends ascend as well.
             auto run = std::ranges::lower_bound(runs, other.begin - reach.col, {}, &LabelRun::end);
             for (; run != runs.end() && run->begin <= other.end + reach.col; ++run)
                 if (run->label <= buildings_)

@@ -6,10 +6,10 @@
 namespace d2b {
 namespace {
 
-/// Rows and columns at the borders of a tile beside which squares of others may lie.
+/// Rows and columns at the border of a tile that may adjoin squares of its neighbours.
 constexpr std::int32_t border = 2;
 
-/// Those of the window that the cells or points seen are cut for.
+/// Returns the frame cut to the columns of the extent.
 TraceFrame frame_of(const TraceFrame& whole, const Window& seen) {
     TraceFrame frame = whole;
     frame.window.col = seen.col;
@@ -17,8 +17,8 @@ TraceFrame frame_of(const TraceFrame& whole, const Window& seen) {
     return frame;
 }
 
-/// Stretches of columns that are wanted, as far as anything lies outside there.
-/// @param wanted a byte a column, which is changed @param first column
+/// Returns the wanted runs of columns with a valid elevation outside of the contours of level 1.
+/// @param wanted one byte per column, modified @param first column
 std::vector<TileOutside> stretches(std::span<std::uint8_t> wanted, std::span<const double> outside,
                                    std::int32_t first) {
     for (std::size_t c = 0; c < wanted.size(); ++c)
@@ -44,12 +44,12 @@ TileLines::TileLines(const TraceFrame& frame, TraceMode mode, const Window& seen
       tracer_(frame_of(frame, seen), mode, *this, Outlines::none),
       next_row_(seen.row) {}
 
-/// Contours end where the tile does; what their points add up to is what counts.
+/// Keeps only the point sums, because the geometry of contours is cut at the tile's border.
 std::int64_t TileLines::take(FinishedContour&& finished) {
     const ContourKey& key = finished.contour.key;
     if (finished.contour.own.n > 0 || finished.sample.size() > 0) {
         const auto line = std::ranges::lower_bound(lines_, key.first.row, {}, &PackedLine::line);
-        // What begins in rows of the tile above goes on in the first line.
+        // Contours that begin in the rows of the tile above continue in the first line.
         line->add({line->line() != key.first.row, key.level, key.first.col - frame_.window.col,
                    finished.contour.own, std::move(finished.sample)});
     }
@@ -72,9 +72,9 @@ void TileLines::add(TraceLine&& line) {
                 {squares.begin + to_window, squares.end + to_window, squares.level + 1});
         lines_.emplace_back(line.line);
     } else {
-        line.shares.clear();  // which the tile above has
+        line.shares.clear();  // counted by the tile above
     }
-    // What comes before the first line, and behind the last, has no squares.
+    // The lines before the first and after the last row have no squares.
     footprints_.push_back(line.squares.levels.size() > 1 ? line.squares.levels[1] : Runs());
     constexpr std::size_t around = 4;
     if (footprints_.size() > around)
@@ -82,14 +82,14 @@ void TileLines::add(TraceLine&& line) {
     std::vector<TraceLine> one;
     one.push_back(std::move(line));
     tracer_.trace(std::move(one));
-    // Of points squares lie between two rows: those below a row come with the next one.
+    // In point mode, squares lie between two rows, so those below a row arrive with the next one.
     while (!waiting_.empty() && waiting_.front().row + border <= row) {
         keep(waiting_.front(), waiting_.front().row < own_.row + border);
         waiting_.pop_front();
     }
 }
 
-/// @param all whatever squares are known to be around
+/// @param all keeps all columns, not only those near squares
 void TileLines::keep(const Waiting& waiting, bool all) {
     lines_[waiting.line].set(waiting.squares, beside(waiting.outside, all));
 }
@@ -118,7 +118,7 @@ std::vector<PackedLine> TileLines::finish() {
     for (const Waiting& waiting : waiting_)
         keep(waiting, true);
     waiting_.clear();
-    TraceLine end;  // where the window goes on, what the tile has seen of contours ends all the same
+    TraceLine end;  // closes all contours, even if the window continues below the tile
     end.line = next_row_;
     end.squares.levels.resize(static_cast<std::size_t>(frame_.levels));
     std::vector<TraceLine> last;

@@ -8,23 +8,23 @@
 
 namespace d2b {
 
-/// The lines of a tile, as merge joins them to those beside it: squares as runs, what lies beside contours of
-/// level 1, and what the points of each contour add up to as far as the tile holds it.
+/// Compresses the lines of a tile for the merge step: runs of squares, elevations just outside of contours
+/// of level 1, and the sums over the points of each contour within the tile.
 class TileLines : private ContourSink {
   public:
-    /// @param seen what is known of the tile and around it @param own of its cells
+    /// @param seen the tile with its halo @param own the tile's own cells
     TileLines(const TraceFrame& frame, TraceMode mode, const Window& seen, const Window& own);
 
-    /// The next lines of what is seen, from the top.
+    /// Adds the next lines of the extent, from top to bottom.
     void add(std::vector<TraceLine>&& lines);
-    /// After the last.
+    /// Returns the packed lines. Call once, after the last add().
     [[nodiscard]] std::vector<PackedLine> finish();
 
   private:
-    /// A line that waits until the squares around what lies beside its contours are known.
+    /// Line held back until the squares around its outside elevations are known.
     struct Waiting {
         std::int32_t row = 0;
-        std::size_t line = 0;  ///< place
+        std::size_t line = 0;  ///< index
         std::vector<TileSquares> squares;
         std::vector<double> outside;
     };
@@ -39,12 +39,12 @@ class TileLines : private ContourSink {
     Window seen_;
     Window own_;
     Tracer tracer_;
-    std::int32_t next_row_;  ///< of cells or points
+    std::int32_t next_row_;  ///< next row of cells or points
     std::deque<Waiting> waiting_;
-    std::deque<Runs> footprints_;  ///< runs of level 1 in the newest rows of squares, the newest last
+    std::deque<Runs> footprints_;  ///< runs of level 1 in the latest rows of squares, latest last
     std::vector<PackedLine> lines_;
-    std::vector<std::uint8_t> wanted_;  ///< what is kept of what lies outside, a byte a column that is seen
-    std::int64_t taken_ = 0;            ///< contours
+    std::vector<std::uint8_t> wanted_;  ///< columns of the extent to keep, one byte per column
+    std::int64_t taken_ = 0;            ///< number of contours
 };
 
 }  // namespace d2b

@@ -11,27 +11,28 @@
 
 namespace d2b {
 
-/// The numbers of what each tile has drawn. Contours of all tiles come level by level, and row by row within
-/// a level, so that those of a tile come together, once a level: in between its numbers wait in a spool, and
-/// memory does not grow with contours.
+/// Ids of the contours that each tile has drawn. Contours of all tiles arrive level by level and row by row,
+/// so those of one tile are consecutive once per level. In between its ids are spooled, because memory
+/// must not grow with the number of contours.
 class TileNumbers {
   public:
     TileNumbers(std::unique_ptr<Spool> spool, std::size_t tiles);
 
-    /// Those of a tile that contours of a level need: of the level below and, so far, of this one; and of its
-    /// buildings. Valid until put_aside() of the tile. @throws OutputError the spool cannot be read
+    /// Returns the ids that a tile's contours of the current level need: contours of the level below, those
+    /// of this level so far, and buildings. Valid until put_aside() of the tile. @throws OutputError the
+    /// spool cannot be read
     [[nodiscard]] GivenNumbers& of(std::size_t tile);
-    /// No more contours of the tile come on this level. @throws OutputError the spool has no room
+    /// Spools a tile's ids after its last contour of a level. @throws OutputError the spool is full
     void put_aside(std::size_t tile);
-    /// All of a tile, once all are put aside. @throws OutputError
+    /// Returns all ids of a tile. Call after all have been spooled. @throws OutputError
     [[nodiscard]] GivenNumbers all(std::size_t tile) const;
 
   private:
     struct Waiting {
         SpoolEntry buildings;
-        std::vector<SpoolEntry> written;  ///< a level each
-        std::int64_t before = 0;          ///< contours below the last of these levels
-        std::int64_t contours = 0;        ///< of all of them
+        std::vector<SpoolEntry> written;  ///< one entry per level
+        std::int64_t before = 0;          ///< number of contours below the last of these levels
+        std::int64_t contours = 0;        ///< total number of contours
     };
     [[nodiscard]] SpoolEntry append(const std::vector<std::int64_t>& numbers, std::size_t from);
     void read(const SpoolEntry& entry, std::vector<std::int64_t>& numbers) const;

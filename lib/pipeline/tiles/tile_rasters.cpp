@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 struct Asked {
     const char* option;
-    const std::string& name;  ///< "" where it is not asked for
+    const std::string& name;  ///< "" if not asked for
 };
 
 std::array<Asked, 3> asked(const Options& options) {
@@ -38,12 +38,12 @@ std::string file_of(std::int64_t tile) {
     return std::to_string(tile) + ".tif";
 }
 
-/// "" for none.
+/// Returns "" if `vrt` is empty.
 std::string path_of(const std::string& vrt, std::int64_t tile) {
     return vrt.empty() ? "" : (folder_of(vrt) / file_of(tile)).string();
 }
 
-/// Makes the folder, in which what was killed may have left something.
+/// Creates the folder, which may still hold files of an interrupted process.
 void make_folder(const std::string& vrt) {
     if (vrt.empty())
         return;

@@ -86,7 +86,7 @@ void require_tiles(const Options& options) {
     refuse(options.outline.flow_ready > 0, "-flow_ready", flow);
     refuse(options.outline.min_gap.has_value(), "-min_gap", flow);
     refuse(options.outline.min_wall.has_value(), "-min_wall", flow);
-    // With -preset thesis merge has all contours.
+    // With -preset thesis the merge step has all contours.
     const bool found = detects_buildings(options);
     refuse(found && options.outline.simplify > 0, "-simplify",
            "borders are simplified that the whole shares");

@@ -17,21 +17,21 @@
 
 namespace d2b {
 
-/// What all steps of a run in tiles share, and no step changes.
+/// Parameters shared by all steps of a tiled run; constant over the run.
 struct TileWork {
     std::filesystem::path folder;
     std::uint64_t plan = 0;  ///< digest of the plan
-    std::int32_t side = 1;   ///< units of a tile in a row, and rows
+    std::int32_t side = 1;   ///< rows and columns of units in a tile
     UnitSize units = {};
-    /// What plan has found; nothing where each step finds it again.
+    /// Result of the plan step; nullopt if each step searches again.
     std::optional<UndeclaredValues> undeclared = {};
 };
 
-/// What a step begins with: the run is set up as one on the whole is.
+/// Environment of a step. It is set up the same way as an untiled run.
 class TileRun {
   public:
-    /// @param features asked what a run asks a destination before the work
-    /// @throws OptionError, InputError, OutputError as a run does
+    /// @param features is asked the same as in an untiled run before the work
+    /// @throws OptionError, InputError, OutputError as in an untiled run
     TileRun(const TileWork& work, const Options& options, const Sources& sources, FeatureSink& features,
             const Callbacks& callbacks);
     TileRun(const TileRun&) = delete;
@@ -45,7 +45,7 @@ class TileRun {
     [[nodiscard]] Context& context() { return context_; }
     [[nodiscard]] const Window& window() const { return setup_.dem.window; }
     [[nodiscard]] double metres() const { return context_.report.units.vertical_metres; }
-    /// Values of the window that stand for no data without being declared.
+    /// Values in the window that denote missing data without being declared as nodata.
     [[nodiscard]] const UndeclaredValues& undeclared() const { return *work_.undeclared; }
     [[nodiscard]] SiftRules sift_rules() const;
     [[nodiscard]] FoundFacts no_facts() const;
@@ -53,13 +53,12 @@ class TileRun {
     [[nodiscard]] Seal seal(TileStep step, std::int64_t tile) const {
         return {step, work_.plan, static_cast<std::uint32_t>(tile)};
     }
-    /// What a step writes.
+    /// Returns the folder that a step writes to.
     [[nodiscard]] std::filesystem::path folder(TileStep step) const { return work_.folder / step_name(step); }
     [[nodiscard]] std::filesystem::path file(TileStep step, std::int64_t tile) const;
-    /// Removes what processes have left that were killed while they worked on this step, all of whose files
-    /// are there.
+    /// Removes files left by killed processes. Call only if all files of the step exist.
     void tidy(TileStep step) const { remove_unfinished(folder(step)); }
-    /// What join or merge says of the whole.
+    /// Returns the file in which join or merge stores its results for the whole window.
     [[nodiscard]] std::filesystem::path frame_file(TileStep step = TileStep::join) const {
         return folder(step) / "frame";
     }
@@ -67,7 +66,7 @@ class TileRun {
     /// @throws InputError
     [[nodiscard]] FoundTile load_found(std::int64_t tile) const;
     [[nodiscard]] FoundFacts load_frame() const;
-    /// What reading all sources has shown since the last call.
+    /// Returns the warnings of all sources since the last call.
     [[nodiscard]] std::vector<std::string> take_warnings() const;
 
   private:
@@ -79,7 +78,7 @@ class TileRun {
     TileGrid tiles_;
 };
 
-/// Lets a step be set up that has no destination: what plan asked of the destination is known.
+/// Placeholder sink for steps without a destination, because the plan step has already asked the real one.
 class PlannedSink final : public FeatureSink {
   public:
     explicit PlannedSink(Layers layers) : layers_(layers) {}
@@ -92,7 +91,7 @@ class PlannedSink final : public FeatureSink {
     Layers layers_;
 };
 
-/// @throws OptionError where the steps cannot do exactly what is asked for: the option, and what to do
+/// @throws OptionError naming an option that does not work in tiles, and a remedy
 void require_tiles(const Options& options);
 
 }  // namespace d2b

@@ -9,34 +9,36 @@
 
 namespace d2b {
 
-// The steps of a run in tiles. Each writes its files in one rename, whatever else there is, and does nothing
-// where they are there. What they write is a function of the plan, the sources and the files of the steps
-// before: the result is that of run(), whichever process did which tile, when, and how often.
+// Steps of a tiled run. Each step publishes its files by one rename and does nothing if they exist. Its
+// output is a function of the plan, the sources and the files of the previous steps, so the result equals
+// that of run(), whichever process handled which tile, when, and how often.
 
-/// Ground and detection of the units of a tile. @throws InputError, OutputError, Cancelled
+/// Estimates the ground and detects buildings in the units of a tile. @throws InputError, OutputError,
+/// Cancelled
 void find_tile(TileRun& run, std::int64_t tile);
-/// Sums up what is known of all tiles, joins what seams between units cut, and gives each building to a tile.
-/// @throws InputError also where a tile has not been found, OutputError, Cancelled
+/// Merges the statistics of all tiles, joins objects across seams, and assigns each building to a tile.
+/// @throws InputError also if a tile is missing, OutputError, Cancelled
 void join_tiles(TileRun& run);
-/// The contours of a tile's buildings, and the features of those whose outlines depend on no other tile's.
+/// Traces the contours of a tile's buildings and draws those whose outlines do not depend on other tiles.
 /// @throws as find_tile()
 void draw_tile(TileRun& run, std::int64_t tile);
-/// Draws what is left, numbers all, and writes the result. @param run on the destination, which stays as it
-/// was where something is thrown @return the report of the run @throws as find_tile()
+/// Draws the deferred contours, assigns all ids, and writes the result. @param run on the destination, which
+/// is left unchanged if an exception is thrown @return the report of the run @throws as find_tile()
 RunReport merge_tiles(TileRun& run, FeatureSink& features, const ReportReader<RunReport>& reader = {});
 
-// Where features are many, tiles write them into files of their own: number_tiles() comes in the place of
-// merge_tiles(), and write_tile() for each tile after it.
+// For many features, tiles write files of their own: number_tiles() instead of merge_tiles(), followed by
+// write_tile() for each tile.
 
-/// Draws what is left and numbers all. @return the report of the run @throws as find_tile()
+/// Draws the deferred contours and assigns all ids. @return the report of the run @throws as find_tile()
 RunReport number_tiles(TileRun& run, const ReportReader<RunReport>& reader = {});
-/// Whether that has been done. @throws nothing
+/// True if number_tiles() is complete. @throws nothing
 [[nodiscard]] bool are_numbered(const TileRun& run);
-/// Writes a tile's features, with their numbers. @param features begun where the tile has some, and finished
+/// Writes a tile's features with their ids. @param features begun if the tile has any, and finished
 /// @throws as find_tile()
 void write_tile(TileRun& run, std::int64_t tile, FeatureSink& features);
-/// What all layers come to, by their place in the run's. @return nothing as long as a tile is not written
-/// @param after a tile that was written @throws InputError
+/// Returns the totals of all layers in the order of the run's layers, or nullopt if a tile is not written
+/// yet.
+/// @param after a tile that is already written @throws InputError
 [[nodiscard]] std::optional<NumberedWhole> written_parts(const TileRun& run, std::int64_t after);
 
 }  // namespace d2b

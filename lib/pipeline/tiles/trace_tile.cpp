@@ -12,12 +12,12 @@
 namespace d2b {
 namespace {
 
-/// A tile's cells; of points also those around that the squares of its own depend on.
+/// Returns the cells of a tile, in point mode with the surrounding points that its squares depend on.
 Window seen_by(const Window& own, TraceMode mode, const Window& whole) {
     if (mode == TraceMode::cells)
         return own;
     Window seen = grown(own, rows_above(mode), 1, whole);
-    seen.rows = own.end_row() - seen.row;  // the tile below sees the squares between
+    seen.rows = own.end_row() - seen.row;  // squares between two tiles belong to the lower one
     return seen;
 }
 
@@ -45,12 +45,12 @@ void trace_tile(TileRun& run, std::int64_t tile) {
         return;
     Context& context = run.context();
     const TraceMode mode = run.setup().plan.trace;
-    Context uncounted;  // levels that are dropped count once for all tiles
+    Context uncounted;  // dropped levels are counted once for all tiles
     const TracedFrame traced = traced_frame(run, run.load_frame(), uncounted);
     const Window own = run.tiles().whole(tile).own;
     const Window seen = seen_by(own, mode, run.window());
     PartSource part(run.sources().dem, seen);
-    ElevationReader reader(part, context, {.keep_bytes = 0});  // which is read once
+    ElevationReader reader(part, context, {.keep_bytes = 0});  // read only once
     reader.apply(run.sift_rules());
     TileLines lines(traced.frame, mode, seen, own);
     const ColSpan summed{own.col - seen.col, own.end_col() - seen.col};

@@ -6,12 +6,12 @@
 
 namespace d2b {
 
-// Where all points bear one label, a contour may fill the window: a tile writes what it knows of the lines
-// that sweep through it, and merge traces.
+// Tiled runs without detection. A contour may fill the whole window, so a tile stores only its part of the
+// scan lines, and the merge step traces them.
 
-/// Takes a tile's rows apart. @throws as draw_tile()
+/// Splits the rows of a tile into runs. @throws as draw_tile()
 void trace_tile(TileRun& run, std::int64_t tile);
-/// Joins the lines of all tiles, traces and draws. @throws as merge_tiles()
+/// Joins the lines of all tiles, traces them and draws the contours. @throws as merge_tiles()
 void merge_traced(TileRun& run, FeatureSink& features, CommitList& commit);
 
 }  // namespace d2b

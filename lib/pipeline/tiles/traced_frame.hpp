@@ -6,15 +6,15 @@
 
 namespace d2b {
 
-/// What tracing needs to know of the whole where all points bear one label.
+/// Global parameters of tracing without detection.
 struct TracedFrame {
     LevelPlan plan;
     TraceFrame frame;
 };
-/// @param facts of the whole @param context in which it is counted what is dropped of the levels
+/// @param facts of the whole window @param context counts dropped levels
 [[nodiscard]] TracedFrame traced_frame(const TileRun& run, const FoundFacts& facts, Context& context);
 
-/// What join says of the whole, told as a run tells it. @throws InputError
+/// Loads the results of join and issues the same warnings as an untiled run. @throws InputError
 [[nodiscard]] FoundFacts tell_frame(TileRun& run, FeatureSink& features);
 
 }  // namespace d2b

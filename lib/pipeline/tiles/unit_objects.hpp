@@ -11,42 +11,41 @@
 
 namespace d2b {
 
-/// An object that lies at no seam: its unit alone has seen it.
+/// Object that does not touch a seam, so only its unit contains it.
 struct LoneObject {
     SeenObject seen;
     Window box;
-    Label label = 0;  ///< of its unit
+    Label label = 0;  ///< label in its unit
 };
 
-/// What a unit has found, in the hands of join.
+/// Objects of a unit, divided by the join step.
 struct UnitObjects {
-    /// What a label of the unit is: `left_out`, `lone`, or the place of its object among those at the seams,
-    /// plus one.
+    /// Kind of a label: `left_out`, `interior`, or the index of its object among those at seams, plus one.
     using Mark = std::uint32_t;
     static constexpr Mark left_out = 0;
     static constexpr Mark lone = std::numeric_limits<Mark>::max();
 
     std::vector<Mark> marks;        ///< by label - 1
-    std::vector<LoneObject> alone;  ///< by label
-    std::vector<Label> at_seams;    ///< labels, ascending
+    std::vector<LoneObject> alone;  ///< sorted by label
+    std::vector<Label> at_seams;    ///< labels in ascending order
 };
 
-/// What of the objects counts where they lie at no seam.
+/// Selection rules for objects that do not touch a seam.
 struct LoneRules {
-    std::int64_t least_cells = 1;  ///< what has fewer is left out
-    bool doubtful = false;         ///< is kept
+    std::int64_t least_cells = 1;  ///< objects with fewer cells are rejected
+    bool doubtful = false;         ///< true to keep low-confidence candidates
 };
-/// @param[in,out] doubtful counts the lone ones that have enough cells
+/// @param[in,out] doubtful is increased by the number of low-confidence interior objects with enough cells
 [[nodiscard]] UnitObjects divide_objects(const FoundUnit& unit, const LoneRules& rules,
                                          std::int64_t& doubtful);
 
-/// Keeps what lies at no seam out of memory until all seams are known.
+/// Spools interior objects until all seams are known, because they may not fit in memory.
 class LoneObjects {
   public:
-    /// @param units that there are
+    /// @param units number of units
     LoneObjects(std::unique_ptr<Spool> spool, std::size_t units) : spool_(std::move(spool)), kept_(units) {}
 
-    /// @throws OutputError the spool has no room
+    /// @throws OutputError the spool is full
     void put(std::int64_t unit, const UnitObjects& objects);
     [[nodiscard]] std::vector<UnitObjects::Mark> marks(std::int64_t unit) const;
     [[nodiscard]] std::vector<LoneObject> alone(std::int64_t unit) const;

@@ -17,7 +17,7 @@ NumberedWhole load_whole(const TileRun& run) {
                      [&](ByteReader& reader) { return load_numbered_whole(reader, run.tiles().count()); });
 }
 
-/// What a tile has drawn, in the order of keys.
+/// Opens the drawn contours of a tile, in the order of keys.
 DrawnStream drawn_stream(const TileRun& run, std::int64_t tile) {
     SealedFile file(run.file(TileStep::draw, tile), run.seal(TileStep::draw, tile));
     std::vector<DrawnBlock> blocks = load_body(file, [](ByteReader& reader) {
@@ -27,13 +27,13 @@ DrawnStream drawn_stream(const TileRun& run, std::int64_t tile) {
     return {std::move(file), std::move(blocks)};
 }
 
-/// Gives contours of a tile the numbers that merge has found.
+/// Assigns the ids found by the merge step to the contours of a tile.
 class Numbering {
   public:
     Numbering(const GivenNumbers& numbers, std::string damaged)
         : numbers_(numbers), damaged_(std::move(damaged)) {}
 
-    /// Of one contour after the other.
+    /// Numbers the next contour. Call in the order of drawing.
     void number(DrawnContour& drawn) {
         drawn.record.id = at(numbers_.written, next_++);
         drawn.record.parent_id = drawn.parent < 0 ? 0 : at(numbers_.written, drawn.parent);
@@ -59,7 +59,7 @@ void write_features(const TileRun& run, std::int64_t tile, FeatureWriter& writer
     Numbering numbering(numbered.numbers, file.damaged("it has not the numbers of all contours"));
     DrawnStream drawn = drawn_stream(run, tile);
     DrawnStream left(std::move(file), std::move(numbered.left));
-    GivenNumbers given;  // again, to nobody
+    GivenNumbers given;  // required by the interface, but not used afterwards
     for (std::size_t i = 0;; ++i) {
         const auto own = drawn.key();
         const auto other = left.key();
@@ -88,7 +88,7 @@ void write_tile(TileRun& run, std::int64_t tile, FeatureSink& features) {
     const RunSetup& setup = run.setup();
     const FoundFacts facts = run.load_frame();
     const FixedPoint fixed = facts.survey.statistics.fixed_point();
-    // As merge has them, for what the files say of themselves.
+    // Same levels as in the merge step, because the files carry them as metadata.
     LevelPlan plan =
         plan_global_levels(facts.survey.statistics, setup.plan.asked.levels, setup.plan.levels, context);
     plan.footprints = true;

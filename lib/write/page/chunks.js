@@ -1,5 +1,4 @@
-// Buildings in squares of the plan: all of them are blocks at once; stacks are made a square at a time, where one
-// looks.
+// Draws buildings by square chunks of the map: blocks of all chunks at once, stacks chunk by chunk near the camera.
 import * as THREE from 'three';
 
 import {edge} from './colours.js';
@@ -7,7 +6,7 @@ import {blocks, foundations, stacks} from './extrude.js';
 
 const buildingsAChunk = 60;
 
-// Faces and the edges of roofs.
+// Faces and roof edges.
 export function meshOf(prisms, materials) {
   const positions = new THREE.BufferAttribute(new Float32Array(prisms.positions), 3);
   const faces = new THREE.BufferGeometry();
@@ -92,8 +91,8 @@ export class Chunks {
       this.root.add(chunk.root);
   }
 
-  // Shows stacks near the eye, of so many triangles at most, and blocks beyond. Makes what is missing of stacks and of
-  // foundations until it is so late. Whether some is still missing.
+  // Shows stacks near the camera, up to a number of triangles, and blocks beyond. Builds missing stacks and foundations
+  // until a deadline. Returns true if some are still missing.
   update(eye, budget, late) {
     this.all.sort((a, b) => a.middle.distanceToSquared(eye) - b.middle.distanceToSquared(eye));
     let missing = false;

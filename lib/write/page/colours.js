@@ -1,4 +1,4 @@
-// The colours of heights, as the styles for QGIS have them.
+// Height colours, same as in the QGIS styles.
 
 export const edge = [70, 45, 35];
 export const chosen = [31, 120, 200];
@@ -9,7 +9,7 @@ export class Colours {
     this.veil = about.veil;
   }
 
-  // Paler where it is not certain. The first class also has heights below 0, and what has none.
+  // Paler if uncertain. The first class includes heights below 0 and missing ones.
   of(height, certainty, certain) {
     let found = 0;
     while (found + 1 < this.classes.length && height >= this.classes[found + 1].from)

@@ -1,8 +1,8 @@
-// Prisms of polygons: roofs of triangles, upright walls. Light comes from the north-west and is painted into the
-// colours, which needs neither normals nor lamps, and gives roofs the colours of the legend.
+// Extrudes polygons to prisms: triangulated roofs and vertical walls. Light from the north-west is baked into the
+// vertex colours, so neither normals nor lights are needed and roofs keep the colours of the legend.
 import {ShapeUtils, Vector2} from 'three';
 
-// Numbers that are gathered for the buffers of a mesh. Scenes have y up and z to the south.
+// Growing arrays for the buffers of a mesh. Scenes have y up and z to the south.
 export class Prisms {
   constructor() {
     this.positions = [];
@@ -24,7 +24,7 @@ function wallShade(dx, dy) {
   return 0.74 - 0.16 * (dy + dx) / length / Math.SQRT2;
 }
 
-// Walls around a ring whose inside is on its left.
+// Adds walls around a ring whose interior is on its left.
 export function addWalls(prisms, town, [from, to], foot, top, colour) {
   for (let i = from; i < to; ++i) {
     const j = i + 1 < to ? i + 1 : from;
@@ -65,7 +65,7 @@ export function addPrism(prisms, town, tier, foot, top, colour) {
   addRoof(prisms, town, rings, top, colour);
 }
 
-// Each building as one block with a flat roof.
+// Adds each building as one block with a flat roof.
 export function blocks(town, buildings) {
   const prisms = new Prisms();
   for (const building of buildings) {
@@ -77,7 +77,7 @@ export function blocks(town, buildings) {
   return prisms;
 }
 
-// Their stacks, low levels first, so that a level ends where `ends` says: of the indices and of the lines.
+// Adds the stacks, low levels first; `ends` has the end of each level in the indices and lines.
 export function stacks(town, buildings) {
   const tiers = [];
   for (const building of buildings) {
@@ -98,7 +98,7 @@ export function stacks(town, buildings) {
   return {prisms, ends};
 }
 
-// What is below buildings on a slope, down to the ground beside them.
+// Adds foundations of buildings on a slope, down to the ground.
 export function foundations(town, relief, buildings) {
   const prisms = new Prisms();
   for (const building of buildings) {

@@ -1,7 +1,7 @@
-// Where a camera has to be for all to be seen in a part of its picture, as large as it goes.
+// Finds the camera position from which all points fill a part of the picture.
 import * as THREE from 'three';
 
-// Corners of the window on the ground, and of the boxes of buildings at their tops.
+// Corners of the window on the ground and of the tops of the bounding boxes.
 function pointsOf(town, relief) {
   const points = [];
   for (const [x, y] of town.about.frame.corners) {
@@ -16,8 +16,8 @@ function pointsOf(town, relief) {
   return points;
 }
 
-// On both sides of the axis of view, by how much the camera must be back and aside for points to be between the sides
-// of a pyramid. @param share half of its width at a distance of 1
+// Returns the distance back and aside at which the camera has all points between two sides of its frustum.
+// @param share half of the width at distance 1
 function between(places, depths, share) {
   let [more, less] = [-Infinity, -Infinity];
   places.forEach((place, i) => {
@@ -27,8 +27,8 @@ function between(places, depths, share) {
   return {back: (more + less) / (2 * share), aside: (more - less) / 2};
 }
 
-// @param back unit vector from what is seen to the camera @param shares half of the width and height of that part of
-// the picture, at a distance of 1 @return where the camera is to be
+// @param back unit vector from the scene to the camera @param shares half of the width and height of that part of the
+// picture, at distance 1 @return position of the camera
 export function fittingPlace(town, relief, back, shares) {
   const right = new THREE.Vector3(0, 1, 0).cross(back).normalize();
   const up = back.clone().cross(right);

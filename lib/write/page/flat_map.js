@@ -1,4 +1,4 @@
-// The buildings from above, north up: for paper, and where there is no WebGL.
+// Map of the buildings from above, north up: used for printing and without WebGL.
 import {chosen, edge} from './colours.js';
 import {buildingAt} from './pick.js';
 
@@ -13,7 +13,7 @@ const ink = {
 const text = (colour, opacity = 1) => `rgba(${colour.join(',')},${opacity})`;
 
 export class FlatMap {
-  // @param room says what of the window is free: left, top, right, bottom @param onPick gets a building, or -1
+  // @param room returns the free part of the window: left, top, right, bottom @param onPick receives a building, or -1
   constructor(town, relief, canvas, room, onPick) {
     Object.assign(this, {town, relief, canvas, room, onPick});
     this.pen = canvas.getContext('2d');
@@ -21,12 +21,12 @@ export class FlatMap {
     this.theme = 'light';
     this.mark = -1;
     this.middle = [0, 0];
-    this.scale = 1;  // pixels a metre
+    this.scale = 1;  // pixels per metre
     this.fingers = new Map();
     this.watch();
   }
 
-  // All, in what is free of panels. On paper there are none.
+  // Fits everything into the part that is free of panels; there are none on paper.
   home() {
     const {width, height} = this.canvas;
     const [left, top, right, bottom] =
@@ -79,7 +79,7 @@ export class FlatMap {
       this.home();
   }
 
-  // @param ratio pixels of the picture in one of the page
+  // @param ratio canvas pixels per CSS pixel
   setSize(width, height, ratio) {
     this.ratio = ratio;
     const factor = this.canvas.width > 0 ? Math.min(width / this.canvas.width, height / this.canvas.height) : 1;
@@ -121,7 +121,7 @@ export class FlatMap {
     this.pen.restore();
   }
 
-  // What is in view, low levels first.
+  // Draws the visible part, low levels first.
   drawTiers() {
     const [west, north] = this.toMetres(0, 0);
     const [east, south] = this.toMetres(this.canvas.width, this.canvas.height);
@@ -147,7 +147,7 @@ export class FlatMap {
     const {pen, town} = this;
     pen.beginPath();
     for (const [from, to] of town.ringsOf(tier)) {
-      // After closePath() the pen is still at the ring before, so that a line to the next one would be drawn.
+      // moveTo() is needed because closePath() leaves the pen at the previous ring.
       pen.moveTo(...this.toPixels(town.x[from], town.y[from]));
       for (let i = from + 1; i < to; ++i)
         pen.lineTo(...this.toPixels(town.x[i], town.y[i]));
@@ -158,7 +158,7 @@ export class FlatMap {
     pen.stroke();
   }
 
-  // Of 1, 2 or 5 times a power of ten, in the upper right corner below a north arrow.
+  // Draws a scale bar of 1, 2 or 5 times a power of ten in the upper right corner, below a north arrow.
   drawScale() {
     const {pen, canvas} = this;
     const {ratio} = this;
@@ -187,7 +187,7 @@ export class FlatMap {
     pen.fillText('N', right - 8 * ratio, top + 32 * ratio);
   }
 
-  // Shares of the view.
+  // Pans by fractions of the view.
   move(right, up) {
     this.isHome = false;
     this.middle[0] += right * this.canvas.width / this.scale;
@@ -195,7 +195,7 @@ export class FlatMap {
     this.ask();
   }
 
-  // @param about pixels that stay where they are
+  // @param about pixel that stays in place
   zoom(factor, about = [this.canvas.width / 2, this.canvas.height / 2]) {
     this.isHome = false;
     const [x, y] = this.toMetres(...about);

@@ -1,15 +1,15 @@
-// The ground as a mesh: coarser than its samples, as finely lit as they are, and with sides down to a level below, like
-// a model on a table.
+// Mesh of the ground: coarser than its samples but with a texture at full resolution, and with side walls down to a
+// level below, like a model on a table.
 import * as THREE from 'three';
 
-// Corners a side.
+// Vertices per side.
 const most = 160;
 const sides = {
   light: 0xb9b7b0,
   dark: 0x24272c
 };
 
-// Every so many samples, and the last.
+// Returns every n-th sample and the last one.
 function picked(count) {
   const step = Math.ceil(count / most);
   const all = [];
@@ -42,7 +42,7 @@ function topOf(relief, rows, cols) {
   return geometry;
 }
 
-// Once around the window, where the ground is known.
+// Border of the window if its ground is known.
 function sidesOf(relief, rows, cols, bottom) {
   const around = [
     ...cols.map((col) => [0, col]),
@@ -67,7 +67,7 @@ function sidesOf(relief, rows, cols, bottom) {
 }
 
 export class GroundMesh {
-  // @param size of the window, metres
+  // @param size of the window in metres
   constructor(relief, size) {
     this.relief = relief;
     const rows = picked(relief.rows);
@@ -84,7 +84,7 @@ export class GroundMesh {
     const {material} = this.top;
     material.map?.dispose();
     material.map = new THREE.CanvasTexture(this.relief.image(theme));
-    material.map.minFilter = THREE.LinearFilter;  // its sides are no powers of two
+    material.map.minFilter = THREE.LinearFilter;  // sides are not powers of two
     material.needsUpdate = true;
     this.sides.material.color.setHex(sides[theme]);
   }

@@ -1,4 +1,4 @@
-// A page of dem2buildings: reads what is packed in it, and shows it.
+// Main script of a page: unpacks its data and shows it.
 import {FlatMap} from './flat_map.js';
 import {contextOf} from './painter.js';
 import {showBuilding, showLegend, showLevel, showSource, showSum} from './panels.js';
@@ -129,14 +129,14 @@ class Page {
       }
       event.preventDefault();
     };
-    // Who uses keys sees what they go to.
+    // Users of the keyboard see the focus.
     document.addEventListener('keydown', () => document.documentElement.dataset.keys = 'yes', true);
     document.addEventListener('pointerdown', () => delete document.documentElement.dataset.keys, true);
     byId('view').addEventListener('keydown', onKey);
     byId('map').addEventListener('keydown', onKey);
   }
 
-  // Paper is light, white, and finer than a screen. Of the map there is what was seen of it, of a scene all.
+  // Paper is light, white and finer than a screen. The map prints its visible part, the scene all of it.
   beginPrint() {
     this.printed = {theme: this.theme, view: this.shown};
     byId('legend').open = true;
@@ -167,7 +167,7 @@ async function start() {
     return;
   }
   const town = new Town(await unpack(byId('data').textContent));
-  // For whoever wants to ask the page by script.
+  // Interface for scripts.
   window.dem2buildings = new Page(town);
 }
 

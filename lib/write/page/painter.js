@@ -1,7 +1,7 @@
-// Who draws 3D here: a graphics card, or the processor, slowly.
+// Detects if 3D is drawn by a graphics card or, slowly, by the processor.
 
-// The one context of a canvas; null where there is no WebGL. It is asked for here and not by three.js, which would
-// complain in the console. Still pictures are finer than the screen instead of smoothed.
+// Returns the only context of a canvas; null without WebGL. Created here instead of by three.js, because three.js would
+// log errors. Still pictures are supersampled instead of antialiased.
 export function contextOf(canvas) {
   return canvas.getContext('webgl', {alpha: false, antialias: false, stencil: false, preserveDrawingBuffer: true});
 }

@@ -1,4 +1,4 @@
-// What is written beside the picture. Names come from files: they are put in as text, never as HTML.
+// Panels next to the picture. Names come from files, so they are inserted as text, never as HTML.
 
 const byId = (id) => document.getElementById(id);
 const number = (value, digits) => value.toLocaleString('en', {maximumFractionDigits: digits});
@@ -46,7 +46,7 @@ export function showLevel(town, level) {
   byId('rmse').textContent = counts && counts.rmse !== null ? `${counts.rmse.toFixed(2)} m` : 'not known';
 }
 
-// Open where there is room.
+// Open if there is space.
 export function showLegend(town) {
   const legend = byId('legend');
   const caption = document.createElement('p');
@@ -78,7 +78,6 @@ export function showLegend(town) {
   legend.append(paler);
 }
 
-// @param onClose
 export function showBuilding(town, building, onClose) {
   const card = byId('building');
   card.hidden = building < 0;

@@ -1,6 +1,6 @@
-// Which building is seen in a direction: prisms are asked themselves, whatever is drawn of them.
+// Picks the building in a direction by intersecting its prisms, independent of the drawn meshes.
 
-// Where along a ray a box begins; Infinity where it is missed.
+// Returns the ray parameter at which a box begins; Infinity if the ray misses it.
 function boxBegins([west, south, east, north, top], bottom, origin, direction) {
   let near = 0;
   let far = Infinity;
@@ -14,7 +14,7 @@ function boxBegins([west, south, east, north, top], bottom, origin, direction) {
   return near <= far ? near : Infinity;
 }
 
-// Where a ray meets the roof of a tier or one of its walls; Infinity where it misses both.
+// Returns the ray parameter of the roof or the nearest wall of a tier; Infinity if the ray misses both.
 function tierBegins(town, building, tier, origin, direction) {
   const [foot, top] = [town.foot(building, tier), town.top(tier)];
   let best = Infinity;
@@ -35,7 +35,7 @@ function tierBegins(town, building, tier, origin, direction) {
   return best;
 }
 
-// The first on a ray, of tiers up to a level; -1 where there is none.
+// Returns the first building on a ray, using tiers up to a level; -1 if there is none.
 export function buildingOnRay(town, origin, direction, level) {
   let best = Infinity;
   let found = -1;
@@ -52,7 +52,7 @@ export function buildingOnRay(town, origin, direction, level) {
   return found;
 }
 
-// The one that covers a place on the map; -1 where there is none.
+// Returns the building that covers a position on the map; -1 if there is none.
 export function buildingAt(town, x, y) {
   for (let building = 0; building < town.buildings; ++building) {
     const [west, south, east, north] = town.boxOf(building);

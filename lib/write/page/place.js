@@ -1,4 +1,4 @@
-// From steps of the frame to metres: x to the east, y to the north, z up, from the origin of the page.
+// Converts steps of the frame to metres: x to the east, y to the north, z up, relative to the origin of the page.
 
 export class Place {
   constructor(frame) { this.frame = frame; }
@@ -9,7 +9,7 @@ export class Place {
 
   z(steps) { return this.frame.offset[2] + steps * this.frame.scale[2]; }
 
-  // A place in the window: shares of its rows and of its columns, from its first row and column.
+  // Converts fractions of the rows and columns of the window to a position.
   inWindow(down, across) {
     const [first, below, opposite, beside] = this.frame.corners;
     return [0, 1].map(

@@ -1,4 +1,4 @@
-// The ground: heights, and light from the north-west as the pictures of -preview have it.
+// Ground: heights, and hillshade from the north-west like the pictures of -preview.
 
 const tones = {
   light: {dark: 130, flat: 222, bright: 250, tint: [1, 1, 0.985]},
@@ -12,9 +12,9 @@ export class Relief {
     const [x0, y0] = town.place.inWindow(0, 0);
     const [x1, y1] = town.place.inWindow(0, 1);
     const [x2, y2] = town.place.inWindow(1, 0);
-    this.width = Math.hypot(x1 - x0, y1 - y0) * across;  // of a sample, metres
+    this.width = Math.hypot(x1 - x0, y1 - y0) * across;  // width of a sample, metres
     this.height = Math.hypot(x2 - x0, y2 - y0) * down;
-    // The window as a parallelogram: where it begins, and its sides.
+    // Window as a parallelogram: its begin and its sides.
     this.axes = {x0, y0, right: [x1 - x0, y1 - y0], down: [x2 - x0, y2 - y0]};
     this.det = (x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0);
     this.southUp = y2 > y0;
@@ -23,10 +23,10 @@ export class Relief {
     this.origin = town.about.frame.origin[2];
   }
 
-  // Metres from the page's origin; NaN where there is none.
+  // Height in metres from the origin of the page; NaN if missing.
   at(row, col) { return this.heights[row * this.cols + col] - this.origin; }
 
-  // Of all samples; 0 where there are none.
+  // Lowest sample, relative to the origin of the page; 0 if there are none.
   lowest() {
     let lowest = Infinity;
     for (const height of this.heights)
@@ -35,7 +35,7 @@ export class Relief {
     return lowest === Infinity ? 0 : lowest - this.origin;
   }
 
-  // The middle of a sample; those at the border lie on it, as the window has nothing beyond.
+  // Centre of a sample; samples at the border lie on it, because the window has no data beyond.
   position(row, col) {
     const share = (i, count, step) => i === 0 ? 0 : i === count - 1 ? 1 : Math.min(1, (i + 0.5) * step);
     return this.town.place.inWindow(share(row, this.rows, this.down), share(col, this.cols, this.across));
@@ -64,7 +64,7 @@ export class Relief {
     return shades;
   }
 
-  // A pixel a sample.
+  // Draws one pixel per sample.
   image(theme) {
     if (this.images.has(theme))
       return this.images.get(theme);
@@ -82,7 +82,7 @@ export class Relief {
     return canvas;
   }
 
-  // The ground near a place, in metres from the origin; NaN where there is none.
+  // Returns the ground height near a position, in metres from the origin; NaN if missing.
   near(x, y) {
     const {x0, y0, right, down} = this.axes;
     const across = ((x - x0) * down[1] - down[0] * (y - y0)) / this.det;

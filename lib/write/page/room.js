@@ -1,11 +1,11 @@
-// What the panels leave free of the window, in pixels of the page: left, top, right, bottom.
+// Part of the window that is free of panels, in CSS pixels: left, top, right, bottom.
 
 const boxOf = (id) => document.getElementById(id).getBoundingClientRect();
 const gap = 12;
 
 export function freeRoom() {
   const head = boxOf('head');
-  if (head.right < window.innerWidth / 2)  // they stand in a column
+  if (head.right < window.innerWidth / 2)  // panels form a column
     return [head.right + gap, gap, window.innerWidth - gap, window.innerHeight - gap];
   const isOpen = document.getElementById('legend').open;
   const below = Math.min(boxOf('levels').top, isOpen ? Infinity : boxOf('legend').top);

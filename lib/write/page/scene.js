@@ -1,4 +1,4 @@
-// The buildings in 3D. Draws when something has changed, and at no other time.
+// 3D scene of the buildings. Renders only after a change.
 import * as THREE from 'three';
 import {OrbitControls} from 'three-orbit';
 
@@ -14,32 +14,33 @@ const sky = {
   light: 0xe9eef2,
   dark: 0x14171b
 };
-// Triangles of stacks: with a graphics card, without one, and the least while something moves on a slow machine.
+// Triangle limits of stacks: with a graphics card, without one, and the minimum during motion on a slow machine.
 const mostTriangles = {
   card: 3000000,
   processor: 400000
 };
 const leastTriangles = 50000;
-// Milliseconds: of a frame that is slow, of work on stacks in one go, and between pictures meanwhile.
+// Milliseconds: duration of a slow frame, of one batch of work on stacks, and between pictures during that work.
 const slowFrame = 80;
 const workTime = 100;
 const pictureTime = 1500;
-// From what is seen to the eye, when all is shown: from the south, a little from the west; more from above where there
-// is more height than width.
+// Direction from the scene to the camera when everything is shown: from the south and slightly west; steeper if the
+// view is higher than wide.
 const homewards = {
   wide: new THREE.Vector3(-0.22, 0.68, 0.7).normalize(),
   high: new THREE.Vector3(-0.14, 1.1, 0.5).normalize()
 };
-const upright = Math.PI / 180 * 40;  // angle of view
-// Pixels drawn for one of the screen, a side, when nothing moves; and milliseconds after which it is taken to rest.
+const upright = Math.PI / 180 * 40;  // field of view
+// Rendered pixels per screen pixel and side when at rest, and milliseconds until the scene counts as at rest.
 const fine = 2;
 const restTime = 200;
-// Of the free part of the picture that all may fill.
+// Fraction of the free part of the picture that the scene fills.
 const margin = 0.95;
 
 export class Scene {
-  // @param context of the canvas @param room says what of the window is free: left, top, right, bottom
-  // @param onPick gets a building, or -1 where there is none @param onTurn the angle of north, clockwise from above
+  // @param context of the canvas @param room returns the free part of the window: left, top, right, bottom
+  // @param onPick receives a building, or -1 if there is none @param onTurn receives the angle of north, clockwise from
+  // above
   constructor(town, relief, canvas, context, room, {onPick, onTurn}) {
     Object.assign(this, {town, relief, canvas, room, onPick, onTurn});
     const machine = isProcessor(context) ? 'processor' : 'card';
@@ -71,13 +72,13 @@ export class Scene {
     this.watchClicks();
   }
 
-  // Of the part of the picture that is free of panels, pixels.
+  // Pixels of the part of the picture that is free of panels.
   middle() {
     const [left, top, right, bottom] = this.room();
     return [(left + right) / 2, (top + bottom) / 2];
   }
 
-  // All, as large as it goes beside the panels.
+  // Fits everything next to the panels.
   home() {
     const {clientWidth: width, clientHeight: height} = this.canvas;
     const [left, top, right, bottom] = this.room();
@@ -125,7 +126,7 @@ export class Scene {
     this.ask();
   }
 
-  // @param x, y in pixels of the canvas
+  // @param x, y in canvas pixels
   pick(x, y) {
     const box = this.canvas.getBoundingClientRect();
     const ray = new THREE.Raycaster();
@@ -135,7 +136,7 @@ export class Scene {
         this.town, [origin.x, -origin.z, origin.y], [direction.x, -direction.z, direction.y], this.chunks.level);
   }
 
-  // A click is a press that has not become a drag.
+  // A click is a press that did not become a drag.
   watchClicks() {
     let down = null;
     this.canvas.addEventListener('pointerdown', (event) => {
@@ -149,7 +150,7 @@ export class Scene {
     });
   }
 
-  // Shares of a full turn.
+  // Rotates by fractions of a full turn.
   turn(around, up) {
     const spot = new THREE.Spherical().setFromVector3(this.camera.position.clone().sub(this.controls.target));
     spot.theta -= 2 * Math.PI * around;
@@ -161,7 +162,7 @@ export class Scene {
 
   turnNorth() { this.turn(this.controls.getAzimuthalAngle() / (2 * Math.PI), 0); }
 
-  // Shares of the distance to what is looked at.
+  // Pans by fractions of the distance to the target.
   move(right, up) {
     const away = this.camera.position.clone().sub(this.controls.target);
     const forward = new THREE.Vector3(-away.x, 0, -away.z).normalize();
@@ -182,7 +183,7 @@ export class Scene {
     this.ask();
   }
 
-  // Shows all again if nobody has moved it.
+  // Shows everything again unless the user has moved the camera.
   resize() {
     const {clientWidth: width, clientHeight: height} = this.canvas.parentElement;
     this.renderer.setSize(width, height, false);
@@ -207,21 +208,21 @@ export class Scene {
     requestAnimationFrame((time) => this.draw(time));
   }
 
-  // A line is as wide as a pixel: from far away many of them would hide the colours.
+  // Lines are one pixel wide and would hide the colours from far away.
   thinLines() {
     const away = this.camera.position.distanceTo(this.controls.target);
     const pixelsAMetre = this.canvas.clientHeight / (2 * Math.tan(upright / 2) * away);
     this.chunks.materials.lines.opacity = 0.5 * Math.min(1, pixelsAMetre);
   }
 
-  // When it is drawn, not when it was asked for: a pixel is read from it.
+  // Marks the time at which the picture is drawn instead of requested, because reading a pixel waits for it.
   markFirst() {
     const context = this.renderer.getContext();
     context.readPixels(0, 0, 1, 1, context.RGBA, context.UNSIGNED_BYTE, new Uint8Array(4));
     performance.mark('first-picture');
   }
 
-  // @param ratio pixels drawn for one of the screen
+  // @param ratio rendered pixels per screen pixel
   picture(ratio) {
     if (this.renderer.getPixelRatio() !== ratio)
       this.renderer.setPixelRatio(ratio);
@@ -231,7 +232,7 @@ export class Scene {
     this.pictured = performance.now();
   }
 
-  // The last picture, when it has rested for a while.
+  // Renders the last picture after a rest.
   rest() {
     const finish = () => {
       this.picture(fine);
@@ -243,8 +244,8 @@ export class Scene {
       this.resting = setTimeout(finish, restTime);
   }
 
-  // The first picture is of blocks without lines. Where frames take long while something moves, far stacks are blocks
-  // until it has stopped; while stacks are made, there is a picture now and then.
+  // The first picture shows blocks without lines. If frames are slow during motion, far stacks are shown as blocks
+  // until it ends; while stacks are built, pictures appear at intervals.
   draw(time) {
     this.asked = false;
     clearTimeout(this.resting);

@@ -1,4 +1,4 @@
-// The buildings of a page and what is asked of them. A building and a tier are their places in the lists.
+// Buildings of a page and queries about them. Buildings and tiers are identified by their list indices.
 import {Colours} from './colours.js';
 import {Place} from './place.js';
 
@@ -26,7 +26,7 @@ export class Town {
 
   top(tier) { return this.place.z(this.stack.top[tier]); }
 
-  // Where a tier begins.
+  // Height of the bottom of a tier.
   foot(building, tier) {
     const parent = this.stack.parent[tier];
     return parent < 0 ? this.base(building) : this.top(parent);
@@ -34,7 +34,7 @@ export class Town {
 
   tiersOf(building) { return [this.stack.tiersFrom[building], this.stack.tiersFrom[building + 1]]; }
 
-  // Where the corners of each ring of a tier begin and end; the exterior first.
+  // Vertex ranges of the rings of a tier; the exterior comes first.
   ringsOf(tier) {
     const rings = [];
     for (let ring = this.stack.ringsFrom[tier]; ring < this.stack.ringsFrom[tier + 1]; ++ring)
@@ -53,7 +53,7 @@ export class Town {
     return this.colours.of(height, this.value(certainty, building), certain);
   }
 
-  // Of the footprints and heights of buildings: west, south, east, north, top.
+  // Bounding box of footprints and heights: west, south, east, north, top.
   makeBoxes() {
     const boxes = new Float32Array(5 * this.buildings);
     for (let building = 0; building < this.buildings; ++building) {
@@ -85,7 +85,7 @@ export class Town {
 
   boxOf(building) { return this.boxes.subarray(5 * building, 5 * building + 5); }
 
-  // Whether a tier covers a place.
+  // Returns true if a tier covers a position.
   holds(tier, x, y) {
     let inside = false;
     for (const [from, to] of this.ringsOf(tier))

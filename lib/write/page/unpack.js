@@ -1,5 +1,5 @@
-// What a page holds: a description, the stacks, the relief. lib/write/page_stack.hpp and page_relief.hpp say how they
-// are packed.
+// Unpacks the data of a page: a description, the stacks and the relief. PageStack and PageRelief in lib/write define
+// the encoding.
 
 async function inflated(text) {
   const letters = atob(text);
@@ -10,7 +10,7 @@ async function inflated(text) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-// Each begins with its length in four bytes.
+// Each section begins with its length in four bytes.
 function sections(bytes) {
   const found = [];
   const view = new DataView(bytes.buffer);
@@ -28,7 +28,7 @@ class Numbers {
     this.at = 0;
   }
 
-  // Of up to 53 binary digits.
+  // Reads an integer of up to 53 bits.
   take() {
     let byte = this.bytes[this.at++];
     let number = byte & 0x7f;
@@ -44,7 +44,7 @@ class Numbers {
 
 function signed(number) { return number % 2 === 0 ? number / 2 : -(number + 1) / 2; }
 
-// Lists that grow, then are cut to what is in them.
+// Growing arrays, trimmed at the end.
 class List {
   constructor(Type) {
     this.values = new Type(1024);
@@ -63,8 +63,8 @@ class List {
   done() { return this.values.slice(0, this.size); }
 }
 
-// Buildings, their tiers, the rings of these and their corners, each a list; what begins where has an end more.
-// Lengths are steps of the frame, heights millimetres.
+// Lists of buildings, tiers, rings and vertices; lists of begins have one more entry, the end. Lengths are in steps of
+// the frame, heights in millimetres.
 export function unpackStack(bytes, buildings) {
   const numbers = new Numbers(bytes);
   const lists = {
@@ -113,7 +113,7 @@ export function unpackStack(bytes, buildings) {
   return Object.fromEntries(Object.entries(lists).map(([name, list]) => [name, list.done()]));
 }
 
-// Heights in metres, row by row; NaN where there is none.
+// Heights in metres, row by row; NaN if missing.
 export function unpackRelief(bytes, rows, cols) {
   const numbers = new Numbers(bytes);
   const heights = new Float32Array(rows * cols).fill(NaN);
